@@ -51,6 +51,8 @@ print("hello")
 #
 # This file is your own copy: an update of the course never overwrites it.
 #
+# Each section says how many minutes it takes. Sections that are marked *deeper* can be left out: no later section needs them. The rest is the *core* of a lesson.
+#
 # The words in bold guide you. **Ask** begins with a question. **Try**, **Look** and **Check** mean: run the cell and compare. Before a result, you often write down a guess; section 3 shows how. Some cells show only their first line, such as `# Check: the numbers in this section`. They contain lines with [[term:assert|`assert`]]: each of them tests that a number in the text is right. You can run these cells without reading them.
 #
 # ## 2 · Is your computer ready? ([[minutes]])
@@ -178,7 +180,7 @@ assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 # | `hint("start-count")` | shows a hint. Run it again for the next one; there are three. |
 # | `solution("start-count")` | shows a solution and explains it, after three honest tries. `solution("start-count", give_up=True)` shows it at once. |
 #
-# If a check cell shows `NameError: name 'count_pixels' is not defined`, the cell with your function has not run since the kernel started: run it first. Hints and solutions never change your points. This exercise is for practice: it gives no points, but it shows how every exercise works.
+# If a check cell shows `NameError: name 'count_pixels' is not defined`, the cell with your function has not run since the kernel started: run it first. Most exercises give *points*: if you take the course with an instructor, a program *grades* your answers (it tests them again, with other inputs). Hints and solutions never change your points. This exercise is for practice and gives no points, but it shows how every exercise works.
 
 # %% role="exercise"
 exercise(
@@ -244,3 +246,5 @@ hint("start-count", step=1)
 # The [glossary](glossary.md) explains the words of the course. Many words in the lessons are links to it.
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.
+#
+# **Only one day?** *The original lesson in one day* is a route of about ROUTE_HOURS hours: the cores of this lesson, [[arrays]], [[what_is_image_processing]], [[images_as_messages]], [[grayscale]], [[grayscale_node]], [[canny_stages]], [[edge_detection_node]] and [[ros2_packages]]. The [list of all lessons](index.ipynb) names the other routes.

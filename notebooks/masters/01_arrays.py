@@ -49,7 +49,7 @@ figure_texts = {
         "The grid with its numbers, and the same grid in black and white: only the vertical line is white.",
     ),
     "rows": (
-        "The same row three times: without its last two numbers, without its ends, without its first two. In each column stand a pixel's left neighbour, the pixel, and its right neighbour.",
+        "The same row three times: without its last two numbers, without its ends, without its first two. Each column has the left neighbour of a pixel, the pixel, and its right neighbour.",
         "Three short rows of numbers, one above the other, each shifted by one column.",
     ),
     "steps": (
@@ -65,7 +65,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · A table of numbers ([[minutes]])
 #
-# `np.array` makes an array from a list of rows. The `shape` says how many rows and columns it has; rows come first. `size` is the number of all its numbers.
+# `np.array` makes an array from a list of rows. `dtype=np.uint8` says what kind of numbers it holds: whole numbers from 0 to 255. The `shape` says how many rows and columns the array has; rows come first. `size` is the number of all its numbers.
 
 # %%
 tiny = np.array(
@@ -221,7 +221,7 @@ assert frame.shape == (720, 1280, 3) and small.shape == (180, 320, 3)
 assert row[::-2].tolist() == [5, 3, 1]
 
 # %% [markdown]
-# ### Your turn: mirror
+# ### Your turn: mirror ([[minutes]], deeper)
 #
 # In a mirror, left and right are exchanged. Write `mirror(image)`.
 #
@@ -301,7 +301,7 @@ assert (frame[..., 2] == frame[:, :, 2]).all() and red.shape == (100, 100)
 assert swapped.shape == frame.shape and (swapped[..., 0] == frame[..., 2]).all()
 
 # %% [markdown]
-# ### Your turn: the red channel
+# ### Your turn: the red channel ([[minutes]], deeper)
 #
 # Write `red_channel(bgr)`.
 #
@@ -382,7 +382,7 @@ one = np.array([1], dtype=np.uint8)
 compare_guess(guess_zero, (zero - one)[0])
 
 # %% [markdown]
-# After 0 the numbers begin again at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called to *widen*. In [[grayscale]] you see what happens to an image if you forget it.
+# After 0 the numbers begin again at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called *widening*. In [[grayscale]] you see what happens to an image if you forget it.
 
 # %%
 print(zero.astype(np.int16) - one)
@@ -490,7 +490,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ### Your turn: two levels
+# ### Your turn: two levels ([[minutes]], deeper)
 #
 # Write `two_levels(gray, level)`. The result is an image that has only black and white pixels.
 #
@@ -572,7 +572,7 @@ print("tiny[0]:", tiny[0], "  the copy:", safe)
 assert original[0, 0] == 255 and tiny[0, 0] == 10 and safe[0] == 255
 
 # %% [markdown]
-# ### Your turn: paint
+# ### Your turn: paint ([[minutes]], deeper)
 #
 # Write `paint_white(gray, mask)`. The check also tests that the given image stays as it is.
 #
@@ -639,7 +639,7 @@ assert tiny.max() == 200 and tiny.max(axis=0).tolist() == [90, 90, 200, 90, 90]
 assert frame.mean(axis=2).shape == (720, 1280)
 
 # %% [markdown]
-# ### Your turn: the mean of each row
+# ### Your turn: the mean of each row ([[minutes]], deeper)
 #
 # Write `row_means(gray)`.
 #
@@ -704,7 +704,7 @@ show(np.stack([left, middle, right]), "left, middle, right",
      text=figure_texts["rows"])
 
 # %% [markdown]
-# In each column of the figure stand the three numbers that the loop adds. So we add the three arrays:
+# Each column of the figure has the three numbers that the loop adds. So we add the three arrays:
 
 # %%
 print((left + middle + right).tolist())

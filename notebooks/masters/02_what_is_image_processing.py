@@ -12,7 +12,7 @@
 # **You will be able to**
 # - name four uses of images on a home robot, with an example of each,
 # - recognise four basic operations (grayscale, edge detection, noise removal, [[term:binarization]]) by what they do to the numbers,
-# - explain why a grayscale image is not a binary image,
+# - say what distinguishes a grayscale image from a binary image,
 # - name the four steps of a program that processes a robot's images, and the libraries that it needs.
 #
 # **Time** [[minutes]]; take a break after section 4. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
@@ -164,7 +164,7 @@ print("top left corner (column, row):", top_left)
 print("bottom left corner:           ", bottom_left)
 
 # %% [markdown]
-# We know the real size of the marker: each side is 0.25 m. How far away is it? An object at twice the distance looks half as large. How large it looks in pixels also depends on the lens, on its *[[term:focal length]]*. The focal length of this camera is 705 pixels. (Together with the *[[term:principal point]]*, the image point straight ahead of the camera, it is called the camera's *[[term:intrinsics]]*.) Then:
+# We know the real size of the marker: each side is 0.25 m. How far away is it? An object at twice the distance looks half as large. How large it looks in pixels also depends on the lens, on its *[[term:focal length]]*. The focal length of this camera is 705 pixels. Then:
 #
 # $$\text{distance} = \text{focal length} \cdot \frac{\text{real size}}{\text{size in pixels}}$$
 #
@@ -181,7 +181,7 @@ print("focal length:", focal_length, "  side:", side)
 compare_guess(guess_marker, round(float(distance), 2), "m")
 
 # %% [markdown]
-# The recording contains the true positions of camera and marker, so we can compute the true distance: 3.6 m. Our result has an error of less than five percent. The library function `cv2.solvePnP` is better: it uses all four corners, and it also corrects how the lens bends straight lines (the *[[term:distortion]]*). It gives the *[[term:pose]]* of the marker: its position and its orientation. If a robot knows where in the room the marker stands, it can compute its own position from the pose of the marker.
+# The recording contains the true positions of camera and marker, so we can compute the true distance: 3.6 m. Our result has an error of less than five percent. If a robot knows where in the room the marker stands, it can compute its own position from such distances; [[where_am_i]] does this.
 
 # %%
 # Check: the numbers in this section
@@ -246,9 +246,9 @@ print("different values:", np.unique(gray).size)
 show([frame, gray], ["colour", "gray"], text=figure_texts["gray"])
 
 # %% [markdown]
-# ### 6 · Planned failure: grayscale is not binary ([[minutes]])
+# ### 6 · Planned failure: a “black and white” photograph ([[minutes]])
 #
-# Many people call a gray image a "black and white photograph". Are all its pixels black or white? (In a *planned failure*, something goes wrong on purpose. **Repair it** then says what to do.) **Predict** how many percent of its pixels are fully black (0) or fully white (255).
+# Many people call a gray image "black and white". How many of its pixels really are black or white? (In a *planned failure*, something goes wrong on purpose. **Repair it** then says what to do.) **Predict** how many percent of its pixels are fully black (0) or fully white (255).
 
 # %% role="predict"
 guess_black_white = None  # your guess: how many percent of the pixels?
@@ -325,7 +325,14 @@ print("before", noisy.shape, "  after", cleaned.shape)
 show([noisy, cleaned], ["with noise", "after a 3 × 3 median"],
      rows=(300, 460), cols=(440, 730), text=figure_texts["noise"])
 
+# %%
+# Check: the numbers in this section
+noise = (random_values < 0.025) | (random_values > 0.975)
+assert round(noise.mean() * 100) == 5 and cleaned.shape == noisy.shape
+
 # %% [markdown]
+# ### How much is left? ([[minutes]], deeper)
+#
 # **Predict.** How large is the mean error that is left, compared with the mean error of the noisy image?
 
 # %% role="predict"
@@ -339,9 +346,7 @@ print("mean error in gray levels:", round(float(error_before), 1),
 compare_guess(guess_error, round(float(error_after / error_before) * 100), "%")
 
 # %%
-# Check: the numbers in this section
-noise = (random_values < 0.025) | (random_values > 0.975)
-assert round(noise.mean() * 100) == 5 and cleaned.shape == noisy.shape
+# Check: the error is less than half
 assert error_after < error_before / 2
 
 # %% [markdown]
@@ -358,7 +363,7 @@ assert error_after < error_before / 2
 #
 # | library | what it is | used for |
 # |---|---|---|
-# | `rclpy` | the Python library of ROS 2 | steps 1 and 4: [[term:node|nodes]], topics, messages |
+# | `rclpy` | the Python library of ROS 2 | steps 1 and 4: topics and messages |
 # | `cv_bridge` | the converter between ROS messages and arrays | steps 2 and 4 |
 # | OpenCV (`cv2`) | the most widely used library for image processing | step 3, and windows for step 4 |
 # | NumPy (`np`) | the library for arrays | all computation with pixels |
@@ -386,7 +391,7 @@ view = live_view(source, with_edges, low=(0, 500), high=(0, 500),
 assert (with_edges(frame)["edges"] == edges).all()
 
 # %% [markdown]
-# ## 11 · Your turn: name the operation ([[minutes]])
+# ## 11 · Your turn: name the operation ([[minutes]], deeper)
 #
 # Write `name_operation(before, after)`. It gets an image before and after one operation, and returns the name of this operation.
 #

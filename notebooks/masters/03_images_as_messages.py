@@ -12,8 +12,8 @@
 # **You will be able to**
 # - name the fields of a `sensor_msgs/Image` (ROS's message type for images) and explain each field,
 # - turn the bytes of a message into an array by hand, and back,
-# - recognise two common mistakes in an image (red and blue swapped; the rows cut wrongly) and repair them,
-# - explain why some [[term:subscription|subscriptions]] receive nothing from a camera, and repair them.
+# - recognise two common mistakes in an image (channels in the wrong order; rows cut wrongly) and repair them,
+# - choose the policies of a [[term:subscription]] so that they fit a camera.
 #
 # **Time** [[minutes]], with two places for a break. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
 #
@@ -160,15 +160,13 @@ assert 1 * tiny_message.step + 2 == 7 and tiny_message.data[7] == tiny[1, 2]
 assert (decoded == tiny).all()
 
 # %% [markdown]
-# ### Your turn: decode a gray image ([[minutes]], practice)
+# ### Your turn: decode a gray image ([[minutes]], practice, deeper)
 #
 # Write `decode_mono8(message)` with the two lines above. They must work for an image of any size.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `message`: encoding `mono8`, rows without padding | an array of shape (height, width), dtype uint8 (the type counts) | `decode_mono8(tiny_message)` equals `tiny` |
-#
-# `np` is ready to use in every exercise. The check refuses an answer that uses `cv2` or the course's converter, here and in the next exercises.
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -268,7 +266,7 @@ assert largest == 0  # red in rgb8, but the place of blue in bgr8
 assert (bgr == frame[..., ::-1]).all()
 
 # %% [markdown]
-# ### Your turn: decode a colour image ([[minutes]], practice)
+# ### Your turn: decode a colour image ([[minutes]], practice, deeper)
 #
 # Write `decode_rgb8(message)`. It keeps the channels in the order of `data`, so it treats `rgb8` and `bgr8` in the same way.
 #
@@ -367,33 +365,10 @@ cut_by_step = rows[:, : padded.width]
 show([cut_by_width, cut_by_step], ["cut by width", "cut by step, then cropped"],
      encoding="mono8", text=figure_texts["cut"])
 
-# %% [markdown]
-# Here is the same mistake with the camera's image. Every row is padded by one pixel (three bytes):
-
-# %%
-wide = np.zeros((720, 1281, 3), dtype=np.uint8)
-wide[:, :1280] = frame
-first_bytes = wide.reshape(-1)[: 720 * 1280 * 3]  # -1: one long row
-sheared = first_bytes.reshape(720, 1280, 3)
-show(sheared, "padding read as pixels", encoding="rgb8",
-     text=figure_texts["sheared"])
-
-# %% [markdown]
-# `image_to_array` uses `step`. If the fields of a message contradict each other, it raises an error. The error says which field is wrong, which value was expected, and what you can do. (`try` and `except` catch the error, so that the lesson goes on.)
-
-# %%
-cut_short = array_to_image(tiny, "mono8")
-cut_short.data = cut_short.data[:20]  # five bytes are lost
-try:
-    image_to_array(cut_short)
-except ValueError as error:
-    print(error)
-
 # %%
 # Check: the numbers in this section
 assert len(padded.data) == 40 and cut_by_width[1, 0] == 99
 assert (cut_by_step == tiny).all() and (image_to_array(padded) == tiny).all()
-assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).all()
 
 # %% [markdown]
 # ### Your turn: remove the padding ([[minutes]], practice)
@@ -403,6 +378,8 @@ assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).a
 # | Input | Output | Example call |
 # |---|---|---|
 # | `message`: encoding `rgb8`, rows with padding of any length | an array of shape (height, width, 3), dtype uint8 (the type counts), without the padding | for a message with height 2, width 4 and step 14, the result has shape (2, 4, 3) |
+#
+# `np` is ready to use in every exercise. The check refuses an answer that uses `cv2` or the course's converter.
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -471,9 +448,37 @@ def inputs(rng):
     return (padded_message(rng, height, width + height, int(rng.integers(1, 6))),)
 
 # %% [markdown]
+# ### The same mistake in the camera's image ([[minutes]], deeper)
+#
+# Every row is padded by one pixel (three bytes):
+
+# %%
+wide = np.zeros((720, 1281, 3), dtype=np.uint8)
+wide[:, :1280] = frame
+first_bytes = wide.reshape(-1)[: 720 * 1280 * 3]  # -1: one long row
+sheared = first_bytes.reshape(720, 1280, 3)
+show(sheared, "padding read as pixels", encoding="rgb8",
+     text=figure_texts["sheared"])
+
+# %% [markdown]
+# `image_to_array` uses `step`. If the fields of a message contradict each other, it raises an error. The error says which field is wrong, which value was expected, and what you can do. (`try` and `except` catch the error, so that the lesson goes on.)
+
+# %%
+cut_short = array_to_image(tiny, "mono8")
+cut_short.data = cut_short.data[:20]  # five bytes are lost
+try:
+    image_to_array(cut_short)
+except ValueError as error:
+    print(error)
+
+# %%
+# Check: the camera's image with and without the padding
+assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).all()
+
+# %% [markdown]
 # **Pause.** This is a good place for a break. After it, run the cells above again: **Run → Run All Above Selected Cell**.
 #
-# ## 5 · Which byte comes first? ([[minutes]])
+# ## 5 · Which byte comes first? ([[minutes]], deeper)
 #
 # A depth camera measures distances. It needs numbers above 255, so a pixel takes two bytes. The encoding is `16UC1` (16 bits, unsigned, 1 channel) or `mono16`. One of the two bytes is the *more significant* one: it counts 256 times as much as the other. Two bytes can be stored in two orders. *[[term:big-endian|Big-endian]]* stores the more significant byte first, *little-endian* the less significant one.
 #
@@ -610,15 +615,22 @@ print("values that differ:", (by_hand != by_function).sum(),
       (by_hand != by_bridge).sum())
 
 # %% [markdown]
-# The other direction is `cv2_to_imgmsg`: it makes a message of an array.
+# The other direction is `cv2_to_imgmsg`: it makes a message of an array. (To draw into an image that you have decoded, make a copy first: the array may share the memory of the message, and is read-only then.)
 
 # %%
 new_message = CvBridge().cv2_to_imgmsg(tiny, encoding="mono8")
 print(new_message.height, new_message.width,
       new_message.encoding, new_message.step)
 
+# %%
+# Check: the results in this section
+assert (by_hand == by_function).all() and (by_hand == by_bridge).all()
+assert list(new_message.data) == list(tiny_message.data)
+
 # %% [markdown]
-# **A view is not a copy.** If no value has to change, `image_to_array` does not copy the bytes of the message. The array is a *view*: it uses the memory of the message. This saves time. But if you drew into the array, you would change the message. So the array is read-only. To draw, make a copy.
+# ### A view is not a copy ([[minutes]], deeper)
+#
+# If no value has to change, `image_to_array` does not copy the bytes of the message. The array is a *view*: it uses the memory of the message. This saves time. But if you drew into the array, you would change the message. So the array is read-only. To draw, make a copy.
 
 # %%
 print("writeable:", by_function.flags.writeable)
@@ -637,17 +649,15 @@ for name in ("mono8", "rgb8", "bgra8", "16UC1", "32FC1"):
     print(name, " dtype:", info.dtype, " channels:", info.channels)
 
 # %%
-# Check: the results in this section
-assert (by_hand == by_function).all() and (by_hand == by_bridge).all()
-assert list(new_message.data) == list(tiny_message.data)
+# Check: views and encodings
 assert not by_function.flags.writeable and (image_to_array(message) == frame).all()
 assert encoding_info("rgb8").channels == 3 and encoding_info("16UC1").dtype == np.uint16
 assert encoding_info("32FC1").dtype == np.float32
 
 # %% [markdown]
-# ## 7 · Your turn: decode a message ([[minutes]])
+# ## 7 · Your turn: decode a message ([[minutes]], deeper)
 #
-# Write `decode(message)`. It decodes the four encodings of the small exercises above, and every message may have padded rows.
+# Write `decode(message)`. It decodes four encodings, and every message may have padded rows.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -659,7 +669,7 @@ assert encoding_info("32FC1").dtype == np.float32
 # - `rgb8` and `bgr8`: shape (height, width, 3), dtype uint8, with the channels in the same order as in `data`
 # - `mono16`: shape (height, width), dtype uint16; `is_bigendian` gives the byte order in `data`
 #
-# Use only NumPy. Your answers above are a good start. Copy their lines into this cell: then the answer is complete.
+# Use only NumPy. Begin as in `decode_padded`, with rows of `step` bytes, for every encoding.
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -762,7 +772,7 @@ assert message.header.frame_id == "camera_front" and len(recording) == 90
 assert np.median(np.diff(stamps)) == 100_000_000
 
 # %% [markdown]
-# ## 9 · Raw or compressed? ([[minutes]])
+# ## 9 · Raw or compressed? ([[minutes]], deeper)
 #
 # The robot publishes each image twice: raw (not compressed) on the topic `image_raw`, and as a [[term:JPEG]] on the topic `image_raw/compressed`. **Predict** how many times smaller the JPEG is.
 
@@ -798,7 +808,7 @@ assert math.ceil(raw_bytes / 65_507) == 43 and math.ceil(jpeg_bytes / 65_507) ==
 assert 0 < difference.mean() < 2
 
 # %% [markdown]
-# ## 10 · A live topic, and a subscription that receives nothing ([[minutes]])
+# ## 10 · A live topic, and a subscription that does not fit ([[minutes]])
 #
 # Now we use ROS 2: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor in [[start_here]] says what to install. Everything above works without ROS.)
 
@@ -885,7 +895,9 @@ assert not ros_available() or repaired.received > 0
 assert not ros_available() or not repaired.incompatible_qos
 
 # %% [markdown]
-# **Look** at the live frames. The function below processes each of them. Move the slider while the view runs: `shift` moves the red channel to the right and the blue channel to the left, by the number of pixels that you choose. (`np.roll` shifts an array: what leaves it on one side comes in again on the other. `axis=1` means: along the rows, to the right.)
+# ### Look: the channels, live ([[minutes]], deeper)
+#
+# The function below processes each of them. Move the slider while the view runs: `shift` moves the red channel to the right and the blue channel to the left, by the number of pixels that you choose. (`np.roll` shifts an array: what leaves it on one side comes in again on the other. `axis=1` means: along the rows, to the right.)
 
 # %%
 def shift_channels(frame, shift=0):

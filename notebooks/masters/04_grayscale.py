@@ -12,8 +12,8 @@
 # **You will be able to**
 # - explain why the three channels have different weights, and compute *luma* (the gray level that OpenCV uses) by hand,
 # - calculate with `uint8` pixels without overflow,
-# - compute luma with integers (whole numbers) only, in loops and with slices, and get the same result as OpenCV for every pixel,
-# - explain which information a gray image loses.
+# - compute luma with integers (whole numbers) only, and get the same result as OpenCV for every pixel,
+# - deeper: explain which information a gray image loses, and what a pixel value says about the amount of light.
 #
 # **Time** [[minutes]], with a pause after section 5. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
 
@@ -274,7 +274,7 @@ assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decim
 # %% [markdown]
 # Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise asks for the integer weights.
 #
-# ## 5 · An image small enough to read ([[minutes]])
+# ## 5 · An image small enough to read ([[minutes]], deeper)
 #
 # In the last line below, `f"..."` is an *f-string*: Python replaces each name in braces by its value.
 
@@ -351,7 +351,7 @@ assert (gray == opencv).all() and (rounded == opencv).all()
 assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2GRAY)).all()
 
 # %% [markdown]
-# ## 7 · Swapped channels ([[minutes]])
+# ## 7 · Swapped channels ([[minutes]], deeper)
 #
 # If an image is `rgb8` and you read it as `bgr8`, blue gets the weight of red. The result still looks like a correct gray image. **Predict** the mean error, in gray levels.
 
@@ -371,7 +371,7 @@ assert round(float(difference.mean()), 1) == 8.6 and difference.max() == 38
 # %% [markdown]
 # The mean error is 8.6 gray levels. This is hard to see in the image, but it can change the result of an edge detector. Only the message's `encoding` tells you the right order.
 #
-# ## 8 · What a gray image loses ([[minutes]])
+# ## 8 · What a gray image loses ([[minutes]], deeper)
 #
 # Two different colours can have the same luma. In the gray image they look the same, and no method can find an edge between them.
 
@@ -388,7 +388,7 @@ show([pair, to_gray(pair)], ["two colours", "one gray"], numbers=False,
 assert to_gray(pair)[0, 0] == to_gray(pair)[0, -1]
 
 # %% [markdown]
-# ## 9 · A pixel value is not an amount of light ([[minutes]])
+# ## 9 · A pixel value is not an amount of light ([[minutes]], deeper)
 #
 # A camera does not store the amount of light. It stores a *[[term:gamma|gamma-encoded]]* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
 #
@@ -424,7 +424,7 @@ assert (by_light >= luma_patches).all() and linear_light_gray(white_wall) == to_
 #
 # ## 10 · Your turn: luma with integers ([[minutes]])
 #
-# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Begin with two loops if you like, make them pass, and then try to write it with slices, as in section 5.
+# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as `sums` and `rounded` in section 4. Two loops over the pixels are right as well; section 5 shows both.
 #
 # | Input | Output | Example call |
 # |---|---|---|

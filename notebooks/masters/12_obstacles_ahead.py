@@ -90,7 +90,7 @@ assert depth.shape == (360, 640) and (depth > 0).all()
 #
 # A pixel and its depth are not yet a place in the room. For this you need the *[[term:ray]]* of the pixel: the line from the camera on which everything lies that this pixel shows. We describe a ray by its point (x, y, 1), at a depth of 1 m: x metres to the **right** and y metres **down**. The point at the depth z is then (x · z, y · z, z).
 #
-# The camera's message `camera_info` has what we need: the focal length `f` and the principal point, both in pixels. The depth image has half the size, so all three are halved.
+# The camera's message `camera_info` has what we need, the *[[term:intrinsics]]* of the camera: its focal length `f` and its *[[term:principal point]]*, the pixel at which it looks straight ahead. Both are in pixels. The depth image has half the size, so all three are halved.
 
 # %%
 info = recording.camera_info
