@@ -11,7 +11,7 @@
 #
 # **You will be able to**
 # - distinguish Gaussian noise from impulse noise by the errors of the pixels,
-# - explain kernel, correlation, convolution and border handling,
+# - explain kernel, correlation and border handling,
 # - explain why a mean blurs edges and why a median does not,
 # - compute a 3 × 3 median by hand,
 # - measure with PSNR which filter removes more noise, and choose a filter with this number.
@@ -119,7 +119,7 @@ print("clean", clean_row)
 print("noisy", noisy_row)
 
 # %% [markdown]
-# **Try.** Replace each value by the mean of itself and its two neighbours. As in [[arrays#10]], we do not write a loop. We take the row three times, each time shifted by one column, so that the neighbours stand in the same column. The first and the last value are repeated once (`mode="edge"`), because they have only one neighbour.
+# **Try.** Replace each value by the mean of itself and its two neighbours. As in [[arrays#10]], we do not write a loop. We take the row three times, each time shifted by one column, so that neighbours are in the same column. The first and the last value are repeated once (`mode="edge"`), because they have only one neighbour.
 
 # %%
 padded = np.pad(noisy_row, 1, mode="edge")
@@ -149,6 +149,15 @@ compare_guess(guess_mean, averaged[5])
 # The flat parts are smoother: the noise got smaller. But we lost the sharp edge. Between 50 and 200 there are now 101 and 146. No pixel of the clean row has such a value.
 #
 # This mean is a **correlation** with a **kernel**: the list of weights 1/3, 1/3, 1/3. (This *filter kernel* is unrelated to the notebook's kernel, which runs your cells.) The kernel moves along the row. At each pixel, every weight is multiplied by the value under it, and the products are added. The sum is the **filter response** at this pixel.
+
+# %%
+# Check: the numbers in this section
+assert noisy_row[4:7].tolist() == [57, 45, 202]
+assert np.abs(averaged[:5] - 50).max() < np.abs(errors[:5]).max()
+assert averaged[5] == 101 and averaged[6] == 146
+
+# %% [markdown]
+# ### Convolution: the flipped kernel ([[minutes]], deeper)
 #
 # A **convolution** does the same, but flips the kernel first (left becomes right). With a symmetric kernel both give the same response; with any other kernel they differ. A row of zeros with a single 1, an *impulse*, shows the difference.
 
@@ -162,12 +171,9 @@ print("correlation", np.correlate(impulse, kernel, mode="same"))
 # The convolution returns the kernel as it is, and the correlation returns the flipped kernel. (`mode="same"` gives as many values as the row has.) OpenCV's filters compute the correlation. Most textbooks use the convolution. For the symmetric kernels of this lesson the results are equal; for the kernel of [[canny_stages]] they have opposite signs.
 
 # %%
-# Check: the numbers in this section
+# Check: the convolution and the correlation of an impulse
 convolved = np.convolve(impulse, kernel, mode="same")
 correlated = np.correlate(impulse, kernel, mode="same")
-assert noisy_row[4:7].tolist() == [57, 45, 202]
-assert np.abs(averaged[:5] - 50).max() < np.abs(errors[:5]).max()
-assert averaged[5] == 101 and averaged[6] == 146
 assert convolved.tolist() == [0, 0, 1, 2, 3, 0, 0]
 assert correlated.tolist() == [0, 0, 3, 2, 1, 0, 0]
 assert (np.correlate(impulse, kernel[::-1], mode="same") == convolved).all()
@@ -241,7 +247,7 @@ compare_guess(guess_median, nine[4])
 # %% [markdown]
 # The fifth value has the index 4, because Python counts from 0.
 #
-# A pixel at the border has fewer neighbours: there are no pixels outside the image. At a side three of the eight neighbours are missing, in a corner five. So we pad the image by one pixel first; then every pixel has nine values. In the padded image everything stands one row and one column later. So the window of the pixel (row, col) begins at (row, col): for the top left pixel it is `padded[0:3, 0:3]`.
+# A pixel at the border has fewer neighbours: there are no pixels outside the image. At a side three of the eight neighbours are missing, in a corner five. So we pad the image by one pixel first; then every pixel has nine values. In the padded image every pixel is one row and one column later. So the window of the pixel (row, col) begins at (row, col): for the top left pixel it is `padded[0:3, 0:3]`.
 
 # %%
 padded = np.pad(tiny, 1, mode="edge")
@@ -281,6 +287,8 @@ show([tiny, box_blur(tiny, 3), cleaned],
 # | **2** | **4** | **2** |
 # | **1** | **2** | **1** |
 #
+# `gaussian_blur(bump, 0, size=3)` uses this kernel. (The second argument is the standard deviation of the kernel; with 0, OpenCV computes it from the size.)
+#
 # **Predict** the response in the middle, at a single pixel of 160 in a black image.
 
 # %% role="predict"
@@ -295,7 +303,7 @@ show([bump, response], ["one pixel of 160", "3 × 3 Gaussian filter"],
 compare_guess(guess_response, response[2, 2])
 
 # %% [markdown]
-# The weight in the middle is 4/16, and 160 · 4/16 is 40. Each number of this kernel is a product of 1, 2, 1 down the column and 1, 2, 1 along the row. So the Gaussian filter is **separable**: you can filter first along the rows and then down the columns, and get the same result as with the whole kernel. This needs 3 + 3 products per pixel instead of 9. The median filter has no kernel: it sorts, and a weighted sum cannot sort.
+# The weight in the middle is 4/16, and 160 · 4/16 is 40. The median filter has no kernel: it sorts, and a weighted sum cannot sort.
 
 # %%
 # Check: the numbers in this section
@@ -310,8 +318,16 @@ mirrored = np.pad(border_row, 2, mode="reflect")
 assert mirrored.tolist() == [30, 20, 10, 20, 30, 20, 10]
 zero_padded = np.pad(border_row, 2, mode="constant")
 assert zero_padded.tolist() == [0, 0, 10, 20, 30, 0, 0]
-assert (response[1:4, 1:4] == 10 * np.outer([1, 2, 1], [1, 2, 1])).all()
 assert response.sum() == 160 and response[2, 2] == 160 * 4 / 16 == 40
+
+# %% [markdown]
+# ### A separable filter ([[minutes]], deeper)
+#
+# Each number of the Gaussian kernel is a product of 1, 2, 1 down the column and 1, 2, 1 along the row. So the Gaussian filter is **separable**: you can filter first along the rows and then down the columns, and get the same result as with the whole kernel. This needs 3 + 3 products per pixel instead of 9.
+
+# %%
+# Check: the products
+assert (response[1:4, 1:4] == 10 * np.outer([1, 2, 1], [1, 2, 1])).all()
 
 # %% [markdown]
 # *This is a good place for a break.*
@@ -369,7 +385,16 @@ after = 10 * np.log10(255**2 / (mse / 10))
 print("before:", round(before, 1), "dB   after:", round(after, 1), "dB")
 compare_guess(guess_rise, round(after - before, 1), "dB")
 
+# %%
+# Check: the numbers in this section
+assert mse == 50 and round(10 * np.log10(255**2 / mse), 1) == 31.1
+assert psnr(four_clean, four_noisy) == before and round(after - before, 9) == 10
+assert np.log10([10, 100, 1000]).round(9).tolist() == [1, 2, 3]
+assert round(10 * np.log10(1000), 9) == 30
+
 # %% [markdown]
+# ### SSIM: the structure counts ([[minutes]], deeper)
+#
 # The MSE does not know what the errors look like. The **SSIM** (structural similarity) does. In each small window it compares three properties of the two images: the mean, the contrast (the standard deviation), and whether the gray levels rise and fall at the same places. For equal images it is 1. The next cell makes all pixels brighter by 20, and compares this with Gaussian noise of the same size:
 
 # %%
@@ -382,11 +407,7 @@ for name, image in {"brighter": brighter, "grainy": grainy}.items():
 # The PSNR is nearly the same for both. The SSIM is much higher for the brighter image, because its structure did not change.
 
 # %%
-# Check: the numbers in this section
-assert mse == 50 and round(10 * np.log10(255**2 / mse), 1) == 31.1
-assert psnr(four_clean, four_noisy) == before and round(after - before, 9) == 10
-assert np.log10([10, 100, 1000]).round(9).tolist() == [1, 2, 3]
-assert round(10 * np.log10(1000), 9) == 30
+# Check: PSNR and SSIM of both images
 assert abs(psnr(gray, brighter) - psnr(gray, grainy)) < 1
 assert ssim(gray, brighter) > 0.9 and ssim(gray, grainy) < 0.3
 
@@ -414,7 +435,7 @@ compare_guess(guess_weighted, round(weighted_mean))
 # %% [markdown]
 # The 202 has a weight of 0.01, so it hardly counts, and the dark pixel stays dark.
 #
-# The four filters stand in a dictionary: name → function. `lambda image: box_blur(image, 3)` is a short way to write a function that takes `image` and returns `box_blur(image, 3)`.
+# The four filters are in a dictionary: name → function. `lambda image: box_blur(image, 3)` is a short way to write a function that takes `image` and returns `box_blur(image, 3)`.
 
 # %%
 filters = {
@@ -429,7 +450,7 @@ names = list(filters)
 print(names)
 
 # %% [markdown]
-# **Predict** which of the four is best against impulse noise.
+# **Predict** which of the four removes the *least* impulse noise.
 
 # %% role="predict"
 guess_impulse = None  # your guess: "box", "Gaussian", "median", "bilateral"?
@@ -439,9 +460,9 @@ scores = []
 for name in names:
     filtered = filters[name](salted)
     scores.append(psnr(gray, filtered))
-    print(f"{name:10} {scores[-1]:.1f} dB   SSIM {ssim(gray, filtered):.2f}")
+    print(f"{name:10} {scores[-1]:.1f} dB")
 print(f"no filter  {psnr(gray, salted):.1f} dB")
-compare_guess(guess_impulse, names[np.argmax(scores)])
+compare_guess(guess_impulse, names[np.argmin(scores)])
 
 # %%
 results = [filters[name](salted) for name in names]
@@ -459,8 +480,7 @@ gaussian_scores = []
 for name in names:
     filtered = filters[name](grainy)
     gaussian_scores.append(psnr(gray, filtered))
-    print(f"{name:10} {gaussian_scores[-1]:.1f} dB"
-          f"   SSIM {ssim(gray, filtered):.2f}")
+    print(f"{name:10} {gaussian_scores[-1]:.1f} dB")
 print(f"no filter  {psnr(gray, grainy):.1f} dB")
 compare_guess(guess_gaussian, names[np.argmax(gaussian_scores)])
 
@@ -470,7 +490,16 @@ show(results, names, rows=(310, 410), cols=(600, 760), columns=2,
      text=figure_texts["gaussian"])
 
 # %% [markdown]
-# There is no best filter for every noise. Against impulse noise the median is better than the others by more than ten decibels. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
+# There is no best filter for every noise. Against impulse noise the median is better than the others by more than ten decibels. The bilateral filter removes the least: a white pixel is different from all its neighbours, so it keeps its value like the side of a step. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
+
+# %%
+# Check: the numbers in this section
+assert round(weights[2], 2) == 0.01 and round(weighted_mean) < 60
+assert sorted(scores)[-1] == scores[2] > sorted(scores)[-2] + 10 and min(scores) == scores[3]
+assert max(gaussian_scores) == gaussian_scores[1]
+
+# %% [markdown]
+# ### A photograph ([[minutes]], deeper)
 #
 # The same on a photograph of an astronaut. NASA took it, it is in the public domain, and scikit-image contains it.
 
@@ -484,11 +513,8 @@ show([portrait, salted_portrait, median_blur(salted_portrait, 3)],
      rows=(60, 160), cols=(160, 290), text=figure_texts["portrait"])
 
 # %%
-# Check: the numbers in this section
+# Check: the median helps here too
 cleaned_portrait = median_blur(salted_portrait, 3)
-assert round(weights[2], 2) == 0.01 and round(weighted_mean) < 60
-assert sorted(scores)[-1] == scores[2] > sorted(scores)[-2] + 10
-assert max(gaussian_scores) == gaussian_scores[1]
 assert psnr(portrait, cleaned_portrait) > psnr(portrait, salted_portrait) + 10
 
 # %% [markdown]
@@ -570,7 +596,7 @@ def inputs(rng):
     return (rng.integers(0, 256, size=(1, 12), dtype=np.uint8),)
 
 # %% [markdown]
-# ## 9 · Your turn: PSNR ([[minutes]])
+# ## 9 · Your turn: PSNR ([[minutes]], deeper)
 #
 # Write `my_psnr(clean, other)` with the formula of section 6. Remember what [[term:uint8]] does to a negative difference. For equal images the result is infinity, `float("inf")`. Compute it yourself, with NumPy only.
 #
@@ -656,7 +682,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 10 · Practice: choose a filter ([[minutes]])
+# ## 10 · Practice: choose a filter ([[minutes]], deeper)
 #
 # Write `best_filter(clean, noisy, filters)`. It applies every filter to `noisy`, and returns the name of the filter whose result has the highest PSNR compared with `clean`. This exercise gives no points. But for every new camera you will have to choose a filter in this way.
 #

@@ -136,7 +136,7 @@ bright_share = counts[129:].sum() / marker.size
 compare_guess(guess_share, round(bright_share * 100), "%")
 
 # %% [markdown]
-# (`minlength=256` gives one count for every gray level up to 255, even if the brightest ones do not occur.) The histogram as a figure:
+# (`minlength=256` gives one count for every gray level up to 255, even if the brightest ones do not occur.) The library *Matplotlib* draws the histogram: a `Figure` is the sheet, `add_subplot` adds a diagram with two axes, `bar` draws a bar for each count, and `set` writes the labels.
 
 # %%
 figure = Figure(figsize=(8, 2.6), dpi=100, layout="constrained")
@@ -188,7 +188,7 @@ for t in thresholds:
     w0, w1 = below.size / 8, above.size / 8
     variances.append(w0 * w1 * (below.mean() - above.mean()) ** 2)
     print(f"t = {t:3}  shares {w0} and {w1}  variance {variances[-1]:.2f}")
-best_position = np.argmax(variances)  # where the largest variance stands
+best_position = np.argmax(variances)  # where the largest variance is
 compare_guess(guess_t, thresholds[best_position])
 
 # %% [markdown]
@@ -221,6 +221,9 @@ opencv_best, _ = cv2.threshold(marker, 0, 255, cv2.THRESH_OTSU)
 print("OpenCV's threshold:", int(opencv_best))
 compare_guess(guess_otsu, best)
 
+# %% [markdown]
+# Two diagrams, one below the other, show why: the histogram, and the between-class variance of each threshold. (`subplots(2, sharex=True)` makes two diagrams with the same x-axis, and `plot` draws a line.)
+
 # %%
 figure = Figure(figsize=(8, 3.6), dpi=100, layout="constrained")
 upper, lower = figure.subplots(2, sharex=True)
@@ -246,7 +249,7 @@ assert 4 / 8 * 4 / 8 * (eight[:4].mean() - eight[4:].mean()) ** 2 == 7656.25
 assert best == otsu_threshold(marker) == int(opencv_best)
 
 # %% [markdown]
-# ## 4 · Two more examples ([[minutes]])
+# ## 4 · Two more examples ([[minutes]], deeper)
 #
 # Otsu's method on the sign on the wall (we only print its threshold), and on a photograph of a man with a camera, one of scikit-image's example images (CC0, free to use).
 
@@ -293,10 +296,10 @@ compare_guess(guess_white, round((sunny_result == 255).mean() * 100), "%")
 # %% [markdown]
 # Why does it fail? Compare the dark stripes in the sun with the bright stripes in the shade.
 #
-# **Predict**: are the dark stripes in the sun brighter than the bright stripes in the shade?
+# **Predict** the difference: the dark stripes in the sun minus the bright stripes in the shade, in gray levels. (A negative number means that the dark stripes in the sun are darker.)
 
 # %% role="predict"
-guess_brighter = None  # your guess: "yes" or "no"?
+guess_difference = None  # your guess: how many gray levels?
 
 # %%
 sunny, shady = rug[50:90, 150:250], rug[50:90, 430:500]
@@ -306,10 +309,11 @@ dark_in_sun = np.percentile(sunny, 10)
 bright_in_shade = np.percentile(shady, 90)
 print(f"dark in the sun: {dark_in_sun:.0f}")
 print(f"bright in the shade: {bright_in_shade:.0f}")
-compare_guess(guess_brighter, bool(dark_in_sun > bright_in_shade))
+difference = round(dark_in_sun) - round(bright_in_shade)
+compare_guess(guess_difference, difference, "gray levels")
 
 # %% [markdown]
-# So no single threshold separates dark from bright stripes. **Repair it**: compare each pixel with *its own neighbourhood*. The **adaptive threshold** of a pixel is the mean of a square block around this pixel, minus a constant. First one row by hand: five pixels in the sun, then five in the shade, and blocks of three pixels.
+# The dark stripes in the sun are brighter than the bright stripes in the shade. So no single threshold separates dark from bright stripes. **Repair it**: compare each pixel with *its own neighbourhood*. The **adaptive threshold** of a pixel is the mean of a square block around this pixel, minus a constant. First one row by hand: five pixels in the sun, then five in the shade, and blocks of three pixels.
 
 # %%
 row = np.array([200, 180, 200, 180, 200, 80, 60, 80, 60, 80])
@@ -335,7 +339,7 @@ show([global_result, adaptive_result],
 method = cv2.ADAPTIVE_THRESH_MEAN_C
 opencv_result = cv2.adaptiveThreshold(rug, 255, method, cv2.THRESH_BINARY, 31, 5)
 assert (adaptive_result == opencv_result).all()
-assert round(dark_in_sun) == 188 and round(bright_in_shade) == 185
+assert round(dark_in_sun) == 188 and round(bright_in_shade) == 185 and difference > 0
 assert (sunny_result == 255).mean() > 0.9
 assert abs((adaptive_result[50:90, 150:250] == 255).mean() - 0.6) < 0.05
 assert (row > block_means - 5).tolist() == [1, 0, 1, 0, 1, 0, 0, 1, 0, 1]

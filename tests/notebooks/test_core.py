@@ -1,11 +1,13 @@
 """The core of every lesson stands alone: without its deeper sections no cell misses a name."""
 
+import symtable
 import sys
 from pathlib import Path
 
 import pytest
 
 sys.path.append(str(Path(__file__).parent))
+from IPython.core.inputtransformer2 import TransformerManager
 from needed_cells import names_of
 
 from imgproc_course.classroom.authoring.build import lesson_notebook
@@ -16,11 +18,22 @@ from imgproc_course.classroom.authoring.masters import find_masters, read_master
 MASTERS = find_masters(Path(__file__).parents[2] / "notebooks" / "masters")
 
 
+def global_names_read(source):
+    """The names of other cells that a cell may read: no parameters and no local variables of its functions."""
+    tables = [symtable.symtable(TransformerManager().transform_cell(source), "cell", "exec")]
+    names = set()
+    for table in tables:
+        tables += table.get_children()
+        symbols = (symbol for symbol in table.get_symbols() if symbol.is_referenced())
+        names |= {symbol.get_name() for symbol in symbols if table.get_type() == "module" or symbol.is_global()}
+    return names
+
+
 def names_of_deeper_cells(cells):
     """(id of a core cell, name) of each name that it reads and that only deeper cells above it bind."""
     in_core, in_deeper, problems = set(), set(), []
     for cell in cells:
-        read, bound = names_of(cell.solved_source)
+        read, (_, bound) = global_names_read(cell.solved_source), names_of(cell.solved_source)
         if cell.deeper:
             in_deeper |= bound
         else:
