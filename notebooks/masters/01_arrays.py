@@ -620,7 +620,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 9 · One axis at a time ([[minutes]])
+# ## 9 · One axis at a time ([[minutes]], deeper)
 #
 # `mean`, `sum`, `min` and `max` take all numbers together, or one *axis* at a time. Axis 0 goes down the rows, axis 1 goes across the columns. The named axis disappears: `axis=1` computes across the columns, so one number is left for each row.
 #
@@ -727,7 +727,7 @@ assert len(sums) == len(row) - 2 and zeros.shape == repeated.shape == (7, 7)
 assert zeros[0, 0] == 0 and repeated[0, 0] == tiny[0, 0]
 
 # %% [markdown]
-# ### Your turn: differences
+# ### Your turn: differences ([[minutes]], deeper)
 #
 # Where the gray level jumps from one pixel to the next, there is an [[term:edge]]. Write `differences(gray)`.
 #

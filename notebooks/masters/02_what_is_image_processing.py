@@ -16,8 +16,6 @@
 # - name the four steps of a program that processes a robot's images, and the libraries that it needs.
 #
 # **Time** [[minutes]]; take a break after section 4. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
-#
-# If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as [[start_here]] explains.
 
 # %%
 import cv2

@@ -16,8 +16,6 @@
 # - choose the policies of a [[term:subscription]] so that they fit a camera.
 #
 # **Time** [[minutes]], with two places for a break. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
-#
-# If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as [[start_here]] explains.
 
 # %%
 import cv2
@@ -211,7 +209,7 @@ check("messages-mono8", decode_mono8)
 def inputs(rng):
     return (gray_message(rng, 3, 5),)
 
-# %% role="case" exercise="messages-mono8" title="a bright gray image, higher than it is wide"
+# %% role="case" exercise="messages-mono8" title="a bright gray image, taller than wide"
 def inputs(rng):
     return (gray_message(rng, 4, 3, low=128),)
 
@@ -317,7 +315,7 @@ check("messages-rgb8", decode_rgb8)
 def inputs(rng):
     return (colour_message(rng, "rgb8", 2, 4),)
 
-# %% role="case" exercise="messages-rgb8" title="a bgr8 image, higher than it is wide"
+# %% role="case" exercise="messages-rgb8" title="a bgr8 image, taller than wide"
 def inputs(rng):
     return (colour_message(rng, "bgr8", 5, 2),)
 

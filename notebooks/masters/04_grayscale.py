@@ -248,8 +248,18 @@ compare_guess(guess_percent, round((truncated != rounded).mean() * 100), "%")
 
 # %% [markdown]
 # More than half of the pixels differ, each by one gray level. You cannot see this. But later lessons compare pixels with a threshold (a fixed number). For a pixel close to the threshold, one gray level decides the result.
+
+# %%
+# Check: the numbers in this section
+assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1 == 32769
+assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384 and 15 + 2**14 == 16399
+assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
+assert (truncated != rounded).mean() > 0.5 and (rounded - truncated).max() == 1
+
+# %% [markdown]
+# ### Integers or decimals? ([[minutes]], deeper)
 #
-# And is it important to use integers? The formula with 0.114, 0.587 and 0.299 is right too. But its weights are not exactly the integer weights divided by 2¹⁵. **Predict** how many of the 921,600 pixels get another gray level.
+# Is it important to use integers? The formula with 0.114, 0.587 and 0.299 is right too. But its weights are not exactly the integer weights divided by 2¹⁵. **Predict** how many of the 921,600 pixels get another gray level.
 
 # %% role="predict"
 guess_decimal = None  # your guess: how many pixels?
@@ -261,18 +271,14 @@ print("pixels in the frame:", other.size)
 compare_guess(guess_decimal, int(other.sum()))
 
 # %%
-# Check: the numbers in this section
-assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1 == 32769
-assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384 and 15 + 2**14 == 16399
-assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
-assert (truncated != rounded).mean() > 0.5 and (rounded - truncated).max() == 1
+# Check: one pixel differs
 assert other.sum() == 1 and other.size == 921_600
 colours = np.random.default_rng(0).integers(0, 256, (100, 100, 3), dtype=np.uint8)
 decimal = 0.114 * colours[..., 0] + 0.587 * colours[..., 1] + 0.299 * colours[..., 2]
 assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decimal) - to_gray(colours)).max() == 1
 
 # %% [markdown]
-# Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise asks for the integer weights.
+# Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise in section 10 asks for the integer weights.
 #
 # ## 5 · An image small enough to read ([[minutes]], deeper)
 #
@@ -334,8 +340,14 @@ print("our sum differs from OpenCV:", (rounded != opencv).sum(), "pixels")
 show([frame, gray], ["frame", "gray (luma)"],
      encoding=["bgr8", "mono8"], text=figure_texts["frame"])
 
+# %%
+# Check: the results in this section
+assert (gray == opencv).all() and (rounded == opencv).all()
+
 # %% [markdown]
-# Now we take a photograph: a cup of coffee. The library scikit-image contains this photograph, which is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
+# ### A photograph ([[minutes]], deeper)
+#
+# The same with a photograph: a cup of coffee. The library scikit-image contains this photograph, which is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
 
 # %%
 from skimage import data
@@ -346,8 +358,7 @@ show([coffee, coffee_gray], ["photograph", "gray (luma)"],
      encoding=["bgr8", "mono8"], text=figure_texts["coffee"])
 
 # %%
-# Check: the results in this section
-assert (gray == opencv).all() and (rounded == opencv).all()
+# Check: OpenCV agrees
 assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2GRAY)).all()
 
 # %% [markdown]

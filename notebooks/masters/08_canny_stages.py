@@ -958,7 +958,7 @@ assert round(times) == 8 and (repaired > 0).sum() < (unblurred > 0).sum() / 3
 assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 
 # %% [markdown]
-# ## 13 · Tune the three numbers ([[minutes]])
+# ## 13 · Tune the three numbers ([[minutes]], deeper)
 #
 # Three numbers decide which edges you get: `low`, `high` and `sigma`. Move the sliders. Find values that keep the outlines of the ball, the chair and the marker, but remove the wood pattern of the floor. Below the sliders is a line of code with your values that you can copy.
 

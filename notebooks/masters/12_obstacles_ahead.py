@@ -225,7 +225,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# The course's camera has the rays of all pixels: `camera.rays()`. It also uses three more numbers of the lens, which move no pixel of the depth image by more than one pixel. With one multiplication, every pixel becomes a point:
+# The course's camera has the rays of all pixels: `camera.rays()`. It also uses three more numbers of the lens. Their effect is small: it moves each pixel of the depth image by at most one pixel. With one multiplication, every pixel becomes a point:
 
 # %%
 rays = camera.rays()  # (360, 640, 3): x, y, 1

@@ -165,7 +165,7 @@ compare_guess(guess_column, column)
 #
 # $$u = \frac{h_1 x + h_2 y + h_3}{h_7 x + h_8 y + h_9}$$
 #
-# Multiply by the denominator, and move everything to one side. Then all nine numbers stand in one row of products, and the sum is 0:
+# Multiply by the denominator, and move everything to one side. Then all nine numbers are in one row of products, and the sum is 0:
 #
 # $$h_1 x + h_2 y + h_3 - u x h_7 - u y h_8 - u h_9 = 0$$
 #
@@ -539,7 +539,7 @@ assert max(math.dist(place_by_hand(corners[k]), refined_places[k]) for k in rang
 #
 # ## 5 · The motion between two clouds of points ([[minutes]])
 #
-# Most places have no marker. But every room has corners, edges and patterns. Take frame 40 and frame 50, one second later. OpenCV finds points that are easy to find again (`goodFeaturesToTrack`), and follows each of them into the other frame (`calcOpticalFlowPyrLK`, the *[[term:optical flow]]* of Lucas and Kanade). As a test, it follows them back: who does not come back to its start is left out.
+# Most places have no marker. But every room has corners, edges and patterns. Take frame 40 and frame 50, one second later. OpenCV finds points that are easy to find again (`goodFeaturesToTrack`), and follows each of them into the other frame (`calcOpticalFlowPyrLK`, the *[[term:optical flow]]* of Lucas and Kanade). As a test, it follows them back: a point that does not come back to its start is left out.
 
 # %% tags=["long"]
 grays = [gray[::2, ::2].copy() for gray in grays]  # as large as the depth images

@@ -284,7 +284,7 @@ axes.set(xlabel="probability", ylabel="log-odds")
 show_figure(figure, text=figure_texts["log-odds"])
 
 # %% [markdown]
-# 0 means: we do not know. So the map begins with zeros, each hit adds 0.85, and each ray that passes takes away 0.4. Two hits and one passing ray: 0.85 + 0.85 − 0.4 = 1.3. Back to a probability, it is 0.79. So that no cell becomes so sure that it never changes its mind, we stop at −6 and at 6.
+# 0 means: we do not know. So the map begins with zeros, each hit adds 0.85, and each ray that passes takes away 0.4. Two hits and one passing ray: 0.85 + 0.85 − 0.4 = 1.3. Back to a probability, it is 0.79. We limit the number to the range −6 to 6, so that new hits and rays can still change every cell.
 #
 # Many rays have passed through a cell, so it is at −6. Now somebody puts a chair there, and each scan hits it. **Predict** after how many hits the cell is occupied, that is above 0.
 
@@ -547,7 +547,7 @@ print("turned:", round(math.degrees(second[2] - first[2])), "degrees")
 # %% [markdown]
 # Now the wheels measured something else for this edge: 1.9 m ahead, 0.1 m to the left, turned by 30 degrees. The *error* of the edge is the difference: what the poses say, less what was measured. Here it is 0.1, −0.1 and 0.
 #
-# There is a trap in the angle. One pose looks to 170°, the next one to −170°. **Predict** how many degrees the robot has turned between them, to the left.
+# There is a trap in the angle. One pose has the yaw 170°, the next one −170°. **Predict** how many degrees the robot has turned between them, to the left.
 
 # %% role="predict"
 guess_turn = None  # your guess: how many degrees?
@@ -882,7 +882,7 @@ print("tried:   ", ((turned - error) / 1e-6).round(3))
 print("computed:", by_first[:, 2].round(3))
 
 # %% [markdown]
-# Where do the blocks stand in J? The pose with the number i has the columns 3i, 3i + 1 and 3i + 2. With `J[0:3, 3:6] = block`, a block of the edge 0 is written into the columns of the pose 1:
+# Where do the blocks belong in J? The pose with the number i has the columns 3i, 3i + 1 and 3i + 2. With `J[0:3, 3:6] = block`, a block of the edge 0 is written into the columns of the pose 1:
 
 # %%
 J = np.zeros((3, 9))  # one edge, three poses

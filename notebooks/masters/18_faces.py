@@ -268,7 +268,7 @@ print("on the face:", value_on_face)
 # %% [markdown]
 # The eyes are darker than the forehead and the cheeks, so the value on the face is far below 0.
 #
-# With the integral image, no pixel needs to be added up again, wherever the window stands. For one box in the window whose upper left pixel is in row 2, column 1 of an image:
+# With the integral image, no pixel needs to be added up again, wherever the window is. For one box in the window whose upper left pixel is in row 2, column 1 of an image:
 
 # %%
 image = np.arange(48).reshape(6, 8)

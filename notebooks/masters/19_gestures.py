@@ -829,7 +829,7 @@ assert (predicted == truth).sum() >= 119 and (predicted[::6] == 0).sum() == 20
 assert [weights.shape for weights in network.coefs_] == [(256, 32), (32, 6)] and network.n_iter_ < 60
 
 # %% [markdown]
-# The network is as good as the circle or better, also with noise, which it never saw in training. And it tells a fist from one finger. All the hands until now were turned by at most 23 degrees to each side. Now 60 hands are turned by 90 degrees more, so that the arm comes from the side. The circle has all 60 right. (Only guessing would have 10 right.)
+# The network is as good as the circle or better, also with noise, which it never saw in training. And it tells a fist from one finger. All the hands until now were turned by at most 23 degrees to each side. Now 60 hands are turned by 90 degrees more, so that the arm comes from the side. The circle has all 60 right.
 #
 # **Predict** how many of the 60 the network has right.
 
@@ -852,7 +852,7 @@ assert [fingers_of(mask) for mask in turned_masks] == turned_fingers.tolist()
 assert np.degrees(max(abs(hand.turn) for hand in hands)) < 23
 
 # %% [markdown]
-# **The second planned failure:** the network has learnt these 600 hands, and not what a finger is. It knows nothing of turned hands, and does not say so: it gives a class, often with a high probability. The circle is the same from all sides. What would you change: the training data, or the crop?
+# The network has no more right than somebody who only guesses among the six classes. **The second planned failure:** the network has learnt these 600 hands, and not what a finger is. It knows nothing of turned hands, and does not say so: it gives a class, often with a high probability. The circle is the same from all sides. What would you change: the training data, or the crop?
 #
 # ## 6 · Movements ([[minutes]])
 #
@@ -953,7 +953,7 @@ print(distances)
 print(costs)
 
 # %% [markdown]
-# The number for i points and j points stands at [i, j], but the distance of these two points at [i − 1, j − 1], because counting begins with 0. **Predict** `costs[2, 2]`. First comes `costs[2, 1]` = 2 + min(inf, 0, inf) = 2.
+# The number for i points and j points is at [i, j], but the distance of these two points at [i − 1, j − 1], because counting begins with 0. **Predict** `costs[2, 2]`. First comes `costs[2, 1]` = 2 + min(inf, 0, inf) = 2.
 
 # %% role="predict"
 guess_table = None  # your guess: which number?

@@ -603,7 +603,7 @@ compare_guess(guess_votes, sum(distance <= 1 for distance in nearest))
 #
 # - **A look votes at most once for a name.** If it shows the word twice, on the sign and on a reflection, this is still one vote. A look that shows two names votes for both.
 # - **The most votes win.** If BATHROOM has two votes and KITCHEN five, it is the kitchen, even if two votes would be enough.
-# - **Of equals, the first.** If two names have the same number of votes, the one that stands first in `names` wins. A rule is needed, so that the result does not depend on chance.
+# - **Of equals, the first.** If two names have the same number of votes, the one that comes first in `names` wins. A rule is needed, so that the result does not depend on chance.
 #
 # Small letters count as capital ones: `"Kitchen".upper()` is `"KITCHEN"`.
 
@@ -1234,7 +1234,7 @@ assert round(100 * np.linalg.norm(repaired.path - repaired.believed, axis=1).max
 #
 # Then give `my_seed` a whole number from 1 on, choose the light, and run the next three cells. The robot does the errand with the four functions that you have written. This takes 15 to 30 seconds; a robot that does not come back needs up to two minutes. Each of your runs is added to the file `errand_runs.csv` beside this notebook, and the table shows all of them, the best first. Try at least three seeds, day and evening.
 #
-# Then change the robot. In a new cell, set one of the numbers that stand above the class `Errand`, such as `VOTES = 3`, `LIMIT = 0.3` or `LOOKOUT = (1.0, 0.3)`, write it into `my_note`, and run again. Is it better with *all* your seeds, or only with one?
+# Then change the robot. In a new cell, set one of the numbers that are defined above the class `Errand`, such as `VOTES = 3`, `LIMIT = 0.3` or `LOOKOUT = (1.0, 0.3)`, write it into `my_note`, and run again. Is it better with *all* your seeds, or only with one?
 
 # %%
 my_seed = None  # a number, 1 or more

@@ -25,14 +25,14 @@ overview()
 # - [Cheat sheet](cheat_sheet.html): two pages to print: arrays, message fields, the stages of Canny, ROS commands.
 # - Stuck in an exercise? Add a cell (press **Esc**, then `b`), and call `hint` in it, such as `hint("grayscale-luma")`: it shows the next of three hints. `solution("grayscale-luma")` opens after three tries.
 #
-# ## The way of an image
+# ## What happens to an image
 #
 # This is what happens to every image in the course. A *topic* is a named stream of messages; a *node* is a program that subscribes to topics and publishes on topics.
 #
 # ```mermaid
 # %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
 # flowchart TB
-#     accTitle: The way of an image
+#     accTitle: What happens to an image
 #     accDescr: The camera publishes messages on a topic. A node subscribes to the topic, converts and processes each image, and publishes the result on another topic, which the live view shows.
 #     camera["camera<br/>(or the recording)"] -->|publishes| raw(["topic<br/>/kachaka/front_camera/image_raw"])
 #     raw -->|"subscribes"| node["your node<br/>convert → process"]
