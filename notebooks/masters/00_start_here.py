@@ -247,4 +247,4 @@ hint("start-count", step=1)
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.
 #
-# **Only one day?** *The original lesson in one day* is a route of about ROUTE_HOURS hours: the cores of this lesson, [[arrays]], [[what_is_image_processing]], [[images_as_messages]], [[grayscale]], [[grayscale_node]], [[canny_stages]], [[edge_detection_node]] and [[ros2_packages]]. The [list of all lessons](index.ipynb) names the other routes.
+# **Only one day?** *The original lesson in one day* is a route of about 11 hours: the cores of this lesson, [[arrays]], [[what_is_image_processing]], [[images_as_messages]], [[grayscale]], [[grayscale_node]], [[canny_stages]], [[edge_detection_node]] and [[ros2_packages]]. The [list of all lessons](index.ipynb) names the other routes.

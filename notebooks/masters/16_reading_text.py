@@ -556,7 +556,7 @@ exercise(
         "for i in range(1, len(a) + 1):\n    for j in range(1, ...):\n        differ = a[i - 1] != ...\n"
         "        table[i, j] = min(table[i - 1, j] + 1, ..., table[i - 1, j - 1] + differ)\nreturn int(table[...])",
     ),
-    explanation="Each number is built from shorter texts, whose distances stand already in the table. This way of solving a problem"
+    explanation="Each number is built from shorter texts, whose distances are in the table already. This way of solving a problem"
     " is called dynamic programming. For an empty text, the loops do nothing, and the first row or column is the result.",
     another_way="Two rows of the table are enough: the one before, and the one that you fill. This needs less memory.",
 )

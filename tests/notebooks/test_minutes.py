@@ -50,3 +50,34 @@ def test_every_numbered_section_shows_its_minutes_and_every_lesson_its_time():
         without = [line for line in re.findall(r"^# (#{2,3} \d+ · .*)$", text, re.M) if "[[minutes]]" not in line]
         assert without == [], path.name
         assert "**Time** [[minutes]]" in text, path.name
+
+
+def hours(masters, *, core):
+    return round(sum(master.core_minutes if core else master.minutes for master in masters.values()) / 60)
+
+
+def test_index_first_lesson_and_readme_name_the_routes_with_their_hours():
+    masters = {master.name: master for master in map(read_master, find_masters(MASTERS))}
+    index = (MASTERS / "index.py").read_text("utf-8")
+    original, driving, whole = re.findall(r"^# - \*\*.* \(about \d+ hours\): .*$", index, re.M)
+    route = {name: masters[name] for name in re.findall(r"\[\[(\w+)\]\]", original)}
+    assert [master.number for master in route.values()] == "00 01 02 03 04 05 08 09 10".split()
+    assert all(20 <= master.core_minutes <= 70 for master in route.values())
+    assert f"**The original lesson in one day** (about {hours(route, core=True)} hours)" in original
+    further = {name: masters[name] for name in re.findall(r"\[\[(\w+)\]\]", driving)}
+    assert f"**The driving robot** (about {hours(further, core=True)} hours)" in driving
+    assert f"**The whole course** (about {hours(masters, core=False)} hours)" in whole
+    sentence = f"*The original lesson in one day* is a route of about {hours(route, core=True)} hours"
+    for page in (MASTERS / "00_start_here.py", ROOT / "README.md"):
+        text = page.read_text("utf-8")
+        assert sentence in text, page.name
+    assert all(f"[[{name}]]" in (MASTERS / "00_start_here.py").read_text("utf-8") for name in [*route][1:])
+
+
+def test_the_table_of_the_readme_shows_the_minutes_of_every_lesson():
+    readme = (ROOT / "README.md").read_text("utf-8")
+    rows = re.findall(r"^\| (\d\d) \| (.*?) \| .* \| (\d+) \| (\d+) \|$", readme, re.M)
+    masters = [read_master(path) for path in find_masters(MASTERS)]
+    assert rows == [(m.number, m.title, str(m.core_minutes), str(m.minutes)) for m in masters]
+    whole, core = (round(sum(minutes) / 60) for minutes in zip(*((m.minutes, m.core_minutes) for m in masters)))
+    assert f"All lessons together take a beginner about {whole} hours, their cores {core}." in readme
