@@ -36,7 +36,7 @@ print("hello")
 # | `[*]` | running, or waiting for another cell |
 # | `[3]` | finished; it was the third run since the start |
 #
-# Run the cells from top to bottom, because a cell uses results of the cells above it. If you begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu. Otherwise Python does not know the names of the cells above, and you see a `NameError`.
+# Run the cells from top to bottom, because a cell uses results of the cells above it. To begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu. Otherwise Python does not know the names of the cells above: a `NameError`.
 #
 # The *[[term:notebook kernel|kernel]]* is the Python process that runs the cells.
 #
@@ -49,11 +49,11 @@ print("hello")
 # | leave a cell, to move with the arrow keys | **Esc** (*command mode*); in this mode, letters are commands: `a` adds a cell above, `b` below |
 # | finish a lesson | **File → Close and Shut Down Notebook**; a closed tab alone keeps its kernel running |
 #
-# This file is your own copy: an update of the course never overwrites it.
+# This file is your own copy: an update never overwrites it.
 #
-# Each section says how many minutes it takes. Sections that are marked *deeper* can be left out: no later section needs them. The rest is the *core* of a lesson.
+# Sections that are marked *deeper* can be left out. The rest is the *core* of a lesson: it never needs them.
 #
-# The words in bold guide you. **Ask** begins with a question. **Try**, **Look** and **Check** mean: run the cell and compare. Before a result, you often write down a guess; section 3 shows how. Some cells show only their first line, such as `# Check: the numbers in this section`. They contain lines with [[term:assert|`assert`]]: each of them tests that a number in the text is right. You can run these cells without reading them.
+# **Try**, **Look** and **Check** mean: run the cell and compare. Some cells show only their first line, such as `# Check: the numbers in this section`. They contain lines with [[term:assert|`assert`]]: each of them tests that a number in the text is right. You can run these cells without reading them.
 #
 # ## 2 · Is your computer ready? ([[minutes]])
 #
@@ -176,11 +176,11 @@ assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 #
 # | cell | what it does |
 # |---|---|
-# | `check("start-count", count_pixels)` | runs your function on some images. It says what is right, and what to look at. You can repeat it as often as you like. |
+# | `check("start-count", count_pixels)` | runs your function on some images, as often as you like. It says what is right, and what to look at. |
 # | `hint("start-count")` | shows a hint. Run it again for the next one; there are three. |
 # | `solution("start-count")` | shows a solution and explains it, after three honest tries. `solution("start-count", give_up=True)` shows it at once. |
 #
-# If a check cell shows `NameError: name 'count_pixels' is not defined`, the cell with your function has not run since the kernel started: run it first. Most exercises give *points*: if you take the course with an instructor, a program *grades* your answers (it tests them again, with other inputs). Hints and solutions never change your points. This exercise is for practice and gives no points, but it shows how every exercise works.
+# If a check cell shows `NameError: name 'count_pixels' is not defined`, run the cell with your function first. Most exercises give *points*: if you take the course with an instructor, a program *grades* your answers (it tests them again, with other inputs). Hints and solutions never change your points. This exercise is for practice and gives no points.
 
 # %% role="exercise"
 exercise(
@@ -247,4 +247,4 @@ hint("start-count", step=1)
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.
 #
-# **Only one day?** *The original lesson in one day* is a route of about 11 hours: the cores of this lesson, [[arrays]], [[what_is_image_processing]], [[images_as_messages]], [[grayscale]], [[grayscale_node]], [[canny_stages]], [[edge_detection_node]] and [[ros2_packages]]. The [list of all lessons](index.ipynb) names the other routes.
+# **Only one day?** *The original lesson in one day* is a route of about 11 hours through the cores of nine lessons; the [list of all lessons](index.ipynb) names them, and two other routes.

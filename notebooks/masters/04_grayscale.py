@@ -7,7 +7,7 @@
 # %% [markdown]
 # # Grayscale
 #
-# A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. You may think that it is the average of the three numbers, but it is not. In this lesson you learn the right formula. You also meet a mistake that nearly everybody makes at first when they calculate with pixels.
+# A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. It is not the average of the three numbers. In this lesson you learn the right formula, and meet a mistake that nearly everybody makes at first when they calculate with pixels.
 #
 # **You will be able to**
 # - explain why the three channels have different weights, and compute *luma* (the gray level that OpenCV uses) by hand,
@@ -105,17 +105,7 @@ compare_guess(guess_wrapped, wrapped[0])
 # %% [markdown]
 # The result is 18 instead of 103, and NumPy does not warn you. A `uint8` holds at most 255. After 255 the values start again at 0. This is called *[[term:overflow]]*, or *wrap-around*. Here 30 + 60 + 220 = 310 becomes 310 − 256 = 54, and a third of 54 is 18.
 #
-# We want to see the effect on a whole frame. For this we need the blue channel of every pixel. **Predict** the shape of `frame[0]`: is it the blue channel?
-
-# %% role="predict"
-guess_shape = None  # your guess: the shape of frame[0], such as (720, 1280)?
-
-# %%
-print("frame[..., 0]:", frame[..., 0].shape)
-compare_guess(guess_shape, frame[0].shape)
-
-# %% [markdown]
-# `frame[0]` is not the blue channel. It is the first *row* of the image: 1280 pixels with three channels. The channels are on the *last* axis, so the blue channel is `frame[..., 0]`.
+# Here is the effect on a whole frame. `frame[..., 0]` is the blue channel of every pixel.
 
 # %%
 wrong = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3
@@ -133,6 +123,18 @@ repaired = (wide // 3).astype(np.uint8)
 print("sum:", wide[0], wide.dtype, "  a third:", repaired[0], repaired.dtype)
 
 # %% [markdown]
+# The rule: before you compute, ask for the *largest* number that can occur, and choose a dtype that holds it.
+
+# %%
+# Check: the numbers in this section
+assert total[0] == 54 and wrapped[0] == 18 and 30 + 60 + 220 == 310
+assert wrong.max() == 85
+assert repaired[0] == average == 103
+assert np.iinfo(np.uint16).max == 65_535
+
+# %% [markdown]
+# ### Is uint16 large enough? ([[minutes]], deeper)
+#
 # `uint16` is large enough for a sum of three pixels. Is it large enough for a product too? Later we multiply pixels by numbers such as 19235. **Predict** the product of a white pixel, 255, and 19235 in `uint16`: is it right?
 
 # %% role="predict"
@@ -145,21 +147,31 @@ print("uint32:", (white.astype(np.uint32) * 19235)[0])
 compare_guess(guess_product, int((white * 19235)[0]) == 255 * 19235)
 
 # %% [markdown]
-# The product is 4,904,925. It does not fit into `uint16`, so it overflows too. `uint32` holds numbers up to 4,294,967,295. The rule: before you compute, ask for the *largest* number that can occur, and choose a dtype that holds it.
+# The product is 4,904,925. It does not fit into `uint16`, so it overflows too. `uint32` holds numbers up to 4,294,967,295.
+
+# %% [markdown]
+# One more trap, with the index. **Predict** the shape of `frame[0]`: is it the blue channel?
+
+# %% role="predict"
+guess_shape = None  # your guess: the shape of frame[0], such as (720, 1280)?
 
 # %%
-# Check: the numbers in this section
-assert total[0] == 54 and wrapped[0] == 18 and 30 + 60 + 220 == 310
+print("frame[..., 0]:", frame[..., 0].shape)
+compare_guess(guess_shape, frame[0].shape)
+
+# %% [markdown]
+# `frame[0]` is not the blue channel. It is the first *row* of the image: 1280 pixels with three channels. The channels are on the *last* axis, so the blue channel is `frame[..., 0]`.
+
+# %%
+# Check: the product and the shapes
 assert frame[0].shape == (1280, 3) and frame[..., 0].shape == (720, 1280)
-assert wrong.max() == 85
-assert repaired[0] == average == 103
-assert np.iinfo(np.uint16).max == 65_535 and np.iinfo(np.uint32).max == 4_294_967_295
+assert np.iinfo(np.uint32).max == 4_294_967_295
 assert 255 * 19235 == 4_904_925 and (white * 19235)[0] == 4_904_925 % 65_536
 
 # %% [markdown]
 # ## 3 · Your eyes do not compute the average ([[minutes]])
 #
-# Is the average the right gray level? Here are pure blue, green and red at full intensity:
+# Is the average right? Here are pure blue, green and red:
 
 # %%
 patches = np.zeros((2, 6, 3), dtype=np.uint8)
@@ -168,7 +180,7 @@ patches[:, 2:4, 1] = 255  # two of pure green,
 patches[:, 4:6, 2] = 255  # and two of pure red
 
 # %% [markdown]
-# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, which is explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
+# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?
@@ -188,7 +200,7 @@ print("lightness", lightness_gray(patches)[0, ::2])
 print("luma     ", luma_patches[0, ::2])
 
 # %% [markdown]
-# For human eyes, green contributes most to the brightness, and blue contributes little. People measured this, and a television standard (ITU-R BT.601) defines three weights. The sum of the weighted channels is called **[[term:luma]]**:
+# For human eyes, green contributes most to the brightness, and blue contributes little. A television standard (ITU-R BT.601) defines three weights from measurements. The weighted sum is called **[[term:luma]]**:
 #
 # $$Y = 0.299\,R + 0.587\,G + 0.114\,B$$
 #
@@ -441,7 +453,7 @@ assert (by_light >= luma_patches).all() and linear_light_gray(white_wall) == to_
 # |---|---|---|
 # | `bgr`: a frame, (height, width, 3) uint8, channels blue, green, red | its luma, (height, width) uint8 | `luma(frame)` equals `gray` |
 #
-# `np` is imported already. The dtype counts: the result must be uint8. The check refuses an answer that uses `cv2` or the course's own functions.
+# The dtype counts: the result must be uint8. The check refuses an answer that uses `cv2` or the course's own functions.
 
 # %% role="exercise"
 exercise(

@@ -30,8 +30,8 @@ MINUTES = {"words": 1 / 80, "code lines": 0.35, "predictions": 0.5, "exercises":
 PRACTISED, FIRST_OF_THE_PRACTISED = 0.6, "11"
 REFERENCE, DEEPER = "[[minutes]]", "deeper"
 
-_PART = re.compile(r"^(?=#{2,3} )", re.M)  # of a Markdown cell: a heading and the text below it
-_HEADING = re.compile(r"(#{2,3}) .*?(?P<timed> \(\[\[minutes\]\](?P<words>, [a-z, ]+)?\))?$", re.M)
+_PART = re.compile(r"^(?=#{2,4} )", re.M)  # of a Markdown cell: a heading and the text below it
+_HEADING = re.compile(r"(#{2,4}) .*?(?P<timed> \(\[\[minutes\]\](?P<words>, [a-z, ]+)?\))?$", re.M)
 _NO_WORDS = re.compile(r"\$\$.+?\$\$|```.*?```|\[\[(?:[^|\]]*\|)?", re.S)  # of a reference, the label counts
 _WORD = re.compile(r"\w[\w'’.-]*")
 
@@ -87,10 +87,10 @@ def _in_fives(minutes):
 def _filled(cell, minutes, time):
     """A Markdown cell with the next minutes in its headings, and the lesson's time everywhere else."""
 
-    def fill(match):
-        return match[0].replace(REFERENCE, _label(next(minutes))) if match["timed"] else match[0]
-
-    parts = (_HEADING.sub(fill, part, count=1) for part in _PART.split(cell.source))
+    parts = []
+    for part in _PART.split(cell.source):
+        heading = _HEADING.match(part)
+        parts.append(part.replace(REFERENCE, _label(next(minutes)), 1) if heading and heading["timed"] else part)
     return replace(cell, source="".join(parts).replace(REFERENCE, time))
 
 
