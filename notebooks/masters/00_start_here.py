@@ -172,7 +172,7 @@ assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 # |---|---|---|
 # | `frame`: a colour image, an array like `frame` above, of any size | the number of its pixels: one whole number, rows × columns | for an image of 2 rows and 3 columns, `count_pixels(image)` gives `6` |
 #
-# Delete the line with `raise`, and write your own code there. Then run this cell and the cell below it.
+# Replace the line with `raise` by your own code. Then run this cell and the cell below it.
 #
 # | cell | what it does |
 # |---|---|

@@ -8,7 +8,7 @@ from imgproc_course.classroom.authoring.execute import output_texts
 _RESULT = re.compile(r"The result is (.*)\.$", re.M)
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _DIGITS = ("zero|no|none|nothing", "1", "two", "three", "four", "five", "six", "seven", "eight", "nine")
-_TAG = re.compile(r"<[^>]*>")
+_TAG_OR_ARRAY = re.compile(r"<[^>]*>|\[[^\[\]]*\]")  # of an output
 _NO_ANSWER = re.compile(r"\*\*Time\*\*.*|^(#+) \d+ ·|\(\d+ minutes?.*\)$|\bsections? \d+", re.M)
 _HEADING, _GOAL = re.compile(r"^#+ .*", re.M), re.compile(r"^- .*", re.M)
 _SENTENCE = re.compile(r"(?<=[.?!:])\s+|\n\n+|\n(?=[-|#])")
@@ -29,7 +29,7 @@ def spoiled_predictions(cells):
 
     A number is looked for everywhere above, with its unit if it has one. A word, and a whole number from 0 to
     9 without a unit, are looked for in sentences that hold half of the words of the question; a word and 0
-    (nothing) also in the headings and the goals.
+    (nothing) also in the headings and the goals. The numbers of a printed array are data, and not looked at.
     """
     found, texts = [], []
     for position, cell in enumerate(cells):
@@ -38,7 +38,7 @@ def spoiled_predictions(cells):
             answer = _answer(cells[position + 1 :])
             words = _words_that_give(answer, question, [*texts[:-1], before])
             found += [Spoiled(cell.id, answer, words)] if words else []
-        text = cell.source if cell.cell_type == "markdown" else _TAG.sub(" ", "\n".join(output_texts(cell)))
+        text = cell.source if cell.cell_type == "markdown" else _TAG_OR_ARRAY.sub(" ", "\n".join(output_texts(cell)))
         texts.append(_NO_ANSWER.sub(r"\1", text).replace("−", "-"))
     return found
 
