@@ -13,7 +13,7 @@ _NO_ANSWER = re.compile(r"\*\*Time\*\*.*|^(#+) \d+ ·|\(\d+ minutes?.*\)$|\bsect
 _HEADING, _GOAL = re.compile(r"^#+ .*", re.M), re.compile(r"^- .*", re.M)
 _SENTENCE = re.compile(r"(?<=[.?!:])\s+|\n\n+|\n(?=[-|#])")
 _WORD = re.compile(r"[a-z]{4,}")
-_OF_QUESTIONS = set("predict which many much what your this that with from they their them than have been".split())
+_OF_QUESTIONS = {"predict", "which", "many", "much", "what", "your", "this", "that", "with", "from", "they"}
 
 
 class Spoiled(NamedTuple):
@@ -38,7 +38,11 @@ def spoiled_predictions(cells):
             answer = _answer(cells[position + 1 :])
             words = _words_that_give(answer, question, [*texts[:-1], before])
             found += [Spoiled(cell.id, answer, words)] if words else []
-        text = cell.source if cell.cell_type == "markdown" else _TAG_OR_ARRAY.sub(" ", "\n".join(output_texts(cell)))
+        text = (
+            cell.source
+            if cell.cell_type == "markdown"
+            else _TAG_OR_ARRAY.sub(" ", "\n".join(output_texts(cell)))
+        )
         texts.append(_NO_ANSWER.sub(r"\1", text).replace("−", "-"))
     return found
 
@@ -65,7 +69,9 @@ def _words_that_give(answer, question, texts):
     unit = re.escape(answer.rpartition(numbers[-1])[2].strip(" )"))
     texts = [re.sub(r"(?<=\d),(?=\d{3}\b)", "", text) for text in texts]
     number = r"[ ,()x×]{1,3}".join(map(re.escape, numbers))
-    return _first(rf"(?<![\w.,-]){number}(?!\d|[.,]\d)" + (rf" ?{unit}(?![\w/])" if unit else r"(?!\w)"), texts)
+    return _first(
+        rf"(?<![\w.,-]){number}(?!\d|[.,]\d)" + (rf" ?{unit}(?![\w/])" if unit else r"(?!\w)"), texts
+    )
 
 
 def _first(pattern, texts):

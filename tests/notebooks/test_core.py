@@ -19,13 +19,15 @@ MASTERS = find_masters(Path(__file__).parents[2] / "notebooks" / "masters")
 
 
 def global_names_read(source):
-    """The names of other cells that a cell may read: no parameters and no local variables of its functions."""
+    """The names of other cells that a cell may read: no local variables of its functions."""
     tables = [symtable.symtable(TransformerManager().transform_cell(source), "cell", "exec")]
     names = set()
     for table in tables:
         tables += table.get_children()
         symbols = (symbol for symbol in table.get_symbols() if symbol.is_referenced())
-        names |= {symbol.get_name() for symbol in symbols if table.get_type() == "module" or symbol.is_global()}
+        names |= {
+            symbol.get_name() for symbol in symbols if table.get_type() == "module" or symbol.is_global()
+        }
     return names
 
 

@@ -2,9 +2,9 @@
 
 A section begins at a heading with `[[minutes]]`, and build replaces that by the minutes of the section:
 
-    ## 3 · Masks ([[minutes]])                  ## 3 · Masks (12 minutes)
-    ### Two levels ([[minutes]], deeper)        ### Two levels (8 minutes, deeper)
-    **Time** [[minutes]].                       **Time** about 60 minutes for the core, 75 with the deeper sections.
+    ## 3 · Masks ([[minutes]])               ## 3 · Masks (12 minutes)
+    ### Two levels ([[minutes]], deeper)     ### Two levels (8 minutes, deeper)
+    **Time** [[minutes]].                    **Time** about 60 minutes for the core, 75 with the ...
 
 A deeper section ends at the next heading of its level or of a higher one. The rest of the lesson is its core:
 it runs, and can be understood, without the deeper sections and their exercises.
@@ -90,7 +90,9 @@ def _filled(cell, minutes, time):
     parts = []
     for part in _PART.split(cell.source):
         heading = _HEADING.match(part)
-        parts.append(part.replace(REFERENCE, _label(next(minutes)), 1) if heading and heading["timed"] else part)
+        if heading and heading["timed"]:
+            part = part.replace(REFERENCE, _label(next(minutes)), 1)
+        parts.append(part)
     return replace(cell, source="".join(parts).replace(REFERENCE, time))
 
 

@@ -57,9 +57,11 @@ class LessonProgress:
 
     @property
     def count(self):
-        core = [id for id in self.exercises if id not in self.deeper]
-        text = f"{len({*core} & {*self.passed})} of {len(core)}"
-        return text + f", deeper {len({*self.deeper} & {*self.passed})} of {len(self.deeper)}" * bool(self.deeper)
+        passed = {*self.passed} - {*self.deeper}
+        text = f"{len(passed)} of {len(self.exercises) - len(self.deeper)}"
+        if self.deeper:
+            text += f", deeper {len({*self.passed} - passed)} of {len(self.deeper)}"
+        return text
 
 
 @dataclass(frozen=True)
