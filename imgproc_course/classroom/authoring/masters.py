@@ -99,6 +99,9 @@ Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 
                the right answer, `solution(...)`, and change its result. Dropped. See Known mistakes.
     predict    the learner's guess, before the result: `guess_share = None  # how many percent?`. Its id is
                `predict-<lesson>-<n>`. It belongs to no exercise. See Predictions.
+    texts      `figure_texts = {"wrapped": ("caption.", "alt text."), ...}`, the literal texts of figures; a
+               figure names them: `show(wrapped, text="<lesson>/wrapped")`. Dropped: the build writes them
+               into texts/<lesson>.json beside the lesson. It belongs to no exercise.
     After the declaration, a role cell belongs to the last declared exercise, or to the one that `exercise=`
     names.
 
@@ -135,13 +138,9 @@ Predictions
     another result. Choices stand in the comment: `# your guess: "left" or "right"?`.
 
 Folded cells
-    JupyterLab shows only the first line, a comment, of
-    - a cell that holds only asserts, and assignments and imports for them:
-      `# Check: the numbers in this section`, once at the end of a section. An assert stands in no other cell;
-      only a cell whose output varies may hold its own;
-    - a cell of texts: `# The captions and alt texts of the figures`, then
-      `figure_texts = {"wrapped": ("caption.", "alt text."), ...}`. A figure takes its two texts from there:
-      `show(wrapped, text=figure_texts["wrapped"])`.
+    JupyterLab shows only the first line, a comment, of a cell that holds only asserts, and assignments and
+    imports for them: `# Check: the numbers in this section`, once at the end of a section. An assert stands
+    in no other cell; only a cell whose output varies may hold its own.
 
 Tags (`tags=["..."]`, any code cell)
     nbval-ignore-output        its output varies (a live image); the next code cell holds asserts
@@ -152,6 +151,7 @@ Tags (`tags=["..."]`, any code cell)
 A practice exercise (`practice=True`) is checked but not graded: its points count as 0.
 """
 
+import ast
 from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -159,7 +159,7 @@ from pathlib import Path
 from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE, lesson_name
 from imgproc_course.classroom.authoring.minutes import timed_script
 from imgproc_course.classroom.authoring.references import References
-from imgproc_course.classroom.authoring.rules import FOLDED_LINES, VARYING_TAG, master_problems
+from imgproc_course.classroom.authoring.rules import CHECK_LINE, VARYING_TAG, master_problems
 from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
 from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
 
@@ -199,7 +199,7 @@ class Cell:
     @property
     def folded(self):
         """Whether JupyterLab shows only its first line."""
-        return self.kind == "code" and self.source.startswith(FOLDED_LINES)
+        return self.kind == "code" and self.source.startswith(CHECK_LINE)
 
 
 @dataclass(frozen=True)
@@ -209,6 +209,7 @@ class Master:
     name    of the lesson, its identity: "images_as_messages"
     number  its place in the course: "03"
     minutes, core_minutes  of the whole lesson, and of its core
+    texts   {name of a figure: (caption, alternative text)}
     """
 
     path: Path
@@ -217,6 +218,7 @@ class Master:
     core_minutes: int
     cells: tuple
     exercises: tuple
+    texts: dict
 
     @property
     def name(self):
@@ -294,11 +296,37 @@ def read_master(path):
     cells = list(_lesson_cells(path, timed, exercises, references))
     if match and cells and cells[0].kind == "markdown":
         cells[0] = _numbered(cells[0], match["number"])
-    master = Master(path, title, timed.whole, timed.core, tuple(cells), exercises)
+    master = Master(
+        path,
+        title,
+        timed.whole,
+        timed.core,
+        tuple(cells),
+        exercises,
+        _texts(script, references),
+    )
     problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
     return master
+
+
+def _texts(script, references):
+    """The texts of the figures; MasterError: they are no literal dict of pairs."""
+    texts = {}
+    for cell in script.cells:
+        if cell.role == "texts":
+            try:
+                texts |= ast.literal_eval(ast.parse(references.in_code(cell.source)).body[0].value)
+                pairs = [isinstance(pair, tuple) and len(pair) == 2 for pair in texts.values()]
+                is_right = all(pairs) and all(text.strip() for pair in texts.values() for text in pair)
+            except (SyntaxError, ValueError, TypeError, AttributeError, IndexError):
+                is_right = False
+            if not is_right:
+                raise MasterError(
+                    f'{cell.place}: a texts cell is figure_texts = {{"name": ("caption", "alt text"), ...}}'
+                )
+    return texts
 
 
 def _numbered(cell, number):

@@ -24,7 +24,7 @@ import re
 from collections import Counter
 from dataclasses import dataclass, field, replace
 
-from imgproc_course.classroom.authoring.rules import FOLDED_LINES
+from imgproc_course.classroom.authoring.rules import CHECK_LINE
 
 MINUTES = {"words": 1 / 80, "code lines": 0.35, "predictions": 0.5, "exercises": 4, "solution lines": 1.75}
 PRACTISED, FIRST_OF_THE_PRACTISED = 0.6, "11"
@@ -130,7 +130,7 @@ def _counts_of_code(cell, stub):
         return {"exercises": 1}
     if cell.role == "solution":
         return {"solution lines": (lines - Counter(_code_lines(stub))).total()}
-    is_read = cell.role in ("", "given") and not cell.source.startswith(FOLDED_LINES)
+    is_read = cell.role in ("", "given") and not cell.source.startswith(CHECK_LINE)
     return {"code lines": lines.total()} if is_read else {}
 
 
