@@ -9,6 +9,7 @@ from imgproc_course.classroom.exercises import (
     compare_guess,
     exercise,
     hint,
+    offer_modules,
     overview,
     solution,
 )
@@ -22,6 +23,7 @@ __all__ = [
     "compare_guess",
     "exercise",
     "hint",
+    "offer_modules",
     "overview",
     "solution",
 ]

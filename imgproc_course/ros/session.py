@@ -20,6 +20,7 @@ import traceback
 from collections.abc import Callable
 from typing import Any, Self
 
+import rclpy.node
 from rclpy.context import Context
 from rclpy.exceptions import InvalidHandle
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
@@ -146,14 +147,28 @@ class RosSession:
     def __repr__(self):
         return f"<RosSession: {f'domain {self.context.get_domain_id()}' if self.running else 'stopped'}>"
 
-    def add_node(self, node: Node) -> Node:
+    def add_node(self, node: Node | type[Node]) -> Node:
         """Spins your node too. Create it with `context=session.context`; the session destroys it on stop.
 
         It replaces the node of the same name and namespace that was added before: that one is destroyed
-        first, so a cell that runs again does not leave two nodes.
+        first, so a cell that runs again does not leave two nodes. A class without arguments is created here,
+        in the session's context; it replaces nodes of a class of this name.
         """
+        if isinstance(node, type):
+            node = self._create(node)
         self.run(functools.partial(self._running_spinner().add, node))
         return node
+
+    def _create(self, node_class):
+        for node in self._running_spinner().nodes():
+            if type(node).__name__ == node_class.__name__:
+                self.remove_node(node)
+        # Its __init__ names no context, so that it is the same as in a script.
+        default_context, rclpy.node.get_default_context = rclpy.node.get_default_context, lambda: self.context
+        try:
+            return node_class()
+        finally:
+            rclpy.node.get_default_context = default_context
 
     def remove_node(self, node: Node) -> None:
         """Stops spinning your node and destroys it. A second call does nothing."""

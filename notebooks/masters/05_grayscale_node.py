@@ -15,7 +15,7 @@
 # - explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2),
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted.
 #
-# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, run section 2, and do the exercise in section 6.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, run section 2, and do the exercises in sections 6 and 7: their checks work without ROS 2.
 
 # %% role="given" exercise=["node-process"]
 import cv2
@@ -23,12 +23,14 @@ import numpy as np
 
 # %%
 from imgproc_course.display import live_view
-from imgproc_course.exercises import check, compare_guess, hint, solution
+from imgproc_course.exercises import check, compare_guess, hint
+from imgproc_course.exercises import offer_modules, solution
 from imgproc_course.imaging import to_gray
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, RosSession
 from imgproc_course.ros import open_camera, ros_available
 
+offer_modules()  # for the exercise in section 7
 frame = open_recording("drive").frame(30)
 if ros_available():
     camera = open_camera("recording")
@@ -301,10 +303,10 @@ if ros_available():
 # 8. The node converts the result to a message. It **copies the header**, so that the receiver knows when the image was taken.
 # 9. The node publishes the message.
 #
-# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8). The course has a class with the same names:
+# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8). If it is not installed, `offer_modules()` in the first cell lets the same import line give the course's own class with these names:
 
 # %%
-from imgproc_course.messages.cv_bridge import CvBridge
+from cv_bridge import CvBridge, CvBridgeError
 
 bridge = CvBridge()
 msg = bridge.cv2_to_imgmsg(frame, "bgr8")  # an array becomes a message
@@ -316,13 +318,28 @@ print(msg.encoding, msg.height, msg.width, "->", array.shape, array.dtype)
 assert (array == frame).all() and msg.encoding == "bgr8"
 
 # %% [markdown]
+# Older files write `QoSReliabilityPolicy` and `QoSDurabilityPolicy`. They are the same classes as `ReliabilityPolicy` and `DurabilityPolicy`.
+#
+# In many files you see `except Exception` around the whole callback. Do not copy it: it also catches your own mistakes. If you misspell a name in the callback, such a node logs an error for every image, and you look for the fault in the camera. Put only the conversion inside `try`, and catch only what a bad message causes: `ConversionError`, or `CvBridgeError` if you convert with `CvBridge`. Every other error ends the node, and shows you the line.
+#
 # Most tutorials also show the image in a window. `cv2.imshow("gray", gray)` draws it, `cv2.waitKey(1)` gives the window one millisecond to react to mouse and keyboard, and `cv2.destroyAllWindows()` closes all windows at the end. A notebook runs in a browser, maybe on another computer than the node, and cannot open such windows. So here you use `live_view`.
 #
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
 # ## 4 · Planned failure: rclpy.spin in a notebook ([[minutes]])
 #
-# Step 6: most ROS tutorials end with `rclpy.spin(node)`. In a script this is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
+# Step 6: most ROS tutorials end with a function `main`:
+#
+# ```python
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = ImageGrayProcessor()
+#     rclpy.spin(node)
+#     node.destroy_node()
+#     rclpy.shutdown()
+# ```
+#
+# `args` are the arguments of the command line, such as remappings; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -502,27 +519,161 @@ def inputs(rng):
     return (frame,)
 
 # %% [markdown]
-# ## 7 · Practice: your node, live ([[minutes]])
+# ## 7 · Your turn: the whole node ([[minutes]])
 #
-# Run your own `process` in a node and watch its images. In the next cell, replace `make_gray` by `process` and run the cell. Then change `process` in your answer cell. After each change, run the answer cell and then the next cell again. The new node replaces the old one of the same name. Ideas:
+# Write the class `ImageGrayProcessor`, as you would write it for a robot. The check makes a node of your class, sends it images, and looks at what it publishes and logs. Do one step after the other, and run the check after each: step 1 is its first line, step 2 its second line, step 3 its third line.
+#
+# 1. **Subscribe.** `__init__` gives the node the name `image_gray_processor`. It creates a publisher for `Image` on `~/gray`, and a subscription to `Image` on `/kachaka/front_camera/image_raw` with the callback `self.image_callback`, best effort, volatile, depth 5. *Afterwards* ROS connects the camera with your node.
+# 2. **Answer.** `image_callback` converts the message to a frame with `self.bridge.imgmsg_to_cv2(msg, "bgr8")`, makes it gray with `cv2.cvtColor`, and publishes it as `mono8` with the header of `msg`. *Afterwards* each image of the camera gives one gray image.
+# 3. **Survive.** If a message cannot be converted, the node logs an error with `self.get_logger().error(...)` and publishes nothing. *Afterwards* a bad message costs one image, and not the node.
+#
+# The node must not call `rclpy.spin`, `time.sleep` or `cv2.imshow`.
+
+# %% role="exercise"
+exercise(
+    "node-class",
+    subject="node",
+    title="The grayscale node",
+    function="ImageGrayProcessor",
+    time_limit=5,
+    allowed=("cv2", "imgproc_course.messages", "imgproc_course.imaging"),
+    hint="Compare your class with GrayNode in section 3, line by line.",
+    hints=(
+        "Compare with GrayNode in section 3. Which of its nine lines belong to step 1, which to step 2, and"
+        " which to step 3?",
+        "1. In __init__, call super().__init__ with the name, make a QoSProfile with depth, reliability and durability,"
+        " then the publisher and the subscription.\n"
+        "2. In image_callback, convert the message, convert to gray, convert back with the header, publish.\n"
+        "3. Put try: and except CvBridgeError: around the first conversion. In except, log and return.",
+        "qos = QoSProfile(depth=5, reliability=..., durability=...)\n"
+        "self.publisher = self.create_publisher(Image, ..., qos)\n"
+        "self.create_subscription(Image, ..., self.image_callback, qos)\n\n"
+        'try:\n    frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")\n'
+        "except CvBridgeError as error:\n    ...\n    return",
+    ),
+    explanation="__init__ only creates; the callback only answers. The node keeps the publisher and the bridge as"
+    " attributes, because the callback needs them. try contains the conversion alone, so that a mistake of yours is not"
+    " taken for a bad message. The header is copied, so a receiver knows when the image was taken.",
+    another_way="You can also write image_to_array and array_to_image with ConversionError instead of CvBridge, and"
+    " qos_profile_sensor_data instead of a QoSProfile of your own.",
+)
+
+
+def blocks(rng):
+    """A frame of coloured blocks."""
+    colours = rng.integers(0, 256, size=(4, 6, 3), dtype=np.uint8)
+    return colours.repeat(8, axis=0).repeat(8, axis=1)
+
+
+def sent(image, number, encoding="bgr8", **more):
+    """A step of a drive: an image of the camera."""
+    return {
+        "image": image,
+        "encoding": encoding,
+        "topic": "/kachaka/front_camera/image_raw",
+        "stamp": (100 + number, 1000 * number + 7),
+        "frame_id": f"camera_{number}",
+    } | more
+
+
+# %% role="answer"
+import cv2
+from cv_bridge import CvBridge, CvBridgeError
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from sensor_msgs.msg import Image
+
+
+class ImageGrayProcessor(Node):
+    def __init__(self):
+        raise NotImplementedError("step 1: delete this line, and write it")
+        self.bridge = CvBridge()
+
+    def image_callback(self, msg):
+        pass  # steps 2 and 3
+
+
+# %% role="solution"
+import cv2
+from cv_bridge import CvBridge, CvBridgeError
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from sensor_msgs.msg import Image
+
+
+class ImageGrayProcessor(Node):
+    def __init__(self):
+        super().__init__("image_gray_processor")
+        self.bridge = CvBridge()
+        qos = QoSProfile(
+            depth=5,
+            reliability=ReliabilityPolicy.BEST_EFFORT,
+            durability=DurabilityPolicy.VOLATILE,
+        )
+        self.publisher = self.create_publisher(Image, "~/gray", qos)
+        self.create_subscription(
+            Image, "/kachaka/front_camera/image_raw", self.image_callback, qos
+        )
+
+    def image_callback(self, msg):
+        try:
+            frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")
+        except CvBridgeError as error:
+            self.get_logger().error(str(error))
+            return
+        gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+        gray_msg = self.bridge.cv2_to_imgmsg(gray, "mono8", msg.header)
+        self.publisher.publish(gray_msg)
+
+
+# %% role="check"
+check("node-class", ImageGrayProcessor)
+
+
+# %% role="case" title="step 1: subscribe" points=1 hint="Compare the name, the topics and the three policies, letter by letter."
+def inputs(rng):
+    return ("setup", [])
+
+
+# %% role="case" title="step 2: answer" points=1 hint="Does image_callback publish a mono8 image with the header of msg?"
+def inputs(rng):
+    return ("images", [sent(blocks(rng), 1), sent(blocks(rng), 2)])
+
+
+# %% role="case" title="step 3: survive" points=1 hint="Put try around imgmsg_to_cv2. In except, log the error and return."
+def inputs(rng):
+    bad = sent(blocks(rng), 2, "bgr16", bad=True)
+    return ("images", [sent(blocks(rng), 1), bad, sent(blocks(rng), 3)])
+
+
+# %% role="hidden" title="other encodings, other bad messages" points=1 hint="Is bgr8 the second argument of imgmsg_to_cv2?"
+def inputs(rng):
+    gray = rng.integers(0, 256, size=(10, 12), dtype=np.uint8)
+    return (
+        "images",
+        [
+            sent(blocks(rng), 4, "rgb8"),
+            sent(blocks(rng), 5, cut=True, bad=True),
+            sent(gray, 6, "mono8"),
+        ],
+    )
+
+
+# %% [markdown]
+# **Run it.** The next cell makes a node of your class, and the session spins it. The images below are those that your node publishes. Then change your class, and run its cell and the next cell again; the new node replaces the old one. Ideas for the callback:
 #
 # - turn the image upside down: `gray[::-1]`,
 # - invert it: `255 - gray`,
 # - make the first twenty rows white: `gray[:20] = 255`,
-# - publish the red channel alone, as a gray image: `{"gray": frame[..., 2]}`. Red objects become bright.
+# - publish the red channel alone: `gray = frame[..., 2]`. Red objects become bright.
 
 # %% tags=["nbval-ignore-output"]
-if ros_available():
-    my_node = session.add_node(
-        ImageProcessor("my_node", make_gray, ["gray"], context=session.context)
-    )
-    my_images = ImageSubscriber("/my_node/gray", encoding="mono8")
-    my_image = my_images.wait(timeout=10)
+if ros_available() and check("node-class", ImageGrayProcessor).points > 0:
+    my_node = session.add_node(ImageGrayProcessor)
+    my_images = ImageSubscriber("/image_gray_processor/gray", encoding="mono8")
     my_view = live_view(my_images, encoding="mono8", text="grayscale_node/mine")
-
-# %%
-# Check: my node publishes images of the camera's size
-assert not ros_available() or my_image.shape == (720, 1280)
+else:
+    print("this needs your class and a running ROS 2")
 
 # %% [markdown]
 # ## Recap

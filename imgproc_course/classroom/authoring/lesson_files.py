@@ -78,6 +78,8 @@ def _exercise_entry(exercise, values):
     data = check_data_of(exercise)
     entry = shared_fields(data, CheckData)
     del entry["id"], entry["mistakes"]  # the mistakes come last
+    if entry["subject"] == "function":
+        del entry["subject"]
     entry["cases"] = [_case_entry(case) for case in data.cases]
     if any("inputs" in case for case in entry["cases"]):
         entry["preparation"] = exercise.preparation

@@ -41,7 +41,8 @@ def _exercise_rules(exercise):
     hints = exercise.hints
     yield not exercise.public, 'has no role="case"; without one, `check` has nothing to run'
     yield not exercise.hidden, 'has no role="hidden"; an answer could copy the public values'
-    yield not exercise.mistakes, 'has no role="mistake"; which wrong answer do learners give?'
+    is_node = exercise.subject == "node"  # `node_feedback` has the sentences for its mistakes
+    yield not (exercise.mistakes or is_node), 'has no role="mistake"; which wrong answer do learners give?'
     yield (
         len(hints) != HINTS or not all(map(_is_text, hints)),
         f"needs hints=(...) with {HINTS} texts: a question that points to the idea, the steps in words,"
@@ -51,8 +52,18 @@ def _exercise_rules(exercise):
     yield not _is_text(exercise.explanation), why
     another_way = 'needs another_way="You can also write ...", one sentence'
     yield not _is_text(exercise.another_way), another_way
+    yield (
+        is_node and not _defines_class(exercise.stub, exercise.function),
+        f'has subject="node"; its answer cell must define class {exercise.function}(Node)',
+    )
     for name in _repeated([mistake.name for mistake in exercise.mistakes]):
         yield True, f"declares the mistake {name!r} twice"
+
+
+def _defines_class(source, name):
+    module = _parse(source)
+    classes = [node.name for node in module.body if isinstance(node, ast.ClassDef)] if module else []
+    return name in classes
 
 
 def _repeated(names):

@@ -30,6 +30,7 @@ from imgproc_course.classroom.autograder.answer_forms import read_calls
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.classroom.exercises.canonical import canonical
 from imgproc_course.classroom.exercises.input_encoding import decode
+from imgproc_course.classroom.exercises.running import answer_name
 
 FORMAT = 4
 HANDED_OUT = "handed_out.json"
@@ -69,6 +70,7 @@ class KeyExercise:
     stub        the answer cell's source in the lesson
     arguments   names of the function's arguments
     given       sources of the given cells; () in a key of an earlier version
+    subject     what the answer is: "function" or "node"
     exact_type  whether a right value in another type is wrong
     """
 
@@ -85,6 +87,12 @@ class KeyExercise:
     mistakes: tuple[KeyMistake, ...]
     given: tuple[str, ...] = ()
     exact_type: bool = False
+    subject: str = "function"
+
+    @property
+    def answer_name(self):
+        """How texts name its answer, double() or Doubler."""
+        return answer_name(self.function, self.subject)
 
 
 @dataclass(frozen=True)
@@ -166,7 +174,11 @@ class ExerciseContent:
 
     def canonical_arguments(self, case_id, number):
         """The canonical forms of one call's arguments, to show a public case."""
-        return [canonical(value, limit=None) for value in decode(self.inputs[case_id][number])]
+        return [canonical(value, limit=None) for value in self.arguments(case_id, number)]
+
+    def arguments(self, case_id, number):
+        """The arguments of one call."""
+        return decode(self.inputs[case_id][number])
 
 
 @lru_cache(maxsize=64)

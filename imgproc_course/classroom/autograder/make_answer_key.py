@@ -30,7 +30,7 @@ from imgproc_course.classroom.autograder.answer_key import (
 )
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
-from imgproc_course.classroom.autograder.sandbox.inside.check_cell import argument_names, call_to_json
+from imgproc_course.classroom.autograder.sandbox.inside.check_cell import call_to_json
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.autograder.verdict import verdict_on
 from imgproc_course.classroom.exercises import running
@@ -131,7 +131,7 @@ class _ExerciseKeyMaker:
         solution = exercise.function_of(exercise.solution, "solution")
         own_fields = {
             "points": sum(case.points for case in self._cases),
-            "arguments": tuple(argument_names(solution)),
+            "arguments": tuple(running.argument_names(solution, subject=exercise.subject)),
             "cases": tuple(map(self._key_case, self._cases)),
             "mistakes": tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
         }
@@ -191,7 +191,7 @@ class _ExerciseKeyMaker:
         try:
             return [
                 *(kernel.run(source) for source in (*exercise.given, exercise.solution)),
-                kernel.run_check(_check_source(exercise.function), inputs, exercise.time_limit),
+                kernel.run_check(_check_source(exercise), inputs, exercise.time_limit),
             ]
         finally:
             kernel.stop()
@@ -202,8 +202,9 @@ class _ExerciseKeyMaker:
         calls = []
         for encoded in self._inputs[case.id]:
             arguments = decode(encoded)
-            names = argument_names(function, arguments)
-            calls.append(call_to_json(running.call(function, arguments, names, exercise.time_limit)))
+            names = running.argument_names(function, arguments, exercise.subject)
+            result = running.call(function, arguments, names, exercise.time_limit, exercise.subject)
+            calls.append(call_to_json(result))
         return calls
 
     def _notebook(self, payloads):
@@ -213,7 +214,7 @@ class _ExerciseKeyMaker:
             cells.append(_code_cell(f"given-{exercise.id}-{number}", source, len(cells), compared=False))
         cells.append(_code_cell(f"answer-{exercise.id}", _PLACEHOLDER, len(cells), compared=False))
         for case in exercise.cases:
-            cell = _code_cell(case.id, _check_source(exercise.function), len(cells))
+            cell = _code_cell(case.id, _check_source(exercise), len(cells))
             cell.outputs = [new_output("display_data", {MIME: payloads[case.id]})]
             cells.append(cell)
         kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
@@ -221,8 +222,9 @@ class _ExerciseKeyMaker:
         return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": origin})
 
 
-def _check_source(function):
-    return f"{_EMIT_IMPORT}\n\nemit({function})"
+def _check_source(exercise):
+    subject = "" if exercise.subject == "function" else f', "{exercise.subject}"'
+    return f"{_EMIT_IMPORT}\n\nemit({exercise.function}{subject})"
 
 
 def _code_cell(id, source, count, *, compared=True):

@@ -61,10 +61,10 @@ TEXTS = {
     Outcome.RAISED: OutcomeTexts("raised an exception"),
     Outcome.NOT_ATTEMPTED: OutcomeTexts("not attempted", shows_values=False),
     Outcome.MISSING: OutcomeTexts(
-        "the function is missing",
-        advice="No cell of the notebook defines a function of this name, with a def that begins at the left"
-        " edge. Write it into its answer cell (a fresh copy of the lesson has one), and run"
-        " `imgproc-course check` on the notebook before you submit it.",
+        "the answer is missing",
+        advice="No cell of the notebook defines a function or class of this name, with a def or class that"
+        " begins at the left edge. Write it into its answer cell (a fresh copy of the lesson has one), and"
+        " run `imgproc-course check` on the notebook before you submit it.",
         shows_values=False,
     ),
     Outcome.REFUSED_MODULE: OutcomeTexts(
@@ -87,12 +87,12 @@ TEXTS = {
     Outcome.OUTPUT: OutcomeTexts(
         "printed too much",
         message="it printed more than the autograder reads",
-        advice="Remove the print calls from your function.",
+        advice="Remove the print calls from your answer.",
     ),
     Outcome.CRASHED: OutcomeTexts(
         "ended the Python process",
         message="it ended its process",
-        advice="Nothing in your function may end Python: no exit(), no quit(), no os._exit().",
+        advice="Nothing in your answer may end Python: no exit(), no quit(), no os._exit().",
     ),
     Outcome.HOSTILE: OutcomeTexts(
         "sent something that no answer sends",

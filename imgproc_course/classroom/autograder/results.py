@@ -17,6 +17,7 @@ from imgproc_course.classroom.autograder.answer_key import known_mistake
 from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
 from imgproc_course.classroom.autograder.sanitize import sanitize_text
 from imgproc_course.classroom.autograder.verdict import CaseRun
+from imgproc_course.classroom.exercises.node_feedback import sentence_on_node
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 # How IPython and ipykernel name a cell, with a number that differs from run to run.
@@ -24,6 +25,12 @@ _CELL = re.compile(r"<ipython-input-[^<>\s]*>|(?<!\S)\S*/ipykernel_\d+/\d+\.py|\
 _LARGEST_SHOWN = 1_500_000  # characters of a form: as much as the largest array with values
 _MOST_READ = 4  # characters that are read of a text, for each one that is kept
 _MEMORY_ERRORS = ("MemoryError", "_ArrayMemoryError")
+# Errors whose messages are sentences of ours.
+_OUTCOMES_OF_ERRORS = {
+    "RefusedModule": Outcome.REFUSED_MODULE,
+    "NotGradedError": Outcome.NOT_GRADED,
+    "NodeError": Outcome.RAISED,
+}
 _EXCEPTIONS = frozenset(name for name, kind in vars(builtins).items() if isinstance(kind, type))
 
 
@@ -199,7 +206,20 @@ def _case_of_run(exercise, content, case, run, passed):
     outcome, message = _outcome_of_run(exercise, run)
     if case.hidden:
         return _graded_case(case, outcome, _message_of_hidden(outcome, message))
-    return _graded_case(case, outcome, message, _failed_call(content, case, run.verdict))
+    failed_call = _failed_call(content, case, run.verdict)
+    if exercise.subject == "node":  # its record is no reading
+        return _graded_case(
+            case, outcome, _message_on_node(content, case, run.verdict, failed_call) or message
+        )
+    return _graded_case(case, outcome, message, failed_call)
+
+
+def _message_on_node(content, case, verdict, failed_call):
+    """What a node does wrong, in a sentence; "" if it gave no record, or if there is no sentence."""
+    if verdict.difference is None or failed_call.actual is None:
+        return ""
+    arguments = content.arguments(case.id, verdict.failed_call)
+    return reproducible_text(sentence_on_node(failed_call.expected, failed_call.actual, arguments))
 
 
 def _faulty_case(case, fault):
@@ -234,7 +254,7 @@ def _outcome_of_verdict(exercise, verdict):
     call = verdict.calls[verdict.failed_call]
     if call.timed_out:
         limit = f"{exercise.time_limit:g} s of processor time"
-        return Outcome.TIME, f"{exercise.function}() used more than {limit}"
+        return Outcome.TIME, f"{exercise.answer_name} used more than {limit}"
     if call.error:
         return _outcome_of_exception(call)
     if call.changed:
@@ -246,8 +266,8 @@ def _outcome_of_verdict(exercise, verdict):
 def _outcome_of_exception(call):
     if call.error == "NotImplementedError":
         return Outcome.NOT_ATTEMPTED, ""
-    if call.error == "RefusedModule":
-        return Outcome.REFUSED_MODULE, reproducible_text(call.message)
+    if call.error in _OUTCOMES_OF_ERRORS:
+        return _OUTCOMES_OF_ERRORS[call.error], reproducible_text(call.message)
     line = f" ({reproducible_text(call.line)})" if call.line else ""
     outcome = Outcome.MEMORY if call.error in _MEMORY_ERRORS else Outcome.RAISED
     return outcome, _exception_text(call.error, call.message) + line
@@ -255,11 +275,11 @@ def _outcome_of_exception(call):
 
 def _outcome_without_function(exercise, run):
     name, text = run.answer.error
-    if name == "RefusedModule":
-        return Outcome.REFUSED_MODULE, reproducible_text(text)
+    if name in _OUTCOMES_OF_ERRORS:
+        return _OUTCOMES_OF_ERRORS[name], reproducible_text(text)
     if name:
         return Outcome.RAISED, f"{CELL_FAILS}: {_exception_text(name, text)}"
-    return Outcome.MISSING, f"its cell does not define {exercise.function}()"
+    return Outcome.MISSING, f"its cell does not define {exercise.answer_name}"
 
 
 def _message_about_cell(runs):

@@ -10,6 +10,7 @@ from imgproc_course.classroom.exercises.declaration import Exercise, MasterError
 from imgproc_course.classroom.exercises.guesses import GuessComparison, compare_guess
 from imgproc_course.classroom.exercises.help_steps import hint, solution
 from imgproc_course.classroom.exercises.overview import Overview, overview
+from imgproc_course.classroom.exercises.ros_double import offer_modules
 
 __all__ = [
     "Case",
@@ -28,6 +29,7 @@ __all__ = [
     "compare_guess",
     "exercise",
     "hint",
+    "offer_modules",
     "overview",
     "read_exercises",
     "run_cases",

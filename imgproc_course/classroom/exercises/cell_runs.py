@@ -16,7 +16,7 @@ from imgproc_course.classroom.exercises.running import code_of, source_of
 _MOST_RUNS = 500
 _SIMILAR = 0.8
 _FAILED = (
-    "The last run of your cell failed. {error}\nPython still has the older {name}(), not the one on the"
+    "The last run of your cell failed. {error}\nPython still has the older {name}, not the one on the"
     " screen. Repair the cell, run it, then run this one."
 )
 
@@ -48,8 +48,8 @@ class CellRun:
             )
 
     def definitions(self):
-        """The names of the functions that the cell defines at its top level, also if it does not parse."""
-        return re.findall(r"^(?:async\s+)?def\s+(\w+)", self.source, re.MULTILINE)
+        """The functions and classes that the cell defines at its top level, also if it does not parse."""
+        return re.findall(r"^(?:(?:async\s+)?def|class)\s+(\w+)", self.source, re.MULTILINE)
 
 
 class CellRuns:
@@ -91,9 +91,12 @@ class CellRuns:
             return ""
         if run.error:
             is_current = run.is_read and (source_of(function).strip() or "\0") in run.source
-            return "" if is_current else _FAILED.format(error=run.error, name=name)
+            shown_name = name if isinstance(function, type) else f"{name}()"
+            return "" if is_current else _FAILED.format(error=run.error, name=shown_name)
         # Under the name that is asked for there may also be a lambda, or an imported function.
-        return "" if re.search(rf"\b{name}\b", run.source) else _explain_name(run, name)
+        if re.search(rf"\b{name}\b", run.source):
+            return ""
+        return _explain_name(run, name, "class" if isinstance(function, type) else "function")
 
 
 def _as_cell(number, run):
@@ -128,12 +131,13 @@ def _similar(run, name):
     return next(iter(difflib.get_close_matches(name, names, n=1, cutoff=_SIMILAR)), "")
 
 
-def _explain_name(run, name):
+def _explain_name(run, name, kind):
     defined_name = _similar(run, name) or next(iter(run.definitions()), "")
-    defined = f"defines {defined_name}()" if defined_name else "defines no function"
+    marks, start = ("()", f"def {name}(...):") if kind == "function" else ("", f"class {name}(...):")
+    defined = f"defines {defined_name}{marks}" if defined_name else f"defines no {kind}"
     return (
-        f"Your cell {defined}, and this exercise needs a function with the name {name}(). Python still has"
-        f" the older {name}(). Write def {name}(...): in the cell, run it, then run this one."
+        f"Your cell {defined}, and this exercise needs a {kind} with the name {name}{marks}. Python still has"
+        f" the older {name}{marks}. Write {start} in the cell, run it, then run this one."
     )
 
 

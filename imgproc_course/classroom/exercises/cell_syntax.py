@@ -132,39 +132,62 @@ BLANK = "blank"
 
 
 def _body_digest(statement):
-    """BLANK for a stub (`...`, `pass`, NotImplementedError first), a digest of another short body, or ""."""
+    """BLANK for a stub (see `_is_blank`), a digest of another short body, or ""."""
     if _is_blank(statement):
         return BLANK
     body = _body(statement)
     if not 0 < len(body) <= _LONGEST_DIGESTED:
         return ""
     try:
-        text = ast.dump(ast.Module(body, []))
+        text = "\n".join(map(_dump, body))
     except (RecursionError, MemoryError):
         return ""
     return hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
 
 
+def _dump(statement):
+    """A statement as text; of a function or class the name and the body."""
+    if isinstance(statement, _DEFINITIONS):
+        return "\n".join([statement.name, *map(_dump, _body(statement))])
+    return ast.dump(statement)
+
+
 def _body(statement):
-    """The statements of a function without its docstring or `...`; of anything else none."""
-    body = statement.body if isinstance(statement, _FUNCTIONS) else []
+    """The statements of a function or class without its docstring or `...`; of anything else none."""
+    body = statement.body if isinstance(statement, _DEFINITIONS) else []
     is_text = body and isinstance(body[0], ast.Expr) and isinstance(body[0].value, ast.Constant)
     return body[1:] if is_text else body
 
 
+def _initialization(statement):
+    """The statements of the __init__ of a class."""
+    body = statement.body if isinstance(statement, ast.ClassDef) else []
+    methods = [part for part in body if isinstance(part, _FUNCTIONS) and part.name == "__init__"]
+    return _body(methods[-1]) if methods else []
+
+
 def _is_blank(statement):
-    """Whether a statement is a stub."""
-    if not isinstance(statement, _FUNCTIONS):
+    """Whether a statement is a stub: `...`, `pass`, NotImplementedError first or in a class's __init__."""
+    if not isinstance(statement, _DEFINITIONS):
         return False
     body = _body(statement)
-    return not body or [*map(type, body)] == [ast.Pass] or _is_not_implemented(body[0])
+    if not body or [*map(type, body)] == [ast.Pass]:
+        return True
+    return _is_not_implemented(body[0]) or any(map(_is_not_implemented, _initialization(statement)))
 
 
 def functions_with_stub_line(tree):
-    """The names of the functions of a module that go on after the stub's `raise NotImplementedError(...)`."""
-    functions = [statement for statement in tree.body if isinstance(statement, _FUNCTIONS)]
-    bodies = {function.name: _body(function) for function in functions}
-    return [name for name, body in bodies.items() if len(body) > 1 and _is_not_implemented(body[0])]
+    """The names of the functions of a module that go on after the stub's `raise NotImplementedError(...)`.
+
+    Also of the classes that have this line in __init__.
+    """
+    definitions = [statement for statement in tree.body if isinstance(statement, _DEFINITIONS)]
+    return [
+        definition.name
+        for definition in definitions
+        if any(map(_is_not_implemented, _initialization(definition)))
+        or (len(_body(definition)) > 1 and _is_not_implemented(_body(definition)[0]))
+    ]
 
 
 def _is_not_implemented(statement):
@@ -228,23 +251,27 @@ def _is_from_future(statement):
 class Statement:
     """A statement at the top level of a cell.
 
-    kind     "function", "class", "import", "value" (an assignment to plain names), "expression" or "other"
-    binds    frozenset of the names that it binds
-    reads    frozenset of the names that it reads before it binds them
-    changes  frozenset of the names whose values it changes: `total += 1`, `table[k] = 3`, `names.append(3)`
-    source   its source
+    kind           "function", "class", "import", "value" (an assignment to plain names), "expression" or
+                   "other"
+    binds          frozenset of the names that it binds
+    reads          frozenset of the names that it reads before it binds them
+    reads_at_once  those of them that it reads where it stands: not in the body of a function or method
+    changes        frozenset of the names whose values it changes: `total += 1`, `table[k] = 3`,
+                   `names.append(3)`
+    source         its source
     """
 
     kind: str
     binds: frozenset
     reads: frozenset
+    reads_at_once: frozenset
     changes: frozenset
     source: str
     is_stub: bool
 
     @property
     def runs_at_once(self):
-        """Whether it reads names where it stands; functions and classes count when they are called."""
+        """Whether it computes where it stands; functions and classes count when they are called."""
         return self.kind in ("value", "expression", "other")
 
 
@@ -277,7 +304,9 @@ def _statement(node):
     if kind not in ("function", "class", "import"):
         changes = frozenset(_names_changed(node))
         reads -= _names_bound_first(node)
-    return Statement(kind, binds, frozenset(reads | changes), changes, source, _is_blank(node))
+    reads = frozenset(reads | changes)
+    at_once = reads & _names_read_at_once(source) if isinstance(node, _DEFINITIONS) else reads
+    return Statement(kind, binds, reads, at_once, changes, source, _is_blank(node))
 
 
 def _names_bound_first(statement):
@@ -356,13 +385,25 @@ def _names_read(source):
     return names
 
 
+def _names_read_at_once(source):
+    """The names that functions and classes read when they are defined: decorators, bases, default values."""
+    tree = ast.parse(source)
+    for node in ast.walk(tree):
+        if isinstance(node, _FUNCTIONS):
+            node.body = [ast.Pass()]
+        elif isinstance(node, ast.Lambda):
+            node.body = ast.Constant(None)
+    return _names_read(ast.unparse(tree))
+
+
 def needed_statements(statements, function, *, with_changes=True):
     """The statements of a cell that a function needs, itself included, in their order.
 
     `with_changes`: also those that only change a value, such as a loop that fills a table.
     """
     names, numbers, size = {function}, set(), -1
-    helpers = {name for statement in statements if statement.kind == "function" for name in statement.binds}
+    definitions = [statement for statement in statements if statement.kind in ("function", "class")]
+    helpers = {name for definition in definitions for name in definition.binds}
     while len(numbers) > size:
         size = len(numbers)
         values = set().union(
@@ -395,7 +436,7 @@ def names_needed(statements, function):
     names, bound_above = set(), {function}
     bound = bound_above.union(*(statement.binds for statement in statements))
     for statement in needed_statements(statements, function):
-        names |= statement.reads - (bound_above if statement.runs_at_once else bound)
+        names |= (statement.reads_at_once - bound_above) | (statement.reads - bound)
         bound_above |= statement.binds
     return names
 
@@ -509,7 +550,7 @@ class _Slice:
 
     def _reads(self, statement):
         """What a statement reads that is not given; functions run when the answer's cell has run."""
-        return statement.reads - self._given - (set() if statement.runs_at_once else self._own_names)
+        return (statement.reads_at_once | (statement.reads - self._own_names)) - self._given
 
     def _find_places(self, name):
         """What binds or changes a name; [] if no cell binds it."""

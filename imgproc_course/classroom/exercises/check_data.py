@@ -11,7 +11,7 @@ import numpy as np
 
 from imgproc_course.classroom.exercises.cell_syntax import cells_of, needed_parts, parts_of
 from imgproc_course.classroom.exercises.dependencies import tree_as_graded
-from imgproc_course.classroom.exercises.running import CallResult, by_itself, call
+from imgproc_course.classroom.exercises.running import CallResult, answer_name, by_itself, call
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +70,7 @@ class CheckData:
     id: str
     title: str
     function: str
+    subject: str = "function"
     names: tuple[str, ...] = ()
     stub: str
     given: tuple[str, ...]
@@ -91,8 +92,24 @@ class CheckData:
         """Points of all its cases."""
         return sum(case.points for case in self.cases)
 
+    @property
+    def answer_name(self):
+        """How texts name its answer, double() or Doubler."""
+        return answer_name(self.function, self.subject)
+
+    @property
+    def kind(self):
+        """What texts call its answer."""
+        return "class" if self.subject == "node" else "function"
+
+    def can_be_answer(self, value):
+        """Whether a value is of the kind of its answers."""
+        return isinstance(value, type) if self.subject == "node" else callable(value)
+
     def namespace(self):
         """A new namespace as an answer gets it in grading: np, and what the given cells define."""
+        if self.subject == "node":
+            _offer_modules()
         names = {"np": np, "__name__": self.id}
         for number, source in enumerate(self.given, 1):
             self.run_part(source, names, f"given cell {number} of {self.id}")
@@ -132,7 +149,14 @@ class CheckData:
     def call(self, function, arguments):
         """The CallResult of one call of an answer."""
         more_names = (f"argument {k + 1}" for k in range(len(self.names), len(arguments)))
-        return call(function, arguments, [*self.names[: len(arguments)], *more_names], self.time_limit)
+        names = [*self.names[: len(arguments)], *more_names]
+        return call(function, arguments, names, self.time_limit, self.subject)
+
+
+def _offer_modules():
+    from imgproc_course.classroom.exercises.ros_double import offer_modules  # here: only nodes need it
+
+    offer_modules()
 
 
 def shared_fields(record, kind):

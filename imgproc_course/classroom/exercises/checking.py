@@ -1,5 +1,6 @@
 """`check`: run an answer's public cases in the learner's notebook."""
 
+import inspect
 import types
 from dataclasses import dataclass, field, replace
 
@@ -13,25 +14,28 @@ from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
 from imgproc_course.classroom.exercises.dependencies import Dependencies, dependencies_of, find_refused
 from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
 from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.progress import ExerciseProgress, digest_of, note_progress
+from imgproc_course.classroom.exercises.progress import ExerciseProgress, content_of, digest_of, note_progress
 from imgproc_course.classroom.exercises.running import (
     CallResult,
     TimeUp,
+    answer_name,
     call_within,
     code_of,
+    codes_of,
+    globals_of,
     overwrite_freed_memory,
     source_of,
 )
-from imgproc_course.classroom.exercises.source_remarks import remarks_on_source
+from imgproc_course.classroom.exercises.source_remarks import STUB_LINE, remarks_on_source
 
 _NONE = {"type": "None"}
 _SECONDS = 10  # for the statements beside an answer
 _ANOTHER = (
-    "Several cells define {name}(). Grading takes the one of the answer cell, and so does this check; the one"
+    "Several cells define {name}. Grading takes the one of the answer cell, and so does this check; the one"
     " that Python has now is another."
 )
 _ONLY_HERE = (
-    "In this notebook {name}() gives the right values, but not as grading runs it: in a new kernel, with"
+    "In this notebook {name} gives the right values, but not as grading runs it: in a new kernel, with"
     " nothing but the answer cell and what it reads of other cells. Restart the kernel, run all cells, and"
     " check again."
 )
@@ -121,7 +125,7 @@ def check(exercise_id, function):
     Parameters
     ----------
     exercise_id : str, as the lesson names it: "grayscale-luma"
-    function : the learner's function itself, `luma`, not a call of it
+    function : the learner's function or class itself, `luma`, not a call of it
 
     Returns
     -------
@@ -130,15 +134,16 @@ def check(exercise_id, function):
     Raises
     ------
     CheckFileError : there is no such exercise, or its file is missing or damaged
-    TypeError : `function` cannot be called
+    TypeError : `function` cannot be called, or is no class where the answer is one
     """
     file = find_check_file(exercise_id)
     exercise = file.exercise(exercise_id)
-    if not callable(function):
+    if not exercise.can_be_answer(function):
         raise TypeError(
-            f"check({exercise_id!r}, ...) needs your function {exercise.function} itself, got a value of type"
-            f" {type(function).__name__}; run the cell with your function first (if it shows an error, repair"
-            f" that), and write check({exercise_id!r}, {exercise.function}), no parentheses after the name"
+            f"check({exercise_id!r}, ...) needs your {exercise.kind} {exercise.function} itself, got a value"
+            f" of type {type(function).__name__}; run the cell with your {exercise.kind} first (if it shows"
+            f" an error, repair that), and write check({exercise_id!r}, {exercise.function}), no parentheses"
+            " after the name"
         )
     why_older = RUNS.why_older(exercise_id, exercise.function, function)
     if why_older:
@@ -151,7 +156,8 @@ def check(exercise_id, function):
 def _answer_in_notebook(file, exercise, function):
     """The ComposedAnswer of the notebook that runs; None if no cell is known that defines the function."""
     cells, lesson = RUNS.cells(), file.description()
-    for name in dict.fromkeys((getattr(code_of(function), "co_name", ""), exercise.function)):
+    own_name = function.__name__ if isinstance(function, type) else getattr(code_of(function), "co_name", "")
+    for name in dict.fromkeys((own_name, exercise.function)):
         answer = compose_answer(lesson, exercise.id, name, cells)
         if answer is not None:
             return answer
@@ -195,18 +201,18 @@ def run_check(exercise, function, answer=None):
         calls, judged = _run_calls(exercise, function), function  # they tell more than a NameError
     else:
         dependencies = replace(dependencies, foreign={})
-        if _are_same(code_of(judged), code_of(function)) is False:
-            remarks = (_ANOTHER.format(name=exercise.function),)
+        if _are_same(codes_of(judged), codes_of(function)) is False:
+            remarks = (_ANOTHER.format(name=exercise.answer_name),)
         elif judged is not function and not all(call.passed for call in calls):
             is_right = all(call.passed for call in _run_calls(exercise, function))
-            remarks = (_ONLY_HERE.format(name=exercise.function),) if is_right else ()
+            remarks = (_ONLY_HERE.format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
     return replace(result, remarks=(*remarks, *result.remarks))
 
 
 def _as_graded(exercise, function, answer):
     """(the function as grading has it, or None; Dependencies). A refused answer is not run as in grading."""
-    namespace = getattr(function, "__globals__", {})
+    namespace = globals_of(function)
     is_cell = answer is not None
     answer = answer or ComposedAnswer(getattr(function, "__name__", ""), source_of(function))
     given = set(exercise.provided)
@@ -219,18 +225,18 @@ def _as_graded(exercise, function, answer):
         names, error = {}, "it did not finish"
     dependencies = dependencies_of(answer, names.keys(), namespace)
     graded = names.get(answer.function)
-    if callable(graded):
+    if exercise.can_be_answer(graded):
         return graded, dependencies
-    error = error or f"it does not define {answer.function}()"
+    error = error or f"it does not define {answer_name(answer.function, exercise.subject)}"
     return None, replace(dependencies, taken={}, error=error)
 
 
-def _are_same(code, other):
-    """Whether two code objects do the same; None if one is not known."""
-    if code is None or other is None:
+def _are_same(codes, other_codes):
+    """Whether the code objects of two answers do the same; None if those of one are not known."""
+    if not codes or not other_codes:
         return None
-    codes = [(one.co_code, one.co_consts, one.co_names) for one in (code, other)]
-    return codes[0] == codes[1]
+    contents = [{name: content_of(code) for name, code in own.items()} for own in (codes, other_codes)]
+    return contents[0] == contents[1]
 
 
 def _run_calls(exercise, function):
@@ -253,7 +259,7 @@ def _run_calls(exercise, function):
 
 def check_built(exercise, function, source):
     """The CheckResult of a function that was built from a source, as in grading."""
-    namespace = getattr(function, "__globals__", {})
+    namespace = globals_of(function)
     refused = find_refused(source, exercise.function, exercise.allowed, set(exercise.provided), namespace)
     return _judge_calls(exercise, function, _run_calls(exercise, function), Dependencies(refused))
 
@@ -261,9 +267,11 @@ def check_built(exercise, function, source):
 def _judge_calls(exercise, function, calls, dependencies):
     """The CheckResult of the calls of a function."""
     errors = {case_call.result.error for case_call in calls}
-    stub = _code_in(exercise.stub, exercise.function)
-    if "NotImplementedError" in errors or _are_same(code_of(function), stub):
-        return CheckResult(exercise, attempted=False, remarks=_remarks(exercise, function))
+    is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
+    if "NotImplementedError" in errors or is_stub:
+        has_line = isinstance(function, type) and not is_stub
+        remarks = (STUB_LINE,) if has_line else _remarks(exercise, function)
+        return CheckResult(exercise, attempted=False, remarks=remarks)
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise, calls)
@@ -278,17 +286,26 @@ def _remarks(exercise, function, errors=()):
 
 def _diagnosis(result, calls):
     shown_value = result.shown
+    exercise = result.exercise
     if shown_value is None or shown_value.difference is None or shown_value.result.changed:
         return Diagnosis()
-    exercise = result.exercise
+    if exercise.subject == "node":
+        return Diagnosis()  # `node_feedback` says what is wrong
     return diagnose(calls, shown_value, exercise.names, exact_type=exercise.exact_type)
 
 
-def _code_in(source, name):
-    """The code object of a function that a source defines, found without running the source; or None."""
-    constants = compile(source, "<stub>", "exec", dont_inherit=True).co_consts
-    codes = [code for code in constants if isinstance(code, types.CodeType) and code.co_name == name]
-    return codes[-1] if codes else None
+def _codes_in(source, name):
+    """As `codes_of` an answer that a source defines, found without running the source."""
+    parts = _named_codes(compile(source, "<stub>", "exec", dont_inherit=True))
+    if name not in parts:
+        return {}
+    is_function = parts[name].co_flags & inspect.CO_OPTIMIZED
+    return {"": parts[name]} if is_function else _named_codes(parts[name])
+
+
+def _named_codes(code):
+    """{name: code object} of the functions and classes that a code object defines."""
+    return {part.co_name: part for part in code.co_consts if isinstance(part, types.CodeType)}
 
 
 def _case_result(case, calls):

@@ -12,8 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
+from imgproc_course.classroom import course
 from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
 from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
+from imgproc_course.classroom.exercises.running import SUBJECTS
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
 
@@ -25,6 +27,7 @@ def exercise(
     id,
     *,
     function,
+    subject="function",
     title="",
     time_limit=5.0,
     allowed=(),
@@ -47,11 +50,13 @@ def exercise(
     ----------
     id : str, `<lesson>-<what>`, lower case: "grayscale-luma"
     title : str, the exercise's name in reports; its id if omitted
-    function : str, the name of the function that the learner writes
+    function : str, the name of the function or of the class that the learner writes
+    subject : str, what the answer is: "function", or "node", the class of a ROS 2 node, which is driven as
+        each case says with its arguments (look, steps), see `node_driver`
     time_limit : float, seconds, for one call of the function
     allowed : tuple of str, modules that the answer may use beside NumPy and the standard library: ("scipy",
-        "imgproc_course.imaging"). matplotlib, IPython.display and imgproc_course.display are there for
-        looking
+        "imgproc_course.imaging"). A node may use those of `course.NODE_MODULES`, too. matplotlib,
+        IPython.display and imgproc_course.display are there for looking
     tolerance : float >= 0, absolute, in the unit of the answer, for every case that declares none
     exact_type : bool, a right value in another type is wrong: the task says so to the learner. Otherwise
         `comparison` says which types stand for another one
@@ -76,6 +81,9 @@ def exercise(
         )
     if not isinstance(function, str) or not function.isidentifier():
         raise MasterError(f"exercise {id}: function={function!r}, expected the name of a function")
+    if subject not in SUBJECTS:
+        expected = " or ".join(map(repr, SUBJECTS))
+        raise MasterError(f"exercise {id}: subject={subject!r}, expected {expected}")
     if not time_limit > 0 or not tolerance >= 0:
         raise MasterError(
             f"exercise {id}: time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
@@ -92,9 +100,10 @@ def exercise(
     return {
         "id": id,
         "function": function,
+        "subject": subject,
         "title": title or id,
         "time_limit": float(time_limit),
-        "allowed": tuple(allowed),
+        "allowed": (*allowed, *(course.NODE_MODULES if subject == "node" else ())),
         "tolerance": float(tolerance),
         "exact_type": bool(exact_type),
         "practice": bool(practice),
@@ -151,11 +160,11 @@ class Exercise(CheckData):
             self.run_part(self.helpers, names, f"helpers of the mistakes of {self.id}")
             names["solution"] = self.function_of(self.solution, "solution")
         self.run_part(source, names, f"{label} of {self.id}")
-        if not callable(names.get(self.function)):
-            raise MasterError(
-                f"{self.master.name}: the {label} of {self.id} does not define {self.function}()"
-            )
-        return names[self.function]
+        answer = names.get(self.function)
+        if not self.can_be_answer(answer):
+            place = f"{self.master.name}: the {label} of {self.id}"
+            raise MasterError(f"{place} does not define the {self.kind} {self.answer_name}")
+        return answer
 
     def arguments(self, case, seed=PUBLIC_SEED):
         """A tuple of arguments for each call that a case makes; it depends only on the seed and the case."""

@@ -96,7 +96,7 @@ def dependencies_of(answer, names, namespace):
         if taken.name.endswith(".*") or taken.name in names_read
     }
     foreign = {
-        name: "function" if isinstance(namespace[name], types.FunctionType) else "value"
+        name: "function" if isinstance(namespace[name], (types.FunctionType, type)) else "value"
         for name in sorted(unbound & namespace.keys() - names)
     }
     return Dependencies(foreign=foreign, taken=taken)

@@ -420,10 +420,10 @@ SyntaxError: .*invalid syntax.*\n.*[&|]\s*not\b
 """
 
 
-def _read_phrases(text):
+def read_phrases(text):
     """{pattern: advice} of a text in which each advice stands, indented, below its pattern."""
     entries = (entry.split("\n", 1) for entry in re.split(r"\n+(?=\S)", text.strip()))
     return {pattern: " ".join(advice.split()) for pattern, advice in entries}
 
 
-_ADVICE = _RULES | _read_phrases(_PHRASES)
+_ADVICE = _RULES | read_phrases(_PHRASES)

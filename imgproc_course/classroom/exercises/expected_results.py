@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 from functools import lru_cache
-from inspect import signature
 
 from imgproc_course.classroom.exercises import feedback
 from imgproc_course.classroom.exercises.check_data import ExpectedCall
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
+from imgproc_course.classroom.exercises.running import argument_names
 
 
 class _MistakeResults(dict):
@@ -31,7 +31,7 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
     solution = exercise.function_of(exercise.solution, "solution")
     exercise = replace(
         exercise,
-        names=tuple(signature(solution).parameters),
+        names=tuple(argument_names(solution, subject=exercise.subject)),
         provided=tuple(sorted(exercise.namespace())),
     )
     return replace(
@@ -51,7 +51,7 @@ def _solve(exercise, case, seed):
     for arguments in exercise.arguments(case, seed):
         result = exercise.call(solution, arguments)
         if not result.finished or result.changed:
-            explanation = feedback.explain_call(result, None, exercise.function)
+            explanation = feedback.explain_call(result, None, exercise.answer_name)
             raise MasterError(f"{exercise.master.name}, {case.id}: the solution fails. {explanation}")
         calls.append(ExpectedCall(arguments, result))
     return tuple(calls)

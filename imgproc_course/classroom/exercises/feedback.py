@@ -8,6 +8,12 @@ import html
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.error_advice import advice_on
+from imgproc_course.classroom.exercises.node_feedback import (
+    NODE_ERRORS,
+    advice_on_node_error,
+    differing_images,
+    sentence_on_node,
+)
 from imgproc_course.classroom.exercises.values import (
     answer_parts,
     describe_value,
@@ -27,9 +33,8 @@ _COLOURS = {
 }
 
 
-def explain_call(result, difference, function):
-    """What went wrong in one call of a function, in a sentence or two; "" if nothing did."""
-    name = f"{function}()"
+def explain_call(result, difference, name):
+    """What went wrong in one call of an answer of this name, in a sentence or two; "" if nothing did."""
     if result.timed_out:
         return _explain_timeout(name, result.stuck)
     if result.error:
@@ -48,6 +53,17 @@ def explain_call(result, difference, function):
         )
     message = difference.message[0].upper() + difference.message[1:] + "."
     return f"In answer{difference.path}: {message}" if difference.path else message
+
+
+def explain_failure(exercise, call):
+    """What went wrong in a CaseCall of an answer, in a sentence or two."""
+    if exercise.subject == "node":
+        if call.result.error in NODE_ERRORS:
+            return "\nin your ".join(filter(None, (call.result.message, call.result.line)))
+        if call.difference is not None:
+            sentence = sentence_on_node(call.expected.value, call.result.value, call.arguments)
+            return sentence or explain_call(call.result, call.difference, exercise.answer_name)
+    return explain_call(call.result, call.difference, exercise.answer_name)
 
 
 def _explain_timeout(name, stuck):
@@ -84,6 +100,8 @@ def _values(result, call, marks):
 
 def _labelled_forms(result, call):
     """(label, form, which of its elements differ) of what was given, and returned and expected."""
+    if result.exercise.subject == "node":
+        return  # a record is no reading
     names = [*result.exercise.names, *("" for _ in call.arguments)]
     for name, argument in zip(names, call.arguments, strict=False):
         argument_form = canonical(argument, limit=None)
@@ -115,7 +133,7 @@ def _refusals(result):
     for module, name in result.dependencies.refused.items():
         used = module if name.startswith(module) else f"{name} of {module}"
         reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
-        yield f"{result.exercise.function}() uses {used}. Write this exercise without it: {reason}."
+        yield f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
 
 
 def _notes(result):
@@ -124,28 +142,31 @@ def _notes(result):
     if result.dependencies.error:
         yield f"The answer cell does not run by itself: {result.dependencies.error}"
     for foreign, origin in result.dependencies.foreign.items():
-        if foreign in exercise.names:
+        if exercise.subject == "node":
+            advice = f"Copy the definition of {foreign} into the answer cell."
+        elif foreign in exercise.names:
             advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
         elif origin == "function":
             advice = f"Copy the definition of {foreign} into the answer cell."
         else:
             advice = f"Use the arguments of your function ({names}), or define {foreign} in the answer cell."
         reason = "" if exercise.practice else " Grading runs only the answer cell."
-        yield f"{exercise.function}() uses {foreign}, which another cell defines.{reason} {advice}"
+        yield f"{exercise.answer_name} uses {foreign}, which another cell defines.{reason} {advice}"
 
 
 def _taken_along(result):
     """What grading takes along from other cells. In a wrong answer, a value may stand for an argument."""
     dependencies, exercise = result.dependencies, result.exercise
     values = [name for name, kind in dependencies.taken.items() if kind in ("value", "other")]
-    if values and not all(case_result.passed for case_result in result.results):
+    is_function = exercise.subject == "function"
+    if values and is_function and not all(case_result.passed for case_result in result.results):
         yield (
-            f"{exercise.function}() uses {', '.join(values)} of another cell, which is the same in every"
+            f"{exercise.answer_name} uses {', '.join(values)} of another cell, which is the same in every"
             f" call. Should it be computed from the arguments ({', '.join(exercise.names)})?"
         )
     elif dependencies.taken and not exercise.practice:
         names = ", ".join(dependencies.taken)
-        yield f"{exercise.function}() uses {names} of another cell. Grading takes that along."
+        yield f"{exercise.answer_name} uses {names} of another cell. Grading takes that along."
 
 
 def _cases(result):
@@ -153,7 +174,7 @@ def _cases(result):
     for case_result in result.results:
         call, explanation = case_result.failed_call, ""
         if call is not None:
-            explanation = explain_call(call.result, call.difference, result.exercise.function)
+            explanation = explain_failure(result.exercise, call)
         elif not case_result.passed:
             explanation = "not run, because the call above did not finish"
         yield case_result, explanation, call if call is result.shown else None
@@ -165,7 +186,7 @@ def _state(result):
 
 def _headline(result):
     if result.why_older:
-        return "this is an older function"
+        return f"this is an older {result.exercise.kind}"
     if not result.attempted:
         return "not attempted yet"
     passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
@@ -189,8 +210,8 @@ def _footer(result):
         return ""
     if not result.attempted:
         return (
-            f"Write {exercise.function}() in its cell, run that cell, then run this one."
-            " (If that cell shows an error, repair it first: Python still has the old function.)"
+            f"Write {exercise.answer_name} in its cell, run that cell, then run this one."
+            f" (If that cell shows an error, repair it first: Python still has the old {exercise.kind}.)"
         )
     if exercise.practice:
         return "Practice: no points."
@@ -225,8 +246,10 @@ def _advice(result, call):
             )
     elif call.result.error:
         error, exercise = call.result, result.exercise
-        yield advice_on(error.error, error.message, error.line, exercise.names, exercise.function)
-    if call.difference is None or call.result.changed:
+        names = exercise.names if exercise.subject == "function" else None
+        node_advice = advice_on_node_error(error) if exercise.subject == "node" else ""
+        yield node_advice or advice_on(error.error, error.message, error.line, names, exercise.function)
+    if call.difference is None or call.result.changed or result.exercise.subject == "node":
         return
     diagnosis = result.diagnosis
     yield diagnosis.text
@@ -236,13 +259,13 @@ def _advice(result, call):
         yield f"Hint: {call.case.hint}"
 
 
-def _warning_and_output(call):
+def _warning_and_output(call, kind):
     if call.result.warning:
         yield f"NumPy or Python warned: {call.result.warning}"
     if call.result.printed.strip():
         lines = call.result.printed.rstrip().splitlines()
         ellipsis = ["…"] if len(lines) > _MOST_LINES else []
-        yield "Your function printed:\n" + "\n".join(lines[:_MOST_LINES] + ellipsis)
+        yield f"Your {kind} printed:\n" + "\n".join(lines[:_MOST_LINES] + ellipsis)
 
 
 # ---------------------------------------------------------------- plain text
@@ -266,7 +289,7 @@ def _details_as_text(result, call):
         for row in rows:
             yield "".join(f"{text:>{width}}{'*' if mark else ' '}" for text, mark in row).rstrip()
     yield from _advice(result, call)
-    yield from _warning_and_output(call)
+    yield from _warning_and_output(call, result.exercise.kind)
 
 
 def _indent(text):
@@ -307,7 +330,7 @@ def _details_as_html(result, call):
         if rows:
             yield _table(rows)
     yield _figures(result, call)
-    yield from map(_paragraph, _warning_and_output(call))
+    yield from map(_paragraph, _warning_and_output(call, result.exercise.kind))
 
 
 def _table(rows):
@@ -331,6 +354,8 @@ def _figures(result, call):
 
     if not call.result.finished:
         return ""
+    if result.exercise.subject == "node":
+        return _images_of_node(call)
     images = given_images(zip(result.exercise.names, call.arguments, strict=False))
     for part_name, expected, actual in _answer_parts(call):
         wrong = differing_elements(expected, actual, call.case.tolerance)
@@ -338,6 +363,21 @@ def _figures(result, call):
             argument_form = canonical(call.arguments[0], limit=None) if call.arguments else None
             images = answer_images(argument_form, part_name, expected, actual, wrong)
             break
+    return _row_of_figures(images)
+
+
+def _images_of_node(call):
+    """The first image that a node published, and that differs, with what was sent and what was expected."""
+    from imgproc_course.classroom.exercises.answer_images import answer_images
+
+    images = call.difference and differing_images(call.expected.value, call.result.value, call.arguments)
+    if not images or images[1].shape != images[2].shape:
+        return ""
+    given, expected, actual = (canonical(image, limit=None) for image in images)
+    return _row_of_figures(answer_images(given, "", expected, actual, images[1] != images[2]))
+
+
+def _row_of_figures(images):
     figures = "".join(map(_figure, images))
     flow = "display: flex; flex-wrap: wrap; gap: 10px; margin: 4px 0"
     return f'<div style="{flow}">{figures}</div>' if figures else ""

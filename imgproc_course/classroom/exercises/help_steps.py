@@ -72,7 +72,8 @@ def hint(exercise_id, step=None):
     ------
     CheckFileError : there is no such exercise, or its file is missing or damaged
     """
-    hints = find_check_data(exercise_id).hints
+    exercise = find_check_data(exercise_id)
+    hints = exercise.hints
     quoted_id = json.dumps(exercise_id)
     if step is None:
         step = progress_of(exercise_id).hints + 1
@@ -80,7 +81,7 @@ def hint(exercise_id, step=None):
             return Help(
                 f"There are no more hints for {exercise_id}: you saw all {len(hints)}.",
                 f"hint({quoted_id}, step=1) shows the first one again. solution({quoted_id}) shows how the"
-                " function can be written.",
+                f" {exercise.kind} can be written.",
             )
     if isinstance(step, bool) or not isinstance(step, numbers.Integral) or not 1 <= step <= len(hints):
         return Help(f"{exercise_id} has the hints 1 to {len(hints)}.", f"Write hint({quoted_id}, step=1).")
@@ -113,7 +114,7 @@ def solution(exercise_id, give_up=False):
         return Help(f"Your teacher has not released the solution of {exercise_id} yet.")
     progress = progress_of(exercise_id)
     if not (give_up or progress.passed or len(progress.tries) >= TRIES):
-        return _not_yet(exercise_id, exercise.function, len(progress.tries))
+        return _not_yet(exercise, len(progress.tries))
     with reading(path):
         entry = read_lesson_file(path)["solutions"][exercise_id]
         code, explanation = str(entry["code"]).strip(), str(entry["explanation"]).strip()
@@ -122,11 +123,11 @@ def solution(exercise_id, give_up=False):
     return Help(f"{exercise_id}: one solution", code=code, more=more)
 
 
-def _not_yet(exercise_id, function, count):
-    quoted_id = json.dumps(exercise_id)
+def _not_yet(exercise, count):
+    quoted_id = json.dumps(exercise.id)
     so_far = {0: "no try", 1: "1 try"}.get(count, f"{count} tries")
     return Help(
-        f"The solution of {exercise_id} opens after {TRIES} tries of your own: {so_far} so far.",
-        f"A try is check({quoted_id}, {function}) with a changed function that runs and does not pass yet."
-        f" hint({quoted_id}) helps you on. solution({quoted_id}, give_up=True) opens it now.",
+        f"The solution of {exercise.id} opens after {TRIES} tries of your own: {so_far} so far.",
+        f"A try is check({quoted_id}, {exercise.function}) with a changed {exercise.kind} that runs and does"
+        f" not pass yet. hint({quoted_id}) helps you on. solution({quoted_id}, give_up=True) opens it now.",
     )

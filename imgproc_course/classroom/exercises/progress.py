@@ -18,7 +18,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Literal
 
-from imgproc_course.classroom.exercises.running import code_of
+from imgproc_course.classroom.exercises.running import codes_of
 
 PROGRESS, LOCK = ".progress.json", ".progress.lock"
 LEARNERS_FOLDER = ".course.json"  # a folder with this file is a learner's
@@ -139,18 +139,20 @@ def one_at_a_time(path):
         yield
 
 
-def digest_of(function):
-    """16 hexadecimal digits of a function and its cell; comments and spacing make no difference."""
-    code = code_of(function)
-    source = "".join(linecache.getlines(code.co_filename)) if code else ""
+def digest_of(answer):
+    """16 hexadecimal digits of an answer and its cell; comments and spacing make no difference."""
+    codes = codes_of(answer)
+    files = dict.fromkeys(code.co_filename for code in codes.values())
+    source = "\n".join("".join(linecache.getlines(file)) for file in files)
     with contextlib.suppress(SyntaxError, ValueError, RecursionError):
         source = ast.dump(ast.parse(source))
-    content = f"{source}\n{_content_of(code)}"
+    content = "\n".join([source, *(f"{name} {content_of(code)}" for name, code in codes.items())])
     return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
-def _content_of(code):
+def content_of(code):
+    """What a code object does, as text, wherever it stands; of another constant its repr."""
     if not isinstance(code, types.CodeType):
         return repr(code)
-    constants = [_content_of(constant) for constant in code.co_consts]
+    constants = [content_of(constant) for constant in code.co_consts]
     return repr((code.co_code, code.co_names, constants))

@@ -4,6 +4,7 @@ Such a function may raise anything, so `except Exception` is right here. In this
 the code of a learner or of a master runs.
 """
 
+import ast
 import contextlib
 import copy
 import ctypes
@@ -33,6 +34,8 @@ _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
 _PATIENCE = 2  # time limits that a function may wait in addition, for the processor or in a sleep
+SUBJECTS = ("function", "node")  # what an answer may be
+_NODE_ARGUMENTS = ["look", "steps"]  # of a call in an exercise whose answer is a node, see `node_driver`
 
 
 class TimeUp(BaseException):
@@ -78,10 +81,16 @@ class CallResult:
         return not self.finished or compare(other.value, self.value, tolerance, exact_type=exact_type) is None
 
 
-def call(function, arguments, names, time_limit):
+def answer_name(function, subject):
+    """How texts name an answer: double(), or the class Doubler."""
+    return function if subject == "node" else f"{function}()"
+
+
+def call(function, arguments, names, time_limit, subject="function"):
     """Call a function on copies of its arguments; the CallResult says what it did.
 
-    `names` are the arguments'. The time limit is in seconds; on a busy machine up to three times as long.
+    `names` are the arguments'. The time limit is in seconds; on a busy machine up to three times as long. If
+    the subject is "node", it is the class of a node, and is driven through the steps in its arguments.
     """
     copies = copy.deepcopy(arguments)
     before = [canonical(value, limit=None) for value in copies]
@@ -89,7 +98,7 @@ def call(function, arguments, names, time_limit):
     with warnings.catch_warnings(record=True) as caught_warnings:
         warnings.simplefilter("always")
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
-            fields = _call_fields(function, copies, time_limit)
+            fields = _call_fields(function, copies, time_limit, subject)
     if not fields.get("stuck"):
         pairs = zip(names, before, copies, strict=True)
         fields["changed"] = tuple(name for name, old, new in pairs if old != canonical(new, limit=None))
@@ -111,10 +120,22 @@ def by_itself():
         sys.stdin = stdin
 
 
-def _call_fields(function, arguments, time_limit):
-    """The fields of CallResult that the call itself gives, as a dict."""
+def argument_names(function, arguments=(), subject="function"):
+    """The names of an answer's arguments; arguments without a name are numbered."""
     try:
-        value = call_within(lambda: function(*arguments), time_limit)
+        names = _NODE_ARGUMENTS if subject == "node" else list(inspect.signature(function).parameters)
+    except (TypeError, ValueError):
+        names = []
+    if not arguments:
+        return names
+    return [*names[: len(arguments)], *(f"argument {k + 1}" for k in range(len(names), len(arguments)))]
+
+
+def _call_fields(function, arguments, time_limit, subject):
+    """The fields of CallResult that the call itself gives, as a dict."""
+    run = _drive if subject == "node" else _call
+    try:
+        value = call_within(lambda: run(function, arguments), time_limit)
         has_return = value is None and _returns_a_value(code_of(function))
         return {"value": canonical(value, limit=None), "has_return": has_return}
     except TimeUp as ended:
@@ -125,6 +146,19 @@ def _call_fields(function, arguments, time_limit):
             "message": _message(error),
             "line": _own_line(error, function),
         }
+
+
+def _call(function, arguments):
+    return function(*arguments)
+
+
+def _drive(node_class, arguments):
+    """What a node did when it was driven, as a plain value."""
+    from imgproc_course.classroom.exercises.node_driver import drive  # here: only nodes need it
+
+    if not isinstance(node_class, type):
+        raise TypeError(f"expected the class of your node, got a value of type {type(node_class).__name__}")
+    return drive(node_class, *arguments)
 
 
 def _returns_a_value(code):
@@ -235,7 +269,7 @@ def _message(error):
 
 def _own_line(error, function):
     """The innermost line of the learner's own code, `line 3: return a / 0`; "" if it is not known."""
-    namespace = getattr(function, "__globals__", None)
+    namespace = globals_of(function)
     own_frames = [
         (frame, line)
         for frame, line in traceback.walk_tb(error.__traceback__)
@@ -248,15 +282,56 @@ def _own_line(error, function):
     return f"line {line}: {source}" if source else f"line {line}"
 
 
+def functions_of(answer):
+    """The Python functions of an answer, {name: function}: itself, or the methods of a class.
+
+    A class has those of its bases, too, if they are of the same module: other bases are no answer. It is
+    empty for a built-in.
+    """
+    found = {"": getattr(answer, "__func__", answer)}
+    if isinstance(answer, type):
+        own_bases = [base for base in reversed(answer.__mro__) if base.__module__ == answer.__module__]
+        members = {name: value for base in own_bases for name, value in vars(base).items()}
+        found = {name: _unwrapped(value) for name, value in members.items()}
+    return {name: value for name, value in found.items() if isinstance(value, types.FunctionType)}
+
+
+def _unwrapped(member):
+    """The function behind a static method, a class method or a property."""
+    return getattr(member, "__func__", None) or getattr(member, "fget", None) or member
+
+
+def codes_of(answer):
+    """The code objects of an answer, {name: code}, see `functions_of`."""
+    return {name: function.__code__ for name, function in functions_of(answer).items()}
+
+
 def code_of(function):
     """The code object behind a Python function, or None (a built-in, a class)."""
-    function = getattr(function, "__func__", function)
-    return function.__code__ if isinstance(function, types.FunctionType) else None
+    return codes_of(function).get("")
 
 
-def source_of(function):
-    """The source of a function, "" if it is not known."""
+def globals_of(answer):
+    """The namespace in which an answer was defined; {} if it is not known."""
+    return next((function.__globals__ for function in functions_of(answer).values()), {})
+
+
+def source_of(answer):
+    """The source of a function or class, "" if it is not known."""
     try:
-        return textwrap.dedent(inspect.getsource(function))
-    except (OSError, TypeError):
+        lines = _lines_of_class(answer) if isinstance(answer, type) else inspect.getsource(answer)
+        return textwrap.dedent(lines)
+    except (OSError, TypeError, SyntaxError):
         return ""
+
+
+def _lines_of_class(answer):
+    """The lines that define a class: `inspect` does not find a class of a notebook, but its methods."""
+    own = f"{answer.__qualname__}."
+    codes = [code for code in codes_of(answer).values() if code.co_qualname.startswith(own)]
+    lines = linecache.getlines(codes[0].co_filename) if codes else []
+    for node in ast.walk(ast.parse("".join(lines))):
+        if isinstance(node, ast.ClassDef) and node.lineno <= codes[0].co_firstlineno <= node.end_lineno:
+            start = min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
+            return "".join(lines[start - 1 : node.end_lineno])
+    return ""

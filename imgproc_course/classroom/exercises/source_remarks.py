@@ -1,31 +1,34 @@
 """What is certain about a function from its source alone, in sentences that are true whatever it computes."""
 
 import ast
-import inspect
 import re
-import textwrap
 from itertools import pairwise
+
+from imgproc_course.classroom.exercises.running import source_of
 
 _ARRAY_MAKERS = ("array", "zeros", "zeros_like", "empty", "empty_like", "ones", "full", "copy", "astype")
 _DISK = ("glob", "rglob", "iterdir", "exists", "is_file", "is_dir", "listdir", "scandir")
 _PRODUCT = "{} is the product of two matrices or vectors; a * b multiplies value by value."
+STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
 def remarks_on_source(function, errors=(), hints=()):
-    """Sentences on what is certain from the source of a function alone; [] if the source is not known.
+    """Sentences on what is certain from the source of a function or class; [] if the source is not known.
 
     `errors` are the types that its calls raised. If the hints use @, an answer with @ needs no remark.
     """
     try:
-        source = textwrap.dedent(inspect.getsource(function))
+        source = source_of(function)
         tree = ast.parse(source).body[0]
-    except (OSError, TypeError, SyntaxError):
+    except (IndexError, SyntaxError):
         return []
     remarks = [text for node in ast.walk(tree) for text in _remarks_on_node(node, source)]
-    if isinstance(tree, ast.FunctionDef):
-        remarks += _remarks_on_function(tree)
-        remarks += _axes_of_positions(tree, errors)
+    functions = [part for part in getattr(tree, "body", ()) if isinstance(part, ast.FunctionDef)]
+    for part in functions if isinstance(tree, ast.ClassDef) else [tree]:
+        if isinstance(part, ast.FunctionDef):
+            remarks += _remarks_on_function(part)
+            remarks += _axes_of_positions(part, errors)
     if "IndexError" in errors:
         remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
     if any(" @ " in hint for hint in hints):
@@ -156,7 +159,7 @@ _RULES = (
 
 def _remarks_on_function(tree):
     if any(_is_stub_line(statement) for statement in tree.body[:-1]):
-        yield "The line with raise NotImplementedError is still there, and ends the function: delete it."
+        yield STUB_LINE
     parameters = {argument.arg for argument in tree.args.args}
     for node in ast.walk(tree):
         target = getattr(node, "target", None) if isinstance(node, ast.For) else None

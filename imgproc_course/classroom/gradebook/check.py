@@ -12,13 +12,13 @@ from imgproc_course.classroom.exercises import check_files
 from imgproc_course.classroom.exercises.check_data import CheckData
 from imgproc_course.classroom.exercises.checking import CheckResult, check_built
 from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.feedback import explain_call
+from imgproc_course.classroom.exercises.feedback import explain_failure
 from imgproc_course.classroom.gradebook.archives import LARGEST, too_large
 from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
 from imgproc_course.classroom.gradebook.submission import AnswerState, SubmissionContent, read_submission
 
 _ADVICE = {
-    AnswerState.MISSING: "Open the lesson afresh and copy your function into this cell.",
+    AnswerState.MISSING: "Open the lesson afresh and copy your answer into this cell.",
     AnswerState.BROKEN: "Grading would give no points for it, or might grade the wrong cell.",
 }
 
@@ -161,9 +161,9 @@ def run_answers(lesson_check):
 async def _run_answer(entry):
     names, error = entry.exercise.run_answer(entry.source)
     function = names.get(entry.exercise.function)
-    if not callable(function):
+    if not entry.exercise.can_be_answer(function):
         entry.state = AnswerState.BROKEN
-        reason = error or f"it defines no function {entry.exercise.function}()"
+        reason = error or f"it defines no {entry.exercise.kind} {entry.exercise.answer_name}"
         entry.notes.append(f"its cell does not run by itself: {reason}")
         return
     entry.notes += [f"a statement in its cell fails: {error}"] if error else []
@@ -179,7 +179,7 @@ async def _run_answer(entry):
     failed = [case for case in result.results if not case.passed]
     if failed:
         call = failed[0].failed_call
-        explanation = explain_call(call.result, call.difference, entry.exercise.function)
+        explanation = explain_failure(entry.exercise, call)
         advice = advice_on(call.result.error, call.result.message, call.result.line)
         text = " ".join(filter(None, [explanation, advice]))
         entry.notes.append(

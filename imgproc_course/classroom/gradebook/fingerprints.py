@@ -61,9 +61,15 @@ def _own_names(tree):
             names.add(getattr(node, _NAMES[type(node)]))
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             names.add(node.id)
+        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and _is_self(node.value):
+            names.add(node.attr)
         elif isinstance(node, ast.alias) and node.asname != "np":
             names.add(node.asname or node.name)
     return names
+
+
+def _is_self(node):
+    return isinstance(node, ast.Name) and node.id == "self"
 
 
 def _is_text(node):

@@ -21,11 +21,11 @@ from imgproc_course.classroom.gradebook.teacher_tables import plain_number
 TEMPLATES = Path(__file__).with_name("pages")
 _LONGEST_DESCRIPTION = 400  # characters of a value
 _CELL_ADVICE = (
-    "No check could call your function: run the cell in the lesson, and fix what Python reports there."
+    "No check could use your answer: run the cell in the lesson, and fix what Python reports there."
 )
 _NAME_ADVICE = (
     "The autograder runs the given cell of the exercise and your answer cell, and nothing else of the"
-    " notebook: everything that your function needs must be in one of the two."
+    " notebook: everything that your answer needs must be in one of the two."
 )
 
 

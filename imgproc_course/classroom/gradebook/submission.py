@@ -14,6 +14,7 @@ from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
 from imgproc_course.classroom.exercises.answer_cells import find_answer_cell, requests_to_compose
 from imgproc_course.classroom.exercises.error_advice import advice_on
+from imgproc_course.classroom.exercises.running import answer_name
 from imgproc_course.classroom.gradebook.submission_reader import MOST_CHARACTERS
 
 _LONGEST_PREDICTION = 1_000  # characters
@@ -250,7 +251,8 @@ def _inspect_source(exercise, answer, content):
         content.add(problem, exercise.id, "message" if is_slip else "answer")
         return AnswerState.BROKEN
     if exercise.function in answer.cell["answer"]["stub_lines"]:
-        content.add(f"{exercise.function}() still begins with {STUB_LINE}", exercise.id)
+        verb = "has" if exercise.subject == "node" else "begins with"
+        content.add(f"{exercise.answer_name} still {verb} {STUB_LINE}", exercise.id)
     return AnswerState.ANSWERED if answer.is_answer else AnswerState.NOT_ATTEMPTED
 
 
@@ -263,7 +265,7 @@ def _problem(exercise, cell):
     names = cell["answer"]["names"]
     if names is not None and exercise.function not in names:
         name = _similar_name(exercise, cell)
-        text = f"its answer cell does not define {exercise.function}()"
+        text = f"its answer cell does not define {exercise.answer_name}"
         return text + (f", but {name}; the name must be the one of the task" if name else ""), bool(name)
     return "", False
 
@@ -283,7 +285,7 @@ def _similar_name(exercise, cell):
     """The function of the cell whose name was meant: the only one, or one written nearly so; or ""."""
     defined = sorted(cell["functions"])
     names = defined if len(defined) == 1 else difflib.get_close_matches(exercise.function, defined, 1)
-    return f"{sanitize_line(names[0], 60)}()" if names else ""
+    return answer_name(sanitize_line(names[0], 60), exercise.subject) if names else ""
 
 
 def _has_code(source):
@@ -292,7 +294,7 @@ def _has_code(source):
 
 def _report_place(exercise, answer, content):
     """Report an answer that does not stand where it was handed out, or not there alone."""
-    name = f"{exercise.function}()"
+    name = exercise.answer_name
     if answer.is_elsewhere:
         text = f"graded from another cell ({_place(answer.cell)}), which defines {name}: "
         content.add(text + _state_of_marked(exercise, answer.own), exercise.id)

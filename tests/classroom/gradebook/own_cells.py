@@ -53,6 +53,29 @@ FORMS = [
         DOUBLE.format("Widener()(pixels) * 2"),
     ),
     (
+        [
+            "class Kind:\n    kind = np.uint16",
+            "class Widener(Kind):\n    def __call__(self, p):\n        return p.astype(self.kind)",
+        ],
+        DOUBLE.format("Widener()(pixels) * 2"),
+    ),
+    (
+        ["FACTOR = 2", "class Table:\n    levels = [FACTOR * 2, FACTOR]", "FACTOR = 3"],
+        TIMES.format("Table.levels[1]"),
+    ),
+    (
+        ["class Kind:\n    factor = 2"],
+        f"class Twice(Kind):\n    pass\nclass Kind:\n    factor = 3\n{TIMES.format('Twice.factor')}",
+    ),
+    (
+        ["FACTOR = 2"],
+        f"{TIMES.format('factor').replace('(pixels)', '(pixels, factor=FACTOR)')}\nFACTOR = 3",
+    ),
+    (
+        ["def same(kind):\n    return kind"],
+        f"@same\nclass Twice:\n    factor = 2\nsame = None\n{TIMES.format('Twice.factor')}",
+    ),
+    (
         ["from numpy import *", "print(minimum)"],
         "def double(pixels):\n    return minimum(pixels.astype(uint16) * 2, LIMIT).astype(uint8)",
     ),

@@ -24,7 +24,10 @@ from imgproc_course.classroom.autograder.sandbox.inside import confine
 SOURCE = Path(__file__).resolve().parents[3]  # the folder imgproc_course
 INSIDE = Path(__file__).resolve().parent / "inside"
 # Modules of `exercises` that check cells need; none of them knows an answer.
-EXERCISES_MODULES = ("canonical", "comparison", "input_encoding", "running")
+EXERCISES_MODULES = (
+    *("canonical", "comparison", "input_encoding", "running"),
+    *("node_driver", "recording_node", "ros_double"),
+)
 SITE, COURSE, PYTHON = "/course/site", "/course/packages", "/python"  # paths inside the sandbox
 _CLASSROOM = f"{COURSE}/{course.NAME}/classroom"
 _PYTHON_OPTIONS = ("-s", "-P", "-B")  # not -I: it ignores PYTHONHASHSEED

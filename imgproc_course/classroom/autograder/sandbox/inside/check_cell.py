@@ -7,7 +7,6 @@ values are outside the sandbox.
 import base64
 import builtins
 import hashlib
-import inspect
 import signal
 
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
@@ -24,20 +23,20 @@ def deliver(case):
     _case = case
 
 
-def emit(function):
-    """Call a function with the inputs of this case, and show what it returned, as data."""
+def emit(function, subject="function"):
+    """Call a function, or drive a node, with the inputs of this case; show what it did, as data."""
     from IPython.display import display
 
     calls = []
     for encoded in _case["calls"]:
-        result = _call(function, decode(encoded), _case["seconds"])
+        result = _call(function, decode(encoded), _case["seconds"], subject)
         calls.append(call_to_json(result))
         if result.timed_out:
             break
     display({MIME: {"calls": calls}}, raw=True)
 
 
-def _call(function, arguments, seconds):
+def _call(function, arguments, seconds, subject):
     """Call it as `check` does, but measure processor time: a busy machine costs nobody any time."""
 
     def raise_time_up(_signal, _frame):
@@ -46,22 +45,12 @@ def _call(function, arguments, seconds):
     signal.signal(signal.SIGPROF, raise_time_up)
     signal.setitimer(signal.ITIMER_PROF, seconds, 0.1)
     try:
-        return running.call(function, arguments, argument_names(function, arguments), 1e6)
+        names = running.argument_names(function, arguments, subject)
+        return running.call(function, arguments, names, 1e6, subject)
     except running.TimeUp:  # raised between the call's end and here
         return running.CallResult(timed_out=True)
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
-
-
-def argument_names(function, arguments=()):
-    """The names of a function's arguments; arguments without a name are numbered."""
-    try:
-        names = list(inspect.signature(function).parameters)
-    except (TypeError, ValueError):
-        names = []
-    if not arguments:
-        return names
-    return [*names[: len(arguments)], *(f"argument {k + 1}" for k in range(len(names), len(arguments)))]
 
 
 def call_to_json(result):

@@ -1,0 +1,266 @@
+"""Drive a node class that a learner wrote, and say what it did, as plain values.
+
+The steps of a drive are dicts, in order:
+
+    {"image": array, "encoding": "bgr8", "topic": "/camera/image_raw", "stamp": (sec, nanosec),
+     "frame_id": "camera"}       an image on a topic, as a best-effort camera publishes it. With "cut": True
+                                 half of its data are missing; with "bad": True the node must survive it
+    {"set": {"low": 20}}         parameters, as `ros2 param set` sets them
+    {"get": ["low", "high"]}     parameters, as `ros2 param get` reads them
+
+A node of rclpy is driven as a `RecordingNode`, so nothing of it appears in the ROS graph: a class that
+records stands between the learner's class and rclpy's Node.
+"""
+
+import contextlib
+import importlib
+import sys
+import threading
+
+import numpy as np
+
+from imgproc_course.classroom.exercises.recording_node import (
+    LEVELS,
+    UNKNOWN,
+    NodeError,
+    NodeStopped,
+    RecordingNode,
+    refusals,
+    stop,
+    type_text,
+)
+from imgproc_course.classroom.exercises.ros_double import offer_modules
+
+_WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows", "destroyWindow")
+# What a node must not do: it is trapped during a drive, and the record says that it was used.
+_TRAPS = {
+    "time": {"sleep": "sleeps"},
+    "cv2": dict.fromkeys(_WINDOWS, "windows"),
+    "rclpy": dict.fromkeys(("spin", "spin_once", "spin_until_future_complete"), "spins"),
+}
+_POLICIES = ("reliability", "durability", "history", "depth")
+
+
+def drive(node_class, look, steps):
+    """Make a node of a class, and let it take some steps.
+
+    Parameters
+    ----------
+    node_class : a class that inherits from rclpy's Node, ROS's own or the double's
+    look : "setup": what the node is after the steps; "images": what came of each step
+    steps : list of dict, see above
+
+    Returns
+    -------
+    dict: "node", its name, "subscriptions" and "publishers", lists of dicts sorted by topic, and "published
+    early", the number of messages that it published in __init__; or "steps", what came of each step. And
+    "sleeps" and "windows": whether it slept or opened windows.
+
+    Raises
+    ------
+    NotGradedError : the node uses what the double does not have
+    NodeError : it cannot be driven; the message says what to do
+    Exception : what its __init__ raised, or its callback with an image that is not bad
+    """
+    offer_modules()
+    node_class, patches = _recording(node_class)
+    with contextlib.ExitStack() as stack, _stops_end_here():
+        for owner, name, value in patches:
+            stack.enter_context(_patched(owner, name, value))
+        used = stack.enter_context(_traps(node_class))
+        node = node_class()
+        record = node._node_record
+        early, results = len(record.published), []
+        for step in steps:
+            has_ended = bool(results) and bool(results[-1].get("ended"))
+            results.append(results[-1] if has_ended else _result(node, record, step))
+        if look == "setup":
+            return _description(node) | {"published early": early} | used
+        return {"steps": results} | used
+
+
+@contextlib.contextmanager
+def _stops_end_here():
+    NodeStopped.is_driven = True
+    try:
+        yield
+    except NodeStopped as stopped:
+        raise stopped.error.with_traceback(stopped.__traceback__) from None
+    finally:
+        NodeStopped.is_driven = False
+
+
+# ---------------------------------------------------------------- the class that is driven
+
+
+def _recording(node_class):
+    """(a class like this one that records, what must be patched while it is driven)."""
+    bases = [
+        kind for kind in node_class.__mro__ if (kind.__module__, kind.__name__) == ("rclpy.node", "Node")
+    ]
+    if not bases:
+        name = node_class.__name__
+        raise NodeError(f"{name} is no node. Let it inherit from Node: class {name}(Node):")
+    if issubclass(bases[0], RecordingNode):
+        return node_class, []
+    return _between(node_class, bases[0])
+
+
+def _between(node_class, ros_node):
+    unknown = {name for name in dir(ros_node) if not name.startswith("_")} - set(dir(RecordingNode))
+    between = type("Node", (RecordingNode, ros_node), refusals({*UNKNOWN, *unknown}))
+    start = ros_node.__init__
+
+    def start_recording(node, *arguments, **options):
+        (RecordingNode.__init__ if isinstance(node, between) else start)(node, *arguments, **options)
+
+    # Node.__init__(self, ...) does not look for the class between, as super() does.
+    return type(node_class.__name__, (node_class, between), {}), [(ros_node, "__init__", start_recording)]
+
+
+@contextlib.contextmanager
+def _patched(owner, name, value):
+    """Like mock.patch.object, whose import takes long."""
+    old = getattr(owner, name)
+    setattr(owner, name, value)
+    try:
+        yield
+    finally:
+        setattr(owner, name, old)
+
+
+@contextlib.contextmanager
+def _traps(node_class):
+    """Trap what a node must not do, also under the names that the learner's cell imported it by."""
+    used, own_thread = {"sleeps": False, "windows": False}, threading.get_ident()
+
+    def trap(function, name):
+        def trapped(*arguments, **options):
+            if threading.get_ident() != own_thread:  # the camera's thread, or that of a RosSession
+                return function(*arguments, **options)
+            if name == "spins":
+                stop(NodeError(_SPINS))
+            used[name] = True
+            return -1  # no key was pressed
+
+        return trapped
+
+    modules = {name: sys.modules[name] for name in _TRAPS if name in sys.modules}
+    functions = {
+        getattr(module, function): name
+        for module_name, module in modules.items()
+        for function, name in _TRAPS[module_name].items()
+    }
+    namespace = next((value.__globals__ for value in _functions_of(node_class)), {})
+    with contextlib.ExitStack() as stack:
+        for names in (*map(vars, modules.values()), namespace):
+            for name, value in list(names.items()):
+                with contextlib.suppress(TypeError):  # no function: it has no hash
+                    if value in functions:
+                        stack.callback(names.__setitem__, name, value)
+                        names[name] = trap(value, functions[value])
+        yield used
+
+
+_SPINS = (
+    "rclpy.spin and spin_once wait for messages, and do not belong into the class of a node. __init__ only"
+    " creates, the callback only answers; main spins the node, and here the check does it for you"
+)
+
+
+def _functions_of(node_class):
+    for kind in node_class.__mro__:
+        yield from (value for value in vars(kind).values() if hasattr(value, "__globals__"))
+
+
+# ---------------------------------------------------------------- what it does
+
+
+def _description(node):
+    record = node._node_record
+    subscriptions = [
+        _endpoint(endpoint) | {name: _policy(endpoint, name) for name in _POLICIES}
+        for endpoint in record.subscriptions
+    ]
+    return {
+        "node": node.get_name(),
+        "subscriptions": sorted(subscriptions, key=lambda entry: entry["topic"]),
+        "publishers": sorted(map(_endpoint, record.publishers), key=lambda entry: entry["topic"]),
+    }
+
+
+def _endpoint(endpoint):
+    return {"topic": endpoint.topic_name, "type": type_text(endpoint.msg_type)}
+
+
+def _policy(endpoint, name):
+    value = getattr(endpoint.qos_profile, name)
+    return getattr(value, "name", value)
+
+
+def _result(node, record, step):
+    if "set" in step:
+        return {"accepted": {name: _set(node, name, value) for name, value in step["set"].items()}}
+    if "get" in step:
+        names = filter(node.has_parameter, step["get"])
+        return {"parameters": {name: node.get_parameter(name).value for name in names}}
+    published, logged = len(record.published), len(record.logged)
+    delivered, ended = 0, ""
+    for subscription in list(record.subscriptions):
+        if _is_connected(subscription, step["topic"]):
+            delivered += 1
+            try:
+                subscription.call(_message(step, subscription.msg_type))
+            except Exception as error:
+                if not step.get("bad"):
+                    raise
+                ended = type(error).__name__
+    for timer in () if ended else record.timers:
+        if timer.is_on:
+            timer.callback()
+    levels = [level for level, _ in record.logged[logged:]]
+    level = max(levels, key=LEVELS.index, default="")
+    return {
+        "delivered": delivered,
+        "ended": ended,
+        "log": "error" if level == "fatal" else level if step.get("bad") or level == "error" else "",
+        "published": [_plain_message(topic, fields) for topic, fields in record.published[published:]],
+    }
+
+
+def _set(node, name, value):
+    """Whether a node takes a value for a parameter; None if it has no such parameter."""
+    if not node.has_parameter(name):
+        return None
+    parameter = importlib.import_module("rclpy.parameter").Parameter(name, value=value)
+    return bool(node.set_parameters([parameter])[0].successful)
+
+
+def _is_connected(subscription, topic):
+    """Whether ROS connects a subscription with a camera that offers best effort and volatile."""
+    is_image = subscription.topic_name == topic and subscription.msg_type.__name__ == "Image"
+    asks_for_more = {_policy(subscription, "reliability"), _policy(subscription, "durability")}
+    return is_image and not asks_for_more & {"RELIABLE", "TRANSIENT_LOCAL"}
+
+
+def _message(step, kind):
+    pixels = np.ascontiguousarray(step["image"])
+    msg = kind()
+    msg.height, msg.width = pixels.shape[:2]
+    msg.encoding, msg.step = step["encoding"], pixels[0].nbytes
+    msg.header.stamp.sec, msg.header.stamp.nanosec = step["stamp"]
+    msg.header.frame_id = step["frame_id"]
+    msg.data.frombytes(pixels.tobytes()[: pixels.nbytes // 2 if step.get("cut") else None])
+    return msg
+
+
+def _plain_message(topic, fields):
+    """A published message; the bytes of an image as "pixels", in rows."""
+    fields = {"topic": topic} | fields
+    if "data" in fields:
+        data = np.frombuffer(fields.pop("data"), np.uint8)
+        fields["pixels"] = (
+            data.reshape(-1, fields["step"] or 1) if data.size % (fields["step"] or 1) == 0 else data
+        )
+        del fields["step"]
+    return fields

@@ -1,0 +1,336 @@
+"""An answer that is a node: a class that is driven, here by a double of the driver that calls methods."""
+
+import linecache
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from imgproc_course.classroom.authoring.lesson_files import lesson_files
+from imgproc_course.classroom.authoring.masters import read_master
+from imgproc_course.classroom.autograder.make_answer_key import _check_source
+from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
+from imgproc_course.classroom.exercises.cell_runs import CellRuns
+from imgproc_course.classroom.exercises.cell_syntax import CellDefinitions
+from imgproc_course.classroom.exercises.check_files import read_check_file
+from imgproc_course.classroom.exercises.checking import check, run_cases, run_check
+from imgproc_course.classroom.exercises.declaration import MasterError, exercise, read_exercises
+from imgproc_course.classroom.exercises.expected_results import check_data_of
+from imgproc_course.classroom.exercises.help_steps import hint, solution
+from imgproc_course.classroom.exercises.progress import digest_of
+from imgproc_course.classroom.exercises.running import (
+    argument_names,
+    call,
+    codes_of,
+    globals_of,
+    source_of,
+)
+
+STUB = (
+    "class Doubler:\n    def __init__(self):\n        raise NotImplementedError\n\n"
+    "    def callback(self, pixels):\n        pass"
+)
+RIGHT = (
+    'class Doubler:\n    def __init__(self):\n        self.name = "doubler"\n\n'
+    "    def callback(self, pixels):\n        return pixels.astype(np.uint16) * 2"
+)
+WRONG = RIGHT.replace(".astype(np.uint16)", "")
+HINT = 'hint="Widen."'
+HINTS = 'hints=("a", "b", "c"), explanation="e", another_way="w"'
+NODE_PARTS = {
+    "exercise": (
+        f'# %% role="exercise"\nexercise("test-double", function="Doubler", subject="node", {HINT})\nSIDE = 3'
+    ),
+    "answer": f'# %% role="answer"\n{STUB}',
+    "solution": f'# %% role="solution"\n{RIGHT}',
+    "check": '# %% role="check"\ncheck("test-double", Doubler)',
+    "case": '# %% role="case" title="step 1"\ndef inputs(rng):\n    return ("setup", [])',
+    "second": (
+        '# %% role="case" title="step 2"\ndef inputs(rng):\n'
+        '    return ("images", [rng.integers(128, 256, (2, 3), dtype=np.uint8)])'
+    ),
+    "hidden": (
+        '# %% role="hidden" title="step 2"\ndef inputs(rng):\n'
+        '    return ("images", list(rng.integers(128, 256, (2, 2, 3), dtype=np.uint8)))'
+    ),
+    "mistake": f'# %% role="mistake" name="wraps" says="It wraps."\n{WRONG}',
+    "second mistake": "",
+}
+
+
+def drive(node_class, look, steps):
+    """What the node is called, or what its callback returns for each step."""
+    node = node_class()
+    return {"node": node.name} if look == "setup" else {"results": [node.callback(step) for step in steps]}
+
+
+@pytest.fixture(autouse=True)
+def driver(monkeypatch):
+    name = "imgproc_course.classroom.exercises.node_driver"
+    monkeypatch.setitem(sys.modules, name, SimpleNamespace(drive=drive))
+
+
+@pytest.fixture
+def node_master(write_master):
+    return lambda **changed: write_master(**(NODE_PARTS | changed))
+
+
+def class_in(source):
+    names = {"np": np}
+    exec(source, names)
+    return names["Doubler"]
+
+
+def test_a_node_is_driven_and_its_record_compared(node_master):
+    (declared,) = read_exercises(node_master())
+    right, wrong = (run_cases(declared, class_in(source)) for source in (RIGHT, WRONG))
+    assert [case.passed for case in right.results] == [True, True]
+    assert [case.passed for case in wrong.results] == [True, False]
+    assert wrong.mistake.says == "It wraps."
+    assert check_data_of(declared).names == ("look", "steps")
+
+
+def test_a_value_that_is_no_class_is_refused_with_its_type():
+    result = call(class_in(RIGHT)(), ("setup", []), ["look", "steps"], 1, "node")
+    assert (result.error, result.message) == (
+        "TypeError",
+        "expected the class of your node, got a value of type Doubler",
+    )
+
+
+def test_a_class_that_is_no_node_is_called():
+    result = call(class_in(RIGHT), (), [], 1)
+    assert result.value["type"] == "Doubler"
+
+
+def test_the_arguments_of_a_node_have_names():
+    assert argument_names(class_in(RIGHT), subject="node") == ["look", "steps"]
+    assert argument_names(lambda image: image, (1, 2)) == ["image", "argument 2"]
+
+
+def test_the_subject_is_in_the_files_that_a_lesson_carries(node_master, tmp_path):
+    heading = NODE_PARTS["exercise"].replace(HINT, HINTS)
+    files = lesson_files(read_master(node_master(exercise=heading)))
+    path = tmp_path / "doubling.json"
+    path.write_text(files["checks/doubling.json"])
+    stored = read_check_file(path).exercise("test-double")
+    assert (stored.subject, stored.names) == ("node", ("look", "steps"))
+    assert run_check(stored, class_in(RIGHT)).passed and not run_check(stored, class_in(WRONG)).passed
+
+
+def test_a_functions_subject_is_not_stored(write_master):
+    heading = NODE_PARTS["exercise"].replace('"Doubler", subject="node"', '"double"')
+    text = lesson_files(read_master(write_master(exercise=heading.replace(HINT, HINTS))))[
+        "checks/doubling.json"
+    ]
+    assert '"function":"double"' in text and '"subject"' not in text
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        (
+            {"exercise": NODE_PARTS["exercise"].replace('"node"', '"class"')},
+            "exercise test-double: subject='class', expected 'function' or 'node'",
+        ),
+        (
+            {"solution": '# %% role="solution"\ndef Doubler(): ...'},
+            "the solution of test-double does not define the class Doubler",
+        ),
+    ],
+)
+def test_a_wrong_subject_is_named(changed, message, node_master):
+    with pytest.raises(MasterError) as error:
+        check_data_of(*read_exercises(node_master(**changed)))
+    assert message in str(error.value)
+
+
+def test_a_nodes_stub_must_define_its_class(node_master):
+    with pytest.raises(MasterError) as error:
+        read_master(node_master(answer='# %% role="answer"\nDoubler = None'))
+    assert 'has subject="node"; its answer cell must define class Doubler(Node)' in str(error.value)
+
+
+def test_the_check_cell_of_a_key_names_the_subject(node_master, write_master):
+    node, function = (_check_source(*read_exercises(write())) for write in (node_master, write_master))
+    assert node.endswith('\n\nemit(Doubler, "node")') and function.endswith("\n\nemit(double)")
+
+
+def test_the_subject_of_a_declaration_is_a_function_if_omitted():
+    assert exercise("a-b", function="f")["subject"] == "function"
+
+
+# ---------------------------------------------------------------- what `check` knows of a class
+
+
+def answer_in(source, file="<cell>", **names):
+    """The class of a source that can be read, as that of a notebook's cell."""
+    linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
+    names = {"np": np, "__name__": "__main__"} | names
+    exec(compile(source, file, "exec"), names)
+    return names["Doubler"]
+
+
+@pytest.fixture
+def checked(node_master):
+    """Checks a source as `check` does in a notebook, with other cells above its cell."""
+    data = check_data_of(*read_exercises(node_master()))
+
+    def check_source(source, *cells, **names):
+        all_cells = [*cells, source]
+        definitions = CellDefinitions(all_cells)
+        composed, taken = definitions.compose(len(cells), "Doubler", {"np"})
+        names = {"np": np, "__name__": "__main__"} | names
+        for cell in cells:
+            exec(cell, names)
+        return run_check(data, answer_in(source, **names), ComposedAnswer("Doubler", composed, taken))
+
+    return check_source
+
+
+def test_the_unchanged_stub_is_not_attempted(checked):
+    for source in (STUB, STUB.replace("class Doubler:", "class Doubler:\n    '''Mine.'''\n")):
+        result = checked(source)
+        assert not result.attempted and result.points == 0
+    assert repr(checked(STUB)).splitlines()[:2] == [
+        "test-double: not attempted yet.",
+        "Write Doubler in its cell, run that cell, then run this one. (If that cell shows an error, repair it"
+        " first: Python still has the old class.)",
+    ]
+
+
+def test_a_stub_that_raises_nothing_is_known_by_its_code(node_master):
+    silent = STUB.replace("raise NotImplementedError", 'self.name = ""')
+    data = check_data_of(*read_exercises(node_master(answer=f'# %% role="answer"\n{silent}')))
+    assert not run_check(data, answer_in(silent)).attempted
+    assert run_check(data, answer_in(silent.replace('""', '"doubler"'))).attempted
+
+
+def test_a_stub_line_that_was_left_in_an_answer_is_named(checked):
+    result = checked(
+        RIGHT.replace("        self.name", "        raise NotImplementedError\n        self.name")
+    )
+    assert not result.attempted
+    assert result.remarks == (
+        "The line with raise NotImplementedError is still there, and ends the function: delete it.",
+    )
+    assert checked(STUB).remarks == ()
+
+
+def test_modules_that_methods_use_are_refused(checked):
+    source = RIGHT.replace("        return", "        import cv2\n\n        return")
+    for cells, own in (((), source), ((), f"import cv2\n{RIGHT.replace('np.uint16', 'cv2.CV_16U')}")):
+        result = checked(own, *cells)
+        assert list(result.dependencies.refused) == ["cv2"] and not result.passed
+        assert "Doubler uses cv2. Write this exercise without it: grading refuses it." in repr(result)
+
+
+BASE = (
+    "class Base:\n    def callback(self, pixels):\n"
+    "        return sum([p for p in (1, 1)]) * pixels.astype(KIND)"
+)
+WITH_BASE = 'class Doubler(Base):\n    def __init__(self):\n        self.name = "doubler"'
+
+
+def test_names_of_other_cells_are_taken_along(checked):
+    result = checked(WITH_BASE, "KIND = 'uint16'", BASE)
+    assert result.passed and result.dependencies.taken == {"Base": "class", "KIND": "value"}
+    assert "Doubler uses KIND, Base of another cell. Grading takes that along." in repr(result)
+    assert result.remarks == ()
+    wrong = checked(WRONG.replace("* 2", "* FACTOR"), "FACTOR = 2")
+    assert "Doubler uses FACTOR of another cell. Grading takes that along." in repr(wrong)
+
+
+def test_an_error_has_the_line_of_the_method(checked):
+    result = checked(RIGHT.replace("np.uint16", "self.kind"))
+    error = result.results[1].failed_call.result
+    assert (error.error, error.line) == (
+        "AttributeError",
+        "line 6: return pixels.astype(self.kind) * 2",
+    )
+    assert "    Doubler raised AttributeError: 'Doubler' object has no attribute 'kind'" in repr(result)
+
+
+def test_each_changed_method_is_a_new_try():
+    sources = (
+        RIGHT,
+        WRONG,
+        RIGHT.replace('"doubler"', '"d"'),
+        RIGHT.replace("class Doubler:", "class Doubler:\n    k = 3"),
+    )
+    digests = [digest_of(answer_in(source, f"<cell {k}>")) for k, source in enumerate(sources)]
+    assert len(set(digests)) == 4
+    assert digest_of(answer_in(RIGHT.replace("* 2", "*  2  # twice"), "<cell 5>")) == digests[0]
+
+
+def test_methods_of_own_bases_belong_to_an_answer():
+    names = {"np": np, "__name__": "__main__", "Foreign": type("Foreign", (), {"spin": lambda self: 3})}
+    names["Foreign"].__module__ = "rclpy.node"
+    source = (
+        f"{BASE}\nclass Doubler(Base, Foreign):\n    @property\n    def name(self):\n        return 'd'\n"
+        "    @staticmethod\n    def twice(p):\n        return 2 * p"
+    )
+    exec(source, names)
+    assert sorted(codes_of(names["Doubler"])) == ["callback", "name", "twice"]
+    assert globals_of(names["Doubler"]) is names
+    assert codes_of(int) == {} and globals_of(int) == {}
+
+
+def test_the_source_of_a_class_is_found_by_its_methods():
+    source = f"x = 1\n\n@str\n{BASE}\n\n@dataclass\n{RIGHT}\n\ny = 2\n"
+    assert source_of(answer_in(source, dataclass=lambda kind: kind)) == f"@dataclass\n{RIGHT}\n"
+    assert source_of(answer_in("class Doubler:\n    pass")) == ""
+
+
+def why_older(*cells, error=None):
+    runs = CellRuns()
+    for cell in cells:
+        run = runs.start(cell)
+    if error is not None:
+        run.fail(error)
+    return runs.why_older("test-double", "Doubler", answer_in(RIGHT))
+
+
+def test_a_class_that_is_older_than_its_cell_is_not_run():
+    assert why_older(RIGHT) == why_older("x = 1") == why_older(RIGHT, "class Camera: pass") == ""
+    assert why_older(RIGHT, RIGHT.replace("Doubler", "Doublr")) == (
+        "Your cell defines Doublr, and this exercise needs a class with the name Doubler. Python still has"
+        " the older Doubler. Write class Doubler(...): in the cell, run it, then run this one."
+    )
+    text = why_older(RIGHT, f"import rclpi\n{WRONG}", error=ModuleNotFoundError("No module named 'rclpi'"))
+    assert "Python still has the older Doubler, not the one on the screen." in text
+    assert why_older(f"{RIGHT}\n1 / 0", error=ZeroDivisionError("division by zero")) == ""
+
+
+def test_an_object_is_no_answer(node_master, monkeypatch, tmp_path):
+    (tmp_path / "checks").mkdir()
+    master = read_master(node_master(exercise=NODE_PARTS["exercise"].replace(HINT, HINTS)))
+    (tmp_path / "checks" / "doubling.json").write_text(lesson_files(master)["checks/doubling.json"])
+    (tmp_path / "solutions").mkdir()
+    (tmp_path / "solutions" / "doubling.json").write_text(lesson_files(master)["solutions/doubling.json"])
+    monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
+    with pytest.raises(TypeError) as error:
+        check("test-double", class_in(RIGHT)())
+    assert str(error.value) == (
+        "check('test-double', ...) needs your class Doubler itself, got a value of type Doubler; run the cell"
+        " with your class first (if it shows an error, repair that), and write check('test-double', Doubler),"
+        " no parentheses after the name"
+    )
+    closed = 'A try is check("test-double", Doubler) with a changed class that runs and does not pass yet.'
+    assert closed in repr(solution("test-double"))
+    assert [hint("test-double", step).text for step in (1, 2, 3)] == ["a", "b", "c"]
+    assert "shows how the class can be written" in repr(hint("test-double"))
+    assert check("test-double", answer_in(RIGHT)).passed
+    assert solution("test-double").code == RIGHT
+
+
+def test_remarks_on_the_source_of_methods(checked):
+    source = RIGHT.replace(
+        "        return", "        for pixels in [pixels]:\n            pass\n        return"
+    )
+    result = checked(source.replace("* 2", "* 3"))
+    assert result.remarks == (
+        "The loop for pixels in ... writes over the argument pixels. Give the variable of the loop another"
+        " name.",
+    )
