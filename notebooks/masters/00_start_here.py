@@ -246,4 +246,4 @@ hint("start-count", step=1)
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.
 #
-# **Only one day?** *The original lesson in one day* is a route of about 11 hours through the cores of nine lessons; the [list of all lessons](index.ipynb) names them, and two other routes.
+# **Only one day?** *The original lesson in one day* is a route of about 8 hours through the cores of nine lessons; the [list of all lessons](index.ipynb) names them, and two other routes.

@@ -710,6 +710,14 @@ print((left + middle + right).tolist())
 
 # %% [markdown]
 # The same numbers, in one line. `row[2:]` begins two numbers later, so it holds the *right* neighbours of `row[1:-1]`. With rows and columns it works in the same way: `gray[1:-1, 2:]` holds the right neighbours of `gray[1:-1, 1:-1]`.
+
+# %%
+# Check: the numbers in this section
+assert sums == (left + middle + right).tolist() == [30, 220, 410, 600]
+assert len(sums) == len(row) - 2
+
+# %% [markdown]
+# ### Padding ([[minutes]], deeper)
 #
 # The result has two numbers fewer than the row. To get the same length, we first add a border: this is called *padding*. `np.pad` adds zeros, or repeats the outermost pixels.
 
@@ -720,9 +728,8 @@ print("before:", tiny.shape, "  after:", zeros.shape)
 show([zeros, repeated], ["zeros", "outermost pixels repeated"], text="arrays/padded")
 
 # %%
-# Check: the numbers in this section
-assert sums == (left + middle + right).tolist() == [30, 220, 410, 600]
-assert len(sums) == len(row) - 2 and zeros.shape == repeated.shape == (7, 7)
+# Check: the two borders
+assert zeros.shape == repeated.shape == (7, 7)
 assert zeros[0, 0] == 0 and repeated[0, 0] == tiny[0, 0]
 
 # %% [markdown]

@@ -309,7 +309,7 @@ assert (array == frame).all() and msg.encoding == "bgr8"
 #     rclpy.shutdown()
 # ```
 #
-# `args` are the arguments of the command line, such as remappings; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
+# `args` are the arguments of the command line, such as [[term:remapping|remappings]]; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
 
 # %% [markdown]
 # ### A full queue ([[minutes]], deeper)

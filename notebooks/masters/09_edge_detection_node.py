@@ -7,14 +7,14 @@
 # %% [markdown]
 # # The edge-detection node
 #
-# Many lessons on edge detection end with "change the thresholds and observe". One result looks better than another, but is it really better? Here you change the thresholds of a running node, and then you *measure* which thresholds are better.
+# Many lessons on edge detection end with "change the thresholds and observe". Here you change the thresholds of a running node. One result looks better than another, but is it really better? In the deeper sections you *measure* it.
 #
 # **You will be able to**
 # - run an edge-detection node and change its parameters while it runs,
-# - write such a node yourself,
 # - explain the unit of the two thresholds, and what happens if you swap them,
-# - compare edges with a ground truth, and measure precision, recall and F1,
-# - tune the parameters on some frames, and evaluate them on other frames.
+# - deeper: write such a node yourself,
+# - deeper: compare edges with a ground truth, and measure precision, recall and F1,
+# - deeper: tune the parameters on some frames, and evaluate them on other frames.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[grayscale_node]] and [[canny_stages]].
 
@@ -170,7 +170,7 @@ assert not ros_available() or (edges.shape == (720, 1280) and set(np.unique(edge
 #
 # Remember the unit of both thresholds: the L1 magnitude of the Sobel gradient, |grad_row| + |grad_col|. A horizontal or vertical intensity step of h gray levels has the magnitude 4 h. Pixels above `high` are strong. Pixels above `low` but not above `high` are weak. So with `high` = 150, a step of more than 37.5 gray levels gives strong edge pixels. With `low` = 50, a step of more than 12.5 gray levels, up to 37.5, gives weak ones.
 #
-# The slider below sets *both* parameters in one step: `set_parameters_atomically` changes all or none of them. If it set first one and then the other, `low` could be above `high` for a moment, and the node would refuse the new value.
+# The library *ipywidgets* makes the slider below: `IntRangeSlider` has two handles, and `observe` names a function that is called when one of them moves. Our function sets *both* parameters in one step: `set_parameters_atomically` changes all or none of them. If it set first one and then the other, `low` could be above `high` for a moment, and the node would refuse the new value.
 
 # %%
 if ros_available():
@@ -204,7 +204,9 @@ else:
 assert view.running
 
 # %% [markdown]
-# Now we count. Here a *line* is a **[[term:connected component]]** of edge pixels: pixels that touch each other, with 8-connectivity (so pixels that touch only at a corner are connected, too). `cv2.connectedComponents` gives each component a number.
+# ### Count the lines ([[minutes]], deeper)
+#
+# Here a *line* is a **[[term:connected component]]** of edge pixels: pixels that touch each other, with 8-connectivity (so pixels that touch only at a corner are connected, too). `cv2.connectedComponents` gives each component a number.
 
 # %%
 def count_lines(edges):
@@ -280,7 +282,7 @@ assert different == 0
 assert not ros_available() or (not result.successful and "low" in result.reason)
 
 # %% [markdown]
-# ## 4 · Your turn: the edge-detection node ([[minutes]])
+# ## 4 · Your turn: the edge-detection node ([[minutes]], deeper)
 #
 # Write this node yourself, with the names of ROS alone. Begin with your class `ImageGrayProcessor` of [[grayscale_node]]; parameters are new. Each step is one line of the check.
 #
@@ -483,7 +485,7 @@ if ros_available():
 # %% [markdown]
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 5 · Which edges are right? ([[minutes]])
+# ## 5 · Which edges are right? ([[minutes]], deeper)
 #
 # To decide which edges are better, we need a **[[term:ground truth]]**: the right result, from another source than the node. The recording has a *[[term:label image]]* for each frame: the value of each of its pixels is the number of the object that the pixel shows. If two neighbouring pixels show different objects, there is a true *outline* between them.
 #
@@ -540,10 +542,11 @@ compare_guess(guess_f1, round(float(f1), 2))
 
 # %%
 # Check: the numbers in this section
+assert true_outlines.shape == (720, 1280) and true_outlines.dtype == bool
 assert both == 3 and precision == 3 / 4 and recall == 3 / 5 and round(float(f1), 2) == 0.67
 
 # %% [markdown]
-# ## 6 · Near is enough: a tolerance ([[minutes]])
+# ## 6 · Near is enough: a tolerance ([[minutes]], deeper)
 #
 # "On an outline" is too strict: the outline lies *between* two objects, and an edge may be one pixel beside it. So we accept a **tolerance**: an edge pixel counts if an outline pixel is *near*. With a tolerance of 1, near means at most one row *and* at most one column away: the 3 × 3 neighbourhood of a pixel.
 #
@@ -641,7 +644,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · Your turn: F1 ([[minutes]])
+# ## 7 · Your turn: F1 ([[minutes]], deeper)
 #
 # Write `f1_score(edges, outlines, tolerance)`.
 #
@@ -785,7 +788,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · Dim light ([[minutes]])
+# ## 8 · Dim light ([[minutes]], deeper)
 #
 # In dim light, the images of a camera have more noise. Here we add Gaussian noise with a standard deviation of 20 gray levels.
 #
@@ -874,7 +877,7 @@ for s, sigma in enumerate(sigmas):
     print("sigma", sigma, ": best pair", best[sigma], " F1", round(largest, 2))
 
 # %% [markdown]
-# Each map has one square for each pair of thresholds: the brighter, the higher is F1. The red frame marks the best pair. **Look**: in which direction does it move when sigma increases?
+# Each map has one square for each pair of thresholds: the brighter, the higher is F1. The red frame marks the best pair. (`draw` gives the figure and its *axes*, one diagram for each map, before they are shown. `set_xticks` writes the thresholds below a diagram, and `Rectangle` is the red frame.) **Look**: in which direction does it move when sigma increases?
 
 # %%
 titles = [f"sigma {sigma}" for sigma in sigmas]
@@ -903,7 +906,7 @@ assert f1_maps.max() == f1_maps[1].max() and f1_maps.max() < bright
 # - The best values have a small blur, with a sigma of one pixel. A sigma of three removes outlines together with the noise.
 # - No values reach the F1 of the images in bright light.
 #
-# ## 9 · Evaluate on frames that you did not tune on ([[minutes]])
+# ## 9 · Evaluate on frames that you did not tune on ([[minutes]], deeper)
 #
 # If you report the F1 of the two frames that you tuned on, the number is usually too good: the values may fit only these two frames. So evaluate the values on other frames. We compare three settings on two new frames: the best values (with sigma = 1), the best values without blur, and 50, 150.
 #
@@ -930,7 +933,7 @@ assert (round(tuned, 2), round(unblurred, 2), round(untuned, 2)) == (0.42, 0.38,
 assert round(f1_maps.max(), 2) == 0.45
 
 # %% [markdown]
-# ## 10 · Practice: better than the map ([[minutes]])
+# ## 10 · Practice: better than the map ([[minutes]], deeper)
 #
 # Move the sliders yourself, on another frame in dim light, which is neither a tuning frame nor a new frame. Then write your values into the cell below the image, and run it: it prints their F1 on the new frames. Do this only once. If you look at the result and change your values again, you tune on the new frames.
 
@@ -968,4 +971,4 @@ print("your F1:", round(my_f1, 2), "  F1 of the best values:", round(tuned, 2))
 # %%
 # Check: the numbers in the table
 assert 6 * 255 == 1530  # the largest |grad_row| + |grad_col|: six of the eight neighbours at 255
-assert true_outlines.shape == (720, 1280) and true_outlines.dtype == bool and outputs["edges"].shape == (720, 1280)
+assert outputs["edges"].shape == (720, 1280)

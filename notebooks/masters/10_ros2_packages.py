@@ -13,7 +13,7 @@
 # - read a node that is a complete script, from `rclpy.init` to `shutdown`, and run it in a terminal,
 # - explain each file of an `ament_python` package (a ROS 2 package in Python; *[[term:ament]]* is the build system of ROS 2),
 # - build a *[[term:workspace]]* (a folder with packages) with `colcon`, source it, and start its nodes in a terminal,
-# - recognise two common mistakes: a workspace that is not sourced, and a dependency that `rosdep` does not know,
+# - recognise two common mistakes with packages, and repair them,
 # - explain what changes on the real robot, and go on with a robot and a node of your own.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
@@ -76,7 +76,7 @@ print(script.read_text(encoding="utf-8"))
 # - `cv2.imshow` shows the image in a window, and `cv2.waitKey(1)` gives OpenCV one millisecond to draw it. Where no window can be opened (`windows.py` beside the script finds that out), the script says so once, and publishes the image on `~/view` with `cv2_to_imgmsg`.
 # - `rclpy.init()` starts ROS in this program. In a notebook, the course's session does this.
 # - `rclpy.spin(node)` waits for messages and calls the callback, until you press Ctrl-C.
-# - Ctrl-C ends ROS in this program; then `spin` raises `ExternalShutdownException`. In many scripts, Ctrl-C raises `KeyboardInterrupt`, too, and that can happen in the middle of an image. The line with `signal.signal` switches this off. Both exceptions end a program as planned, so the script does nothing: `pass`. If ROS ends in the middle of a call, such as `publish`, the call raises `RuntimeError`; then `rclpy.ok()` is False.
+# - Ctrl-C ends `spin` with an exception, `ExternalShutdownException` or `KeyboardInterrupt`. Both end a program as planned, so the script does nothing: `pass`. (The comments in the script say why it needs the line with `signal.signal`.)
 # - `finally` is always done at the end: `cv2.destroyAllWindows()` closes the windows, `destroy_node()` deletes the node, and `rclpy.try_shutdown()` ends ROS in this program.
 # - `if __name__ == "__main__":` means: call `main` only if this file is started, not if it is imported.
 
@@ -233,7 +233,7 @@ assert "console_scripts" in setup and "data_files" in setup
 # %% [markdown]
 # The node consists of a function and an `ImageProcessor`, as in [[grayscale_node]]. On a robot, speed is important, so the function calls OpenCV. Section 6 compares its result with the gray image that you computed by hand in [[grayscale]].
 #
-# ## 3 · Planned failure: a dependency that cannot be found ([[minutes]])
+# ## 3 · Planned failure: a dependency that cannot be found ([[minutes]], deeper)
 #
 # On a robot, the command `rosdep install` reads `package.xml` and installs the dependencies with the package manager of the robot's Linux. It identifies each dependency by a name, the *[[term:rosdep|rosdep key]]*. If `package.xml` contains another name, rosdep stops:
 #
@@ -312,7 +312,7 @@ assert printed.count("Finished") == 2 and new_folders == ["build", "install", "l
 #
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 5 · Does ROS find the package? ([[minutes]])
+# ## 5 · Ask ROS for the package ([[minutes]])
 #
 # The packages are built. Now you open a *second* terminal with **File → New → Terminal**, and ask ROS for the package. **Predict**: can ROS find it?
 
@@ -399,6 +399,8 @@ if ros_available():
 assert not ros_available() or (gray.shape == (720, 1280) and gray.dtype == np.uint8)
 
 # %% [markdown]
+# ### Both gray images, pixel by pixel ([[minutes]], deeper)
+#
 # Is the gray image from the other process (computed by OpenCV) equal to the gray image computed by `to_gray`, for every pixel? The node copies the header, so its image has the same stamp as the camera's image. We use the stamp to find the two images that belong together: two callbacks store the images under their stamps.
 
 # %%
@@ -419,10 +421,7 @@ def keep_gray(frame, msg):
 
 
 # %% [markdown]
-# Next, we wait until three gray images and their colour frames have arrived. **Predict** how many pixels differ in all three together. (One image has 921,600 pixels.)
-
-# %% role="predict"
-guess_different = None  # your guess: how many pixels differ?
+# Next, we wait until three gray images and their colour frames have arrived. We count how many of their pixels differ. (One image has 921,600 pixels.)
 
 # %% tags=["nbval-ignore-output", "long"]
 different = 0
@@ -439,7 +438,7 @@ if ros_available():
     for stamp in pairs:
         different += (to_gray(color_frames[stamp]) != gray_frames[stamp]).sum()
 print("pairs of images:", len(pairs))
-compare_guess(guess_different, different)
+print("pixels that differ:", different)
 
 # %%
 # Check: both gray images are equal in every pixel
@@ -447,7 +446,9 @@ assert different == 0 and 720 * 1280 == 921_600
 assert not ros_available() or len(pairs) >= 3
 
 # %% [markdown]
-# Now stop the node: press **Ctrl-C** in its terminal. The next cell does the same if the notebook started the node.
+# ### Stop the node ([[minutes]])
+#
+# Press **Ctrl-C** in the node's terminal. The next cell does the same if the notebook started the node.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -463,7 +464,7 @@ assert node is None or node.returncode == 0
 # %% [markdown]
 # The node stopped without an error and printed its statistics. (*Ignored* images are images that came while the node had no subscriber. The node does not process them.)
 #
-# ## 7 · Practice: where is the executable? ([[minutes]])
+# ## 7 · Practice: where is the executable? ([[minutes]], deeper)
 #
 # Write `executable_of(install, package)`. It returns the path of the file that `ros2 run` starts. Here the executable has the same name as its package. The function only puts the path together; it does not look at the disk. `Path` is imported already.
 #
@@ -520,7 +521,7 @@ def inputs(rng):
     return ("/opt/ws/install", "front_camera")
 
 # %% [markdown]
-# ## 8 · Practice: run the edge node ([[minutes]])
+# ## 8 · Practice: run the edge node ([[minutes]], deeper)
 #
 # Now run the edge-detection node in the second terminal. Its thresholds are *parameters*, and you can set them in the command:
 #
@@ -567,7 +568,7 @@ if stop_now and edge_node is not None:
     stop(edge_node)
 
 # %% [markdown]
-# ## 9 · On the robot ([[minutes]])
+# ## 9 · On the robot ([[minutes]], deeper)
 #
 # | in this course | with a full ROS 2 installation |
 # |---|---|
@@ -614,7 +615,7 @@ assert round(720 * 1280 * 3 * 8 * 10 / 1e6) == 221
 # %% [markdown]
 # ## 10 · Goodbye, and what next ([[minutes]])
 #
-# You have gone the whole way of an image: from the bytes of a message to a gray image, a clean image, a binary image and edges; from a function to a node, and from a node to a package that runs without a notebook. You computed every step by hand and compared it with the library that everybody uses. Well done!
+# You began with the bytes of a message, and came to gray images and edges. You began with a function, and came to a node, and to a package that runs without a notebook. Well done!
 #
 # **Next:** in [[drive_the_robot]], the robot does what your code says. Then it sees what is in its way ([[obstacles_ahead]]), follows a ball ([[object_tracking]]), finds its own place ([[where_am_i]]), draws a map ([[mapping_and_slam]]), reads a sign ([[reading_text]]), names the things around it ([[recognising_objects]]), finds and hides faces ([[faces]]), obeys your hand ([[gestures]]), and does an errand ([[the_errand]]).
 #
