@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Start here
-#     minutes: 25
 # ---
 
 # %% [markdown]
@@ -18,10 +17,10 @@
 # - receive a camera's frames from a ROS 2 topic and watch them live,
 # - do an exercise, check your answer, and get a hint.
 #
-# **Time** about 25 minutes. **You need** a little Python: variables, functions, lists.
+# **Time** [[minutes]]. **You need** a little Python: variables, functions, lists.
 
 # %% [markdown]
-# ## 1 · How a lesson works (6 minutes)
+# ## 1 · How a lesson works ([[minutes]])
 #
 # A lesson is a *[[term:notebook]]*: a list of cells. Text cells like this one are for reading. Code cells contain Python. Click into the next cell and press **Shift + Enter** to run it. Its output appears below it.
 
@@ -37,7 +36,7 @@ print("hello")
 # | `[*]` | running, or waiting for another cell |
 # | `[3]` | finished; it was the third run since the start |
 #
-# Run the cells from top to bottom, because a cell uses results of the cells above it. If you begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu. Otherwise Python does not know the names of the cells above, and you see a `NameError`.
+# Run the cells from top to bottom, because a cell uses results of the cells above it. To begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu. Otherwise Python does not know the names of the cells above: a `NameError`.
 #
 # The *[[term:notebook kernel|kernel]]* is the Python process that runs the cells.
 #
@@ -50,11 +49,13 @@ print("hello")
 # | leave a cell, to move with the arrow keys | **Esc** (*command mode*); in this mode, letters are commands: `a` adds a cell above, `b` below |
 # | finish a lesson | **File → Close and Shut Down Notebook**; a closed tab alone keeps its kernel running |
 #
-# This file is your own copy: an update of the course never overwrites it.
+# This file is your own copy: an update never overwrites it.
 #
-# The words in bold guide you. **Ask** begins with a question. **Try**, **Look** and **Check** mean: run the cell and compare. Before a result, you often write down a guess; section 3 shows how. Some cells show only their first line, such as `# Check: the numbers in this section`. They contain lines with [[term:assert|`assert`]]: each of them tests that a number in the text is right. You can run these cells without reading them.
+# Sections that are marked *deeper* can be left out. The rest is the *core* of a lesson: it never needs them.
 #
-# ## 2 · Is your computer ready? (3 minutes)
+# **Try**, **Look** and **Check** mean: run the cell and compare. Some cells show only their first line, such as `# Check: the numbers in this section`. They contain lines with [[term:assert|`assert`]]: each of them tests that a number in the text is right. You can run these cells without reading them.
+#
+# ## 2 · Is your computer ready? ([[minutes]])
 #
 # The next cell runs the *doctor*, a program of this course that checks everything the lessons need. If a line shows ✗, it also says how to fix the problem. You can ignore a line that shows !. (In a terminal, the command `imgproc-course doctor` does the same.)
 #
@@ -70,8 +71,7 @@ report
 # Check: your computer is ready
 assert report.ready, "a line above shows ✗; do what it says, then run both cells again"
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "frame": (
         "The robot's camera, 20 cm above the floor, sees a lot of floor, some furniture, and a ball in front of the robot.",
@@ -84,7 +84,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 3 · An image from the recording (4 minutes)
+# ## 3 · An image from the recording ([[minutes]])
 #
 # We begin without ROS. `open_recording` opens the recording of the drive, and `frame(0)` is its first frame. An image is an *[[term:array]]*: a table of numbers. Its smallest part is a *[[term:pixel]]*: one small square of one colour. The `shape` of an array says how many rows, columns and so on it has. Its `dtype` (data type) says what kind of numbers it contains.
 #
@@ -108,7 +108,7 @@ compare_guess(guess_first, frame.shape[0])
 # Rows come first: 720 rows, 1280 columns, and 3 numbers for each pixel. The three numbers belong to three *[[term:channel|channels]]*: blue, green and red. Each number is an *[[term:intensity]]*: 0 means no light of this colour, 255 means the most light. The dtype `uint8` holds whole numbers from 0 to 255.
 
 # %%
-show(frame, "the robot's first frame", text=figure_texts["frame"])
+show(frame, "the robot's first frame", text="start_here/frame")
 
 # %%
 # Check: the numbers in this section
@@ -119,7 +119,7 @@ assert frame.dtype == np.uint8 and np.iinfo(np.uint8).max == 255
 assert round(recording.pose("camera", 0)[2], 2) == 0.2  # metres above the floor
 
 # %% [markdown]
-# ## 4 · A frame from a topic (5 minutes)
+# ## 4 · A frame from a topic ([[minutes]])
 #
 # Now we use ROS 2. `open_camera` starts a camera that publishes the recording on the robot's topic, as the robot does. A robot has one camera, so there is one for all your notebooks and programs, too: if it runs already, `open_camera` joins it. It ends with the last of them. `ImageSubscriber` subscribes to this topic, so it receives every frame that is published there. `wait` waits for the next frame and returns it.
 #
@@ -154,7 +154,7 @@ def darken(frame, percent=100):
     return large.astype("uint8")
 
 
-view = live_view(source, darken, percent=(0, 100), text=figure_texts["live"])
+view = live_view(source, darken, percent=(0, 100), text="start_here/live")
 
 # %%
 # Check: the numbers in this section
@@ -163,7 +163,7 @@ assert 255 * 100 == 25_500 and np.iinfo(np.uint16).max == 65_535
 assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 
 # %% [markdown]
-# ## 5 · Your turn: the first exercise (7 minutes)
+# ## 5 · Your turn: the first exercise ([[minutes]])
 #
 # How many pixels does an image have? Write the function `count_pixels(frame)`:
 #
@@ -171,15 +171,15 @@ assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 # |---|---|---|
 # | `frame`: a colour image, an array like `frame` above, of any size | the number of its pixels: one whole number, rows × columns | for an image of 2 rows and 3 columns, `count_pixels(image)` gives `6` |
 #
-# Delete the line with `raise`, and write your own code there. Then run this cell and the cell below it.
+# Replace the line with `raise` by your own code. Then run this cell and the cell below it.
 #
 # | cell | what it does |
 # |---|---|
-# | `check("start-count", count_pixels)` | runs your function on some images. It says what is right, and what to look at. You can repeat it as often as you like. |
+# | `check("start-count", count_pixels)` | runs your function on some images, as often as you like. It says what is right, and what to look at. |
 # | `hint("start-count")` | shows a hint. Run it again for the next one; there are three. |
 # | `solution("start-count")` | shows a solution and explains it, after three honest tries. `solution("start-count", give_up=True)` shows it at once. |
 #
-# If a check cell shows `NameError: name 'count_pixels' is not defined`, the cell with your function has not run since the kernel started: run it first. Hints and solutions never change your points. This exercise is for practice: it gives no points, but it shows how every exercise works.
+# If a check cell shows `NameError: name 'count_pixels' is not defined`, run the cell with your function first. Most exercises give *points*: if you take the course with an instructor, a program *grades* your answers (it tests them again, with other inputs). Hints and solutions never change your points. This exercise is for practice and gives no points.
 
 # %% role="exercise"
 exercise(
@@ -245,3 +245,5 @@ hint("start-count", step=1)
 # The [glossary](glossary.md) explains the words of the course. Many words in the lessons are links to it.
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.
+#
+# **Only one day?** *The original lesson in one day* is a route of about 8 hours through the cores of nine lessons; the [list of all lessons](index.ipynb) names them, and two other routes.

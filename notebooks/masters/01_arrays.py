@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Arrays
-#     minutes: 75
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - select pixels with a mask, and count them,
 # - replace a loop over all pixels by one line with slices.
 #
-# **Time** about 75 minutes; take a break after section 5. **You need** [[start_here]]. If you know NumPy, do only the exercises: each is called "Your turn".
+# **Time** [[minutes]]; take a break after section 5. **You need** [[start_here]]. If you know NumPy, do only the exercises: each is called "Your turn".
 
 # %% role="given" exercise=["arrays-crop", "arrays-mirror", "arrays-red", "arrays-share", "arrays-two-levels", "arrays-paint", "arrays-row-means", "arrays-differences"]
 import numpy as np
@@ -26,8 +25,7 @@ from imgproc_course.display import show
 from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.recording import open_recording
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "tiny": (
         "The same array as an image: 0 is black, 255 is white. Row 0 is at the top, column 0 is on the left.",
@@ -50,7 +48,7 @@ figure_texts = {
         "The grid with its numbers, and the same grid in black and white: only the vertical line is white.",
     ),
     "rows": (
-        "The same row three times: without its last two numbers, without its ends, without its first two. In each column stand a pixel's left neighbour, the pixel, and its right neighbour.",
+        "The same row three times: without its last two numbers, without its ends, without its first two. Each column has the left neighbour of a pixel, the pixel, and its right neighbour.",
         "Three short rows of numbers, one above the other, each shifted by one column.",
     ),
     "steps": (
@@ -64,9 +62,9 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A table of numbers (5 minutes)
+# ## 1 · A table of numbers ([[minutes]])
 #
-# `np.array` makes an array from a list of rows. The `shape` says how many rows and columns it has; rows come first. `size` is the number of all its numbers.
+# `np.array` makes an array from a list of rows. `dtype=np.uint8` says what kind of numbers it holds: whole numbers from 0 to 255. The `shape` says how many rows and columns the array has; rows come first. `size` is the number of all its numbers.
 
 # %%
 tiny = np.array(
@@ -80,14 +78,14 @@ print(tiny)
 print("shape:", tiny.shape, "  size:", tiny.size)
 
 # %%
-show(tiny, "tiny", text=figure_texts["tiny"])
+show(tiny, "tiny", text="arrays/tiny")
 
 # %%
 # Check: the numbers in this section
 assert tiny.shape == (5, 5) and tiny.size == 25 and tiny[0, 0] == 10
 
 # %% [markdown]
-# ## 2 · One pixel: the index (6 minutes)
+# ## 2 · One pixel: the index ([[minutes]])
 #
 # The *index* of a pixel is its row and its column, in square brackets, with a comma between them. Python counts from 0: the first row is row 0. Negative numbers count from the end: row −1 is the last row.
 #
@@ -115,7 +113,7 @@ assert tiny[2, 4] == 90 and tiny[4, 4] == tiny[-1, -1] == 0
 assert changed[0].tolist() == [255, 10, 200, 10, 10] and tiny[0, 0] == 10
 
 # %% [markdown]
-# ## 3 · A part: the slice (9 minutes)
+# ## 3 · A part: the slice ([[minutes]])
 #
 # A *slice* `start:stop` selects several rows or columns. The start is included, the stop is not: `1:3` means the rows 1 and 2. If you leave out the start, the slice begins at the first row; if you leave out the stop, it goes to the end. A colon alone, `:`, means all of them.
 
@@ -124,7 +122,7 @@ two_rows = tiny[1:3]
 three_columns = tiny[:, 1:4]
 both = tiny[1:3, 1:4]
 show([two_rows, three_columns, both], ["[1:3]", "[:, 1:4]", "[1:3, 1:4]"],
-     text=figure_texts["parts"])
+     text="arrays/parts")
 
 # %% [markdown]
 # **Predict.** What is the shape of `tiny[:2, 3:]`?
@@ -195,7 +193,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · A step, forwards and backwards (7 minutes)
+# ## 4 · A step, forwards and backwards ([[minutes]])
 #
 # A slice may have a third number, the *step*. `::2` takes every second row. A step of `-1` goes backwards: `::-1` begins at the end.
 
@@ -204,7 +202,7 @@ frame = open_recording("drive").frame(30)
 small = frame[::4, ::4]
 print("frame:", frame.shape, "  every fourth row and column:", small.shape)
 show([small, small[::-1], small[:, ::-1]], ["small", "[::-1]", "[:, ::-1]"],
-     text=figure_texts["mirrored"])
+     text="arrays/mirrored")
 
 # %% [markdown]
 # **Predict.** Here is a row of five numbers: 1, 2, 3, 4, 5. What is `row[::-2]`?
@@ -222,7 +220,7 @@ assert frame.shape == (720, 1280, 3) and small.shape == (180, 320, 3)
 assert row[::-2].tolist() == [5, 3, 1]
 
 # %% [markdown]
-# ### Your turn: mirror
+# ### Your turn: mirror ([[minutes]], deeper)
 #
 # In a mirror, left and right are exchanged. Write `mirror(image)`.
 #
@@ -275,7 +273,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 5 · Channels and the three dots (6 minutes)
+# ## 5 · Channels and the three dots ([[minutes]])
 #
 # A colour image has a third index, the *channel*: 0 is blue, 1 is green, 2 is red. So `frame[100, 200, 2]` is the red of one pixel, and `frame[:, :, 2]` is the red channel of all pixels. Three dots, `...`, mean "all axes that I do not name": `frame[..., 2]` is the same as `frame[:, :, 2]`.
 
@@ -284,7 +282,7 @@ ball = frame[340:440, 430:530]
 blue, green, red = ball[..., 0], ball[..., 1], ball[..., 2]
 print("part of the frame:", ball.shape, "  one channel:", red.shape)
 show([ball, blue, green, red], ["ball", "blue", "green", "red"], columns=2,
-     text=figure_texts["channels"])
+     text="arrays/channels")
 
 # %% [markdown]
 # **Predict.** What is the shape of `frame[..., ::-1]`?
@@ -302,7 +300,7 @@ assert (frame[..., 2] == frame[:, :, 2]).all() and red.shape == (100, 100)
 assert swapped.shape == frame.shape and (swapped[..., 0] == frame[..., 2]).all()
 
 # %% [markdown]
-# ### Your turn: the red channel
+# ### Your turn: the red channel ([[minutes]], deeper)
 #
 # Write `red_channel(bgr)`.
 #
@@ -350,7 +348,7 @@ def inputs(rng):
 # %% [markdown]
 # **This is a good place for a break.**
 #
-# ## 6 · The kind of number: dtype (6 minutes)
+# ## 6 · The kind of number: dtype ([[minutes]])
 #
 # All numbers of an array have the same kind, its *dtype* (data type). Images mostly use `uint8`: whole numbers from 0 to 255, one *byte* (8 bits) each. Other dtypes hold more:
 #
@@ -383,7 +381,7 @@ one = np.array([1], dtype=np.uint8)
 compare_guess(guess_zero, (zero - one)[0])
 
 # %% [markdown]
-# After 0 the numbers begin again at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called to *widen*. In [[grayscale]] you see what happens to an image if you forget it.
+# After 0 the numbers begin again at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called *widening*. In [[grayscale]] you see what happens to an image if you forget it.
 
 # %%
 print(zero.astype(np.int16) - one)
@@ -397,14 +395,14 @@ assert np.iinfo(np.int16).min == -32_768 and np.iinfo(np.int16).max == 32_767
 assert [np.dtype(name).itemsize for name in ("uint8", "uint16", "int16", "float64", "bool")] == [1, 2, 2, 8, 1]
 
 # %% [markdown]
-# ## 7 · Masks (12 minutes)
+# ## 7 · Masks ([[minutes]])
 #
 # A comparison with an array gives True or False for each pixel. Such an array is called a *mask*.
 
 # %%
 bright = tiny > 100
 print(bright.astype(int))  # 1 for True, 0 for False
-show([tiny, bright], ["tiny", "tiny > 100"], text=figure_texts["mask"])
+show([tiny, bright], ["tiny", "tiny > 100"], text="arrays/mask")
 
 # %% [markdown]
 # True counts as 1, and False as 0. So the *sum* of a mask is the number of its True pixels, and the *mean* of a mask is their share: between 0 (none) and 1 (all).
@@ -491,7 +489,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ### Your turn: two levels
+# ### Your turn: two levels ([[minutes]], deeper)
 #
 # Write `two_levels(gray, level)`. The result is an image that has only black and white pixels.
 #
@@ -545,7 +543,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · Copy and view (7 minutes)
+# ## 8 · Copy and view ([[minutes]])
 #
 # A slice does not copy the numbers. It is a *view*: another name for the same numbers in memory. This saves time and memory, but if you change the view, the array changes too.
 #
@@ -573,7 +571,7 @@ print("tiny[0]:", tiny[0], "  the copy:", safe)
 assert original[0, 0] == 255 and tiny[0, 0] == 10 and safe[0] == 255
 
 # %% [markdown]
-# ### Your turn: paint
+# ### Your turn: paint ([[minutes]], deeper)
 #
 # Write `paint_white(gray, mask)`. The check also tests that the given image stays as it is.
 #
@@ -621,7 +619,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 9 · One axis at a time (6 minutes)
+# ## 9 · One axis at a time ([[minutes]], deeper)
 #
 # `mean`, `sum`, `min` and `max` take all numbers together, or one *axis* at a time. Axis 0 goes down the rows, axis 1 goes across the columns. The named axis disappears: `axis=1` computes across the columns, so one number is left for each row.
 #
@@ -640,7 +638,7 @@ assert tiny.max() == 200 and tiny.max(axis=0).tolist() == [90, 90, 200, 90, 90]
 assert frame.mean(axis=2).shape == (720, 1280)
 
 # %% [markdown]
-# ### Your turn: the mean of each row
+# ### Your turn: the mean of each row ([[minutes]], deeper)
 #
 # Write `row_means(gray)`.
 #
@@ -685,7 +683,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 10 · Neighbours: a loop, and the same with slices (11 minutes)
+# ## 10 · Neighbours: a loop, and the same with slices ([[minutes]])
 #
 # Most methods of [[term:image processing]] compare a pixel with its neighbours. Here is one row. We want, for each pixel, the sum of its left neighbour, itself, and its right neighbour. With a loop:
 
@@ -702,16 +700,24 @@ print(sums)
 # %%
 left, middle, right = row[:-2], row[1:-1], row[2:]
 show(np.stack([left, middle, right]), "left, middle, right",
-     text=figure_texts["rows"])
+     text="arrays/rows")
 
 # %% [markdown]
-# In each column of the figure stand the three numbers that the loop adds. So we add the three arrays:
+# Each column of the figure has the three numbers that the loop adds. So we add the three arrays:
 
 # %%
 print((left + middle + right).tolist())
 
 # %% [markdown]
 # The same numbers, in one line. `row[2:]` begins two numbers later, so it holds the *right* neighbours of `row[1:-1]`. With rows and columns it works in the same way: `gray[1:-1, 2:]` holds the right neighbours of `gray[1:-1, 1:-1]`.
+
+# %%
+# Check: the numbers in this section
+assert sums == (left + middle + right).tolist() == [30, 220, 410, 600]
+assert len(sums) == len(row) - 2
+
+# %% [markdown]
+# ### Padding ([[minutes]], deeper)
 #
 # The result has two numbers fewer than the row. To get the same length, we first add a border: this is called *padding*. `np.pad` adds zeros, or repeats the outermost pixels.
 
@@ -719,16 +725,15 @@ print((left + middle + right).tolist())
 zeros = np.pad(tiny, 1)
 repeated = np.pad(tiny, 1, mode="edge")
 print("before:", tiny.shape, "  after:", zeros.shape)
-show([zeros, repeated], ["zeros", "outermost pixels repeated"], text=figure_texts["padded"])
+show([zeros, repeated], ["zeros", "outermost pixels repeated"], text="arrays/padded")
 
 # %%
-# Check: the numbers in this section
-assert sums == (left + middle + right).tolist() == [30, 220, 410, 600]
-assert len(sums) == len(row) - 2 and zeros.shape == repeated.shape == (7, 7)
+# Check: the two borders
+assert zeros.shape == repeated.shape == (7, 7)
 assert zeros[0, 0] == 0 and repeated[0, 0] == tiny[0, 0]
 
 # %% [markdown]
-# ### Your turn: differences
+# ### Your turn: differences ([[minutes]], deeper)
 #
 # Where the gray level jumps from one pixel to the next, there is an [[term:edge]]. Write `differences(gray)`.
 #
@@ -786,7 +791,7 @@ def inputs(rng):
 steps = np.diff(frame[..., 1].astype(np.int16), axis=1)  # of the green channel
 # limits: -40 and less is black, 40 and more is white
 print("shape:", steps.shape, "  range:", steps.min(), "to", steps.max())
-show(steps, "differences", limits=(-40, 40), text=figure_texts["steps"])
+show(steps, "differences", limits=(-40, 40), text="arrays/steps")
 
 # %%
 # Check: the numbers in this section and in the table below

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: What is image processing?
-#     minutes: 55
 # ---
 
 # %% [markdown]
@@ -13,12 +12,10 @@
 # **You will be able to**
 # - name four uses of images on a home robot, with an example of each,
 # - recognise four basic operations (grayscale, edge detection, noise removal, [[term:binarization]]) by what they do to the numbers,
-# - explain why a grayscale image is not a binary image,
+# - say what distinguishes a grayscale image from a binary image,
 # - name the four steps of a program that processes a robot's images, and the libraries that it needs.
 #
-# **Time** about 55 minutes; take a break after section 4. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
-#
-# If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as [[start_here]] explains.
+# **Time** [[minutes]]; take a break after section 4. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
 
 # %%
 import cv2
@@ -33,8 +30,7 @@ recording = open_recording("drive")
 frame = recording.frame(30)
 print("frame", frame.shape, frame.dtype, "  numbers:", frame.size)
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "frame": (
         "Three seconds after the start: a person walks past, a ball lies ahead, and a marker stands in front of the wall.",
@@ -79,7 +75,7 @@ figure_texts = {
 }
 
 # %%
-show(frame, "frame 30 of the drive", text=figure_texts["frame"])
+show(frame, "frame 30 of the drive", text="what_is_image_processing/frame")
 
 # %%
 # Check: the numbers in this section
@@ -94,7 +90,7 @@ assert frame.size == 2_764_800 and recording.rate == 10
 #
 # A robot does not have the ground truth. It has to find the answers itself. Here we use the ground truth to see what the robot looks for.
 #
-# ### 1 · Environment recognition: where can I drive? (5 minutes)
+# ### 1 · Environment recognition: where can I drive? ([[minutes]])
 #
 # Look at the frame above. **Predict.** How many percent of the image are floor? (The rug does not count.)
 
@@ -114,7 +110,7 @@ compare_guess(guess_floor, round(floor_share * 100), "%")
 # %%
 painted = frame.copy()
 painted[floor] = (0, 160, 0)  # blue, green, red
-show(painted, "floor, painted green", text=figure_texts["floor"])
+show(painted, "floor, painted green", text="what_is_image_processing/floor")
 
 # %%
 # Check: the numbers in this section
@@ -122,7 +118,7 @@ assert recording.label_names[1] == "floor"
 assert round(floor_share * 100) == 36
 
 # %% [markdown]
-# ### 2 · Object detection: who is there? (4 minutes)
+# ### 2 · Object detection: who is there? ([[minutes]])
 #
 # A detector returns a *[[term:bounding box]]*: the smallest rectangle around an object, given by its first and last row and its first and last column. Here we compute the person's bounding box from the label image. A real detector has to find the person in the frame.
 
@@ -138,7 +134,7 @@ boxed = frame.copy()
 yellow = (0, 255, 255)
 # OpenCV's points are (column, row), the other way round than an index
 cv2.rectangle(boxed, (left, top), (right, bottom), yellow, thickness=4)
-show(boxed, "one person, one bounding box", text=figure_texts["person"])
+show(boxed, "one person, one bounding box", text="what_is_image_processing/person")
 
 # %%
 # Check: the numbers in this section
@@ -146,7 +142,7 @@ assert recording.label_names[16] == "person"
 assert (top, bottom, left, right) == (102, 394, 584, 690)
 
 # %% [markdown]
-# ### 3 · Position estimation: where am I? (7 minutes)
+# ### 3 · Position estimation: where am I? ([[minutes]])
 #
 # The black and white square is a *[[term:marker]]*. OpenCV knows its pattern: it finds the four corners of the marker in the image, and reads its number.
 
@@ -157,7 +153,19 @@ corners, ids, _ = detector.detectMarkers(frame)
 marked = frame.copy()
 cv2.aruco.drawDetectedMarkers(marked, corners, ids)
 show(marked, "the marker", rows=(280, 430), cols=(590, 790),
-     text=figure_texts["marker"])
+     text="what_is_image_processing/marker")
+
+# %% [markdown]
+# The marker is small in the image, so it is far away. From its real size and its size in the image, a program computes how far. If a robot knows where in the room the marker is, it can then compute its own position; [[where_am_i]] does this.
+
+# %%
+# Check: the marker's number
+assert ids[0][0] == 7
+
+# %% [markdown]
+# #### How far away is it? ([[minutes]], deeper)
+#
+# Here are two of the four corners:
 
 # %%
 top_left, top_right, bottom_right, bottom_left = corners[0][0]
@@ -165,7 +173,7 @@ print("top left corner (column, row):", top_left)
 print("bottom left corner:           ", bottom_left)
 
 # %% [markdown]
-# We know the real size of the marker: each side is 0.25 m. How far away is it? An object at twice the distance looks half as large. How large it looks in pixels also depends on the lens, on its *[[term:focal length]]*. The focal length of this camera is 705 pixels. (Together with the *[[term:principal point]]*, the image point straight ahead of the camera, it is called the camera's *[[term:intrinsics]]*.) Then:
+# We know the real size of the marker: each side is 0.25 m. How far away is it? An object at twice the distance looks half as large. How large it looks in pixels also depends on the lens, on its *[[term:focal length]]*. The focal length of this camera is 705 pixels. Then:
 #
 # $$\text{distance} = \text{focal length} \cdot \frac{\text{real size}}{\text{size in pixels}}$$
 #
@@ -182,19 +190,19 @@ print("focal length:", focal_length, "  side:", side)
 compare_guess(guess_marker, round(float(distance), 2), "m")
 
 # %% [markdown]
-# The recording contains the true positions of camera and marker, so we can compute the true distance: 3.6 m. Our result has an error of less than five percent. The library function `cv2.solvePnP` is better: it uses all four corners, and it also corrects how the lens bends straight lines (the *[[term:distortion]]*). It gives the *[[term:pose]]* of the marker: its position and its orientation. If a robot knows where in the room the marker stands, it can compute its own position from the pose of the marker.
+# The recording contains the true positions of camera and marker, so we can compute the true distance: 3.6 m. Our result has an error of less than five percent.
 
 # %%
 # Check: the numbers in this section
 marker_position = recording.pose("marker", 30)[:3]
 true_distance = np.linalg.norm(marker_position - recording.pose("camera", 30)[:3])
-assert ids[0][0] == 7 and focal_length == 705
+assert focal_length == 705
 assert top_left[1] == 330 and bottom_left[1] == 377
 assert round(true_distance, 1) == 3.6 and round(float(distance), 2) == 3.75
 assert abs(distance - true_distance) / true_distance < 0.05
 
 # %% [markdown]
-# ### 4 · Obstacle avoidance: what is in my way? (6 minutes)
+# ### 4 · Obstacle avoidance: what is in my way? ([[minutes]])
 #
 # The depth image contains distances in millimetres, for every second row and every second column of the frame. We look for the nearest obstacle straight ahead of the robot, in the middle third of the image. Floor and rug are no obstacles.
 #
@@ -219,7 +227,7 @@ compare_guess(guess_obstacle, recording.label_names[names[0]])
 
 # %%
 show(depth, "depth in millimetres: dark is near", limits=(500, 5000),
-     text=figure_texts["depth"])
+     text="what_is_image_processing/depth")
 
 # %%
 # Check: the numbers in this section
@@ -238,18 +246,18 @@ assert np.nonzero(box)[1].min() > 427
 #
 # Programs for all four uses are built from simple operations. Four operations are very common, and each has its own lesson: [[grayscale]], [[binarization]], [[canny_stages|edge detection]] and [[noise_removal]]. Look at what each operation does to the *numbers*: to the shape of the array, and to how many different values it has.
 #
-# ### 5 · Grayscale: three numbers become one (3 minutes)
+# ### 5 · Grayscale: three numbers become one ([[minutes]])
 
 # %%
 gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
 print("before", frame.shape, "  after", gray.shape, gray.dtype)
 print("different values:", np.unique(gray).size)
-show([frame, gray], ["colour", "gray"], text=figure_texts["gray"])
+show([frame, gray], ["colour", "gray"], text="what_is_image_processing/gray")
 
 # %% [markdown]
-# ### 6 · Planned failure: grayscale is not binary (4 minutes)
+# ### 6 · Planned failure: a “black and white” photograph ([[minutes]])
 #
-# Many people call a gray image a "black and white photograph". Are all its pixels black or white? (In a *planned failure*, something goes wrong on purpose. **Repair it** then says what to do.) **Predict** how many percent of its pixels are fully black (0) or fully white (255).
+# Many people call a gray image "black and white". How many of its pixels really are black or white? (In a *planned failure*, something goes wrong on purpose. **Repair it** then says what to do.) **Predict** how many percent of its pixels are fully black (0) or fully white (255).
 
 # %% role="predict"
 guess_black_white = None  # your guess: how many percent of the pixels?
@@ -268,7 +276,7 @@ assert together == 0.005
 # %% [markdown]
 # Almost no pixel is fully white or black: a gray image has up to 256 intensities ([[term:gray level|gray levels]]). **Repair it**: to get two values from 256, choose a *[[term:threshold]]*, and compare every pixel with it. That is the next operation.
 #
-# ### 7 · Binarization: above the threshold or not (4 minutes)
+# ### 7 · Binarization: above the threshold or not ([[minutes]])
 
 # %%
 binary = np.where(gray > 128, 255, 0).astype(np.uint8)
@@ -276,10 +284,10 @@ binary_share = (binary == 255).mean()
 print("different values:", np.unique(binary))
 print("white:", round(binary_share * 100), "%")
 show([gray, binary], ["gray: 246 values", "binary: two"],
-     text=figure_texts["binary"])
+     text="what_is_image_processing/binary")
 
 # %% [markdown]
-# ### 8 · Edge detection: where the intensity jumps (4 minutes)
+# ### 8 · Edge detection: where the intensity jumps ([[minutes]])
 #
 # An *[[term:edge]]* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the *[[term:Canny edge detector]]*; [[canny_stages]] explains it, and the two numbers 50 and 150 in the next cell. An edge image also has only two values: 255 (white) for an edge, 0 for no edge.
 #
@@ -297,7 +305,7 @@ compare_guess(guess_white, "more" if edge_share > binary_share else "fewer")
 
 # %%
 show([binary, edges], ["binary: areas", "edges: lines"],
-     text=figure_texts["edges"])
+     text="what_is_image_processing/edges")
 
 # %%
 # Check: the numbers in the sections 7 and 8
@@ -305,7 +313,7 @@ assert np.unique(binary).tolist() == np.unique(edges).tolist() == [0, 255]
 assert round(edge_share * 100) == 4 and binary_share > 0.3
 
 # %% [markdown]
-# ### 9 · Noise removal: the same image with fewer errors (5 minutes)
+# ### 9 · Noise removal: the same image with fewer errors ([[minutes]])
 #
 # Sensors make errors, called *[[term:noise]]*. Here we set 5 % of the pixels to black or white. This is *[[term:impulse noise]]*, also called salt-and-pepper noise.
 
@@ -324,9 +332,16 @@ noisy[random_values > 0.975] = 255
 cleaned = cv2.medianBlur(noisy, 3)
 print("before", noisy.shape, "  after", cleaned.shape)
 show([noisy, cleaned], ["with noise", "after a 3 × 3 median"],
-     rows=(300, 460), cols=(440, 730), text=figure_texts["noise"])
+     rows=(300, 460), cols=(440, 730), text="what_is_image_processing/noise")
+
+# %%
+# Check: the numbers in this section
+noise = (random_values < 0.025) | (random_values > 0.975)
+assert round(noise.mean() * 100) == 5 and cleaned.shape == noisy.shape
 
 # %% [markdown]
+# ### How much is left? ([[minutes]], deeper)
+#
 # **Predict.** How large is the mean error that is left, compared with the mean error of the noisy image?
 
 # %% role="predict"
@@ -340,13 +355,11 @@ print("mean error in gray levels:", round(float(error_before), 1),
 compare_guess(guess_error, round(float(error_after / error_before) * 100), "%")
 
 # %%
-# Check: the numbers in this section
-noise = (random_values < 0.025) | (random_values > 0.975)
-assert round(noise.mean() * 100) == 5 and cleaned.shape == noisy.shape
+# Check: the error is less than half
 assert error_after < error_before / 2
 
 # %% [markdown]
-# ## 10 · The four steps, live on the robot's topic (4 minutes)
+# ## 10 · The four steps, live on the robot's topic ([[minutes]])
 #
 # Every program in this course that processes a robot's images has four steps:
 #
@@ -359,7 +372,7 @@ assert error_after < error_before / 2
 #
 # | library | what it is | used for |
 # |---|---|---|
-# | `rclpy` | the Python library of ROS 2 | steps 1 and 4: [[term:node|nodes]], topics, messages |
+# | `rclpy` | the Python library of ROS 2 | steps 1 and 4: topics and messages |
 # | `cv_bridge` | the converter between ROS messages and arrays | steps 2 and 4 |
 # | OpenCV (`cv2`) | the most widely used library for image processing | step 3, and windows for step 4 |
 # | NumPy (`np`) | the library for arrays | all computation with pixels |
@@ -380,14 +393,14 @@ if ros_available():
 else:
     source = recording
 view = live_view(source, with_edges, low=(0, 500), high=(0, 500),
-                 text=figure_texts["live"])
+                 text="what_is_image_processing/live")
 
 # %%
 # Check: the function gives the same edges as above
 assert (with_edges(frame)["edges"] == edges).all()
 
 # %% [markdown]
-# ## 11 · Your turn: name the operation (9 minutes)
+# ## 11 · Your turn: name the operation ([[minutes]], deeper)
 #
 # Write `name_operation(before, after)`. It gets an image before and after one operation, and returns the name of this operation.
 #

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Images as messages
-#     minutes: 110
 # ---
 
 # %% [markdown]
@@ -13,12 +12,10 @@
 # **You will be able to**
 # - name the fields of a `sensor_msgs/Image` (ROS's message type for images) and explain each field,
 # - turn the bytes of a message into an array by hand, and back,
-# - recognise two common mistakes in an image (red and blue swapped; the rows cut wrongly) and repair them,
-# - explain why some [[term:subscription|subscriptions]] receive nothing from a camera, and repair them.
+# - recognise two common mistakes in an image (channels in the wrong order; rows cut wrongly) and repair them,
+# - choose the policies of a [[term:subscription]] so that they fit a camera.
 #
-# **Time** about 110 minutes, with two places for a break. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
-#
-# If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as [[start_here]] explains.
+# **Time** [[minutes]], with two places for a break. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
 
 # %%
 import cv2
@@ -33,8 +30,7 @@ from imgproc_course.messages.cv_bridge import CvBridge
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "tiny": (
         "In each value, the first digit counts the rows (from 1) and the second digit counts the columns (from 0). So you can see at once if the rows are cut wrongly.",
@@ -67,7 +63,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · An image is a message (7 minutes)
+# ## 1 · An image is a message ([[minutes]])
 #
 # **Ask.** What arrives when a camera sends an image? We take the first frame of the recorded drive and put it into a message, as the robot does. Then we look at its fields.
 
@@ -110,7 +106,7 @@ assert total_bytes == len(message.data) == 2_764_800
 assert message.step == message.width * bytes_per_pixel == 3840
 
 # %% [markdown]
-# ## 2 · Find a pixel by hand (10 minutes)
+# ## 2 · Find a pixel by hand ([[minutes]])
 #
 # **Ask.** At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read: five rows of five pixels. Its [[term:encoding]] is `mono8`: one channel, one byte per pixel. With one channel, the value of a pixel is its *intensity*, also called its *gray level*: 0 is black and 255 is white.
 
@@ -126,7 +122,7 @@ print("data", list(tiny_message.data))
 
 # %%
 show(tiny, "data, cut into rows of step = 5 bytes", encoding="mono8",
-     text=figure_texts["tiny"])
+     text="images_as_messages/tiny")
 
 # %% [markdown]
 # Rows, columns and bytes are counted from 0. One row takes `step` bytes. So row 1 begins at byte `1 * step`, and column 2 is two bytes after that.
@@ -161,15 +157,13 @@ assert 1 * tiny_message.step + 2 == 7 and tiny_message.data[7] == tiny[1, 2]
 assert (decoded == tiny).all()
 
 # %% [markdown]
-# ### Your turn: decode a gray image (5 minutes, practice)
+# ### Your turn: decode a gray image ([[minutes]], practice, deeper)
 #
 # Write `decode_mono8(message)` with the two lines above. They must work for an image of any size.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `message`: encoding `mono8`, rows without padding | an array of shape (height, width), dtype uint8 (the type counts) | `decode_mono8(tiny_message)` equals `tiny` |
-#
-# `np` is ready to use in every exercise. The check refuses an answer that uses `cv2` or the course's converter, here and in the next exercises.
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -214,7 +208,7 @@ check("messages-mono8", decode_mono8)
 def inputs(rng):
     return (gray_message(rng, 3, 5),)
 
-# %% role="case" exercise="messages-mono8" title="a bright gray image, higher than it is wide"
+# %% role="case" exercise="messages-mono8" title="a bright gray image, taller than wide"
 def inputs(rng):
     return (gray_message(rng, 4, 3, low=128),)
 
@@ -224,7 +218,7 @@ def inputs(rng):
     return (gray_message(rng, height, width + height),)
 
 # %% [markdown]
-# ## 3 · Planned failure: which channel is red? (7 minutes)
+# ## 3 · Planned failure: which channel is red? ([[minutes]])
 #
 # The same lines decode the camera's image. `reshape` only needs one more number: three channels per pixel.
 
@@ -235,7 +229,7 @@ print("frame", frame.shape, frame.dtype)
 print("range", frame.min(), "to", frame.max())
 
 # %%
-show(frame, "decoded by hand", encoding="rgb8", text=figure_texts["decoded"])
+show(frame, "decoded by hand", encoding="rgb8", text="images_as_messages/decoded")
 
 # %% [markdown]
 # OpenCV stores the channels of a pixel in the order blue, green, red. The robot sends red, green, blue. You cannot see the order in the bytes. Only `encoding` tells you the order.
@@ -253,7 +247,7 @@ compare_guess(guess_colour, ["blue", "green", "red"][largest])
 
 # %%
 show([frame, frame], ["correct: read as rgb8", "wrong: read as bgr8"],
-     encoding=["rgb8", "bgr8"], text=figure_texts["swapped"])
+     encoding=["rgb8", "bgr8"], text="images_as_messages/swapped")
 
 # %% [markdown]
 # Python raised no error, so this mistake is easy to overlook. Now **repair it**: OpenCV needs `bgr8`, so red and blue must be swapped. `image_to_array` reads `encoding`. If you ask for another encoding, it reorders the channels.
@@ -269,7 +263,7 @@ assert largest == 0  # red in rgb8, but the place of blue in bgr8
 assert (bgr == frame[..., ::-1]).all()
 
 # %% [markdown]
-# ### Your turn: decode a colour image (5 minutes, practice)
+# ### Your turn: decode a colour image ([[minutes]], practice, deeper)
 #
 # Write `decode_rgb8(message)`. It keeps the channels in the order of `data`, so it treats `rgb8` and `bgr8` in the same way.
 #
@@ -320,7 +314,7 @@ check("messages-rgb8", decode_rgb8)
 def inputs(rng):
     return (colour_message(rng, "rgb8", 2, 4),)
 
-# %% role="case" exercise="messages-rgb8" title="a bgr8 image, higher than it is wide"
+# %% role="case" exercise="messages-rgb8" title="a bgr8 image, taller than wide"
 def inputs(rng):
     return (colour_message(rng, "bgr8", 5, 2),)
 
@@ -330,7 +324,7 @@ def inputs(rng):
     return (colour_message(rng, "rgb8", height, width + height),)
 
 # %% [markdown]
-# ## 4 · Planned failure: a padded row (10 minutes)
+# ## 4 · Planned failure: a padded row ([[minutes]])
 #
 # Many cameras start every row at a multiple of, for example, 16 bytes. They fill the rest of the row with bytes that have no meaning: *[[term:padded rows|padding]]*. Then `step` is larger than width × bytes per pixel.
 #
@@ -366,44 +360,23 @@ compare_guess(guess_first, cut_by_width[1, 0])
 rows = flat.reshape(padded.height, padded.step)
 cut_by_step = rows[:, : padded.width]
 show([cut_by_width, cut_by_step], ["cut by width", "cut by step, then cropped"],
-     encoding="mono8", text=figure_texts["cut"])
-
-# %% [markdown]
-# Here is the same mistake with the camera's image. Every row is padded by one pixel (three bytes):
-
-# %%
-wide = np.zeros((720, 1281, 3), dtype=np.uint8)
-wide[:, :1280] = frame
-first_bytes = wide.reshape(-1)[: 720 * 1280 * 3]  # -1: one long row
-sheared = first_bytes.reshape(720, 1280, 3)
-show(sheared, "padding read as pixels", encoding="rgb8",
-     text=figure_texts["sheared"])
-
-# %% [markdown]
-# `image_to_array` uses `step`. If the fields of a message contradict each other, it raises an error. The error says which field is wrong, which value was expected, and what you can do. (`try` and `except` catch the error, so that the lesson goes on.)
-
-# %%
-cut_short = array_to_image(tiny, "mono8")
-cut_short.data = cut_short.data[:20]  # five bytes are lost
-try:
-    image_to_array(cut_short)
-except ValueError as error:
-    print(error)
+     encoding="mono8", text="images_as_messages/cut")
 
 # %%
 # Check: the numbers in this section
 assert len(padded.data) == 40 and cut_by_width[1, 0] == 99
 assert (cut_by_step == tiny).all() and (image_to_array(padded) == tiny).all()
-assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).all()
 
 # %% [markdown]
-# ### Your turn: remove the padding (8 minutes, practice)
+# ### Your turn: remove the padding ([[minutes]], practice)
 #
 # Write `decode_padded(message)`. Put the two things together that you have seen: crop the padding, as in `cut_by_step`, and form the pixels of a colour image.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `message`: encoding `rgb8`, rows with padding of any length | an array of shape (height, width, 3), dtype uint8 (the type counts), without the padding | for a message with height 2, width 4 and step 14, the result has shape (2, 4, 3) |
+#
+# `np` is ready to use in every exercise. The check refuses an answer that uses `cv2` or the course's converter.
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -472,9 +445,37 @@ def inputs(rng):
     return (padded_message(rng, height, width + height, int(rng.integers(1, 6))),)
 
 # %% [markdown]
+# ### The same mistake in the camera's image ([[minutes]], deeper)
+#
+# Every row is padded by one pixel (three bytes):
+
+# %%
+wide = np.zeros((720, 1281, 3), dtype=np.uint8)
+wide[:, :1280] = frame
+first_bytes = wide.reshape(-1)[: 720 * 1280 * 3]  # -1: one long row
+sheared = first_bytes.reshape(720, 1280, 3)
+show(sheared, "padding read as pixels", encoding="rgb8",
+     text="images_as_messages/sheared")
+
+# %% [markdown]
+# `image_to_array` uses `step`. If the fields of a message contradict each other, it raises an error. The error says which field is wrong, which value was expected, and what you can do. (`try` and `except` catch the error, so that the lesson goes on.)
+
+# %%
+cut_short = array_to_image(tiny, "mono8")
+cut_short.data = cut_short.data[:20]  # five bytes are lost
+try:
+    image_to_array(cut_short)
+except ValueError as error:
+    print(error)
+
+# %%
+# Check: the camera's image with and without the padding
+assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).all()
+
+# %% [markdown]
 # **Pause.** This is a good place for a break. After it, run the cells above again: **Run → Run All Above Selected Cell**.
 #
-# ## 5 · Which byte comes first? (8 minutes)
+# ## 5 · Which byte comes first? ([[minutes]], deeper)
 #
 # A depth camera measures distances. It needs numbers above 255, so a pixel takes two bytes. The encoding is `16UC1` (16 bits, unsigned, 1 channel) or `mono16`. One of the two bytes is the *more significant* one: it counts 256 times as much as the other. Two bytes can be stored in two orders. *[[term:big-endian|Big-endian]]* stores the more significant byte first, *little-endian* the less significant one.
 #
@@ -528,7 +529,7 @@ depth_message.is_bigendian = 1
 assert image_to_array(depth_message)[0, 0] == 513
 
 # %% [markdown]
-# ### Your turn: decode 16 bits (8 minutes, practice)
+# ### Your turn: decode 16 bits ([[minutes]], practice)
 #
 # Write `decode_mono16(message)`.
 #
@@ -597,7 +598,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · Use the library (6 minutes)
+# ## 6 · Use the library ([[minutes]])
 #
 # ROS 2 has its own converter, `cv_bridge`, but pip cannot install it. The course's `CvBridge` has methods with the same names, and for correct messages the same results. So your code runs on a robot after you change one line: the import.
 #
@@ -611,15 +612,22 @@ print("values that differ:", (by_hand != by_function).sum(),
       (by_hand != by_bridge).sum())
 
 # %% [markdown]
-# The other direction is `cv2_to_imgmsg`: it makes a message of an array.
+# The other direction is `cv2_to_imgmsg`: it makes a message of an array. (To draw into an image that you have decoded, make a copy first: the array may share the memory of the message, and is read-only then.)
 
 # %%
 new_message = CvBridge().cv2_to_imgmsg(tiny, encoding="mono8")
 print(new_message.height, new_message.width,
       new_message.encoding, new_message.step)
 
+# %%
+# Check: the results in this section
+assert (by_hand == by_function).all() and (by_hand == by_bridge).all()
+assert list(new_message.data) == list(tiny_message.data)
+
 # %% [markdown]
-# **A view is not a copy.** If no value has to change, `image_to_array` does not copy the bytes of the message. The array is a *view*: it uses the memory of the message. This saves time. But if you drew into the array, you would change the message. So the array is read-only. To draw, make a copy.
+# ### A view is not a copy ([[minutes]], deeper)
+#
+# If no value has to change, `image_to_array` does not copy the bytes of the message. The array is a *view*: it uses the memory of the message. This saves time. But if you drew into the array, you would change the message. So the array is read-only. To draw, make a copy.
 
 # %%
 print("writeable:", by_function.flags.writeable)
@@ -627,7 +635,7 @@ canvas = by_function.copy()
 yellow = (255, 255, 0)
 cv2.circle(canvas, (546, 380), 40, yellow, thickness=4)  # OpenCV: (column, row)
 show(canvas, "a circle on a copy", encoding="rgb8",
-     rows=(310, 450), cols=(446, 646), text=figure_texts["circle"])
+     rows=(310, 450), cols=(446, 646), text="images_as_messages/circle")
 
 # %% [markdown]
 # Every encoding has a dtype and a number of channels (`32FC1`: 32-bit floating-point numbers, 1 channel):
@@ -638,17 +646,15 @@ for name in ("mono8", "rgb8", "bgra8", "16UC1", "32FC1"):
     print(name, " dtype:", info.dtype, " channels:", info.channels)
 
 # %%
-# Check: the results in this section
-assert (by_hand == by_function).all() and (by_hand == by_bridge).all()
-assert list(new_message.data) == list(tiny_message.data)
+# Check: views and encodings
 assert not by_function.flags.writeable and (image_to_array(message) == frame).all()
 assert encoding_info("rgb8").channels == 3 and encoding_info("16UC1").dtype == np.uint16
 assert encoding_info("32FC1").dtype == np.float32
 
 # %% [markdown]
-# ## 7 · Your turn: decode a message (18 minutes)
+# ## 7 · Your turn: decode a message ([[minutes]], deeper)
 #
-# Write `decode(message)`. It decodes the four encodings of the small exercises above, and every message may have padded rows.
+# Write `decode(message)`. It decodes four encodings, and every message may have padded rows.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -660,7 +666,7 @@ assert encoding_info("32FC1").dtype == np.float32
 # - `rgb8` and `bgr8`: shape (height, width, 3), dtype uint8, with the channels in the same order as in `data`
 # - `mono16`: shape (height, width), dtype uint16; `is_bigendian` gives the byte order in `data`
 #
-# Use only NumPy. Your answers above are a good start. Copy their lines into this cell: then the answer is complete.
+# Use only NumPy. Begin as in `decode_padded`, with rows of `step` bytes, for every encoding.
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -747,7 +753,7 @@ def inputs(rng):
 # %% [markdown]
 # **Pause.** Here is the second place for a break.
 #
-# ## 8 · The header: time and camera (3 minutes)
+# ## 8 · The header: time and camera ([[minutes]])
 #
 # A moving robot must know when an image was taken: `header.stamp` (the *[[term:stamp]]*) is this time. `header.frame_id` names the [[term:coordinate frame]] of the camera. (Here *frame* means a coordinate system, not an image of a stream.) A *[[term:node]]* is a program that takes part in ROS. A node that publishes a processed image copies the header, so that a subscriber knows when the camera took the image.
 
@@ -763,7 +769,7 @@ assert message.header.frame_id == "camera_front" and len(recording) == 90
 assert np.median(np.diff(stamps)) == 100_000_000
 
 # %% [markdown]
-# ## 9 · Raw or compressed? (5 minutes)
+# ## 9 · Raw or compressed? ([[minutes]], deeper)
 #
 # The robot publishes each image twice: raw (not compressed) on the topic `image_raw`, and as a [[term:JPEG]] on the topic `image_raw/compressed`. **Predict** how many times smaller the JPEG is.
 
@@ -799,7 +805,7 @@ assert math.ceil(raw_bytes / 65_507) == 43 and math.ceil(jpeg_bytes / 65_507) ==
 assert 0 < difference.mean() < 2
 
 # %% [markdown]
-# ## 10 · A live topic, and a subscription that receives nothing (10 minutes)
+# ## 10 · A live topic, and a subscription that does not fit ([[minutes]])
 #
 # Now we use ROS 2: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor in [[start_here]] says what to install. Everything above works without ROS.)
 
@@ -886,7 +892,9 @@ assert not ros_available() or repaired.received > 0
 assert not ros_available() or not repaired.incompatible_qos
 
 # %% [markdown]
-# **Look** at the live frames. The function below processes each of them. Move the slider while the view runs: `shift` moves the red channel to the right and the blue channel to the left, by the number of pixels that you choose. (`np.roll` shifts an array: what leaves it on one side comes in again on the other. `axis=1` means: along the rows, to the right.)
+# ### Look: the channels, live ([[minutes]], deeper)
+#
+# The function below processes each of them. Move the slider while the view runs: `shift` moves the red channel to the right and the blue channel to the left, by the number of pixels that you choose. (`np.roll` shifts an array: what leaves it on one side comes in again on the other. `axis=1` means: along the rows, to the right.)
 
 # %%
 def shift_channels(frame, shift=0):
@@ -898,7 +906,7 @@ def shift_channels(frame, shift=0):
 
 # %% tags=["nbval-ignore-output"]
 view = live_view(source, shift_channels, shift=(0, 40),
-                 text=figure_texts["live"])
+                 text="images_as_messages/live")
 
 # %%
 # Check: with a shift of 0 the frame stays as it is

@@ -2,21 +2,20 @@
 # jupyter:
 #   imgproc_course:
 #     title: Grayscale
-#     minutes: 80
 # ---
 
 # %% [markdown]
 # # Grayscale
 #
-# A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. You may think that it is the average of the three numbers, but it is not. In this lesson you learn the right formula. You also meet a mistake that nearly everybody makes at first when they calculate with pixels.
+# A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. It is not the average of the three numbers. In this lesson you learn the right formula, and meet a mistake that nearly everybody makes at first when they calculate with pixels.
 #
 # **You will be able to**
 # - explain why the three channels have different weights, and compute *luma* (the gray level that OpenCV uses) by hand,
 # - calculate with `uint8` pixels without overflow,
-# - compute luma with integers (whole numbers) only, in loops and with slices, and get the same result as OpenCV for every pixel,
-# - explain which information a gray image loses.
+# - compute luma with integers (whole numbers) only, and get the same result as OpenCV for every pixel,
+# - deeper: explain which information a gray image loses, and what a pixel value says about the amount of light.
 #
-# **Time** about 80 minutes, with a pause after section 5. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
+# **Time** [[minutes]], with a pause after section 5. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
 
 # %% role="given" exercise=["grayscale-luma"]
 import numpy as np
@@ -34,8 +33,7 @@ frame = open_recording("drive").frame(30)
 print("frame", frame.shape, frame.dtype)
 print("range", frame.min(), "to", frame.max())
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "overflow": (
         "On the left, no pixel is above 85, and bright walls look dark: this is the effect of uint8 overflow.",
@@ -68,7 +66,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · One pixel (4 minutes)
+# ## 1 · One pixel ([[minutes]])
 #
 # **Ask.** A pixel has three channels: blue 30, green 60, red 220. How bright is it? The simplest answer is the average of the three.
 #
@@ -87,7 +85,7 @@ compare_guess(guess_average, average)
 assert average == 103
 
 # %% [markdown]
-# ## 2 · Planned failure: a sum of pixels (12 minutes)
+# ## 2 · Planned failure: a sum of pixels ([[minutes]])
 #
 # Now we take the same pixel as it is stored in a frame: three numbers of dtype `uint8`. **Predict** the result of the same calculation.
 
@@ -106,24 +104,14 @@ compare_guess(guess_wrapped, wrapped[0])
 # %% [markdown]
 # The result is 18 instead of 103, and NumPy does not warn you. A `uint8` holds at most 255. After 255 the values start again at 0. This is called *[[term:overflow]]*, or *wrap-around*. Here 30 + 60 + 220 = 310 becomes 310 − 256 = 54, and a third of 54 is 18.
 #
-# We want to see the effect on a whole frame. For this we need the blue channel of every pixel. **Predict** the shape of `frame[0]`: is it the blue channel?
-
-# %% role="predict"
-guess_shape = None  # your guess: the shape of frame[0], such as (720, 1280)?
-
-# %%
-print("frame[..., 0]:", frame[..., 0].shape)
-compare_guess(guess_shape, frame[0].shape)
-
-# %% [markdown]
-# `frame[0]` is not the blue channel. It is the first *row* of the image: 1280 pixels with three channels. The channels are on the *last* axis, so the blue channel is `frame[..., 0]`.
+# Here is the effect on a whole frame. `frame[..., 0]` is the blue channel of every pixel.
 
 # %%
 wrong = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3
 wide = frame.astype(np.uint16)
 right = (wide[..., 0] + wide[..., 1] + wide[..., 2]) // 3
 show([wrong, right.astype(np.uint8)], ["added as uint8", "widened first"],
-     encoding="mono8", text=figure_texts["overflow"])
+     encoding="mono8", text="grayscale/overflow")
 
 # %% [markdown]
 # **Repair it** in four steps, always in this order: *widen, compute, round, narrow*. To *widen* is to convert to a larger type: `astype(np.uint16)` gives a type that holds numbers up to 65,535. To *narrow* is to convert back to `uint8`, after the values are small enough again. (Here `//` rounds down.)
@@ -134,6 +122,18 @@ repaired = (wide // 3).astype(np.uint8)
 print("sum:", wide[0], wide.dtype, "  a third:", repaired[0], repaired.dtype)
 
 # %% [markdown]
+# The rule: before you compute, ask for the *largest* number that can occur, and choose a dtype that holds it.
+
+# %%
+# Check: the numbers in this section
+assert total[0] == 54 and wrapped[0] == 18 and 30 + 60 + 220 == 310
+assert wrong.max() == 85
+assert repaired[0] == average == 103
+assert np.iinfo(np.uint16).max == 65_535
+
+# %% [markdown]
+# ### Is uint16 large enough? ([[minutes]], deeper)
+#
 # `uint16` is large enough for a sum of three pixels. Is it large enough for a product too? Later we multiply pixels by numbers such as 19235. **Predict** the product of a white pixel, 255, and 19235 in `uint16`: is it right?
 
 # %% role="predict"
@@ -146,21 +146,31 @@ print("uint32:", (white.astype(np.uint32) * 19235)[0])
 compare_guess(guess_product, int((white * 19235)[0]) == 255 * 19235)
 
 # %% [markdown]
-# The product is 4,904,925. It does not fit into `uint16`, so it overflows too. `uint32` holds numbers up to 4,294,967,295. The rule: before you compute, ask for the *largest* number that can occur, and choose a dtype that holds it.
+# The product is 4,904,925. It does not fit into `uint16`, so it overflows too. `uint32` holds numbers up to 4,294,967,295.
+
+# %% [markdown]
+# One more trap, with the index. **Predict** the shape of `frame[0]`: is it the blue channel?
+
+# %% role="predict"
+guess_shape = None  # your guess: the shape of frame[0], such as (720, 1280)?
 
 # %%
-# Check: the numbers in this section
-assert total[0] == 54 and wrapped[0] == 18 and 30 + 60 + 220 == 310
+print("frame[..., 0]:", frame[..., 0].shape)
+compare_guess(guess_shape, frame[0].shape)
+
+# %% [markdown]
+# `frame[0]` is not the blue channel. It is the first *row* of the image: 1280 pixels with three channels. The channels are on the *last* axis, so the blue channel is `frame[..., 0]`.
+
+# %%
+# Check: the product and the shapes
 assert frame[0].shape == (1280, 3) and frame[..., 0].shape == (720, 1280)
-assert wrong.max() == 85
-assert repaired[0] == average == 103
-assert np.iinfo(np.uint16).max == 65_535 and np.iinfo(np.uint32).max == 4_294_967_295
+assert np.iinfo(np.uint32).max == 4_294_967_295
 assert 255 * 19235 == 4_904_925 and (white * 19235)[0] == 4_904_925 % 65_536
 
 # %% [markdown]
-# ## 3 · Your eyes do not compute the average (8 minutes)
+# ## 3 · Your eyes do not compute the average ([[minutes]])
 #
-# Is the average the right gray level? Here are pure blue, green and red at full intensity:
+# Is the average right? Here are pure blue, green and red:
 
 # %%
 patches = np.zeros((2, 6, 3), dtype=np.uint8)
@@ -169,7 +179,7 @@ patches[:, 2:4, 1] = 255  # two of pure green,
 patches[:, 4:6, 2] = 255  # and two of pure red
 
 # %% [markdown]
-# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, which is explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
+# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?
@@ -178,7 +188,7 @@ guess_brightest = None  # your guess: "blue", "green" or "red"?
 luma_patches = to_gray(patches)
 strips = [patches, average_gray(patches), lightness_gray(patches), luma_patches]
 show(strips, ["colour", "average", "lightness", "luma"], numbers=False,
-     text=figure_texts["methods"])
+     text="grayscale/methods")
 largest = luma_patches[0, ::2].argmax()  # the position of the largest value
 compare_guess(guess_brightest, ["blue", "green", "red"][largest])
 
@@ -189,7 +199,7 @@ print("lightness", lightness_gray(patches)[0, ::2])
 print("luma     ", luma_patches[0, ::2])
 
 # %% [markdown]
-# For human eyes, green contributes most to the brightness, and blue contributes little. People measured this, and a television standard (ITU-R BT.601) defines three weights. The sum of the weighted channels is called **[[term:luma]]**:
+# For human eyes, green contributes most to the brightness, and blue contributes little. A television standard (ITU-R BT.601) defines three weights from measurements. The weighted sum is called **[[term:luma]]**:
 #
 # $$Y = 0.299\,R + 0.587\,G + 0.114\,B$$
 #
@@ -209,7 +219,7 @@ assert luma_patches[0, ::2].tolist() == [29, 150, 76]
 assert round(weighted) == 104 and round(0.299 + 0.587 + 0.114, 9) == 1
 
 # %% [markdown]
-# ## 4 · With integers (14 minutes)
+# ## 4 · With integers ([[minutes]])
 #
 # On a small processor, calculations with integers are fast, and their sums have no rounding errors. So we multiply the weights by 2¹⁵ = 32768, round them, and divide the sum by 2¹⁵ at the end.
 
@@ -249,8 +259,18 @@ compare_guess(guess_percent, round((truncated != rounded).mean() * 100), "%")
 
 # %% [markdown]
 # More than half of the pixels differ, each by one gray level. You cannot see this. But later lessons compare pixels with a threshold (a fixed number). For a pixel close to the threshold, one gray level decides the result.
+
+# %%
+# Check: the numbers in this section
+assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1 == 32769
+assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384 and 15 + 2**14 == 16399
+assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
+assert (truncated != rounded).mean() > 0.5 and (rounded - truncated).max() == 1
+
+# %% [markdown]
+# ### Integers or decimals? ([[minutes]], deeper)
 #
-# And is it important to use integers? The formula with 0.114, 0.587 and 0.299 is right too. But its weights are not exactly the integer weights divided by 2¹⁵. **Predict** how many of the 921,600 pixels get another gray level.
+# Is it important to use integers? The formula with 0.114, 0.587 and 0.299 is right too. But its weights are not exactly the integer weights divided by 2¹⁵. **Predict** how many of the 921,600 pixels get another gray level.
 
 # %% role="predict"
 guess_decimal = None  # your guess: how many pixels?
@@ -262,27 +282,23 @@ print("pixels in the frame:", other.size)
 compare_guess(guess_decimal, int(other.sum()))
 
 # %%
-# Check: the numbers in this section
-assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1 == 32769
-assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384 and 15 + 2**14 == 16399
-assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
-assert (truncated != rounded).mean() > 0.5 and (rounded - truncated).max() == 1
+# Check: one pixel differs
 assert other.sum() == 1 and other.size == 921_600
 colours = np.random.default_rng(0).integers(0, 256, (100, 100, 3), dtype=np.uint8)
 decimal = 0.114 * colours[..., 0] + 0.587 * colours[..., 1] + 0.299 * colours[..., 2]
 assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decimal) - to_gray(colours)).max() == 1
 
 # %% [markdown]
-# Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise asks for the integer weights.
+# Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise in section 10 asks for the integer weights.
 #
-# ## 5 · An image small enough to read (9 minutes)
+# ## 5 · An image small enough to read ([[minutes]], deeper)
 #
 # In the last line below, `f"..."` is an *f-string*: Python replaces each name in braces by its value.
 
 # %%
 tiny = frame[386:391, 449:454]
 show([tiny, to_gray(tiny)], ["blue, green, red", "luma"], columns=1,
-     encoding=["bgr8", "mono8"], text=figure_texts["tiny"])
+     encoding=["bgr8", "mono8"], text="grayscale/tiny")
 
 # %%
 b = int(tiny[2, 2, 0])  # the middle pixel; int() makes a Python integer of it
@@ -320,7 +336,7 @@ assert (by_slices == to_gray(tiny)).all() and (by_loops == by_slices).all()
 # %% [markdown]
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 6 · Does OpenCV agree? (4 minutes)
+# ## 6 · Does OpenCV agree? ([[minutes]])
 #
 # We compare three results: our rounded sum above, the course's `to_gray`, and OpenCV's `cvtColor`. **Check** every pixel of the frame.
 
@@ -333,10 +349,16 @@ print("our sum differs from OpenCV:", (rounded != opencv).sum(), "pixels")
 
 # %%
 show([frame, gray], ["frame", "gray (luma)"],
-     encoding=["bgr8", "mono8"], text=figure_texts["frame"])
+     encoding=["bgr8", "mono8"], text="grayscale/frame")
+
+# %%
+# Check: the results in this section
+assert (gray == opencv).all() and (rounded == opencv).all()
 
 # %% [markdown]
-# Now we take a photograph: a cup of coffee. The library scikit-image contains this photograph, which is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
+# ### A photograph ([[minutes]], deeper)
+#
+# The same with a photograph: a cup of coffee. The library scikit-image contains this photograph, which is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
 
 # %%
 from skimage import data
@@ -344,15 +366,14 @@ from skimage import data
 coffee = data.coffee()[..., ::-1]
 coffee_gray = to_gray(coffee)
 show([coffee, coffee_gray], ["photograph", "gray (luma)"],
-     encoding=["bgr8", "mono8"], text=figure_texts["coffee"])
+     encoding=["bgr8", "mono8"], text="grayscale/coffee")
 
 # %%
-# Check: the results in this section
-assert (gray == opencv).all() and (rounded == opencv).all()
+# Check: OpenCV agrees
 assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2GRAY)).all()
 
 # %% [markdown]
-# ## 7 · Swapped channels (4 minutes)
+# ## 7 · Swapped channels ([[minutes]], deeper)
 #
 # If an image is `rgb8` and you read it as `bgr8`, blue gets the weight of red. The result still looks like a correct gray image. **Predict** the mean error, in gray levels.
 
@@ -372,7 +393,7 @@ assert round(float(difference.mean()), 1) == 8.6 and difference.max() == 38
 # %% [markdown]
 # The mean error is 8.6 gray levels. This is hard to see in the image, but it can change the result of an edge detector. Only the message's `encoding` tells you the right order.
 #
-# ## 8 · What a gray image loses (3 minutes)
+# ## 8 · What a gray image loses ([[minutes]], deeper)
 #
 # Two different colours can have the same luma. In the gray image they look the same, and no method can find an edge between them.
 
@@ -382,14 +403,14 @@ pair[:, :4] = (40, 100, 60)   # a green
 pair[:, 4:] = (200, 10, 175)  # a violet
 print("luma:", to_gray(pair)[0, 0], "left,", to_gray(pair)[0, -1], "right")
 show([pair, to_gray(pair)], ["two colours", "one gray"], numbers=False,
-     encoding=["bgr8", "mono8"], text=figure_texts["pair"])
+     encoding=["bgr8", "mono8"], text="grayscale/pair")
 
 # %%
 # Check: the results in this section
 assert to_gray(pair)[0, 0] == to_gray(pair)[0, -1]
 
 # %% [markdown]
-# ## 9 · A pixel value is not an amount of light (6 minutes)
+# ## 9 · A pixel value is not an amount of light ([[minutes]], deeper)
 #
 # A camera does not store the amount of light. It stores a *[[term:gamma|gamma-encoded]]* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
 #
@@ -411,7 +432,7 @@ by_light = linear_light_gray(patches)
 print("luma             ", luma_patches[0, ::2], " (blue, green, red)")
 print("luminance encoded", by_light[0, ::2])
 show([patches, luma_patches, by_light], ["colour", "luma", "luminance"],
-     numbers=False, text=figure_texts["luminance"])
+     numbers=False, text="grayscale/luminance")
 
 # %%
 # Check: the numbers in this section
@@ -423,15 +444,15 @@ assert (by_light >= luma_patches).all() and linear_light_gray(white_wall) == to_
 # %% [markdown]
 # Robots still use luma: it needs only three multiplications per pixel, and OpenCV computes it. But if you want to measure light, first undo the gamma encoding, and then take the mean of the pixels.
 #
-# ## 10 · Your turn: luma with integers (16 minutes)
+# ## 10 · Your turn: luma with integers ([[minutes]])
 #
-# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Begin with two loops if you like, make them pass, and then try to write it with slices, as in section 5.
+# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as `sums` and `rounded` in section 4. Two loops over the pixels are right as well; section 5 shows both.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `bgr`: a frame, (height, width, 3) uint8, channels blue, green, red | its luma, (height, width) uint8 | `luma(frame)` equals `gray` |
 #
-# `np` is imported already. The dtype counts: the result must be uint8. The check refuses an answer that uses `cv2` or the course's own functions.
+# The dtype counts: the result must be uint8. The check refuses an answer that uses `cv2` or the course's own functions.
 
 # %% role="exercise"
 exercise(

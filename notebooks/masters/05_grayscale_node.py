@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: The grayscale node
-#     minutes: 95
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2),
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted.
 #
-# **Time** about 95 minutes, with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, run section 2, and do the exercises in sections 6 and 7: their checks work without ROS 2.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, and do the exercises: their checks work without ROS 2. If you have never written a class, read section 2 too.
 
 # %% role="given" exercise=["node-process"]
 import cv2
@@ -37,8 +36,7 @@ if ros_available():
     camera = open_camera("recording")
     print("the camera publishes", camera.topic)
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "gray": (
         "The drive in gray, live, with ten images per second.",
@@ -51,20 +49,22 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A callback is a function that ROS calls (10 minutes)
+# ## 1 · A callback is a function that ROS calls ([[minutes]])
 #
-# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *[[term:callback]]*. ROS calls this function for every message that arrives. This is the way of an image through a grayscale node:
+# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *[[term:callback]]*. ROS calls this function for every message that arrives. This is what happens to an image in a grayscale node:
 #
 # ```mermaid
 # %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
 # flowchart TB
-#     accTitle: The way of an image
+#     accTitle: What happens to an image
 #     accDescr: The camera publishes the topic image_raw. The gray node subscribes to it and publishes the topic gray. This page subscribes to gray and shows the images.
 #     camera(["camera"]) -->|publishes| raw["topic<br>.../image_raw"]
 #     raw -->|subscription calls on_image| node(["gray node"])
 #     node -->|publishes| gray["topic<br>.../gray"]
 #     gray -->|subscription| view(["live view<br>in this page"])
 # ```
+#
+# ### How often is it called? ([[minutes]], deeper)
 #
 # The next cell defines a callback. It has two arguments: the frame, and the message from which the frame was made. It stores the message's *stamp*: the time at which the image was taken.
 
@@ -117,7 +117,7 @@ assert len({(stamp.sec, stamp.nanosec) for stamp in stamps}) == len(stamps)
 #     end
 # ```
 #
-# ## 2 · A class in ten lines (10 minutes)
+# ## 2 · A class in ten lines ([[minutes]], deeper)
 #
 # In Python, a node is written as a *[[term:class]]*. If you have never written a class, this section is for you. It does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. If you want to know when it rings, you give it a callback.
 
@@ -193,16 +193,11 @@ assert (back_door.name, back_door.rings, len(back_door.callbacks)) == ("back doo
 # %% [markdown]
 # Remember this form: a class that inherits, an `__init__` that begins with `super().__init__(...)` and subscribes, and a method that is the callback. The node in the next section has exactly this form.
 #
-# ## 3 · The node, line by line (20 minutes)
+# ## 3 · The node, line by line ([[minutes]])
 #
 # A node that works with images does four things: it **subscribes** to a topic, **converts** each message to an array, **processes** the array, and **publishes** (or displays) the result.
 #
-# **The libraries that it needs**
-# - `rclpy` is the Python library of ROS 2: nodes, topics, parameters and the log.
-# - `sensor_msgs` is the ROS package with the message types of sensors, such as `Image`.
-# - `cv_bridge` is the ROS package that converts between messages and arrays. Here the course's `image_to_array` and `array_to_image` do this.
-# - OpenCV (`cv2`) is the most common library for image processing. Its images are NumPy arrays.
-# - NumPy (`np`) is the library of arrays.
+# It needs `rclpy` (nodes, topics and the log), `sensor_msgs` (the message types of sensors, such as `Image`), a converter between messages and arrays (`cv_bridge`, or here the course's `image_to_array` and `array_to_image`), OpenCV and NumPy.
 #
 # **The steps of the implementation**
 # 1. Choose the QoS policies.
@@ -210,7 +205,7 @@ assert (back_door.name, back_door.rings, len(back_door.callbacks)) == ("back doo
 # 3. Create a publisher for the results, and a subscription to the camera's topic with a callback.
 # 4. In the callback, convert the message to an array, and log an error if this fails.
 # 5. Process the array, convert the result to a message with the same header, and publish it.
-# 6. Create the node and spin it (section 4).
+# 6. Create the node and *[[term:spin]]* it: wait for messages and call the callbacks, again and again.
 #
 # Step 1: the *QoS policies* (quality of service) say how messages are delivered. The next cell states the three that matter for a camera:
 
@@ -238,27 +233,6 @@ for policy in ("reliability", "durability", "history", "depth"):
 # - **depth: 5.** At most five messages wait in a queue until the callback has time for them.
 #
 # `rclpy` has a ready profile with the same policies: `qos_profile_sensor_data`.
-#
-# What happens when the callback is slow and the queue is full? Python has such a queue too: `deque(maxlen=5)`. The next cell puts the images 1 to 7 into it. **Predict** which image is the first one in the queue at the end.
-
-# %% role="predict"
-guess_oldest = None  # your guess: the number of the first image in the queue?
-
-# %%
-from collections import deque
-
-queue = deque(maxlen=5)
-for number in range(1, 8):  # 1, 2, ..., 7
-    queue.append(number)
-print(queue)
-compare_guess(guess_oldest, queue[0])
-
-# %%
-# Check: the two oldest images are gone
-assert list(queue) == [3, 4, 5, 6, 7]
-
-# %% [markdown]
-# The oldest images are dropped. For a robot this is right: the newest image is the most useful one.
 #
 # Steps 2 to 5: here is the whole node, as it would run on a robot. The numbers at the ends of the lines refer to the list below.
 
@@ -324,12 +298,6 @@ assert (array == frame).all() and msg.encoding == "bgr8"
 #
 # In many files you see `except Exception` around the whole callback. Do not copy it: it also catches your own mistakes. If you misspell a name in the callback, such a node logs an error for every image, and you look for the fault in the camera. Put only the conversion inside `try`, and catch only what a bad message causes: `ConversionError`, or `CvBridgeError` if you convert with `CvBridge`. Every other error ends the node, and shows you the line.
 #
-# Most tutorials also show the image in a window. `cv2.imshow("gray", gray)` draws it, `cv2.waitKey(1)` gives the window one millisecond to react to mouse and keyboard, and `cv2.destroyAllWindows()` closes all windows at the end. A notebook runs in a browser, maybe on another computer than the node, and cannot open such windows. So here you use `live_view`.
-#
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
-#
-# ## 4 · Planned failure: rclpy.spin in a notebook (8 minutes)
-#
 # Step 6: most ROS tutorials end with a function `main`:
 #
 # ```python
@@ -341,7 +309,41 @@ assert (array == frame).all() and msg.encoding == "bgr8"
 #     rclpy.shutdown()
 # ```
 #
-# `args` are the arguments of the command line, such as remappings; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
+# `args` are the arguments of the command line, such as [[term:remapping|remappings]]; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
+
+# %% [markdown]
+# ### A full queue ([[minutes]], deeper)
+#
+# What happens when the callback is slow and the queue is full? Python has such a queue too: `deque(maxlen=5)`. The next cell puts the images 1 to 7 into it. **Predict** which image is the first one in the queue at the end.
+
+# %% role="predict"
+guess_oldest = None  # your guess: the number of the first image in the queue?
+
+# %%
+from collections import deque
+
+queue = deque(maxlen=5)
+for number in range(1, 8):  # 1, 2, ..., 7
+    queue.append(number)
+print(queue)
+compare_guess(guess_oldest, queue[0])
+
+# %%
+# Check: the two oldest images are gone
+assert list(queue) == [3, 4, 5, 6, 7]
+
+# %% [markdown]
+# The oldest images are dropped. For a robot this is right: the newest image is the most useful one.
+#
+# ### Windows ([[minutes]], deeper)
+#
+# Most tutorials also show the image in a window. `cv2.imshow("gray", gray)` draws it, `cv2.waitKey(1)` gives the window one millisecond to react to mouse and keyboard, and `cv2.destroyAllWindows()` closes all windows at the end. A notebook runs in a browser, maybe on another computer than the node, and cannot open such windows. So here you use `live_view`.
+#
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+#
+# ## 4 · Planned failure: rclpy.spin in a notebook ([[minutes]], deeper)
+#
+# In a notebook, `rclpy.spin` is not right. We make the node first:
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -399,17 +401,17 @@ assert not ros_available() or (gray.shape == (720, 1280) and gray.dtype == np.ui
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
-    view = live_view(gray_frames, encoding="mono8", text=figure_texts["gray"])
+    view = live_view(gray_frames, encoding="mono8", text="grayscale_node/gray")
 else:
     drive = open_recording("drive")
-    view = live_view(drive, to_gray, text=figure_texts["gray"])
+    view = live_view(drive, to_gray, text="grayscale_node/gray")
 
 # %%
 # Check: the live view runs
 assert view.running
 
 # %% [markdown]
-# ## 5 · The same node for every function (10 minutes)
+# ## 5 · The same node for every function ([[minutes]], deeper)
 #
 # An edge-detection node needs the same lines; only the names and line 7 are different. So the course has one class for all such nodes: `ImageProcessor`. You give it the node's name, a function, and the names of the function's results. The function gets a frame and returns a dictionary. The node publishes each value of the dictionary on the topic that its key names: `"gray"` goes to `~/gray`.
 
@@ -460,7 +462,7 @@ if ros_available():
 assert not ros_available() or (statistics["processed"] >= 6 and statistics["failed"] >= 5)
 
 # %% [markdown]
-# ## 6 · Your turn: the node's function (10 minutes)
+# ## 6 · Your turn: the node's function ([[minutes]], deeper)
 #
 # Write `process(frame)`, the function of a grayscale node. You may use `cv2` and `np`, which are imported already. If you use something else (for example `to_gray`), import it in this cell. Do not change the frame, because other code may use it too. The key, the shape and the dtype must be exactly as in the table.
 #
@@ -521,7 +523,7 @@ def inputs(rng):
     return (frame,)
 
 # %% [markdown]
-# ## 7 · Your turn: the whole node (25 minutes)
+# ## 7 · Your turn: the whole node ([[minutes]])
 #
 # Write the class `ImageGrayProcessor`, as you would write it for a robot. The check makes a node of your class, sends it images, and looks at what it publishes and logs. Do one step after the other, and run the check after each: step 1 is its first line, step 2 its second line, step 3 its third line.
 #
@@ -662,22 +664,26 @@ def inputs(rng):
 
 
 # %% [markdown]
-# **Run it.** The next cell makes a node of your class, and the session spins it. The images below are those that your node publishes. Then change your class, and run its cell and the next cell again; the new node replaces the old one. Ideas for the callback:
+# **Run it.** The next cell makes a node of your class, and spins it in the background. The images below are those that your node publishes.
+
+# %% tags=["nbval-ignore-output"]
+if ros_available() and check("node-class", ImageGrayProcessor).points > 0:
+    my_node = RosSession.current().add_node(ImageGrayProcessor)
+    my_images = ImageSubscriber("/image_gray_processor/gray", encoding="mono8")
+    my_view = live_view(my_images, encoding="mono8", text="grayscale_node/mine")
+else:
+    print("this needs your class and a running ROS 2")
+
+# %% [markdown]
+# ### Change your node ([[minutes]], deeper)
+#
+# Change your class, and run its cell and the cell above again; the new node replaces the old one. Ideas for the callback:
 #
 # - turn the image upside down: `gray[::-1]`,
 # - invert it: `255 - gray`,
 # - make the first twenty rows white: `gray[:20] = 255`,
 # - publish the red channel alone: `gray = frame[..., 2]`. Red objects become bright.
-
-# %% tags=["nbval-ignore-output"]
-if ros_available() and check("node-class", ImageGrayProcessor).points > 0:
-    my_node = session.add_node(ImageGrayProcessor)
-    my_images = ImageSubscriber("/image_gray_processor/gray", encoding="mono8")
-    my_view = live_view(my_images, encoding="mono8", text=figure_texts["mine"])
-else:
-    print("this needs your class and a running ROS 2")
-
-# %% [markdown]
+#
 # ## Recap
 #
 # A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures. In a notebook, spin the node in a background thread.
@@ -693,4 +699,4 @@ else:
 # %%
 # Check: the numbers in the table
 assert frame.shape == (720, 1280, 3) and len(msg.data) == frame.size == 2_764_800
-assert make_gray(frame)["gray"].shape == (720, 1280)
+assert to_gray(frame).shape == (720, 1280)

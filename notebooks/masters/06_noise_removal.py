@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Noise removal
-#     minutes: 100
 # ---
 
 # %% [markdown]
@@ -12,12 +11,12 @@
 #
 # **You will be able to**
 # - distinguish Gaussian noise from impulse noise by the errors of the pixels,
-# - explain kernel, correlation, convolution and border handling,
+# - explain kernel, correlation and border handling,
 # - explain why a mean blurs edges and why a median does not,
 # - compute a 3 × 3 median by hand,
 # - measure with PSNR which filter removes more noise, and choose a filter with this number.
 #
-# **Time** about 100 minutes; take a break after section 4, and one after section 7. **You need** [[arrays]] and [[grayscale]].
+# **Time** [[minutes]]; take a break after section 4, and one after section 7. **You need** [[arrays]] and [[grayscale]].
 
 # %% role="given" exercise=["noise-median", "noise-psnr", "noise-choose"]
 import numpy as np
@@ -31,8 +30,7 @@ from imgproc_course.imaging import gaussian_blur, median_blur
 from imgproc_course.imaging import psnr, ssim, to_gray
 from imgproc_course.recording import open_recording
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "wall": (
         "The wall has one colour, but the numbers differ: this is the noise of the sensor.",
@@ -78,7 +76,7 @@ gray = to_gray(recording.frame(30))
 print(gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
 # %% [markdown]
-# ## 1 · Noise is in every image (5 minutes)
+# ## 1 · Noise is in every image ([[minutes]])
 #
 # **Ask.** A wall has one colour. Does the camera see one gray level? We look at 8 × 8 pixels of the wall.
 #
@@ -89,7 +87,7 @@ guess_range = None  # your guess: how many gray levels?
 
 # %%
 wall = gray[120:128, 880:888]
-show(wall, "a piece of the wall", text=figure_texts["wall"])
+show(wall, "a piece of the wall", text="noise_removal/wall")
 compare_guess(guess_range, int(wall.max()) - int(wall.min()), "gray levels")
 
 # %% [markdown]
@@ -108,7 +106,7 @@ assert four.mean() == 100 and four.std() == np.sqrt((differences**2).mean())
 assert 0 < wall.std() < 5 and 0 < int(wall.max()) - int(wall.min()) < 20
 
 # %% [markdown]
-# ## 2 · A row with an intensity step (12 minutes)
+# ## 2 · A row with an intensity step ([[minutes]])
 #
 # An image consists of many rows, and one row is easier to read. Here is a row with a dark part, a bright part and an *intensity step* between them: the place where the gray level (the intensity) jumps. We add an error of a few gray levels to each value.
 
@@ -120,13 +118,13 @@ print("clean", clean_row)
 print("noisy", noisy_row)
 
 # %% [markdown]
-# **Try.** Replace each value by the mean of itself and its two neighbours. As in [[arrays#10]], we do not write a loop. We take the row three times, each time shifted by one column, so that the neighbours stand in the same column. The first and the last value are repeated once (`mode="edge"`), because they have only one neighbour.
+# **Try.** Replace each value by the mean of itself and its two neighbours. As in [[arrays#10]], we do not write a loop. We take the row three times, each time shifted by one column, so that neighbours are in the same column. The first and the last value are repeated once (`mode="edge"`), because they have only one neighbour.
 
 # %%
 padded = np.pad(noisy_row, 1, mode="edge")
 shifted = np.stack([padded[:-2], padded[1:-1], padded[2:]])
 show(shifted.astype(np.uint8), "left neighbour, pixel, right neighbour",
-     text=figure_texts["shifted"])
+     text="noise_removal/shifted")
 
 # %%
 def mean_of_three(row):
@@ -150,6 +148,15 @@ compare_guess(guess_mean, averaged[5])
 # The flat parts are smoother: the noise got smaller. But we lost the sharp edge. Between 50 and 200 there are now 101 and 146. No pixel of the clean row has such a value.
 #
 # This mean is a **correlation** with a **kernel**: the list of weights 1/3, 1/3, 1/3. (This *filter kernel* is unrelated to the notebook's kernel, which runs your cells.) The kernel moves along the row. At each pixel, every weight is multiplied by the value under it, and the products are added. The sum is the **filter response** at this pixel.
+
+# %%
+# Check: the numbers in this section
+assert noisy_row[4:7].tolist() == [57, 45, 202]
+assert np.abs(averaged[:5] - 50).max() < np.abs(errors[:5]).max()
+assert averaged[5] == 101 and averaged[6] == 146
+
+# %% [markdown]
+# ### Convolution: the flipped kernel ([[minutes]], deeper)
 #
 # A **convolution** does the same, but flips the kernel first (left becomes right). With a symmetric kernel both give the same response; with any other kernel they differ. A row of zeros with a single 1, an *impulse*, shows the difference.
 
@@ -163,18 +170,15 @@ print("correlation", np.correlate(impulse, kernel, mode="same"))
 # The convolution returns the kernel as it is, and the correlation returns the flipped kernel. (`mode="same"` gives as many values as the row has.) OpenCV's filters compute the correlation. Most textbooks use the convolution. For the symmetric kernels of this lesson the results are equal; for the kernel of [[canny_stages]] they have opposite signs.
 
 # %%
-# Check: the numbers in this section
+# Check: the convolution and the correlation of an impulse
 convolved = np.convolve(impulse, kernel, mode="same")
 correlated = np.correlate(impulse, kernel, mode="same")
-assert noisy_row[4:7].tolist() == [57, 45, 202]
-assert np.abs(averaged[:5] - 50).max() < np.abs(errors[:5]).max()
-assert averaged[5] == 101 and averaged[6] == 146
 assert convolved.tolist() == [0, 0, 1, 2, 3, 0, 0]
 assert correlated.tolist() == [0, 0, 3, 2, 1, 0, 0]
 assert (np.correlate(impulse, kernel[::-1], mode="same") == convolved).all()
 
 # %% [markdown]
-# ## 3 · Planned failure: a mean filter against impulse noise (6 minutes)
+# ## 3 · Planned failure: a mean filter against impulse noise ([[minutes]])
 #
 # Some sensor errors are not small: a broken pixel is black or white. This is **[[term:impulse noise]]**, also called *salt-and-pepper* noise. Here is a row of 50 with a single white pixel.
 #
@@ -215,7 +219,7 @@ assert (median_of_three(salted_row) == 50).all()
 assert (median_of_three(clean_row) == clean_row).all()
 
 # %% [markdown]
-# ## 4 · From a row to an image (14 minutes)
+# ## 4 · From a row to an image ([[minutes]])
 #
 # In an image a pixel has neighbours on all sides. Together with them it is a neighbourhood of 3 × 3 = 9 values. If you sort the nine, the median is the fifth. Here is a dark and a bright area with two wrong pixels, and the neighbourhood of the 255.
 
@@ -242,14 +246,14 @@ compare_guess(guess_median, nine[4])
 # %% [markdown]
 # The fifth value has the index 4, because Python counts from 0.
 #
-# A pixel at the border has fewer neighbours: there are no pixels outside the image. At a side three of the eight neighbours are missing, in a corner five. So we pad the image by one pixel first; then every pixel has nine values. In the padded image everything stands one row and one column later. So the window of the pixel (row, col) begins at (row, col): for the top left pixel it is `padded[0:3, 0:3]`.
+# A pixel at the border has fewer neighbours: there are no pixels outside the image. At a side three of the eight neighbours are missing, in a corner five. So we pad the image by one pixel first; then every pixel has nine values. In the padded image every pixel is one row and one column later. So the window of the pixel (row, col) begins at (row, col): for the top left pixel it is `padded[0:3, 0:3]`.
 
 # %%
 padded = np.pad(tiny, 1, mode="edge")
 row, col = 0, 0
 window = padded[row : row + 3, col : col + 3]
 show([tiny, padded, window], ["image", "padded", "window of (0, 0)"],
-     columns=2, text=figure_texts["nine"])
+     columns=2, text="noise_removal/nine")
 print("sorted:", np.sort(window, axis=None), "  median:", np.median(window))
 
 # %% [markdown]
@@ -272,7 +276,7 @@ print("zero padding", np.pad(border_row, 2, mode="constant"))
 cleaned = median_blur(tiny, 3)
 show([tiny, box_blur(tiny, 3), cleaned],
      ["with salt and pepper", "3 × 3 mean", "3 × 3 median"],
-     columns=2, text=figure_texts["tiny"])
+     columns=2, text="noise_removal/tiny")
 
 # %% [markdown]
 # The 3 × 3 mean is the **box filter** (or mean filter): all nine weights are 1/9. The **Gaussian filter** is a mean, too, but near neighbours have more weight than far ones. Therefore it blurs more evenly than the box filter. Its 3 × 3 kernel, multiplied by 16, is
@@ -281,6 +285,8 @@ show([tiny, box_blur(tiny, 3), cleaned],
 # |---|---|---|
 # | **2** | **4** | **2** |
 # | **1** | **2** | **1** |
+#
+# `gaussian_blur(bump, 0, size=3)` uses this kernel. (The second argument is the standard deviation of the kernel; with 0, OpenCV computes it from the size.)
 #
 # **Predict** the response in the middle, at a single pixel of 160 in a black image.
 
@@ -292,11 +298,11 @@ bump = np.zeros((5, 5), np.uint8)
 bump[2, 2] = 160
 response = gaussian_blur(bump, 0, size=3)
 show([bump, response], ["one pixel of 160", "3 × 3 Gaussian filter"],
-     text=figure_texts["bump"])
+     text="noise_removal/bump")
 compare_guess(guess_response, response[2, 2])
 
 # %% [markdown]
-# The weight in the middle is 4/16, and 160 · 4/16 is 40. Each number of this kernel is a product of 1, 2, 1 down the column and 1, 2, 1 along the row. So the Gaussian filter is **separable**: you can filter first along the rows and then down the columns, and get the same result as with the whole kernel. This needs 3 + 3 products per pixel instead of 9. The median filter has no kernel: it sorts, and a weighted sum cannot sort.
+# The weight in the middle is 4/16, and 160 · 4/16 is 40. The median filter has no kernel: it sorts, and a weighted sum cannot sort.
 
 # %%
 # Check: the numbers in this section
@@ -311,13 +317,21 @@ mirrored = np.pad(border_row, 2, mode="reflect")
 assert mirrored.tolist() == [30, 20, 10, 20, 30, 20, 10]
 zero_padded = np.pad(border_row, 2, mode="constant")
 assert zero_padded.tolist() == [0, 0, 10, 20, 30, 0, 0]
-assert (response[1:4, 1:4] == 10 * np.outer([1, 2, 1], [1, 2, 1])).all()
 assert response.sum() == 160 and response[2, 2] == 160 * 4 / 16 == 40
+
+# %% [markdown]
+# ### A separable filter ([[minutes]], deeper)
+#
+# Each number of the Gaussian kernel is a product of 1, 2, 1 down the column and 1, 2, 1 along the row. So the Gaussian filter is **separable**: you can filter first along the rows and then down the columns, and get the same result as with the whole kernel. This needs 3 + 3 products per pixel instead of 9.
+
+# %%
+# Check: the products
+assert (response[1:4, 1:4] == 10 * np.outer([1, 2, 1], [1, 2, 1])).all()
 
 # %% [markdown]
 # *This is a good place for a break.*
 #
-# ## 5 · Two kinds of noise (3 minutes)
+# ## 5 · Two kinds of noise ([[minutes]])
 #
 # Now we add random noise to a camera frame. The [[term:seed]] of the random numbers is fixed, so everybody gets the same noise. Impulse noise makes 5 % of the pixels black or white. **Gaussian noise** adds a random error to every pixel. The errors have a *normal distribution*: small errors are common, large ones are rare. Here their standard deviation is 20 gray levels. (In an f-string, `:.1%` writes a share in percent, `:.1f` writes one digit after the point, and `:10` fills up to ten characters.)
 
@@ -327,7 +341,7 @@ grainy = add_gaussian_noise(gray, 20, seed=1)
 print(f"changed pixels, impulse noise:  {(salted != gray).mean():.1%}")
 print(f"changed pixels, Gaussian noise: {(grainy != gray).mean():.1%}")
 show([salted, grainy], ["impulse noise", "Gaussian noise"], columns=1,
-     rows=(310, 440), cols=(430, 740), text=figure_texts["two kinds"])
+     rows=(310, 440), cols=(430, 740), text="noise_removal/two kinds")
 
 # %%
 # Check: the numbers in this section
@@ -335,7 +349,7 @@ assert 0.04 < (salted != gray).mean() < 0.06
 assert (grainy != gray).mean() > 0.95
 
 # %% [markdown]
-# ## 6 · How much noise is left? (9 minutes)
+# ## 6 · How much noise is left? ([[minutes]])
 #
 # "It looks better" is not a measurement. The *mean squared error* (MSE) is one: take the difference between each pixel and the same pixel of the clean image, square it, and average over all pixels. By hand on four pixels:
 
@@ -370,7 +384,16 @@ after = 10 * np.log10(255**2 / (mse / 10))
 print("before:", round(before, 1), "dB   after:", round(after, 1), "dB")
 compare_guess(guess_rise, round(after - before, 1), "dB")
 
+# %%
+# Check: the numbers in this section
+assert mse == 50 and round(10 * np.log10(255**2 / mse), 1) == 31.1
+assert psnr(four_clean, four_noisy) == before and round(after - before, 9) == 10
+assert np.log10([10, 100, 1000]).round(9).tolist() == [1, 2, 3]
+assert round(10 * np.log10(1000), 9) == 30
+
 # %% [markdown]
+# ### SSIM: the structure counts ([[minutes]], deeper)
+#
 # The MSE does not know what the errors look like. The **SSIM** (structural similarity) does. In each small window it compares three properties of the two images: the mean, the contrast (the standard deviation), and whether the gray levels rise and fall at the same places. For equal images it is 1. The next cell makes all pixels brighter by 20, and compares this with Gaussian noise of the same size:
 
 # %%
@@ -383,16 +406,12 @@ for name, image in {"brighter": brighter, "grainy": grainy}.items():
 # The PSNR is nearly the same for both. The SSIM is much higher for the brighter image, because its structure did not change.
 
 # %%
-# Check: the numbers in this section
-assert mse == 50 and round(10 * np.log10(255**2 / mse), 1) == 31.1
-assert psnr(four_clean, four_noisy) == before and round(after - before, 9) == 10
-assert np.log10([10, 100, 1000]).round(9).tolist() == [1, 2, 3]
-assert round(10 * np.log10(1000), 9) == 30
+# Check: PSNR and SSIM of both images
 assert abs(psnr(gray, brighter) - psnr(gray, grainy)) < 1
 assert ssim(gray, brighter) > 0.9 and ssim(gray, grainy) < 0.3
 
 # %% [markdown]
-# ## 7 · Four filters (10 minutes)
+# ## 7 · Four filters ([[minutes]])
 #
 # We compare the box, the Gaussian and the median filter, and a fourth one, the **bilateral filter**. It is a weighted mean like the Gaussian filter, but a neighbour has a large weight only if it is near *and* has a similar gray level. So the bright side of a step has almost no weight on the dark side, and the step stays sharp.
 #
@@ -415,7 +434,7 @@ compare_guess(guess_weighted, round(weighted_mean))
 # %% [markdown]
 # The 202 has a weight of 0.01, so it hardly counts, and the dark pixel stays dark.
 #
-# The four filters stand in a dictionary: name → function. `lambda image: box_blur(image, 3)` is a short way to write a function that takes `image` and returns `box_blur(image, 3)`.
+# The four filters are in a dictionary: name → function. `lambda image: box_blur(image, 3)` is a short way to write a function that takes `image` and returns `box_blur(image, 3)`.
 
 # %%
 filters = {
@@ -430,7 +449,7 @@ names = list(filters)
 print(names)
 
 # %% [markdown]
-# **Predict** which of the four is best against impulse noise.
+# **Predict** which of the four removes the *least* impulse noise.
 
 # %% role="predict"
 guess_impulse = None  # your guess: "box", "Gaussian", "median", "bilateral"?
@@ -440,14 +459,14 @@ scores = []
 for name in names:
     filtered = filters[name](salted)
     scores.append(psnr(gray, filtered))
-    print(f"{name:10} {scores[-1]:.1f} dB   SSIM {ssim(gray, filtered):.2f}")
+    print(f"{name:10} {scores[-1]:.1f} dB")
 print(f"no filter  {psnr(gray, salted):.1f} dB")
-compare_guess(guess_impulse, names[np.argmax(scores)])
+compare_guess(guess_impulse, names[np.argmin(scores)])
 
 # %%
 results = [filters[name](salted) for name in names]
 show(results, names, rows=(310, 410), cols=(600, 760), columns=2,
-     text=figure_texts["impulse"])
+     text="noise_removal/impulse")
 
 # %% [markdown]
 # **Predict** which of the four is best against Gaussian noise.
@@ -460,18 +479,26 @@ gaussian_scores = []
 for name in names:
     filtered = filters[name](grainy)
     gaussian_scores.append(psnr(gray, filtered))
-    print(f"{name:10} {gaussian_scores[-1]:.1f} dB"
-          f"   SSIM {ssim(gray, filtered):.2f}")
+    print(f"{name:10} {gaussian_scores[-1]:.1f} dB")
 print(f"no filter  {psnr(gray, grainy):.1f} dB")
 compare_guess(guess_gaussian, names[np.argmax(gaussian_scores)])
 
 # %%
 results = [filters[name](grainy) for name in names]
 show(results, names, rows=(310, 410), cols=(600, 760), columns=2,
-     text=figure_texts["gaussian"])
+     text="noise_removal/gaussian")
 
 # %% [markdown]
-# There is no best filter for every noise. Against impulse noise the median is better than the others by more than ten decibels. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
+# There is no best filter for every noise. Against impulse noise the median is better than the others by more than ten decibels. The bilateral filter removes the least: a white pixel is different from all its neighbours, so it keeps its value like the side of a step. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
+
+# %%
+# Check: the numbers in this section
+assert round(weights[2], 2) == 0.01 and round(weighted_mean) < 60
+assert sorted(scores)[-1] == scores[2] > sorted(scores)[-2] + 10 and min(scores) == scores[3]
+assert max(gaussian_scores) == gaussian_scores[1]
+
+# %% [markdown]
+# ### A photograph ([[minutes]], deeper)
 #
 # The same on a photograph of an astronaut. NASA took it, it is in the public domain, and scikit-image contains it.
 
@@ -482,21 +509,18 @@ portrait = to_gray(data.astronaut()[..., ::-1])  # from RGB to BGR first
 salted_portrait = add_salt_and_pepper(portrait, 0.05, seed=2)
 show([portrait, salted_portrait, median_blur(salted_portrait, 3)],
      ["original", "salt and pepper", "3 × 3 median"], columns=2,
-     rows=(60, 160), cols=(160, 290), text=figure_texts["portrait"])
+     rows=(60, 160), cols=(160, 290), text="noise_removal/portrait")
 
 # %%
-# Check: the numbers in this section
+# Check: the median helps here too
 cleaned_portrait = median_blur(salted_portrait, 3)
-assert round(weights[2], 2) == 0.01 and round(weighted_mean) < 60
-assert sorted(scores)[-1] == scores[2] > sorted(scores)[-2] + 10
-assert max(gaussian_scores) == gaussian_scores[1]
 assert psnr(portrait, cleaned_portrait) > psnr(portrait, salted_portrait) + 10
 
 # %% [markdown]
 # *This is a good place for a break. Three exercises follow.*
 
 # %% [markdown]
-# ## 8 · Your turn: the median by hand (24 minutes)
+# ## 8 · Your turn: the median by hand ([[minutes]])
 #
 # Write `median3(gray)`: each pixel becomes the median of its 3 × 3 neighbourhood. At the border use *replicate*: repeat the outermost rows and columns. Compute it yourself, with NumPy only, and do not change `gray`.
 #
@@ -571,7 +595,7 @@ def inputs(rng):
     return (rng.integers(0, 256, size=(1, 12), dtype=np.uint8),)
 
 # %% [markdown]
-# ## 9 · Your turn: PSNR (12 minutes)
+# ## 9 · Your turn: PSNR ([[minutes]], deeper)
 #
 # Write `my_psnr(clean, other)` with the formula of section 6. Remember what [[term:uint8]] does to a negative difference. For equal images the result is infinity, `float("inf")`. Compute it yourself, with NumPy only.
 #
@@ -657,7 +681,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 10 · Practice: choose a filter (5 minutes)
+# ## 10 · Practice: choose a filter ([[minutes]], deeper)
 #
 # Write `best_filter(clean, noisy, filters)`. It applies every filter to `noisy`, and returns the name of the filter whose result has the highest PSNR compared with `clean`. This exercise gives no points. But for every new camera you will have to choose a filter in this way.
 #

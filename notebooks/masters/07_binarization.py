@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Binarization
-#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -15,7 +14,7 @@
 # - compute Otsu's threshold by hand, with the same result as OpenCV,
 # - explain when one threshold for the whole image fails, and what works instead.
 #
-# **Time** about 60 minutes; take a break after section 4. **You need** [[arrays]], [[grayscale]] and [[noise_removal]].
+# **Time** [[minutes]]; take a break after section 4. **You need** [[arrays]], [[grayscale]] and [[noise_removal]].
 
 # %% role="given" exercise=["binarization-otsu"]
 import numpy as np
@@ -30,8 +29,7 @@ from imgproc_course.imaging import adaptive_threshold, otsu_threshold
 from imgproc_course.imaging import threshold, to_gray
 from imgproc_course.recording import open_recording
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "tiny": (
         "Above means strictly above: 100 is not above 100, so this pixel becomes black.",
@@ -77,7 +75,7 @@ gray = to_gray(recording.frame(30))
 print(gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
 # %% [markdown]
-# ## 1 · A global threshold (5 minutes)
+# ## 1 · A global threshold ([[minutes]])
 #
 # **Ask.** In the image below, every value above 100 becomes 255 (white), and all others become 0 (black). This is a **global threshold**: one number for the whole image.
 #
@@ -93,7 +91,7 @@ tiny = np.array([[20, 30, 40, 180, 190],
                  [35, 45, 160, 195, 205],
                  [40, 50, 170, 200, 210]], dtype=np.uint8)
 binary = np.where(tiny > 100, 255, 0).astype(np.uint8)
-show([tiny, binary], ["gray", "above 100"], text=figure_texts["tiny"])
+show([tiny, binary], ["gray", "above 100"], text="binarization/tiny")
 compare_guess(guess_middle, binary[2, 2])
 
 # %% [markdown]
@@ -106,13 +104,13 @@ assert (threshold(tiny, 100) == binary).all()
 assert (cv2.threshold(tiny, 100, 255, cv2.THRESH_BINARY)[1] == binary).all()
 
 # %% [markdown]
-# ## 2 · The histogram (9 minutes)
+# ## 2 · The histogram ([[minutes]])
 #
 # The marker in front of the back wall is black print on white paper. The print is the foreground, the paper is the background.
 
 # %%
 marker = gray[319:395, 656:724]
-show(marker, "the marker", text=figure_texts["marker"])
+show(marker, "the marker", text="binarization/marker")
 
 # %% [markdown]
 # A **histogram** counts how many pixels have each gray level. `np.bincount` counts how often each whole number occurs in a list of numbers: first how many 0, then how many 1, and so on. `ravel` makes such a list of an image: all rows, one after another.
@@ -137,7 +135,7 @@ bright_share = counts[129:].sum() / marker.size
 compare_guess(guess_share, round(bright_share * 100), "%")
 
 # %% [markdown]
-# (`minlength=256` gives one count for every gray level up to 255, even if the brightest ones do not occur.) The histogram as a figure:
+# (`minlength=256` gives one count for every gray level up to 255, even if the brightest ones do not occur.) The library *Matplotlib* draws the histogram: a `Figure` is the sheet, `add_subplot` adds a diagram with two axes, `bar` draws a bar for each count, and `set` writes the labels.
 
 # %%
 figure = Figure(figsize=(8, 2.6), dpi=100, layout="constrained")
@@ -145,7 +143,7 @@ axes = figure.add_subplot()
 axes.bar(range(256), counts, width=1, color="0.35")
 axes.axvline(128, color="tab:blue")  # a vertical line
 axes.set(xlabel="gray level", ylabel="pixels", xlim=(0, 255))
-show_figure(figure, text=figure_texts["histogram"])
+show_figure(figure, text="binarization/histogram")
 
 # %%
 # Check: the numbers in this section
@@ -156,7 +154,7 @@ depth = recording.depth(30)[160:198, 328:362]  # millimetres, at half the size
 assert round(np.median(depth) / 1000, 1) == 3.6
 
 # %% [markdown]
-# ## 3 · Otsu's method (14 minutes)
+# ## 3 · Otsu's method ([[minutes]])
 #
 # A histogram with two peaks is called *bimodal*. A person sees the valley between the peaks, but a program needs a rule. **Otsu's method** (1979) tries every threshold. Each threshold splits the pixels into two classes. The method keeps the threshold with the largest **between-class variance**, which measures how much the two classes differ:
 #
@@ -189,7 +187,7 @@ for t in thresholds:
     w0, w1 = below.size / 8, above.size / 8
     variances.append(w0 * w1 * (below.mean() - above.mean()) ** 2)
     print(f"t = {t:3}  shares {w0} and {w1}  variance {variances[-1]:.2f}")
-best_position = np.argmax(variances)  # where the largest variance stands
+best_position = np.argmax(variances)  # where the largest variance is
 compare_guess(guess_t, thresholds[best_position])
 
 # %% [markdown]
@@ -222,6 +220,9 @@ opencv_best, _ = cv2.threshold(marker, 0, 255, cv2.THRESH_OTSU)
 print("OpenCV's threshold:", int(opencv_best))
 compare_guess(guess_otsu, best)
 
+# %% [markdown]
+# Two diagrams, one below the other, show why: the histogram, and the between-class variance of each threshold. (`subplots(2, sharex=True)` makes two diagrams with the same x-axis, and `plot` draws a line.)
+
 # %%
 figure = Figure(figsize=(8, 3.6), dpi=100, layout="constrained")
 upper, lower = figure.subplots(2, sharex=True)
@@ -232,11 +233,11 @@ lower.axvline(best, color="tab:red")
 upper.set(ylabel="pixels", title=f"Otsu's threshold is {best}")
 lower.set(xlabel="threshold t (gray level)", xlim=(0, 255),
           ylabel="between-class\nvariance (level²)")
-show_figure(figure, text=figure_texts["otsu"])
+show_figure(figure, text="binarization/otsu")
 
 # %%
 show([marker, threshold(marker, best)], ["gray", f"above {best}"],
-     columns=1, text=figure_texts["binary marker"])
+     columns=1, text="binarization/binary marker")
 
 # %%
 # Check: the numbers in this section
@@ -247,7 +248,7 @@ assert 4 / 8 * 4 / 8 * (eight[:4].mean() - eight[4:].mean()) ** 2 == 7656.25
 assert best == otsu_threshold(marker) == int(opencv_best)
 
 # %% [markdown]
-# ## 4 · Two more examples (4 minutes)
+# ## 4 · Two more examples ([[minutes]], deeper)
 #
 # Otsu's method on the sign on the wall (we only print its threshold), and on a photograph of a man with a camera, one of scikit-image's example images (CC0, free to use).
 
@@ -259,7 +260,7 @@ photograph = data.camera()
 t = otsu_threshold(photograph)
 print("sign:", otsu_threshold(sign), "  photograph:", t)
 show([photograph, threshold(photograph, t)], ["photograph", "Otsu"],
-     text=figure_texts["photograph"])
+     text="binarization/photograph")
 
 # %%
 # Check: Otsu's threshold of both images is OpenCV's
@@ -270,13 +271,13 @@ for image in (sign, photograph):
 # %% [markdown]
 # *This is a good place for a break.*
 #
-# ## 5 · Planned failure: the sun on the floor (12 minutes)
+# ## 5 · Planned failure: the sun on the floor ([[minutes]])
 #
 # A part of a rug with dark stripes lies in the sun. The dark stripes are our foreground.
 
 # %%
 rug = gray[415:515, 60:560]
-show(rug, "rug, partly in the sun", text=figure_texts["rug"])
+show(rug, "rug, partly in the sun", text="binarization/rug")
 
 # %% [markdown]
 # **Predict** how many percent of the sunny pixels become white with Otsu's global threshold. (If the stripes were separated correctly, it would be about 60 %.)
@@ -287,17 +288,17 @@ guess_white = None  # your guess: how many percent?
 # %%
 t = otsu_threshold(rug)
 global_result = threshold(rug, t)
-show(global_result, f"above {t}", text=figure_texts["global"])
+show(global_result, f"above {t}", text="binarization/global")
 sunny_result = global_result[50:90, 150:250]
 compare_guess(guess_white, round((sunny_result == 255).mean() * 100), "%")
 
 # %% [markdown]
 # Why does it fail? Compare the dark stripes in the sun with the bright stripes in the shade.
 #
-# **Predict**: are the dark stripes in the sun brighter than the bright stripes in the shade?
+# **Predict** the difference: the dark stripes in the sun minus the bright stripes in the shade, in gray levels. (A negative number means that the dark stripes in the sun are darker.)
 
 # %% role="predict"
-guess_brighter = None  # your guess: "yes" or "no"?
+guess_difference = None  # your guess: how many gray levels?
 
 # %%
 sunny, shady = rug[50:90, 150:250], rug[50:90, 430:500]
@@ -307,10 +308,11 @@ dark_in_sun = np.percentile(sunny, 10)
 bright_in_shade = np.percentile(shady, 90)
 print(f"dark in the sun: {dark_in_sun:.0f}")
 print(f"bright in the shade: {bright_in_shade:.0f}")
-compare_guess(guess_brighter, bool(dark_in_sun > bright_in_shade))
+difference = round(dark_in_sun) - round(bright_in_shade)
+compare_guess(guess_difference, difference, "gray levels")
 
 # %% [markdown]
-# So no single threshold separates dark from bright stripes. **Repair it**: compare each pixel with *its own neighbourhood*. The **adaptive threshold** of a pixel is the mean of a square block around this pixel, minus a constant. First one row by hand: five pixels in the sun, then five in the shade, and blocks of three pixels.
+# The dark stripes in the sun are brighter than the bright stripes in the shade. So no single threshold separates dark from bright stripes. **Repair it**: compare each pixel with *its own neighbourhood*. The **adaptive threshold** of a pixel is the mean of a square block around this pixel, minus a constant. First one row by hand: five pixels in the sun, then five in the shade, and blocks of three pixels.
 
 # %%
 row = np.array([200, 180, 200, 180, 200, 80, 60, 80, 60, 80])
@@ -329,14 +331,14 @@ print("white    ", (row > block_means - 5).astype(int))
 adaptive_result = adaptive_threshold(rug, 31, 5)
 show([global_result, adaptive_result],
      ["global threshold (Otsu)", "adaptive: mean of 31 × 31, minus 5"],
-     columns=1, text=figure_texts["adaptive"])
+     columns=1, text="binarization/adaptive")
 
 # %%
 # Check: the numbers in this section
 method = cv2.ADAPTIVE_THRESH_MEAN_C
 opencv_result = cv2.adaptiveThreshold(rug, 255, method, cv2.THRESH_BINARY, 31, 5)
 assert (adaptive_result == opencv_result).all()
-assert round(dark_in_sun) == 188 and round(bright_in_shade) == 185
+assert round(dark_in_sun) == 188 and round(bright_in_shade) == 185 and difference > 0
 assert (sunny_result == 255).mean() > 0.9
 assert abs((adaptive_result[50:90, 150:250] == 255).mean() - 0.6) < 0.05
 assert (row > block_means - 5).tolist() == [1, 0, 1, 0, 1, 0, 0, 1, 0, 1]
@@ -344,7 +346,7 @@ assert np.abs((block_means - 5)[1:4] - 185).max() < 5
 assert np.abs((block_means - 5)[6:9] - 65).max() < 5
 
 # %% [markdown]
-# ## 6 · Your turn: Otsu from the pixels (16 minutes)
+# ## 6 · Your turn: Otsu from the pixels ([[minutes]])
 #
 # Section 3 counted the pixels in a histogram. Find the same threshold without a histogram: write `otsu(gray)`, which tries every `t` from 0 to 255 and selects the pixels of the two classes with [[term:mask|masks]], as for the eight pixels.
 #

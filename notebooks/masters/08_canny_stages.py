@@ -2,49 +2,39 @@
 # jupyter:
 #   imgproc_course:
 #     title: The stages of Canny
-#     minutes: 180
 # ---
 
 # %% [markdown]
 # # The stages of Canny
 #
-# `cv2.Canny(gray, 50, 150)` finds edges with one line. This line runs five simple stages, one after another. You will write four of them yourself. Together, the stages give the same edges as OpenCV, pixel by pixel.
+# `cv2.Canny(gray, 50, 150)` finds edges with one line. This line runs five simple stages, one after another. Here you meet them one by one; in the deeper sections you write four of them yourself. Together, the stages give the same edges as OpenCV, pixel by pixel.
 #
 # **You will be able to**
 # - name the input and the output of each stage, with their units,
-# - write the Sobel filter, non-maximum suppression, the double threshold and hysteresis by hand,
-# - explain what 50 and 150 mean, and when to change them,
-# - explain why a noisy image must be smoothed before edge detection.
+# - write the double threshold, and explain what 50 and 150 mean,
+# - explain why a noisy image must be smoothed before edge detection,
+# - deeper: write the Sobel filter, non-maximum suppression and hysteresis by hand.
 #
-# **Time** about 180 minutes, best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices and padding), [[grayscale]] and [[noise_removal]].
+# **Time** [[minutes]], best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices and padding), [[grayscale]] and [[noise_removal]].
 
 # %% role="given" exercise=["canny-sobel", "canny-local-maximum", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np
 
-# %% tags=["long"]
+# %%
 import cv2
 
 from imgproc_course.display import draw, show, show_figure, tune
 from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import (
-    add_gaussian_noise,
-    canny,
-    canny_stages,
-    direction,
-    gaussian_blur,
-    gradient_angle,
-    magnitude,
-    sobel,
-    to_gray,
-)
+    add_gaussian_noise, canny, canny_stages, direction, gaussian_blur,
+    gradient_angle, magnitude, sobel, to_gray)
 from imgproc_course.recording import open_recording
 
 recording = open_recording("drive")
 gray = to_gray(recording.frame(30))
 print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "window": (
         "Nine gray levels, nine weights, nine products. The response of the middle pixel is the sum of the products.",
@@ -105,7 +95,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · An edge is an intensity step (8 minutes)
+# ## 1 · An edge is an intensity step ([[minutes]])
 #
 # **Ask.** Here is one row of an image:
 #
@@ -128,6 +118,13 @@ compare_guess(guess_positions, np.flatnonzero(difference))  # where it is not 0
 
 # %% [markdown]
 # This is a **[[term:correlation]]** with the kernel `[-1, 0, 1]`. As in [[noise_removal]], the kernel *slides* along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *[[term:filter response]]*. Here the response is 0 where the gray level does not change. At the step it is the height of the step, 150. A step from bright to dark gives a negative response.
+
+# %%
+# Check: the numbers in this section
+assert difference.tolist() == [0, 0, 0, 150, 150, 0, 0, 0]
+
+# %% [markdown]
+# ### Convolution: the flipped kernel ([[minutes]], deeper)
 #
 # A **[[term:convolution]]** first flips the kernel, here to `[1, 0, -1]`. So every response changes its sign. OpenCV's filters compute the correlation; `np.convolve` and many textbooks compute the convolution. In the next cell, `mode="valid"` means: only where the whole kernel lies inside the padded row.
 
@@ -138,12 +135,11 @@ print("correlation", correlated)
 print("convolution", convolved)
 
 # %%
-# Check: the numbers in this section
-assert difference.tolist() == [0, 0, 0, 150, 150, 0, 0, 0]
+# Check: both differ by their sign only
 assert (correlated == difference).all() and (convolved == -correlated).all()
 
 # %% [markdown]
-# ## 2 · The Sobel kernel, one window by hand (12 minutes)
+# ## 2 · The Sobel kernel, one window by hand ([[minutes]])
 #
 # Noise easily disturbs the differences in a single row. The **[[term:Sobel kernel]]** combines three rows, and gives the middle row double weight:
 #
@@ -172,52 +168,49 @@ window = step[1:4, 0:3].astype(np.int32)  # a product can be negative
 products = window * kernel
 print("response:", products.sum())
 show([window, kernel, products], ["window", "kernel", "products"],
-     text=figure_texts["window"])
+     text="canny_stages/window")
 compare_guess(guess_response, products.sum())
 
 # %% [markdown]
 # The response is 600, which is 4 × 150: the height of the step times the sum of the weights 1, 2 and 1.
 #
 # Why `int32`? A response can be negative or larger than 255, so it does not fit into `uint8`. `int32` holds whole numbers, negative too, up to about two billion. So we widen the image *before* we multiply and subtract.
+# %% [markdown]
+# For a *horizontal edge*, the kernel is *[[term:transposed]]*: its rows become columns (`kernel.T`). It computes the row below minus the row above. The course's function `sobel` applies both kernels around every pixel. It returns two arrays: `grad_row`, the change *down a column*, from row to row, and `grad_col`, the change *along a row*, from column to column. Together they are the **[[term:gradient]]**.
+
+# %%
+grad_row, grad_col = sobel(step)
+show([step, grad_col, grad_row],
+     ["gray", "grad_col (along a row)", "grad_row (down a column)"],
+     text="canny_stages/sobel")
+
+# %% [markdown]
+# The factor **4** is important: all thresholds below are compared with the Sobel response, not with gray levels. At a vertical or horizontal edge, a threshold of 50 means a step of 12.5 gray levels, and a threshold of 150 means a step of 37.5.
+
+# %%
+# Check: the numbers in this section
+assert products.sum() == 600 == 4 * 150 and window.dtype == np.int32
+assert grad_col.max() == 600 and not grad_row.any()
+assert 50 / 4 == 12.5 and 150 / 4 == 37.5 and np.iinfo(np.int32).max > 2_000_000_000
+assert (np.outer([1, 2, 1], [-1, 0, 1]) == kernel).all()
+
+# %% [markdown]
+# ### The window slides ([[minutes]], deeper)
 #
-# Now the window slides along row 2. Around column 2 it covers columns 1 to 3, and so on. (At column 0 it would need a column −1. This is why the image is padded first, by repeating its outermost pixels.)
+# The window slides along row 2. Around column 2 it covers columns 1 to 3, and so on. (At column 0 it would need a column −1. This is why the image is padded first, by repeating its outermost pixels.)
 
 # %%
 for col in (1, 2, 3):
     window = step[1:4, col - 1 : col + 2].astype(np.int32)
     print("around column", col, "response", (window * kernel).sum())
 
-# %% [markdown]
-# A *horizontal edge* needs the *[[term:transposed]]* kernel: its rows become columns. NumPy writes `kernel.T`. It computes the row below minus the row above.
-
 # %%
-print(kernel.T)
-
-# %% [markdown]
-# The course's function `sobel` does this for all pixels, with both kernels. It returns two arrays: `grad_row`, the change *down a column*, from row to row, and `grad_col`, the change *along a row*, from column to column. Together they are the **[[term:gradient]]**.
-
-# %%
-grad_row, grad_col = sobel(step)
-show([step, grad_col, grad_row],
-     ["gray", "grad_col (along a row)", "grad_row (down a column)"],
-     text=figure_texts["sobel"])
-
-# %% [markdown]
-# The factor **4** is important: all thresholds below are compared with the Sobel response, not with gray levels. At a vertical or horizontal edge, a threshold of 50 means a step of 12.5 gray levels, and a threshold of 150 means a step of 37.5.
-#
-# The Sobel kernel is *[[term:separable filter|separable]]*: it smooths with 1, 2, 1 in one direction, and takes the difference with −1, 0, 1 in the other direction. These two small filters, one after the other, give the same result with less work.
-
-# %%
-# Check: the numbers in this section
-assert products.sum() == 600 == 4 * 150 and window.dtype == np.int32
+# Check: the responses along row 2
 responses = [(step[1:4, col - 1 : col + 2].astype(np.int32) * kernel).sum() for col in (1, 2, 3)]
 assert responses == [600, 600, 0] == grad_col[2, 1:4].tolist()
-assert grad_col.max() == 600 and not grad_row.any()
-assert 50 / 4 == 12.5 and 150 / 4 == 37.5 and np.iinfo(np.int32).max > 2_000_000_000
-assert (np.outer([1, 2, 1], [-1, 0, 1]) == kernel).all()
 
 # %% [markdown]
-# ## 3 · Your turn: the Sobel filter (22 minutes)
+# ## 3 · Your turn: the Sobel filter ([[minutes]], deeper)
 #
 # Write `my_sobel(gray)`. It computes both parts of the gradient for every pixel.
 #
@@ -229,6 +222,8 @@ assert (np.outer([1, 2, 1], [-1, 0, 1]) == kernel).all()
 # - At the border use *replicate*: repeat the outermost rows and columns, `np.pad(..., 1, mode="edge")`. Then pixel (row, col) of the image is the middle of the window `padded[row : row + 3, col : col + 3]`.
 # - Negative values must stay negative: use a signed type, such as `int32`.
 # - Use only NumPy; `np` is imported for you. Two loops over all pixels are fast enough here. Write the kernel in the answer cell, too: then the answer is complete.
+#
+# The Sobel kernel is *[[term:separable filter|separable]]*: it smooths with 1, 2, 1 in one direction, and takes the difference with −1, 0, 1 in the other direction. These two small filters, one after the other, give the same result with less work.
 
 # %% role="exercise"
 exercise(
@@ -285,7 +280,7 @@ def inputs(rng):
     return (rng.integers(0, 256, size=(7, 9), dtype=np.uint8),)
 
 # %% [markdown]
-# ## 4 · Gradient magnitude and direction (12 minutes)
+# ## 4 · Gradient magnitude and direction ([[minutes]])
 #
 # The gradient of a pixel is an arrow: `grad_col` to the right, `grad_row` down. The arrow points from dark to bright, at a right angle to the edge: this is the **[[term:gradient direction]]** (or orientation). The length of the arrow is the **[[term:gradient magnitude]]**. A *norm* is a way to measure a length. Canny uses one of two norms:
 #
@@ -305,7 +300,23 @@ print("L1 norm", l1, "  L2 norm", l2)
 compare_guess(guess_norm, l1)
 
 # %% [markdown]
-# The L1 norm is never smaller than the L2 norm. Now the direction, on a small image with a slanted edge:
+# The L1 norm is never smaller than the L2 norm. The next figure shows the gradient magnitude of a camera frame. `canny_stages` runs all stages of Canny with the thresholds 50 and 150, and returns the result of each stage.
+
+# %%
+stages = canny_stages(gray, 50, 150)
+all_magnitudes = stages.magnitude
+print(all_magnitudes.shape, all_magnitudes.dtype, "up to", all_magnitudes.max())
+show(np.minimum(all_magnitudes, 500), "magnitude (L1), up to 500",
+     text="canny_stages/magnitude")
+
+# %%
+# Check: the results in this section
+assert l1 == 700 and l2 == 500 and gray.shape == (720, 1280)
+
+# %% [markdown]
+# ### The gradient direction in figures ([[minutes]], deeper)
+#
+# First a small image with a slanted edge:
 
 # %%
 slanted = np.array([[40, 40, 40, 60, 160],
@@ -320,17 +331,7 @@ print("middle pixel: grad_row", down[2, 2], "  grad_col", right[2, 2])
 figure, axes = draw(slanted, "gradient of the middle pixel", encoding="mono8")
 to_right, to_bottom = right[2, 2] / 400, down[2, 2] / 400  # in pixels
 axes[0].arrow(2, 2, to_right, to_bottom, width=0.06, color="tab:orange")
-show_figure(figure, text=figure_texts["arrow"])
-
-# %% [markdown]
-# The next figure shows the gradient magnitude of a camera frame. `canny_stages` runs all stages of Canny with the thresholds 50 and 150, and returns the result of each stage.
-
-# %%
-stages = canny_stages(gray, 50, 150)
-all_magnitudes = stages.magnitude
-print(all_magnitudes.shape, all_magnitudes.dtype, "up to", all_magnitudes.max())
-show(np.minimum(all_magnitudes, 500), "magnitude (L1), up to 500",
-     text=figure_texts["magnitude"])
+show_figure(figure, text="canny_stages/arrow")
 
 # %% [markdown]
 # The figure below shows the direction as the *[[term:hue]]* of a colour, and the magnitude as its brightness. Hue is the place of a colour on the colour wheel: red, yellow, green, blue and back to red. It is an angle. OpenCV's *HSV* image has three channels: hue (in steps of two degrees), saturation (255 is a full colour), and value (the brightness).
@@ -345,11 +346,10 @@ hsv[:, :, 1] = 255
 hsv[:, :, 2] = np.minimum(stages.magnitude // 2, 255)
 coloured = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)
 show(coloured, "direction as hue", rows=(310, 440), cols=(430, 740),
-     text=figure_texts["hue"])
+     text="canny_stages/hue")
 
 # %%
-# Check: the results in this section
-assert l1 == 700 and l2 == 500 and gray.shape == (720, 1280)
+# Check: the length and direction of the arrow
 lengths_l1, lengths_l2 = magnitude(down, right, "L1"), magnitude(down, right, "L2")
 assert (lengths_l1 == np.abs(down) + np.abs(right)).all() and (lengths_l1 >= lengths_l2).all()
 assert lengths_l2[2, 2] == (int(down[2, 2]) ** 2 + int(right[2, 2]) ** 2) ** 0.5
@@ -358,7 +358,7 @@ assert down[2, 2] > 0 and right[2, 2] > 0
 # %% [markdown]
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 5 · A ridge in one row (8 minutes)
+# ## 5 · A ridge in one row ([[minutes]])
 #
 # An edge should be one pixel wide. But if the intensity changes over a few pixels, the response is also a few pixels wide: the magnitudes form a *[[term:ridge]]*, like a mountain ridge. Here is a soft step:
 #
@@ -379,6 +379,13 @@ compare_guess(guess_top, profile.argmax())  # the position of the largest
 
 # %% [markdown]
 # The edge should be this pixel, the top of the ridge. So a pixel is kept only if its magnitude is a *local maximum* (a peak): larger than the magnitudes of its neighbours. What if two neighbours are equal? Then one of them should be kept. OpenCV's rule is: a pixel is kept if it is *greater than* its left neighbour, and *greater than or equal to* its right neighbour. Outside the image the magnitude is 0.
+
+# %%
+# Check: the numbers in this section
+assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
+
+# %% [markdown]
+# ### Your turn: the peaks of one row ([[minutes]], practice, deeper)
 #
 # The next cell shows the three numbers that the rule needs, for each pixel. Because of the padding, pixel `col` is at `zero_padded[col + 1]`.
 
@@ -388,13 +395,7 @@ for col in range(8):
     left, right = zero_padded[col], zero_padded[col + 2]
     print("left", left, " pixel", col, "has", profile[col], " right", right)
 
-# %%
-# Check: the numbers in this section
-assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
-
 # %% [markdown]
-# ### Your turn: the peaks of one row (10 minutes, practice)
-#
 # Write `keep_peaks(magnitude)`. It applies this rule to one row. This prepares section 7.
 #
 # | Input | Output | Example call |
@@ -460,9 +461,38 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · Non-maximum suppression: keep only the top of the ridge (15 minutes)
+# ## 6 · Non-maximum suppression: keep only the top of the ridge ([[minutes]])
 #
-# Now the same in two dimensions. The next cell walks over *all* pixels of a 5 × 5 image with two loops, also over those on the border. Its edge is vertical, so every pixel is compared with its left and right neighbours.
+# In an image, left and right are the neighbours to compare with only at a vertical edge. In general, Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps the pixel only if its magnitude is a maximum. This is **[[term:non-maximum suppression]]**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
+#
+# | sector | the gradient points | first neighbour | second neighbour | a pixel is kept if it is |
+# |---|---|---|---|---|
+# | 0 | along the row | left | right | > first and >= second |
+# | 1 | down-right or up-left | above left | below right | > first and > second |
+# | 2 | down the column | above | below | > first and >= second |
+# | 3 | down-left or up-right | above right | below left | > first and > second |
+#
+# So in sectors 0 and 2 one of two equal neighbours is kept, as in section 5. In sectors 1 and 3 OpenCV requires that the magnitude is greater than both. Outside the image the magnitude is 0 (zero padding).
+
+# %%
+sector = direction(stages.grad_row, stages.grad_col)
+for number in range(4):
+    print("sector", number, ":", (sector == number).sum(), "pixels")
+
+# %%
+before, after = np.minimum(all_magnitudes, 500), np.minimum(stages.thinned, 500)
+show([before, after], ["magnitude", "after suppression"], rows=(376, 400),
+     cols=(440, 464), numbers=False, text="canny_stages/thinned")
+
+# %%
+# Check: the numbers and results in this section
+assert (sector == stages.direction).all()
+
+# %% [markdown]
+# ### A whole image with two loops ([[minutes]], deeper)
+# How does OpenCV find the sector without an angle? The border between sectors 0 and 1 is halfway between 0° and 45°, at 22.5°. To compute the angle would be slow. OpenCV compares instead: if |grad_row| is smaller than |grad_col| × 13573 / 32768, the pixel is in sector 0. The fraction 13573 / 32768 is 0.4142, the tangent of 22.5°, written with two integers (32768 is 2¹⁵, so the division is a fast shift).
+#
+# The next cells walk over *all* pixels of a 5 × 5 image with two loops, also over those on the border. Its edge is vertical, so every pixel is compared with its left and right neighbours.
 
 # %%
 wall = np.array([[50, 60, 130, 180, 190],
@@ -485,48 +515,18 @@ for row in range(height):
 
 # %%
 show([wall, wall_magnitude, wall_thinned],
-     ["gray", "magnitude", "peaks of each row"], text=figure_texts["small"])
-
-# %% [markdown]
-# But left and right are the right neighbours only at a vertical edge. In general, Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps the pixel only if its magnitude is a maximum. This is **[[term:non-maximum suppression]]**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
-#
-# | sector | the gradient points | first neighbour | second neighbour | a pixel is kept if it is |
-# |---|---|---|---|---|
-# | 0 | along the row | left | right | > first and >= second |
-# | 1 | down-right or up-left | above left | below right | > first and > second |
-# | 2 | down the column | above | below | > first and >= second |
-# | 3 | down-left or up-right | above right | below left | > first and > second |
-#
-# So in sectors 0 and 2 one of two equal neighbours is kept, as in section 5. In sectors 1 and 3 OpenCV requires that the magnitude is greater than both. Outside the image the magnitude is 0 (zero padding).
+     ["gray", "magnitude", "peaks of each row"], text="canny_stages/small")
 
 # %%
-sector = direction(stages.grad_row, stages.grad_col)
-for number in range(4):
-    print("sector", number, ":", (sector == number).sum(), "pixels")
-
-# %%
-before, after = np.minimum(all_magnitudes, 500), np.minimum(stages.thinned, 500)
-show([before, after], ["magnitude", "after suppression"], rows=(376, 400),
-     cols=(440, 464), numbers=False, text=figure_texts["thinned"])
-
-# %% [markdown]
-# <details>
-# <summary>For the curious: how OpenCV finds the sector without an angle</summary>
-#
-# The border between sectors 0 and 1 is halfway between 0° and 45°, at 22.5°. OpenCV does not compute the angle, because this is slow. It compares: if |grad_row| is smaller than |grad_col| × 13573 / 32768, the pixel is in sector 0. The fraction 13573 / 32768 is 0.4142, the tangent of 22.5°, written with two integers (32768 is 2¹⁵, so the division is a fast shift).
-#
-# </details>
-
-# %%
-# Check: the numbers and results in this section
-assert (sector == stages.direction).all() and 2**15 == 32768
+# Check: the peaks of each row, and the tangent
+assert 2**15 == 32768
 assert round(13573 / 32768, 4) == round(float(np.tan(np.pi / 8)), 4) == 0.4142
 assert (direction(*sobel(wall)) == 0).all()
 assert (wall_thinned == canny_stages(wall, 50, 150).thinned).all()
 assert (wall_thinned > 0).sum(axis=1).tolist() == [1, 1, 1, 1, 1]
 
 # %% [markdown]
-# ## 7 · Your turn: non-maximum suppression (25 minutes)
+# ## 7 · Your turn: non-maximum suppression ([[minutes]], deeper)
 #
 # Write `suppress(magnitude, sector)`. Use the rule and the table of section 6. Begin with the two loops of section 6: which two neighbours you take depends on the sector of the pixel.
 #
@@ -606,11 +606,11 @@ def inputs(rng):
     return rng.integers(0, 4, size=(12, 15)).astype(np.int32), rng.integers(0, 4, size=(12, 15), dtype=np.uint8)
 
 # %% [markdown]
-# ## 8 · The double threshold (8 minutes)
+# ## 8 · The double threshold ([[minutes]])
 #
 # Which ridges are edges? A single threshold is not enough. If it is low, the wood pattern of the floor becomes edges. If it is high, outlines get gaps. Canny uses a **[[term:double threshold]]**. A pixel above `high` is a **strong** edge pixel: it is always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge. All other pixels are background.
 #
-# A comparison such as `row > 150` gives a bool array: True or False for each pixel. Three signs combine bool arrays pixel by pixel: `&` means *and*, `|` means *or*, and `~` means *not*. (Python's words `and`, `or` and `not` work only with single values.) Each comparison needs parentheses, because Python computes `&`, `|` and `~` first.
+# A comparison such as `row > 150` gives a bool array. `&` (*and*), `|` (*or*) and `~` (*not*) combine bool arrays pixel by pixel. Each comparison needs parentheses, because Python computes these signs first.
 #
 # **Predict**: the low threshold is 50, the high threshold 150. How many of these six magnitudes are weak: 20, 50, 51, 150, 151, 400?
 
@@ -633,7 +633,7 @@ strong = stages.thinned > 150
 weak = (stages.thinned > 50) & (stages.thinned <= 150)
 print("weak", weak.sum(), "  strong", strong.sum())
 show([weak | strong, strong], ["weak or strong: above 50", "strong: above 150"],
-     rows=(380, 700), cols=(640, 1120), text=figure_texts["thresholds"])
+     rows=(380, 700), cols=(640, 1120), text="canny_stages/thresholds")
 
 # %%
 # Check: the results in this section
@@ -642,7 +642,7 @@ assert (stages.strong == strong).all() and (stages.weak == weak).all()
 assert not (weak & strong).any()  # no pixel is both
 
 # %% [markdown]
-# ### Your turn: the double threshold (6 minutes)
+# ### Your turn: the double threshold ([[minutes]])
 #
 # Write `double_threshold(thinned, low, high)`. Strong means strictly above `high`. Weak means strictly above `low` and not strong.
 #
@@ -650,7 +650,7 @@ assert not (weak & strong).any()  # no pixel is both
 # |---|---|---|
 # | `thinned`: (height, width) int32; `low`, `high`: two numbers, low < high | `weak, strong`, in this order: two bool arrays of the same shape | `weak, strong = double_threshold(stages.thinned, 50, 150)` |
 #
-# Both arrays must be bool: they select pixels, and 0 and 1 do not. `np` is imported for you.
+# Both arrays must be bool: a bool array selects pixels, an array of 0 and 1 does not. `np` is imported for you.
 
 # %% role="exercise"
 exercise(
@@ -698,7 +698,7 @@ def inputs(rng):
 # %% [markdown]
 # **This is a good place for a second pause.** Only one stage is missing. When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 9 · Edge tracking by hysteresis (15 minutes)
+# ## 9 · Edge tracking by hysteresis ([[minutes]])
 #
 # All strong pixels are edges. A weak pixel becomes an edge if at least one of its eight neighbours is an edge. The neighbours at the corners count too: this is *8-connectivity*. (With *4-connectivity* only the four neighbours at the sides count.) So edges grow from the strong pixels, step by step along the weak pixels, until nothing changes. This is **[[term:hysteresis|edge tracking by hysteresis]]**. (*Hysteresis* means here: an edge needs the high threshold to start, but only the low threshold to continue.)
 #
@@ -764,11 +764,16 @@ def growth(frame, steps=0):
     return np.where(edges, 255, 0).astype(np.uint8)
 
 
-growing = tune(growth, gray, steps=(0, 60), text=figure_texts["growth"])
+growing = tune(growth, gray, steps=(0, 60), text="canny_stages/growth")
 
 # %%
 # Check: the slider's image before it is moved
 assert (growing.value == np.where(stages.strong, 255, 0)).all()
+
+# %% [markdown]
+# ### How far the edges grow ([[minutes]], deeper)
+#
+# After how many steps does nothing change any more? Here are 3 and 400 steps:
 
 # %%
 early = grow_steps(stages.weak, stages.strong, 3)
@@ -777,14 +782,14 @@ print("strong pixels:", stages.strong.sum())
 print("edge pixels after 3 steps:", early.sum())
 print("edge pixels after 400 steps:", late.sum())
 show([stages.strong, late], ["strong pixels", "after growth"],
-     rows=(380, 700), cols=(640, 1120), text=figure_texts["grown"])
+     rows=(380, 700), cols=(640, 1120), text="canny_stages/grown")
 
 # %%
 # Check: the results in this section
 assert ((stages.edges == 255) == late).all()
 
 # %% [markdown]
-# ## 10 · Your turn: hysteresis (20 minutes)
+# ## 10 · Your turn: hysteresis ([[minutes]], deeper)
 #
 # Write `grow(weak, strong)`. Every strong pixel is an edge. A weak pixel is an edge if a chain of weak pixels leads from it to a strong pixel. Each pixel of the chain touches the next one at a side or a corner.
 #
@@ -905,7 +910,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 11 · Does OpenCV agree? (3 minutes)
+# ## 11 · Does OpenCV agree? ([[minutes]], deeper)
 #
 # `canny_stages` runs all stages one after another. The course's `canny` computes the same edges, but faster. **Check** that it agrees with OpenCV on ten frames of the drive, pixel by pixel.
 
@@ -921,7 +926,7 @@ print("pixels that differ from OpenCV:", different, "of", 10 * gray.size)
 assert different == 0 and (canny(gray, 50, 150) == stages.edges).all()
 
 # %% [markdown]
-# ## 12 · Planned failure: Canny on a noisy frame (6 minutes)
+# ## 12 · Planned failure: Canny on a noisy frame ([[minutes]])
 #
 # In textbooks, the first stage of Canny is a Gaussian blur. `cv2.Canny` does **not** blur: you have to blur the image yourself. What happens if you forget it? We add Gaussian noise with a standard deviation of 15 gray levels to the frame.
 #
@@ -934,7 +939,7 @@ guess_times = None  # your guess: 1, 2, 4 or 8 times as many?
 noisy = add_gaussian_noise(gray, 15, seed=1)
 clean_edges, unblurred = canny(gray, 50, 150), canny(noisy, 50, 150)
 show([clean_edges, unblurred], ["edges of the frame", "edges with noise"],
-     text=figure_texts["noise"])
+     text="canny_stages/noise")
 times = (unblurred > 0).sum() / (clean_edges > 0).sum()
 compare_guess(guess_times, round(float(times)), "times")
 
@@ -944,7 +949,7 @@ compare_guess(guess_times, round(float(times)), "times")
 # %%
 repaired = canny(noisy, 50, 150, sigma=2)
 show([unblurred, repaired], ["without blur", "sigma = 2 pixels"],
-     text=figure_texts["repaired"])
+     text="canny_stages/repaired")
 
 # %%
 # Check: the results in this section
@@ -952,19 +957,21 @@ assert round(times) == 8 and (repaired > 0).sum() < (unblurred > 0).sum() / 3
 assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 
 # %% [markdown]
-# ## 13 · Tune the three numbers (10 minutes)
+# ## 13 · Tune the three numbers ([[minutes]], deeper)
 #
 # Three numbers decide which edges you get: `low`, `high` and `sigma`. Move the sliders. Find values that keep the outlines of the ball, the chair and the marker, but remove the wood pattern of the floor. Below the sliders is a line of code with your values that you can copy.
 
 # %% tags=["nbval-ignore-output"]
 tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0),
-             text=figure_texts["tuner"])
+             text="canny_stages/tuner")
 
 # %%
 # Check: the sliders' image
 assert tuner.value.shape == gray.shape
 
 # %% [markdown]
+# ### A photograph ([[minutes]], deeper)
+#
 # The same on a photograph: a cat, one of scikit-image's example images (CC0, free to use). In scikit-image the first channel is red, so `[:, :, ::-1]` reverses the channels.
 
 # %%
@@ -973,7 +980,7 @@ from skimage import data
 cat = to_gray(data.chelsea()[:, :, ::-1])
 cat_edges, blurred_edges = canny(cat, 50, 150), canny(cat, 50, 150, sigma=2)
 show([cat, cat_edges, blurred_edges], ["photograph", "sigma = 0", "sigma = 2"],
-     text=figure_texts["cat"])
+     text="canny_stages/cat")
 
 # %%
 # Check: the results in this section
@@ -996,15 +1003,8 @@ assert (cat_edges == cv2.Canny(cat, 50, 150)).all()
 # **Next:** [[edge_detection_node]].
 
 # %%
-fields = ["grad_row", "grad_col", "magnitude", "thinned",
-          "weak", "strong", "edges"]
-for field in fields:
-    stage = getattr(stages, field)  # stages.grad_row, then stages.grad_col, ...
-    print(field, stage.shape, stage.dtype)
-
-# %%
 # Check: the numbers in the table
 strongest = np.array([[0, 0, 0], [0, 0, 255], [0, 255, 255]], np.uint8)  # no window has a larger L1 norm
 assert 4 * 255 == 1020 and magnitude(*sobel(strongest))[1, 1] == 6 * 255 == 1530
-for field in fields:
+for field in ("grad_row", "grad_col", "magnitude", "thinned", "weak", "strong", "edges"):
     assert getattr(stages, field).shape == (720, 1280)

@@ -2,22 +2,21 @@
 # jupyter:
 #   imgproc_course:
 #     title: The edge-detection node
-#     minutes: 125
 # ---
 
 # %% [markdown]
 # # The edge-detection node
 #
-# Many lessons on edge detection end with "change the thresholds and observe". One result looks better than another, but is it really better? Here you change the thresholds of a running node, and then you *measure* which thresholds are better.
+# Many lessons on edge detection end with "change the thresholds and observe". Here you change the thresholds of a running node. One result looks better than another, but is it really better? In the deeper sections you *measure* it.
 #
 # **You will be able to**
 # - run an edge-detection node and change its parameters while it runs,
-# - write such a node yourself,
 # - explain the unit of the two thresholds, and what happens if you swap them,
-# - compare edges with a ground truth, and measure precision, recall and F1,
-# - tune the parameters on some frames, and evaluate them on other frames.
+# - deeper: write such a node yourself,
+# - deeper: compare edges with a ground truth, and measure precision, recall and F1,
+# - deeper: tune the parameters on some frames, and evaluate them on other frames.
 #
-# **Time** about 125 minutes, with a pause after section 4. **You need** [[grayscale_node]] and [[canny_stages]].
+# **Time** [[minutes]], with a pause after section 4. **You need** [[grayscale_node]] and [[canny_stages]].
 
 # %% role="given" exercise=["edges-near", "edges-f1"]
 import numpy as np
@@ -43,8 +42,7 @@ frame = recording.frame(30)
 gray = to_gray(frame)
 print("gray", gray.shape, gray.dtype)
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "outputs": (
         "The frame that the node receives, and two of the images that it publishes.",
@@ -85,7 +83,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · The node (8 minutes)
+# ## 1 · The node ([[minutes]])
 #
 # This node differs from the node of [[grayscale_node]] in two ways: its function returns several images, and it has parameters.
 #
@@ -113,7 +111,7 @@ def find_edges(frame, low=50, high=150, sigma=0.0):
 # %%
 outputs = find_edges(frame)
 show([frame, outputs["gray"], outputs["edges"]], ["original", "gray", "edges"],
-     text=figure_texts["outputs"])
+     text="edge_detection_node/outputs")
 print("view", outputs["view"].shape)
 
 # %%
@@ -168,11 +166,11 @@ if ros_available():
 assert not ros_available() or (edges.shape == (720, 1280) and set(np.unique(edges)) <= {0, 255})
 
 # %% [markdown]
-# ## 2 · Change the thresholds and observe (12 minutes)
+# ## 2 · Change the thresholds and observe ([[minutes]])
 #
 # Remember the unit of both thresholds: the L1 magnitude of the Sobel gradient, |grad_row| + |grad_col|. A horizontal or vertical intensity step of h gray levels has the magnitude 4 h. Pixels above `high` are strong. Pixels above `low` but not above `high` are weak. So with `high` = 150, a step of more than 37.5 gray levels gives strong edge pixels. With `low` = 50, a step of more than 12.5 gray levels, up to 37.5, gives weak ones.
 #
-# The slider below sets *both* parameters in one step: `set_parameters_atomically` changes all or none of them. If it set first one and then the other, `low` could be above `high` for a moment, and the node would refuse the new value.
+# The library *ipywidgets* makes the slider below: `IntRangeSlider` has two handles, and `observe` names a function that is called when one of them moves. Our function sets *both* parameters in one step: `set_parameters_atomically` changes all or none of them. If it set first one and then the other, `low` could be above `high` for a moment, and the node would refuse the new value.
 
 # %%
 if ros_available():
@@ -196,17 +194,19 @@ if ros_available():
     thresholds.observe(set_thresholds, names="value")  # called when it moves
     display(labelled(thresholds, ["low", "high"]))  # for screen readers
     views = ImageSubscriber("/edges_by_hand/view", encoding="bgr8")
-    view = live_view(views, width=960, text=figure_texts["live"])
+    view = live_view(views, width=960, text="edge_detection_node/live")
 else:
     view = live_view(recording, three_images, width=960,
-                     text=figure_texts["live"], thresholds=(0, 1020))
+                     text="edge_detection_node/live", thresholds=(0, 1020))
 
 # %%
 # Check: the live view runs
 assert view.running
 
 # %% [markdown]
-# Now we count. Here a *line* is a **[[term:connected component]]** of edge pixels: pixels that touch each other, with 8-connectivity (so pixels that touch only at a corner are connected, too). `cv2.connectedComponents` gives each component a number.
+# ### Count the lines ([[minutes]], deeper)
+#
+# Here a *line* is a **[[term:connected component]]** of edge pixels: pixels that touch each other, with 8-connectivity (so pixels that touch only at a corner are connected, too). `cv2.connectedComponents` gives each component a number.
 
 # %%
 def count_lines(edges):
@@ -247,7 +247,7 @@ assert (lines, lines_high, lines_low) == (330, 98, 1096)
 assert 50 / 4 == 12.5 and 150 / 4 == 37.5
 
 # %% [markdown]
-# ## 3 · Planned failure: swapped thresholds (6 minutes)
+# ## 3 · Planned failure: swapped thresholds ([[minutes]])
 #
 # In `cv2.Canny(gray, 150, 50)` the two thresholds are swapped. **Predict** what OpenCV does.
 
@@ -282,7 +282,7 @@ assert different == 0
 assert not ros_available() or (not result.successful and "low" in result.reason)
 
 # %% [markdown]
-# ## 4 · Your turn: the edge-detection node (20 minutes)
+# ## 4 · Your turn: the edge-detection node ([[minutes]], deeper)
 #
 # Write this node yourself, with the names of ROS alone. Begin with your class `ImageGrayProcessor` of [[grayscale_node]]; parameters are new. Each step is one line of the check.
 #
@@ -460,7 +460,7 @@ if is_running:
     my_node = session.add_node(EdgeDetector)
     my_edges = ImageSubscriber("/edge_detector/edges", encoding="mono8")
     view.stop()
-    view = live_view(my_edges, encoding="mono8", text=figure_texts["mine"])
+    view = live_view(my_edges, encoding="mono8", text="edge_detection_node/mine")
 else:
     print("this needs your class and a running ROS 2")
 
@@ -485,7 +485,7 @@ if ros_available():
 # %% [markdown]
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 5 · Which edges are right? (12 minutes)
+# ## 5 · Which edges are right? ([[minutes]], deeper)
 #
 # To decide which edges are better, we need a **[[term:ground truth]]**: the right result, from another source than the node. The recording has a *[[term:label image]]* for each frame: the value of each of its pixels is the number of the object that the pixel shows. If two neighbouring pixels show different objects, there is a true *outline* between them.
 #
@@ -501,7 +501,7 @@ def outlines_of(labels):
 # %%
 true_outlines = outlines_of(recording.labels(30))
 show([true_outlines, outputs["edges"]], ["true outlines", "edges at 50, 150"],
-     text=figure_texts["outlines"])
+     text="edge_detection_node/outlines")
 print("outline pixels", true_outlines.sum())
 print("edge pixels   ", (outputs["edges"] > 0).sum())
 
@@ -524,7 +524,7 @@ small_edges = np.zeros((5, 7), dtype=bool)
 small_edges[0:3, 3] = True  # rows 0 to 2 of the same column
 small_edges[4, 6] = True
 show([small_outlines, small_edges], ["outlines", "edges"],
-     text=figure_texts["small"])
+     text="edge_detection_node/small")
 
 # %% [markdown]
 # Three of the four edge pixels are on the outline: precision 3/4. Three of the five outline pixels were detected: recall 3/5. **Predict** F1, with two digits after the point. (You may use a calculator.)
@@ -542,10 +542,11 @@ compare_guess(guess_f1, round(float(f1), 2))
 
 # %%
 # Check: the numbers in this section
+assert true_outlines.shape == (720, 1280) and true_outlines.dtype == bool
 assert both == 3 and precision == 3 / 4 and recall == 3 / 5 and round(float(f1), 2) == 0.67
 
 # %% [markdown]
-# ## 6 · Near is enough: a tolerance (8 minutes)
+# ## 6 · Near is enough: a tolerance ([[minutes]], deeper)
 #
 # "On an outline" is too strict: the outline lies *between* two objects, and an edge may be one pixel beside it. So we accept a **tolerance**: an edge pixel counts if an outline pixel is *near*. With a tolerance of 1, near means at most one row *and* at most one column away: the 3 × 3 neighbourhood of a pixel.
 #
@@ -559,7 +560,7 @@ for row in range(3):
     for col in range(3):
         near_outlines |= padded[row : row + height, col : col + width]
 show([small_outlines, near_outlines], ["outlines", "near an outline"],
-     text=figure_texts["near"])
+     text="edge_detection_node/near")
 
 # %%
 print("edge pixels:", small_edges.sum())
@@ -572,7 +573,7 @@ assert near_outlines.sum(axis=1).tolist() == [3] * 5 and (small_edges & near_out
 # %% [markdown]
 # With a tolerance of 2 pixels the neighbourhood has 5 × 5 pixels, so there are 5 × 5 shifted copies, and the padding is 2 pixels wide.
 #
-# ### Your turn: pixels near a mask (10 minutes, practice)
+# ### Your turn: pixels near a mask ([[minutes]], practice)
 #
 # Write `near(mask, tolerance)`: the same for any tolerance. You need it for F1.
 #
@@ -643,7 +644,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · Your turn: F1 (20 minutes)
+# ## 7 · Your turn: F1 ([[minutes]], deeper)
 #
 # Write `f1_score(edges, outlines, tolerance)`.
 #
@@ -787,7 +788,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · Dim light (15 minutes)
+# ## 8 · Dim light ([[minutes]], deeper)
 #
 # In dim light, the images of a camera have more noise. Here we add Gaussian noise with a standard deviation of 20 gray levels.
 #
@@ -842,7 +843,7 @@ tuning = load_frames((5, 45), noise=20)
 dark = mean_score(tuning, 50, 150)
 dim_gray, _ = tuning[0]
 show([dim_gray, edges_of(dim_gray, 50, 150)], ["dim light", "edges at 50, 150"],
-     text=figure_texts["dim"])
+     text="edge_detection_node/dim")
 compare_guess(guess_dim, round(float(dark), 2))
 
 # %% [markdown]
@@ -876,7 +877,7 @@ for s, sigma in enumerate(sigmas):
     print("sigma", sigma, ": best pair", best[sigma], " F1", round(largest, 2))
 
 # %% [markdown]
-# Each map has one square for each pair of thresholds: the brighter, the higher is F1. The red frame marks the best pair. **Look**: in which direction does it move when sigma increases?
+# Each map has one square for each pair of thresholds: the brighter, the higher is F1. The red frame marks the best pair. (`draw` gives the figure and its *axes*, one diagram for each map, before they are shown. `set_xticks` writes the thresholds below a diagram, and `Rectangle` is the red frame.) **Look**: in which direction does it move when sigma increases?
 
 # %%
 titles = [f"sigma {sigma}" for sigma in sigmas]
@@ -890,7 +891,7 @@ for s, sigma in enumerate(sigmas):
     frame_of_best = Rectangle((j - 0.5, i - 0.5), 1, 1, clip_on=False,
                               fill=False, edgecolor="red", linewidth=4)
     axes[s].add_patch(frame_of_best)
-show_figure(figure, text=figure_texts["maps"])
+show_figure(figure, text="edge_detection_node/maps")
 
 # %%
 # Check: the numbers in this section
@@ -905,7 +906,7 @@ assert f1_maps.max() == f1_maps[1].max() and f1_maps.max() < bright
 # - The best values have a small blur, with a sigma of one pixel. A sigma of three removes outlines together with the noise.
 # - No values reach the F1 of the images in bright light.
 #
-# ## 9 · Evaluate on frames that you did not tune on (6 minutes)
+# ## 9 · Evaluate on frames that you did not tune on ([[minutes]], deeper)
 #
 # If you report the F1 of the two frames that you tuned on, the number is usually too good: the values may fit only these two frames. So evaluate the values on other frames. We compare three settings on two new frames: the best values (with sigma = 1), the best values without blur, and 50, 150.
 #
@@ -932,14 +933,14 @@ assert (round(tuned, 2), round(unblurred, 2), round(untuned, 2)) == (0.42, 0.38,
 assert round(f1_maps.max(), 2) == 0.45
 
 # %% [markdown]
-# ## 10 · Practice: better than the map (8 minutes)
+# ## 10 · Practice: better than the map ([[minutes]], deeper)
 #
 # Move the sliders yourself, on another frame in dim light, which is neither a tuning frame nor a new frame. Then write your values into the cell below the image, and run it: it prints their F1 on the new frames. Do this only once. If you look at the result and change your values again, you tune on the new frames.
 
 # %% tags=["nbval-ignore-output"]
 practice, _ = load_frames((35,), noise=20)[0]
 tuner = tune(edges_of, practice, thresholds=(0, 1020), sigma=(0, 5.0),
-             text=figure_texts["practice"])
+             text="edge_detection_node/practice")
 
 # %%
 # Check: the sliders' image
@@ -970,4 +971,4 @@ print("your F1:", round(my_f1, 2), "  F1 of the best values:", round(tuned, 2))
 # %%
 # Check: the numbers in the table
 assert 6 * 255 == 1530  # the largest |grad_row| + |grad_col|: six of the eight neighbours at 255
-assert true_outlines.shape == (720, 1280) and true_outlines.dtype == bool and outputs["edges"].shape == (720, 1280)
+assert outputs["edges"].shape == (720, 1280)

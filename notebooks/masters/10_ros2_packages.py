@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: ROS 2 packages
-#     minutes: 110
 # ---
 
 # %% [markdown]
@@ -14,11 +13,11 @@
 # - read a node that is a complete script, from `rclpy.init` to `shutdown`, and run it in a terminal,
 # - explain each file of an `ament_python` package (a ROS 2 package in Python; *[[term:ament]]* is the build system of ROS 2),
 # - build a *[[term:workspace]]* (a folder with packages) with `colcon`, source it, and start its nodes in a terminal,
-# - recognise two common mistakes: a workspace that is not sourced, and a dependency that `rosdep` does not know,
+# - recognise two common mistakes with packages, and repair them,
 # - write the files of a package of your own, build it, and run its node,
 # - explain what changes on the real robot, and go on with a robot and a node of your own.
 #
-# **Time** about 110 minutes, with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
 
 # %% role="given" exercise=["packages-executable"]
 from pathlib import Path
@@ -41,8 +40,7 @@ from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import to_gray
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "script": (
         "The gray images that the script publishes from another process.",
@@ -63,7 +61,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A node as a script (13 minutes)
+# ## 1 · A node as a script ([[minutes]])
 #
 # The course has both nodes as short scripts, as you find them in many tutorials. The next cell makes a folder, `ros2_ws`, beside this notebook. It copies the scripts and the packages of the course into it, and prints the first script:
 
@@ -83,7 +81,7 @@ print(script.read_text(encoding="utf-8"))
 # - `cv2.imshow` shows the image in a window, and `cv2.waitKey(1)` gives OpenCV one millisecond to draw it. Where no window can be opened (`windows.py` beside the script finds that out), the script says so once, and publishes the image on `~/view` with `cv2_to_imgmsg`.
 # - `rclpy.init()` starts ROS in this program. In a notebook, the course's session does this.
 # - `rclpy.spin(node)` waits for messages and calls the callback, until you press Ctrl-C.
-# - Ctrl-C ends ROS in this program; then `spin` raises `ExternalShutdownException`. In many scripts, Ctrl-C raises `KeyboardInterrupt`, too, and that can happen in the middle of an image. The line with `signal.signal` switches this off. Both exceptions end a program as planned, so the script does nothing: `pass`. If ROS ends in the middle of a call, such as `publish`, the call raises `RuntimeError`; then `rclpy.ok()` is False.
+# - Ctrl-C ends `spin` with an exception, `ExternalShutdownException` or `KeyboardInterrupt`. Both end a program as planned, so the script does nothing: `pass`. (The comments in the script say why it needs the line with `signal.signal`.)
 # - `finally` is always done at the end: `cv2.destroyAllWindows()` closes the windows, `destroy_node()` deletes the node, and `rclpy.try_shutdown()` ends ROS in this program.
 # - `if __name__ == "__main__":` means: call `main` only if this file is started, not if it is imported.
 
@@ -157,7 +155,7 @@ if ros_available():
         script_node = start("exec python scripts/image_gray_processor.py")
     script_image = script_images.wait(timeout=30)
     print("from another process:", script_image.shape, script_image.dtype)
-    text = figure_texts["script"]
+    text = "ros2_packages/script"
     script_view = live_view(script_images, encoding="mono8", text=text)
 
 # %%
@@ -179,7 +177,7 @@ if ros_available():
 assert script_node is None or script_node.returncode == 0
 
 # %% [markdown]
-# ## 2 · What is in a package (10 minutes)
+# ## 2 · What is in a package ([[minutes]])
 #
 # If ROS 2 is fully installed, one command creates the files of a new package. For our two packages the commands are:
 #
@@ -240,7 +238,7 @@ assert "console_scripts" in setup and "data_files" in setup
 # %% [markdown]
 # The node consists of a function and an `ImageProcessor`, as in [[grayscale_node]]. On a robot, speed is important, so the function calls OpenCV. Section 6 compares its result with the gray image that you computed by hand in [[grayscale]].
 #
-# ## 3 · Planned failure: a dependency that cannot be found (6 minutes)
+# ## 3 · Planned failure: a dependency that cannot be found ([[minutes]], deeper)
 #
 # On a robot, the command `rosdep install` reads `package.xml` and installs the dependencies with the package manager of the robot's Linux. It identifies each dependency by a name, the *[[term:rosdep|rosdep key]]*. If `package.xml` contains another name, rosdep stops:
 #
@@ -277,7 +275,7 @@ print((package / "package.xml").read_text(encoding="utf-8"))
 # %% [markdown]
 # `exec_depend` means: needed when the node runs. `test_depend` means: needed only for the tests. `imgproc_course`, the Python package of this course, has no rosdep key. It must be installed in the Python that builds and runs the nodes. Here this is the Python of this notebook.
 #
-# ## 4 · Build (10 minutes)
+# ## 4 · Build ([[minutes]])
 #
 # The build tool of ROS 2 is [[term:colcon]]. It finds the packages in `src`, builds them, and installs them into the folder `install`. Now our workspace has two folders, `scripts` and `src`. **Predict** how many more folders it has after the build.
 
@@ -319,7 +317,7 @@ assert printed.count("Finished") == 2 and new_folders == ["build", "install", "l
 #
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 5 · Does ROS find the package? (8 minutes)
+# ## 5 · Ask ROS for the package ([[minutes]])
 #
 # The packages are built. Now you open a *second* terminal with **File → New → Terminal**, and ask ROS for the package. **Predict**: can ROS find it?
 
@@ -369,7 +367,7 @@ if ros_available():
 assert not ros_available() or where == str(workspace / "install" / "image_gray_processor")
 
 # %% [markdown]
-# ## 6 · Run (10 minutes)
+# ## 6 · Run ([[minutes]])
 #
 # `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, as you just did. Then it starts the file `lib/PACKAGE/EXECUTABLE` in this folder. Without the command `ros2`, start the file itself. First this notebook subscribes to the node's topic:
 
@@ -399,13 +397,15 @@ if ros_available():
 if ros_available():
     gray = gray_images.wait(timeout=30)
     print("from another process:", gray.shape, gray.dtype)
-    view = live_view(gray_images, encoding="mono8", text=figure_texts["gray"])
+    view = live_view(gray_images, encoding="mono8", text="ros2_packages/gray")
 
 # %%
 # Check: the other process publishes gray images
 assert not ros_available() or (gray.shape == (720, 1280) and gray.dtype == np.uint8)
 
 # %% [markdown]
+# ### Both gray images, pixel by pixel ([[minutes]], deeper)
+#
 # Is the gray image from the other process (computed by OpenCV) equal to the gray image computed by `to_gray`, for every pixel? The node copies the header, so its image has the same stamp as the camera's image. We use the stamp to find the two images that belong together: two callbacks store the images under their stamps.
 
 # %%
@@ -426,10 +426,7 @@ def keep_gray(frame, msg):
 
 
 # %% [markdown]
-# Next, we wait until three gray images and their colour frames have arrived. **Predict** how many pixels differ in all three together. (One image has 921,600 pixels.)
-
-# %% role="predict"
-guess_different = None  # your guess: how many pixels differ?
+# Next, we wait until three gray images and their colour frames have arrived. We count how many of their pixels differ. (One image has 921,600 pixels.)
 
 # %% tags=["nbval-ignore-output", "long"]
 different = 0
@@ -446,7 +443,7 @@ if ros_available():
     for stamp in pairs:
         different += (to_gray(color_frames[stamp]) != gray_frames[stamp]).sum()
 print("pairs of images:", len(pairs))
-compare_guess(guess_different, different)
+print("pixels that differ:", different)
 
 # %%
 # Check: both gray images are equal in every pixel
@@ -454,7 +451,9 @@ assert different == 0 and 720 * 1280 == 921_600
 assert not ros_available() or len(pairs) >= 3
 
 # %% [markdown]
-# Now stop the node: press **Ctrl-C** in its terminal. The next cell does the same if the notebook started the node.
+# ### Stop the node ([[minutes]])
+#
+# Press **Ctrl-C** in the node's terminal. The next cell does the same if the notebook started the node.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -470,7 +469,7 @@ assert node is None or node.returncode == 0
 # %% [markdown]
 # The node stopped without an error and printed its statistics. (*Ignored* images are images that came while the node had no subscriber. The node does not process them.)
 #
-# ## 7 · Practice: where is the executable? (6 minutes)
+# ## 7 · Practice: where is the executable? ([[minutes]], deeper)
 #
 # Write `executable_of(install, package)`. It returns the path of the file that `ros2 run` starts. Here the executable has the same name as its package. The function only puts the path together; it does not look at the disk. `Path` is imported already.
 #
@@ -527,7 +526,7 @@ def inputs(rng):
     return ("/opt/ws/install", "front_camera")
 
 # %% [markdown]
-# ## 8 · Practice: run the edge node (8 minutes)
+# ## 8 · Practice: run the edge node ([[minutes]], deeper)
 #
 # Now run the edge-detection node in the second terminal. Its thresholds are *parameters*, and you can set them in the command:
 #
@@ -555,7 +554,7 @@ if ros_available():
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     edges = edge_images.wait(timeout=30)
-    text = figure_texts["edges"]
+    text = "ros2_packages/edges"
     edge_view = live_view(edge_images, encoding="mono8", text=text)
 
 # %%
@@ -574,7 +573,7 @@ if stop_now and edge_node is not None:
     stop(edge_node)
 
 # %% [markdown]
-# ## 9 · Your turn: a package of your own (30 minutes)
+# ## 9 · Your turn: a package of your own ([[minutes]])
 #
 # Write a third package, `image_negative`. Its node publishes the *negative* of each gray image: `255 - gray`, so black becomes white. With a full ROS 2 installation you would begin with
 #
@@ -848,7 +847,7 @@ if own_result.passed and ros_available():
         sourced + "exec install/image_negative/lib/image_negative/image_negative")
     own_images = ImageSubscriber("/image_negative/negative", encoding="mono8")
     own_image = own_images.wait(timeout=30)
-    own_view = live_view(own_images, encoding="mono8", text=figure_texts["own"])
+    own_view = live_view(own_images, encoding="mono8", text="ros2_packages/own")
 else:
     print("this needs a package that passes the check, and a running ROS 2")
 
@@ -863,7 +862,7 @@ if own_node is not None:
     print("exit code:", own_node.returncode)
 
 # %% [markdown]
-# ## 10 · On the robot (5 minutes)
+# ## 10 · On the robot ([[minutes]], deeper)
 #
 # | in this course | with a full ROS 2 installation |
 # |---|---|
@@ -908,9 +907,9 @@ if own_node is not None:
 assert round(720 * 1280 * 3 * 8 * 10 / 1e6) == 221
 
 # %% [markdown]
-# ## 11 · Goodbye, and what next (4 minutes)
+# ## 11 · Goodbye, and what next ([[minutes]])
 #
-# You have gone the whole way of an image: from the bytes of a message to a gray image, a clean image, a binary image and edges; from a function to a node, and from a node to a package that runs without a notebook. You computed every step by hand and compared it with the library that everybody uses. Well done!
+# You began with the bytes of a message, and came to gray images and edges. You began with a function, and came to a node, and to a package that runs without a notebook. Well done!
 #
 # **Next:** in [[drive_the_robot]], the robot does what your code says. Then it sees what is in its way ([[obstacles_ahead]]), follows a ball ([[object_tracking]]), finds its own place ([[where_am_i]]), draws a map ([[mapping_and_slam]]), reads a sign ([[reading_text]]), names the things around it ([[recognising_objects]]), finds and hides faces ([[faces]]), obeys your hand ([[gestures]]), and does an errand ([[the_errand]]).
 #

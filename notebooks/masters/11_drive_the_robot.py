@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Drive the robot
-#     minutes: 45
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - write a node that drives a square, and measure where the robot really ends,
 # - compute how far a robot drives before it stands still, and protect it against a node that stops publishing.
 #
-# **Time** about 45 minutes. **You need** [[grayscale_node]] and [[ros2_packages]]. The cells that talk to ROS do nothing on a computer without ROS 2; everything else works there too.
+# **Time** [[minutes]]. **You need** [[grayscale_node]] and [[ros2_packages]]. The cells that talk to ROS do nothing on a computer without ROS 2; everything else works there too.
 
 # %% role="given" exercise=["drive-wheels", "drive-pose", "drive-stop"]
 import math
@@ -33,8 +32,7 @@ from imgproc_course.ros import Robot, RosSession, open_camera
 from imgproc_course.ros import record, ros_available
 from imgproc_course.simulation import Simulation
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "start": (
         "What the camera of the robot sees at the start: the room of the recording.",
@@ -67,7 +65,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A room to drive in (5 minutes)
+# ## 1 · A room to drive in ([[minutes]])
 #
 # `Simulation` is a robot in a room, without ROS and without a clock. You will use it to try your code: the same commands give the same result in every run. It starts in the origin of the room (x = 0 m, y = 0 m) and looks along the axis x. `frame()` is the image of its camera, with 640 × 360 pixels.
 
@@ -75,7 +73,7 @@ figure_texts = {
 robot = Simulation(seed=7, start=(0.0, 0.0, 0.0))
 frame = robot.frame()
 print(frame.shape, frame.dtype)
-show(frame, text=figure_texts["start"])
+show(frame, text="drive_the_robot/start")
 
 # %% [markdown]
 # The same robot also runs in ROS. There it has a clock: it drives in real time, and any node can drive it. The next cell starts it (or joins it, if another notebook has started it).
@@ -96,7 +94,7 @@ assert frame.shape == (360, 640, 3)
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     live_robot = Robot()
-    view = drive(live_robot, text=figure_texts["drive"])
+    view = drive(live_robot, text="drive_the_robot/drive")
 
 # %%
 # Check: the view runs
@@ -114,7 +112,7 @@ if ros_available():
 assert not ros_available() or not view.running
 
 # %% [markdown]
-# ## 2 · Two numbers move the robot (8 minutes)
+# ## 2 · Two numbers move the robot ([[minutes]])
 #
 # A command has two numbers:
 #
@@ -206,7 +204,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 3 · Where the robot is after a step (8 minutes)
+# ## 3 · Where the robot is after a step ([[minutes]])
 #
 # A *[[term:pose]]* of a robot on the floor has three numbers: `x` and `y`, its place in metres, and *[[term:yaw]]*, its direction in radians. Yaw 0 is along x; yaw grows when the robot turns to the left.
 #
@@ -254,7 +252,7 @@ axes.plot(0, 0, "ko")
 axes.annotate("start", (0, 0), (0.04, 0.08), arrowprops={"arrowstyle": "-"})
 axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 axes.legend(loc="center")
-show_figure(figure, text=figure_texts["circle"])
+show_figure(figure, text="drive_the_robot/circle")
 
 # %%
 # Check: the numbers in this section
@@ -340,7 +338,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · The messages of a moving robot (4 minutes)
+# ## 4 · The messages of a moving robot ([[minutes]])
 #
 # In ROS, a command is a message of the type `geometry_msgs/Twist`. It has six numbers, because it can also describe a drone. A robot on the floor uses two of them: `linear.x` is v, and `angular.z` is ω (a turn about the axis z, which points upward).
 
@@ -389,7 +387,7 @@ if ros_available():
 assert not ros_available() or (isinstance(msg, Odometry) and msg.header.frame_id == "odom")
 
 # %% [markdown]
-# ## 5 · Drive a square (8 minutes)
+# ## 5 · Drive a square ([[minutes]])
 #
 # How does a robot know where it is? It counts the turns of its wheels, and adds up steps like yours. This is called *[[term:odometry]]*. The next class uses it to drive a square. `command` gets the pose of the odometry, and returns the next v and ω. You know this form from [[grayscale_node#2]].
 
@@ -456,7 +454,7 @@ axes.plot(0, 0, "ko")
 axes.annotate("start", (0, 0), (-0.08, -0.05))
 axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 axes.legend(loc="center")
-show_figure(figure, text=figure_texts["square"])
+show_figure(figure, text="drive_the_robot/square")
 
 # %%
 # Check: the numbers in this section
@@ -502,7 +500,7 @@ if ros_available():
 # %% tags=["nbval-ignore-output", "long"]
 if ros_available():
     live_robot.restart(start=(0.0, 0.0, 0.0))
-    view = drive(live_robot, text=figure_texts["live"])
+    view = drive(live_robot, text="drive_the_robot/live")
     session = RosSession.current()
     node = session.add_node(SquareNode(0.3, context=session.context))
     end = time.monotonic() + 60
@@ -517,7 +515,7 @@ if ros_available():
 assert not ros_available() or node.driver.sides == 4
 
 # %% [markdown]
-# ## 6 · How far until it stands? (6 minutes)
+# ## 6 · How far until it stands? ([[minutes]])
 #
 # The robot sees an obstacle. How many metres does it still drive before it stands still? There are three parts:
 #
@@ -628,7 +626,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · Planned failure: the node stops publishing (4 minutes)
+# ## 7 · Planned failure: the node stops publishing ([[minutes]])
 #
 # A node sends `linear.x = 0.3`, and then it ends with an error. Nobody sends a new command. What does the robot do? Suppose it simply keeps the last command. **Predict** how far it drives until it bumps into something.
 
@@ -662,7 +660,7 @@ with_rule = Simulation(seed=2)
 short = drive_on(with_rule, longest_age=0.5)
 print("with the rule:", round(short, 2), "m")
 show([without_rule.frame(), with_rule.frame()], ["without", "with"],
-     text=figure_texts["failure"])
+     text="drive_the_robot/failure")
 
 # %%
 # Check: the numbers in this section
@@ -689,7 +687,7 @@ if ros_available():
 assert not ros_available() or live_robot.odometry.twist.twist.linear.x == 0
 
 # %% [markdown]
-# ## 8 · Record your own drive (2 minutes)
+# ## 8 · Record your own drive ([[minutes]])
 #
 # `record` writes topics of the robot into a new folder beside this notebook: here images, depth and odometry. The format is *MCAP*, which other programs, such as Foxglove, open too. `open_recording` opens the folder, so you can run your functions of every lesson on your own drive. Change the command in the next cell as you like. `with` ends the recording after the drive. (In a terminal, `imgproc-course record` does the same.)
 
@@ -705,7 +703,7 @@ if ros_available():
     camera.stop()
     my_drive = open_recording(folder)
     print(folder, "has", len(my_drive), "images")
-    show(my_drive.frame(0), text=figure_texts["mine"])
+    show(my_drive.frame(0), text="drive_the_robot/mine")
 
 # %%
 # Check: the recording has images of the room's camera

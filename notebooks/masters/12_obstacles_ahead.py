@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Obstacles ahead
-#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - compute the time to collision from one camera, without depth,
 # - write a node that brakes in time, and measure how good it is.
 #
-# **Time** about 60 minutes, with a pause after section 4. **You need** [[drive_the_robot]] and [[arrays]]. Only the last section needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[drive_the_robot]] and [[arrays]]. Only the last section needs ROS 2.
 
 # %% role="given" exercise=["obstacles-ray", "obstacles-plane", "obstacles-inliers", "obstacles-nearest", "obstacles-ttc"]
 import math
@@ -38,8 +37,7 @@ from imgproc_course.simulation import Simulation
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "depth": (
         "A frame of the recorded drive and its depth image: dark is near. The depth of the floor grows with each row upward.",
@@ -68,7 +66,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · The depth image (4 minutes)
+# ## 1 · The depth image ([[minutes]])
 #
 # You know the depth image from [[what_is_image_processing#4]]: for every second row and every second column of the frame, it has a distance in millimetres. This distance is the *[[term:depth]]* of a point: how far it is in front of the camera, measured straight ahead. 0 means: no depth.
 
@@ -78,7 +76,7 @@ depth = recording.depth(30)
 z = depth / 1000  # metres
 print(depth.shape, depth.dtype, " from", z.min(), "to", z.max(), "m")
 show([frame[::2, ::2], depth], ["frame", "depth"], limits=(0, 5000),
-     text=figure_texts["depth"])
+     text="obstacles_ahead/depth")
 
 # %%
 # Check: each pixel of this depth image has a depth
@@ -87,11 +85,11 @@ assert depth.shape == (360, 640) and (depth > 0).all()
 # %% [markdown]
 # **On the real robot** there is no such topic: `/kachaka/front_camera/depth` belongs to this course. The depth camera of a Kachaka (`/kachaka/tof_camera/image_raw`) looks up and does not see the floor. There you use the laser scanner, `/kachaka/lidar/scan`; sections 6 and 8 show how. Many other robots have a depth camera like ours.
 #
-# ## 2 · The ray of a pixel (11 minutes)
+# ## 2 · The ray of a pixel ([[minutes]])
 #
 # A pixel and its depth are not yet a place in the room. For this you need the *[[term:ray]]* of the pixel: the line from the camera on which everything lies that this pixel shows. We describe a ray by its point (x, y, 1), at a depth of 1 m: x metres to the **right** and y metres **down**. The point at the depth z is then (x · z, y · z, z).
 #
-# The camera's message `camera_info` has what we need: the focal length `f` and the principal point, both in pixels. The depth image has half the size, so all three are halved.
+# The camera's message `camera_info` has what we need, the *[[term:intrinsics]]* of the camera: its focal length `f` and its *[[term:principal point]]*, the pixel at which it looks straight ahead. Both are in pixels. The depth image has half the size, so all three are halved.
 
 # %%
 info = recording.camera_info
@@ -226,7 +224,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# The course's camera has the rays of all pixels: `camera.rays()`. It also uses three more numbers of the lens, which move no pixel of the depth image by more than one pixel. With one multiplication, every pixel becomes a point:
+# The course's camera has the rays of all pixels: `camera.rays()`. It also uses three more numbers of the lens. Their effect is small: it moves each pixel of the depth image by at most one pixel. With one multiplication, every pixel becomes a point:
 
 # %%
 rays = camera.rays()  # (360, 640, 3): x, y, 1
@@ -246,7 +244,7 @@ moved = camera.project(np.dstack([own_x, own_y, np.ones((360, 640))])) - np.dsta
 assert np.hypot(moved[..., 0], moved[..., 1]).max() < 1
 
 # %% [markdown]
-# ## 3 · A plane of three points (9 minutes)
+# ## 3 · A plane of three points ([[minutes]])
 #
 # The floor is a *[[term:plane]]*. Three points that are not on one line lie on exactly one plane. How do we compute it?
 #
@@ -351,7 +349,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · RANSAC: which points are the floor? (10 minutes)
+# ## 4 · RANSAC: which points are the floor? ([[minutes]])
 #
 # A depth image has 230,400 points; we use every fourth row and column. Most of them are walls and furniture. A plane through the middle of *all* points is useless:
 
@@ -520,7 +518,7 @@ def inputs(rng):
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 
 # %% [markdown]
-# ## 5 · What stands on the floor, and a planned failure (5 minutes)
+# ## 5 · What stands on the floor, and a planned failure ([[minutes]])
 #
 # Now the height of every point is one line. What is more than 3 cm above the floor is an obstacle; the rug is not.
 
@@ -531,11 +529,11 @@ true_obstacle = (labels != 1) & (labels != 14)  # neither floor nor rug
 both = (obstacle & true_obstacle).sum()
 iou = both / (obstacle | true_obstacle).sum()
 print("IoU with the ground truth:", round(iou, 2))
-show(height.round(2), limits=(0, 0.5), cmap="viridis", text=figure_texts["height"])
+show(height.round(2), limits=(0, 0.5), cmap="viridis", text="obstacles_ahead/height")
 
 # %%
 show([obstacle, true_obstacle], ["computed", "ground truth"],
-     text=figure_texts["obstacles"])
+     text="obstacles_ahead/obstacles")
 
 # %%
 # Check: the obstacles agree with the ground truth
@@ -562,7 +560,7 @@ compare_guess(guess_phantom, int(phantoms.sum()))
 right_points = rays * z_66[:, :, np.newaxis]
 right_height = 0.20 - right_points[:, :, 1]
 show([right_height > 0.03, wrong_height > 0.03], ["with the lens", "pinhole"],
-     text=figure_texts["phantom"])
+     text="obstacles_ahead/phantom")
 print("with the lens:", ((right_height > 0.03) & floor_66).sum(), "phantoms")
 
 # %% [markdown]
@@ -574,7 +572,7 @@ assert floor_66.sum() == 48154 and phantoms.sum() == 1728
 assert not ((right_height > 0.03) & floor_66).any()
 
 # %% [markdown]
-# ## 6 · The nearest obstacle in the corridor (8 minutes)
+# ## 6 · The nearest obstacle in the corridor ([[minutes]])
 #
 # Not every obstacle is in the way. The robot is 0.24 m wide. If it drives straight ahead, it needs a *corridor*: a strip of the floor, in which we want 8 cm of free space on each side, so 0.40 m in all. An obstacle is a point in the corridor that is higher than 3 cm, but lower than 0.40 m (the robot drives under anything that is higher).
 #
@@ -721,7 +719,7 @@ axes.plot(-ranges * np.sin(right_first), ranges * np.cos(right_first),
           ".", label="depth image")
 axes.set(xlabel="to the right of the camera (m)", ylabel="forward (m)", aspect="equal")
 axes.legend()
-show_figure(figure, text=figure_texts["scan"])
+show_figure(figure, text="obstacles_ahead/scan")
 
 # %%
 # Check: at the wall on the left, both scans agree
@@ -730,7 +728,7 @@ by_laser = laser.ranges[beams - 45] * np.cos(np.radians(beams - 45.0)) - 0.054
 assert np.abs(ranges[beams] * np.cos(np.radians(beams - 44.5)) - by_laser).max() < 0.15
 
 # %% [markdown]
-# ## 7 · Time to collision, with one camera (6 minutes)
+# ## 7 · Time to collision, with one camera ([[minutes]])
 #
 # Can a robot brake without any depth? Yes: what it drives towards grows in the image. If a ball is twice as near, it looks twice as wide. Let its width be 160 pixels now, and 144 pixels half a second ago. The *[[term:time to collision]]* is the time until the robot hits it, if the speed does not change:
 #
@@ -835,13 +833,13 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · Brake! (7 minutes)
+# ## 8 · Brake! ([[minutes]])
 #
 # When must the robot brake? The first idea: when an obstacle is nearer than a fixed distance, say 0.06 m. We try it in the simulation, at three speeds. The robot looks ten times per second. (Its front is 0.03 m ahead of its camera.)
 
 # %%
 robot = Simulation(seed=1, start=(0.95, -1.3, 0.0), time=5.0)
-show(robot.frame(), text=figure_texts["boxes"])
+show(robot.frame(), text="obstacles_ahead/boxes")
 
 # %% tags=["long"]
 def free_distance(robot):

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Where am I?
-#     minutes: 70
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - chain motions to a path, and keep its drift small with keyframes,
 # - measure the error of a path against the truth.
 #
-# **Time** about 70 minutes, with a pause after section 4. **You need** [[obstacles_ahead]] and [[drive_the_robot]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]] and [[drive_the_robot]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["where-homography", "where-decode", "where-motion", "where-inliers", "where-keyframes"]
 import math
@@ -46,8 +45,7 @@ from imgproc_course.simulation import Simulation
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "marker": (
         "The marker in the first and in the last frame of the drive. The dots are the corners that OpenCV finds; the large dot is the first one.",
@@ -84,7 +82,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · Two ways to know the place (5 minutes)
+# ## 1 · Two ways to know the place ([[minutes]])
 #
 # In [[drive_the_robot#4]] the robot drove a small square, and its wheels were wrong by 15 cm at the end. The wheels count only steps, and each small error stays. There are two better ways:
 #
@@ -126,14 +124,14 @@ def cut_out(k):
     return image
 
 
-show([cut_out(0), cut_out(89)], ["frame 0", "frame 89"], text=figure_texts["marker"])
+show([cut_out(0), cut_out(89)], ["frame 0", "frame 89"], text="where_am_i/marker")
 
 # %%
 # Check: the marker is found in every frame
 assert len(corners) == 90 and all(found.shape == (4, 2) for found in corners)
 
 # %% [markdown]
-# ## 2 · From a flat thing to its image (14 minutes)
+# ## 2 · From a flat thing to its image ([[minutes]])
 #
 # The marker is flat. Give each of its points two coordinates, x and y. Where is the point in the image? There is one 3 × 3 matrix for all of its points, the *[[term:homography]]*. Multiply it with (x, y, 1): this gives three numbers a, b and c. Then **divide**: the column is u = a / c, the row is v = b / c.
 
@@ -166,7 +164,7 @@ compare_guess(guess_column, column)
 #
 # $$u = \frac{h_1 x + h_2 y + h_3}{h_7 x + h_8 y + h_9}$$
 #
-# Multiply by the denominator, and move everything to one side. Then all nine numbers stand in one row of products, and the sum is 0:
+# Multiply by the denominator, and move everything to one side. Then all nine numbers are in one row of products, and the sum is 0:
 #
 # $$h_1 x + h_2 y + h_3 - u x h_7 - u y h_8 - u h_9 = 0$$
 #
@@ -274,7 +272,7 @@ def inputs(rng):
 # %% [markdown]
 # OpenCV does the same: `cv2.getPerspectiveTransform` for four corners, `cv2.findHomography` for more. From here on, the lesson uses `homography` of the course's package, so that it does not need your function.
 #
-# ## 3 · Read the marker (11 minutes)
+# ## 3 · Read the marker ([[minutes]])
 #
 # Which marker is it? Its pattern has 6 × 6 cells. We give the corners of the marker the coordinates (0, 0), (6, 0), (6, 6) and (0, 6): then the middle of the first cell is at (0.5, 0.5). The homography says which pixel that is.
 
@@ -310,7 +308,7 @@ for col, row in cell_pixels(corners[89]).reshape(36, 2).tolist():
 (left, top), (right, bottom) = corners[89].min(axis=0), corners[89].max(axis=0)
 part = dotted[int(top) - 9:int(bottom) + 9, int(left) - 9:int(right) + 9]
 show([part, np.kron(cells, np.full((17, 17), 255, np.uint8))],
-     ["the middles of the cells", "1 is white"], text=figure_texts["cells"])
+     ["the middles of the cells", "1 is white"], text="where_am_i/cells")
 
 # %% [markdown]
 # The outermost cells are all black: this is the *border*, by which the marker is found. The 4 × 4 cells inside are the *word* of the marker. The [[term:marker dictionary|dictionary]] DICT_4X4_50 has 50 words, one for each number:
@@ -445,7 +443,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · Where is the camera? (7 minutes)
+# ## 4 · Where is the camera? ([[minutes]])
 #
 # The four corners say still more. If the marker has its real size of 0.25 m, its homography contains where the marker is, as seen from the camera: its [[term:pose]]. `homography_pose` of the course's package takes it out; OpenCV's `cv2.solvePnP` computes it from the corners directly. (PnP means *[[term:perspective-n-point]]*: the pose from n points.)
 #
@@ -522,7 +520,7 @@ axes.plot(*rough_places[:, :2].round(2).T, "rx", label="rough corners")
 axes.plot(*marker.position[:2], "ks", label="marker")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
 axes.legend()
-show_figure(figure, text=figure_texts["flips"])
+show_figure(figure, text="where_am_i/flips")
 
 # %%
 # Check: the numbers in this section
@@ -538,9 +536,9 @@ assert max(math.dist(place_by_hand(corners[k]), refined_places[k]) for k in rang
 #
 # This is a good place for a pause.
 #
-# ## 5 · The motion between two clouds of points (11 minutes)
+# ## 5 · The motion between two clouds of points ([[minutes]])
 #
-# Most places have no marker. But every room has corners, edges and patterns. Take frame 40 and frame 50, one second later. OpenCV finds points that are easy to find again (`goodFeaturesToTrack`), and follows each of them into the other frame (`calcOpticalFlowPyrLK`, the *[[term:optical flow]]* of Lucas and Kanade). As a test, it follows them back: who does not come back to its start is left out.
+# Most places have no marker. But every room has corners, edges and patterns. Take frame 40 and frame 50, one second later. OpenCV finds points that are easy to find again (`goodFeaturesToTrack`), and follows each of them into the other frame (`calcOpticalFlowPyrLK`, the *[[term:optical flow]]* of Lucas and Kanade). As a test, it follows them back: a point that does not come back to its start is left out.
 
 # %% tags=["long"]
 grays = [gray[::2, ::2].copy() for gray in grays]  # as large as the depth images
@@ -569,7 +567,7 @@ lines = frames[50][::2, ::2].copy()
 for a, b in zip(np.rint(start).astype(int), np.rint(end).astype(int), strict=True):
     cv2.line(lines, a.tolist(), b.tolist(), (0, 220, 255), 1)
     cv2.circle(lines, b.tolist(), 2, (0, 220, 255), -1)
-show(lines, "frame 50", text=figure_texts["pairs"])
+show(lines, "frame 50", text="where_am_i/pairs")
 
 # %% [markdown]
 # With the depth image, each pixel becomes a point in front of the camera, as in [[obstacles_ahead#2]]: its ray, times its depth. So we get two clouds of points, and each point of the first cloud has its partner in the second one.
@@ -731,7 +729,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · Many pairs are wrong (8 minutes)
+# ## 6 · Many pairs are wrong ([[minutes]])
 #
 # The room does not stand still: the person walks, the ball rolls, the car drives. And some points jump: from the edge of a thing to the wall behind it, or from one stripe of the rug to the next one, which looks the same. So many pairs do not tell the motion of the robot. You know the remedy: [[term:RANSAC]]. Draw three pairs, compute their motion, count the [[term:inlier|inliers]], repeat.
 #
@@ -778,7 +776,7 @@ for a, b, agrees in zip(start, end, near, strict=True):
     colour = (255, 255, 255) if agrees else (0, 0, 255)
     cv2.line(lines, a.tolist(), b.tolist(), colour, 1)
     cv2.circle(lines, b.tolist(), 2, colour, -1)
-show(lines, "frame 50", text=figure_texts["inliers"])
+show(lines, "frame 50", text="where_am_i/inliers")
 
 # %%
 # Check: the numbers in this section
@@ -902,7 +900,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · The whole drive, and more drift (8 minutes)
+# ## 7 · The whole drive, and more drift ([[minutes]])
 #
 # Now chain the motions: the pose of the camera at frame 1 is its pose at frame 0, and then the motion from 0 to 1; then the motion from 1 to 2, and so on. The points move the other way round than the camera, so we take the inverse.
 #
@@ -947,7 +945,7 @@ axes.plot(*every[:, :2].round(3).T, "r", label="every frame")
 axes.plot(*tenth[:, :2].round(3).T, "b.--", label="every tenth frame")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
 axes.legend(loc="lower left")
-show_figure(figure, text=figure_texts["paths"])
+show_figure(figure, text="where_am_i/paths")
 
 # %%
 # Check: the numbers in this section
@@ -1050,7 +1048,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · In the room (6 minutes)
+# ## 8 · In the room ([[minutes]])
 #
 # The robot drives a slalom in the simulated room, and has both: its wheels, and its camera. The class does what you have just built: it follows the points of the last keyframe, and takes a new keyframe after 0.15 m or 10 degrees. It also takes one if fewer than 40 pairs agree, while it still can.
 
@@ -1123,7 +1121,7 @@ for name, path, style in (("truth", truth, "0.7"), ("wheels", wheels, "r--"), ("
     axes.plot(*np.array(path)[:, :2].round(3).T, style, label=name, linewidth=6 if name == "truth" else 2)
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
 axes.legend(loc="lower left")
-show_figure(figure, text=figure_texts["room"])
+show_figure(figure, text="where_am_i/room")
 
 # %%
 # Check: the numbers in this section
@@ -1223,7 +1221,7 @@ if ros_available():
               "r--", label="wheels")
     axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
     axes.legend()
-    show_figure(figure, text=figure_texts["live"])
+    show_figure(figure, text="where_am_i/live")
 
 # %%
 # Check: the node looked, and published each pose

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Mapping and SLAM
-#     minutes: 70
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - recognize a place with two laser scans,
 # - correct all poses of a path with the Gauss-Newton method, and measure how much better the map becomes.
 #
-# **Time** about 70 minutes, with a pause after section 4. **You need** [[where_am_i]] and [[drive_the_robot]]. Only the last part of section 9 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[where_am_i]] and [[drive_the_robot]]. Only the last part of section 9 needs ROS 2.
 
 # %% role="given" exercise=["mapping-ray", "mapping-scan", "mapping-error", "mapping-loops", "mapping-step"]
 import math
@@ -47,8 +46,7 @@ from imgproc_course.simulation import Simulation
 from imgproc_course.simulation.laser import cut
 from imgproc_course.simulation.room_model import load_room
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "scan": (
         "The first scan: each dot is a place where a ray of the laser scanner ends. The robot stands at the triangle.",
@@ -85,7 +83,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A loop in the room (4 minutes)
+# ## 1 · A loop in the room ([[minutes]])
 #
 # The scanner of the robot sends 360 rays in a plane, 10 cm above the floor. Where a ray ends, there is something. The robot drives a circle, and comes back to its start after 25 seconds. Every 0.8 seconds it *looks*: it keeps a scan, and what the wheels say. For the scores, we also keep the true pose.
 
@@ -121,7 +119,7 @@ axes = figure.subplots()
 axes.plot(*scans[0].T, "k.", markersize=3)
 axes.plot(0, 0, "b>")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
-show_figure(figure, text=figure_texts["scan"])
+show_figure(figure, text="mapping_and_slam/scan")
 
 # %%
 # Check: the numbers in this section
@@ -132,7 +130,7 @@ assert math.dist(truth[0, :2], truth[-1, :2]) < 0.1 and 25 < robot.time < 27
 # %% [markdown]
 # A cloud of dots is not yet a map. A robot that plans its way needs two answers for each place: is there something, is it free, **or do we not know**? So we divide the floor into squares of 5 cm, the *cells* of an *[[term:occupancy grid]]*. Each ray says two things: its last cell is occupied, and all cells on the way are free.
 #
-# ## 2 · The cells of a ray (9 minutes)
+# ## 2 · The cells of a ray ([[minutes]])
 #
 # A ray begins in the cell (0, 0), row and column, and ends in (2, 5). Which cells does it pass through? It goes 2 rows and 5 columns far. So it takes 5 *steps*, the larger of both numbers. In each step the column grows by 1, and the row by 2/5. **Predict** the row after the second step, in the cell of column 2.
 
@@ -175,7 +173,7 @@ axes = figure.subplots()
 axes.imshow(grid, cmap="Blues", vmax=1.4)
 axes.plot([0, 5], [0, 2], "r")
 axes.set(xlabel="column", ylabel="row", yticks=[0, 1, 2])
-show_figure(figure, text=figure_texts["ray"])
+show_figure(figure, text="mapping_and_slam/ray")
 
 # %%
 # Check: the numbers in this section
@@ -262,7 +260,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 3 · How sure is a cell? (10 minutes)
+# ## 3 · How sure is a cell? ([[minutes]])
 #
 # One scan can be wrong: a ray hits the leg of a person who walks by, or passes a corner. So each scan only makes a cell *more* or *less* likely to be occupied. If a ray ends in a cell, something is there with a [[term:probability]] of 0.7, as long as we know nothing else. If a ray passes through it, with 0.4.
 #
@@ -282,10 +280,10 @@ axes = figure.subplots()
 axes.plot(p, np.log(p / (1 - p)).round(3))
 axes.axhline(0, color="0.7")
 axes.set(xlabel="probability", ylabel="log-odds")
-show_figure(figure, text=figure_texts["log-odds"])
+show_figure(figure, text="mapping_and_slam/log-odds")
 
 # %% [markdown]
-# 0 means: we do not know. So the map begins with zeros, each hit adds 0.85, and each ray that passes takes away 0.4. Two hits and one passing ray: 0.85 + 0.85 − 0.4 = 1.3. Back to a probability, it is 0.79. So that no cell becomes so sure that it never changes its mind, we stop at −6 and at 6.
+# 0 means: we do not know. So the map begins with zeros, each hit adds 0.85, and each ray that passes takes away 0.4. Two hits and one passing ray: 0.85 + 0.85 − 0.4 = 1.3. Back to a probability, it is 0.79. We limit the number to the range −6 to 6, so that new hits and rays can still change every cell.
 #
 # Many rays have passed through a cell, so it is at −6. Now somebody puts a chair there, and each scan hits it. **Predict** after how many hits the cell is occupied, that is above 0.
 
@@ -413,7 +411,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · Two maps of one room (7 minutes)
+# ## 4 · Two maps of one room ([[minutes]])
 #
 # Our map has 110 × 150 cells of 5 cm. Its first cell is at x = −1.5 m and y = −2.7 m. A scan is given as the robot sees it, so first its points go into the room, turned and shifted by the pose of the robot, as in [[drive_the_robot]]. Then each point has a cell:
 
@@ -461,7 +459,7 @@ print("after one scan: occupied", (first_map > 0).sum(), "  free", (first_map < 
       "  unknown", (first_map == 0).sum())
 figure = Figure(figsize=(6, 4), layout="constrained")
 draw_map(figure.subplots(), first_map, truth[:1], "one scan")
-show_figure(figure, text=figure_texts["first map"])
+show_figure(figure, text="mapping_and_slam/first map")
 
 # %% [markdown]
 # How good is a map? For the score we need the truth: the cells of all walls and furniture at the height of the scanner. [[edge_detection_node]] had the two numbers for it: *[[term:precision]]*, the share of the occupied cells where there really is something, and *[[term:recall]]*, the share of the real cells that the map has found. A cell beside the right one is good enough.
@@ -499,7 +497,7 @@ figure = Figure(figsize=(9, 3.7), layout="constrained")
 left, right = figure.subplots(1, 2)
 draw_map(left, true_map, truth, "true poses")
 draw_map(right, wheels_map, wheels, "poses of the wheels")
-show_figure(figure, text=figure_texts["doubled"])
+show_figure(figure, text="mapping_and_slam/doubled")
 
 # %% [markdown]
 # The same scans, but each wall is there twice, or three times: this map is useless. The scanner is exact; only the poses are wrong. The rest of this lesson repairs them.
@@ -530,7 +528,7 @@ assert (first_map > 0).sum() + (first_map < 0).sum() + (first_map == 0).sum() ==
 # %% [markdown]
 # This is a good place for a pause.
 #
-# ## 5 · What an edge says (8 minutes)
+# ## 5 · What an edge says ([[minutes]])
 #
 # The wheels are wrong about the whole way, but about one step from a pose to the next, they are nearly right. So we keep the small steps, and leave open where the poses are. Such a net is called a *[[term:pose graph]]*: its nodes are poses (x, y, yaw), and each *edge* is a measured motion from one pose to another one: so far ahead, so far to the left, and turned by so much.
 #
@@ -548,7 +546,7 @@ print("turned:", round(math.degrees(second[2] - first[2])), "degrees")
 # %% [markdown]
 # Now the wheels measured something else for this edge: 1.9 m ahead, 0.1 m to the left, turned by 30 degrees. The *error* of the edge is the difference: what the poses say, less what was measured. Here it is 0.1, −0.1 and 0.
 #
-# There is a trap in the angle. One pose looks to 170°, the next one to −170°. **Predict** how many degrees the robot has turned between them, to the left.
+# There is a trap in the angle. One pose has the yaw 170°, the next one −170°. **Predict** how many degrees the robot has turned between them, to the left.
 
 # %% role="predict"
 guess_turn = None  # your guess: how many degrees?
@@ -647,7 +645,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · I have been here before (10 minutes)
+# ## 6 · I have been here before ([[minutes]])
 #
 # With the edges of the wheels alone, nothing can be corrected: each pose follows from the one before, and no edge contradicts another. We need an edge that goes back: the robot must notice that it is at a place where it has been. This is a *[[term:loop closure]]*. A person would recognize the sofa. The robot compares two scans: if they come from almost the same place, they lie on each other after a small shift and turn. This is called *[[term:scan matching]]*.
 #
@@ -705,7 +703,7 @@ for axes, (title, motion) in zip(parts, motions.items(), strict=True):
     axes.plot(*scans[0].T, ".", color="0.6", markersize=6)
     axes.plot(*to_room(motion, scans[32]).T, "r.", markersize=2)
     axes.set(title=title, xlabel="x (m)", ylabel="y (m)", aspect="equal")
-show_figure(figure, text=figure_texts["matching"])
+show_figure(figure, text="mapping_and_slam/matching")
 
 # %%
 # Check: the numbers in this section
@@ -811,7 +809,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · Pull the graph straight (12 minutes)
+# ## 7 · Pull the graph straight ([[minutes]])
 #
 # Now some edges contradict each other. First on a line: three poses at x = 0, 1 and 2. The wheels have measured 1.0 and 1.0. Then the robot compares the scans, and measures that the last pose is only 1.7 after the first. The errors of the three edges:
 
@@ -883,7 +881,7 @@ print("tried:   ", ((turned - error) / 1e-6).round(3))
 print("computed:", by_first[:, 2].round(3))
 
 # %% [markdown]
-# Where do the blocks stand in J? The pose with the number i has the columns 3i, 3i + 1 and 3i + 2. With `J[0:3, 3:6] = block`, a block of the edge 0 is written into the columns of the pose 1:
+# Where do the blocks belong in J? The pose with the number i has the columns 3i, 3i + 1 and 3i + 2. With `J[0:3, 3:6] = block`, a block of the edge 0 is written into the columns of the pose 1:
 
 # %%
 J = np.zeros((3, 9))  # one edge, three poses
@@ -994,7 +992,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · The map afterwards (5 minutes)
+# ## 8 · The map afterwards ([[minutes]])
 #
 # Now for our circle. The pairs that may close a loop are those whose wheels say that they are at most 1 m apart, and that are at least 12 poses from each other. The scans decide:
 
@@ -1044,7 +1042,7 @@ figure = Figure(figsize=(9, 3.7), layout="constrained")
 left, right = figure.subplots(1, 2)
 draw_map(left, wheels_map, wheels, "poses of the wheels")
 draw_map(right, new_map, poses, "after the loop closure")
-show_figure(figure, text=figure_texts["closed"])
+show_figure(figure, text="mapping_and_slam/closed")
 
 # %%
 # Check: the numbers in this section
@@ -1067,7 +1065,7 @@ print("ATE with one wrong loop:", "more than 30 cm" if ate(bent[:, :2], truth[:,
 assert ate(bent[:, :2], truth[:, :2]) > 0.3
 
 # %% [markdown]
-# ## 9 · Live: the map snaps (5 minutes)
+# ## 9 · Live: the map snaps ([[minutes]])
 #
 # Now everything together, step by step while the robot drives. A `Mapper` takes a new *[[term:keyframe]]* after 20 cm or 20 degrees. It compares each keyframe with the nearest one that is at least 12 keyframes older. If they match, it corrects all poses.
 
@@ -1202,7 +1200,7 @@ if ros_available():
         left, right = figure.subplots(1, 2)
         draw_map(left, node.before, node.before_path, "before the loop was closed")
         draw_map(right, node.grid, node.mapper.poses, "after")
-        show_figure(figure, text=figure_texts["live"])
+        show_figure(figure, text="mapping_and_slam/live")
 
 # %%
 # Check: the node has seen scans, and made keyframes of them

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Recognising objects
-#     minutes: 80
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - divide data into training and test without leakage,
 # - find a known thing by keypoints, a homography and RANSAC.
 #
-# **Time** about 80 minutes, with a pause after section 4. **You need** [[canny_stages]], [[obstacles_ahead]] and [[where_am_i]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[canny_stages]], [[obstacles_ahead]] and [[where_am_i]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["objects-cell", "objects-mean", "objects-confusion", "objects-inliers"]
 import numpy as np
@@ -42,8 +41,7 @@ from imgproc_course.simulation import Simulation
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "crops": (
         "One crop of each class, from the first half of the drive. Each has 64 × 64 pixels.",
@@ -80,7 +78,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · Twelve classes (5 minutes)
+# ## 1 · Twelve classes ([[minutes]])
 #
 # A *[[term:object class|class]]* is a kind of thing: chair, ball, person. *[[term:classification|To classify]]* means to say the class of an image. The recorded drive has a [[term:label image]] for each frame, so we know the right answers. We cut out the largest component of each class (if it has at least 400 pixels), with a border of 10 % of its longer side, and bring it to 64 × 64 pixels. Such a part of an image is a [[term:crop]]. A crop is never only its thing: behind the chair stands a person.
 
@@ -129,7 +127,7 @@ print(len(train_crops), "crops to learn from,", len(test_crops), "to test")
 
 # %%
 first_crops = [train_crops[list(train_classes).index(place)] for place in range(12)]
-show(first_crops, thing_names, columns=6, text=figure_texts["crops"])
+show(first_crops, thing_names, columns=6, text="recognising_objects/crops")
 
 # %%
 # Check: the numbers in this section
@@ -137,7 +135,7 @@ assert len(train_crops) == 180 and len(test_crops) == 102 and set(test_classes.t
 assert train_crops[0].shape == (64, 64, 3) and train_crops[0].dtype == np.uint8
 
 # %% [markdown]
-# ## 2 · The directions of the edges (17 minutes)
+# ## 2 · The directions of the edges ([[minutes]])
 #
 # Two chairs in different light have different gray levels, but their edges run in the same directions. So we describe a crop by its gradients (you know them from [[canny_stages]]). For each pixel: the pixel to the right minus the pixel to the left, and the pixel below minus the pixel above. At the border of the image one of the two is missing, so the gradient is 0 there. A small example, with a bright part on the right:
 
@@ -310,7 +308,7 @@ _, stars = hog(gray_of(chair), orientations=9, pixels_per_cell=(8, 8),
 stars = np.clip(stars * 255 / np.percentile(stars, 99), 0, 255).round().astype(np.uint8)
 show([cv2.resize(gray_of(chair), (320, 320), interpolation=cv2.INTER_NEAREST),
       cv2.resize(stars, (320, 320), interpolation=cv2.INTER_NEAREST)],
-     ["chair", "histograms of its cells"], text=figure_texts["cells"])
+     ["chair", "histograms of its cells"], text="recognising_objects/cells")
 
 # %%
 # Check: the numbers in this section
@@ -330,7 +328,7 @@ scaled = hog(gray * 0.5, 9, (8, 8), (2, 2), "L2-Hys")
 assert abs(scaled - features).max() < 1e-3  # half the light, the same features
 
 # %% [markdown]
-# ## 3 · The nearest mean (12 minutes)
+# ## 3 · The nearest mean ([[minutes]])
 #
 # The simplest classifier: take the **mean** of the feature vectors of each class. A new vector belongs to the class whose mean is nearest. With two numbers for each thing:
 
@@ -498,7 +496,7 @@ assert accuracies == [0.60, 0.71, 0.80]
 # %% [markdown]
 # Gray levels are the weakest: if the thing moves by some pixels, all of them change. Colours seem to be the best. Keep this in mind until section 6.
 #
-# ## 4 · Which class for which? (9 minutes)
+# ## 4 · Which class for which? ([[minutes]])
 #
 # One number does not say *what* goes wrong. A *[[term:confusion matrix]]* does: its row is the true class, its column is the predicted class, and each number counts how often this happened. Five things of three classes:
 
@@ -593,7 +591,7 @@ def inputs(rng):
 # %% [markdown]
 # This is a good place for a pause.
 #
-# ## 5 · A linear classifier (5 minutes)
+# ## 5 · A linear classifier ([[minutes]])
 #
 # The nearest mean treats all 1764 numbers alike. A *[[term:linear classifier]]* learns which of them matter. For each class it has a list of *[[term:weight|weights]]*, one for each number of the feature vector. It multiplies, adds everything up, and adds one more number, the *bias*. The class with the largest score wins. With two numbers and three classes:
 
@@ -632,7 +630,7 @@ for row, col in np.argwhere(matrix).tolist():
 axes.set_xticks(range(12), thing_names, rotation=60)
 axes.set_yticks(range(12), thing_names)
 axes.set(xlabel="predicted class", ylabel="true class")
-show_figure(figure, text=figure_texts["confusion"])
+show_figure(figure, text="recognising_objects/confusion")
 
 # %%
 # Check: the numbers in this section, and that the model decides in the same way
@@ -647,7 +645,7 @@ assert matrix[6].tolist() == [1, 0, 0, 2, 5, 0, 0, 0, 0, 0, 0, 2] and thing_name
 # The accuracy is 78 %; the matrix says more. The shelf is never recognised: five of ten are taken for a box.
 
 # %% [markdown]
-# ## 6 · Planned failures (7 minutes)
+# ## 6 · Planned failures ([[minutes]])
 #
 # **Leakage.** Many people mix all examples, and take a random part of them for the test:
 
@@ -693,7 +691,7 @@ for k in range(60, 90, 3):
 
 # %%
 show([recording.frame(87)[::2, ::2], room.frame()[::2, ::2]],
-     ["frame 87 of the drive", "in the evening"], text=figure_texts["evening"])
+     ["frame 87 of the drive", "in the evening"], text="recognising_objects/evening")
 
 # %% [markdown]
 # The linear classifier with colours had 85 % right at the end of the drive (the nearest mean had 80 % in section 3). **Predict** how many percent it has right in the evening.
@@ -724,7 +722,7 @@ axes.axhline(100 / 12, color="0.4", linestyle="--", label="guessing")
 axes.set_xticks(places, ["random crops", "end of the drive", "evening"])
 axes.set(ylabel="right (%)", ylim=(0, 100))
 axes.legend()
-show_figure(figure, text=figure_texts["scores"])
+show_figure(figure, text="recognising_objects/scores")
 
 # %%
 # Check: the numbers in this section
@@ -734,7 +732,7 @@ assert len(evening_crops) == 102 and len(all_classes) == 282 and round(100 / 12)
 # %% [markdown]
 # With colours, the robot only guesses in the evening: one of twelve classes is right in 8 %. The lamp changes every colour, but the directions of the edges only a little. A feature that wins in one room can lose in the next one.
 #
-# ## 7 · This very thing (16 minutes)
+# ## 7 · This very thing ([[minutes]])
 #
 # Until now: *a* chair. Now: *this* thing, and where exactly. Such a single thing is called an *[[term:instance]]*. The plate with the marker stands beside the door; we take its image from frame 88, and look for it in frame 30. Small patches around corners and spots are described by numbers that stay nearly the same if the thing is turned or farther away: **SIFT** finds such *[[term:keypoint|keypoints]]*, and the *[[term:descriptor]]* of each one, 128 numbers. It is related to HOG: histograms of gradient directions, of 4 × 4 cells.
 
@@ -959,7 +957,7 @@ cv2.polylines(view, [quad - [240, 150]], True, (0, 255, 0), 2)
 for point, is_inlier in zip(frame_points.round().astype(int) - [240, 150], inliers, strict=True):
     colour = (0, 255, 0) if is_inlier else (0, 0, 255)
     cv2.circle(view, point.tolist(), 4, colour, 2)
-show(view, "frame 30", text=figure_texts["matches"])
+show(view, "frame 30", text="recognising_objects/matches")
 
 # %%
 # Check: the marker is in the part that is shown
@@ -969,7 +967,7 @@ assert cols.min() > 240 and cols.max() < 1040 and rows.min() > 150 and rows.max(
 # Wrong matches seldom agree: eight of them on one homography would hardly be chance, and here there are many more. A class says what a thing is, an instance says which one, and where each of its points is.
 
 # %% [markdown]
-# ## 8 · In the room (9 minutes)
+# ## 8 · In the room ([[minutes]])
 #
 # Until now, the label image said where the things are. A robot has none. But it has a depth image: what stands on the floor, and ends where the depth jumps, is one thing. Each thing then gets the name with the largest score. The *margin* is the difference between the largest score and the second largest one.
 
@@ -1051,7 +1049,7 @@ def with_names(frame, things, names):
     return view
 
 
-show(with_names(small_frame, things, names), text=figure_texts["things"])
+show(with_names(small_frame, things, names), text="recognising_objects/things")
 
 # %%
 # Check: the names, and that the label image agrees with what a person sees
@@ -1163,7 +1161,7 @@ if ros_available():
         place = marker.pose.position
         print(f"{marker.text:8} at x = {place.x:.2f} m, y = {place.y:.2f} m")
     if node.looks:
-        show(with_names(*node.last_look), text=figure_texts["live"])
+        show(with_names(*node.last_look), text="recognising_objects/live")
 
 # %%
 # Check: the node looked

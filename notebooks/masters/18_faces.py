@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Faces
-#     minutes: 110
 # ---
 
 # %% [markdown]
@@ -19,7 +18,7 @@
 # - say when each of these fails,
 # - hide faces in an image, and say what a robot may store.
 #
-# **Time** about 110 minutes, with a pause after section 4. **You need** [[noise_removal]] and [[recognising_objects]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[noise_removal]] and [[recognising_objects]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["faces-integral", "faces-haar", "faces-residue", "faces-lbp", "faces-anonymise"]
 import numpy as np
@@ -44,8 +43,7 @@ from imgproc_course.simulation import draw_face, put_face, random_identity
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "people": (
         "Four images of drawn faces. The first, third and fourth one show the same person.",
@@ -90,7 +88,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · People who do not exist (5 minutes)
+# ## 1 · People who do not exist ([[minutes]])
 #
 # *[[term:face detection|Face detection]]* finds where faces are in an image. *[[term:face recognition|Face recognition]]* says whose face it is. These are different questions, and they need different tools.
 #
@@ -102,14 +100,14 @@ print(len(people), "people, the first one:", people[0].round(2))
 faces = [draw_face(people[0], 128), draw_face(people[1], 128),
          draw_face(people[0], 128, side_light=0.6), draw_face(people[0], 128, yaw=0.3)]
 show(faces, ["person 0", "person 1", "0, side light", "0, turned"],
-     columns=4, text=figure_texts["people"])
+     columns=4, text="faces/people")
 
 # %%
 # Check: the numbers in this section
 assert len(people) == 30 and people[0].shape == (12,) and faces[0].shape == (128, 128, 3) and faces[0].dtype == np.uint8
 
 # %% [markdown]
-# ## 2 · The sum of any box (14 minutes)
+# ## 2 · The sum of any box ([[minutes]])
 #
 # Where the eyes are, a face is dark. So a detector adds up the pixels of many boxes and compares the sums. A box of 200 × 300 pixels has 60,000 of them, and there are hundreds of thousands of boxes. We do it with **running sums** instead: each number is the sum of all numbers up to it.
 
@@ -227,7 +225,7 @@ compare_guess(guess_corners, len(corners))
 assert [int(corner) for corner in corners] == [78, -6, -33, 1] and sum(corners) == block[1:3, 2:4].sum() == 40
 
 # %% [markdown]
-# ## 3 · Bright boxes and dark boxes (15 minutes)
+# ## 3 · Bright boxes and dark boxes ([[minutes]])
 #
 # A *[[term:Haar feature]]* consists of two or three boxes in a small window, and each box has a weight. Its value is the sum of the pixels of each box, times its weight, all added up. OpenCV's face detector looks at windows of 24 × 24 pixels. This is the first feature in its file: left, top, width, height and weight of each box, counted from the upper left corner of the window.
 
@@ -242,7 +240,7 @@ window = cv2.cvtColor(small[20:20 + 24, 52:52 + 24], cv2.COLOR_GRAY2BGR)
 view = cv2.resize(window, (384, 384), interpolation=cv2.INTER_NEAREST)
 for left, top, width, height, _ in first_feature:
     cv2.rectangle(view, (16 * left, 16 * top), (16 * (left + width), 16 * (top + height)), (0, 0, 255), 2)
-show(view, "24 × 24 pixels", text=figure_texts["feature"])
+show(view, "24 × 24 pixels", text="faces/feature")
 
 # %% [markdown]
 # The large box has the weight −1, and the strip inside it 3. So a pixel of the strip counts 3 − 1 = 2, and every other pixel of the large box counts −1. On a face the strip lies at the height of the eyes.
@@ -269,7 +267,7 @@ print("on the face:", value_on_face)
 # %% [markdown]
 # The eyes are darker than the forehead and the cheeks, so the value on the face is far below 0.
 #
-# With the integral image, no pixel needs to be added up again, wherever the window stands. For one box in the window whose upper left pixel is in row 2, column 1 of an image:
+# With the integral image, no pixel needs to be added up again, wherever the window is. For one box in the window whose upper left pixel is in row 2, column 1 of an image:
 
 # %%
 image = np.arange(48).reshape(6, 8)
@@ -362,7 +360,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · The cascade (15 minutes)
+# ## 4 · The cascade ([[minutes]])
 #
 # One feature finds no face: curtains and shelves also have dark strips. A *weak classifier* compares one feature with a limit and gives one of two numbers. A *stage* adds up the numbers of its weak classifiers. If the sum is below the threshold of the stage, the window is rejected. Three windows, two weak classifiers, and a threshold of 1.5:
 
@@ -455,7 +453,7 @@ axes = figure.subplots()
 axes.bar(range(len(left)), left, color="b")
 axes.set(xlabel="stage", ylabel="windows left", yscale="log")
 axes.grid(axis="y")
-show_figure(figure, text=figure_texts["stages"])
+show_figure(figure, text="faces/stages")
 
 # %%
 # Check: the numbers in this section
@@ -509,7 +507,7 @@ def with_boxes(gray, boxes):
 every_window, groups = find_faces(portrait, 0), find_faces(portrait, 4)
 print(len(every_window), "windows,", len(groups), "group")
 show([with_boxes(portrait, every_window), with_boxes(portrait, groups)],
-     ["minNeighbors=0", "minNeighbors=4"], text=figure_texts["neighbours"])
+     ["minNeighbors=0", "minNeighbors=4"], text="faces/neighbours")
 
 # %%
 # Check: the numbers in this section
@@ -548,7 +546,7 @@ for k, rows, cols in ((30, slice(150, 420), slice(400, 800)), (66, slice(200, 47
     for left, top, width, height in alarms[k]:
         cv2.rectangle(view, (left, top), (left + width, top + height), (0, 255, 0), 3)
     views.append(view[rows, cols])
-show(views, ["frame 30", "frame 66"], text=figure_texts["alarm"])
+show(views, ["frame 30", "frame 66"], text="faces/alarm")
 
 # %%
 # Check: the numbers in this section
@@ -560,7 +558,7 @@ assert not HAS_HAAR or [len(alarms[k]) for k in (0, 30, 66)] == [0, 1, 1]
 # %% [markdown]
 # This is a good place for a pause.
 #
-# ## 5 · Eigenfaces (18 minutes)
+# ## 5 · Eigenfaces ([[minutes]])
 #
 # Now that a face is found: whose is it? A gray image of 64 × 64 pixels is a vector of 4096 numbers. But faces are alike: most of the 4096 numbers say nothing about the person. So we describe a face by a few numbers: how it differs from the **mean face**, in the directions in which faces differ most.
 #
@@ -694,7 +692,7 @@ def as_image(eigenface):
 
 views = [mean_face.reshape(64, 64).round().astype(np.uint8), *map(as_image, eigenfaces[:5])]
 show([cv2.resize(view, (192, 192), interpolation=cv2.INTER_NEAREST) for view in views],
-     ["mean", "1", "2", "3", "4", "5"], columns=3, text=figure_texts["eigenfaces"])
+     ["mean", "1", "2", "3", "4", "5"], columns=3, text="faces/eigenfaces")
 
 # %%
 # Check: the eigenfaces have length 1 and are at right angles to each other
@@ -744,7 +742,7 @@ assert shares == {5: 95, 40: 71}
 # More eigenfaces tell less. A few eigenfaces can rebuild faces, and hardly anything else; so a large residue says that something is no face. With 40 of them, a curtain is rebuilt quite well too, and its residue is also small.
 
 # %% [markdown]
-# ## 6 · Local binary patterns (16 minutes)
+# ## 6 · Local binary patterns ([[minutes]])
 #
 # A lamp at the side makes one half of a face dark. Each gray level changes, and so do the weights of the eigenfaces. But the eye is still darker than the skin beside it. A *[[term:local binary pattern]]*, LBP, keeps only this. For each of the 8 neighbours of a pixel: is the neighbour **at least as bright** as the pixel (`>=`)? Each yes adds a number. The numbers go clockwise, from the upper left:
 #
@@ -878,7 +876,7 @@ def patterns(gray):
 # %%
 front, side = photo(people[6], noise=0), photo(people[6], side_light=0.6, noise=0)
 show([front, side, patterns(front), patterns(side)],
-     ["front light", "side light", "codes", "codes"], columns=2, text=figure_texts["codes"])
+     ["front light", "side light", "codes", "codes"], columns=2, text="faces/codes")
 
 # %% [markdown]
 # scikit-image's `local_binary_pattern` interpolates the diagonal neighbours on a circle, so only its straight neighbours agree with ours. Its neighbours also have another order.
@@ -952,7 +950,7 @@ for shift, name, colour in (
 axes.set_xticks(places, list(kinds))
 axes.set(ylabel="right, of 30", ylim=(0, 39), yticks=(0, 10, 20, 30))
 axes.legend(loc="upper center", ncols=3)
-show_figure(figure, text=figure_texts["scores"])
+show_figure(figure, text="faces/scores")
 
 # %%
 # Check: the numbers in this section
@@ -968,7 +966,7 @@ assert (((blurred[1][:, None] - blurred[0]) ** 2).sum(axis=2).argmin(axis=1) == 
 # Two planned failures in one figure. Dim light and side light defeat pixels and eigenfaces, and not LBP. Dim light changes the order of hardly any two neighbours. Side light changes most codes, but enough of them stay: the histograms are still nearest to those of the right person. But noise defeats LBP, and not the others: on smooth skin, noise decides which neighbour is brighter. (Two remedies to try: for dim light, subtract from each image its mean and divide by its standard deviation; for noise, blur a little before the codes.) And a turned head moves the mouth and the eyes into other parts. No description is best for all; say in which light a score was measured.
 
 # %% [markdown]
-# ## 7 · What may a robot keep? (18 minutes)
+# ## 7 · What may a robot keep? ([[minutes]])
 #
 # A home robot sees who is at home, when, with whom, and in what state. People who live there, guests and children did not all agree to this. Before you store or send images of people, ask:
 #
@@ -1101,7 +1099,7 @@ def behind_mosaic(gray, size):
 
 
 hidden = [behind_mosaic(photo(people[6]), size) for size in (4, 8, 16, 64)]
-show(hidden, ["blocks of 4 pixels", "8", "16", "64"], columns=4, text=figure_texts["mosaics"])
+show(hidden, ["blocks of 4 pixels", "8", "16", "64"], columns=4, text="faces/mosaics")
 
 # %% [markdown]
 # With blocks of 16 pixels, 16 numbers are left of a face. **Predict** how many of the 30 people the program recognises from them, in the same light.
@@ -1137,7 +1135,7 @@ def paint_over(frame, boxes):
     return frame
 
 # %% [markdown]
-# ## 8 · Hidden before it is stored (9 minutes)
+# ## 8 · Hidden before it is stored ([[minutes]])
 #
 # The person in the room of our robot does not turn a face to the camera. So a node of ours, the *visitor*, draws one into each image of the camera; it moves from the left to the right. The second node, the *anonymiser*, subscribes to these images. It looks for faces, paints over them, and publishes the result on a topic of its own. It does not know where the visitor is. `record` stores only the anonymiser's topic.
 
@@ -1222,7 +1220,7 @@ if ros_available():
     print("images with a face that is still visible:", sum(share > 0.5 for share in visible))
     first = visitor.sent[messages[0].header.stamp.sec, messages[0].header.stamp.nanosec][0]
     show([first, image_to_array(messages[0], "bgr8")], ["from the visitor", "stored"],
-         text=figure_texts["live"])
+         text="faces/live")
 
 # %%
 # Check: each stored image was compared

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Gestures
-#     minutes: 120
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - train a small neural network, and test it honestly,
 # - compare two movements by dynamic time warping.
 #
-# **Time** about 120 minutes, with a pause after section 4. **You need** [[canny_stages]] and [[recognising_objects]]. Only the last part of section 7 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[canny_stages]] and [[recognising_objects]]. Only the last part of section 7 needs ROS 2.
 
 # %% role="given" exercise=["gestures-hull", "gestures-valley", "gestures-runs", "gestures-dtw"]
 import numpy as np
@@ -37,8 +36,7 @@ from imgproc_course.simulation import GESTURES, Hand, draw_hand, gesture_track, 
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "gloves": (
         "Six drawn hands, with 0 to 5 raised fingers.",
@@ -83,7 +81,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A hand in a glove (10 minutes)
+# ## 1 · A hand in a glove ([[minutes]])
 #
 # Nobody's hand was photographed for this lesson: the hands are drawn from random numbers, so we know how many fingers each of them raises. They wear a green glove, because green occurs hardly anywhere in the room. `random_hand` draws the place, the size and the turn of a hand; `draw_hand` draws it over a frame, with noise.
 
@@ -93,7 +91,7 @@ rng = np.random.default_rng(3)
 hands = [random_hand(rng, fingers) for fingers in range(6)]
 images = [draw_hand(background, hand, noise=12, rng=rng) for hand in hands]
 print(images[0].shape, images[0].dtype)
-show(images, [f"{fingers} raised" for fingers in range(6)], columns=3, text=figure_texts["gloves"])
+show(images, [f"{fingers} raised" for fingers in range(6)], columns=3, text="gestures/gloves")
 
 # %% [markdown]
 # The hand is found by its colour, like the ball in [[object_tracking]]: a median filter against the noise, then the [[term:hue]] of green and enough [[term:saturation]], then the largest [[term:connected component]].
@@ -142,7 +140,7 @@ def palm_of(mask):
 row, col, radius = palm_of(mask)
 print(f"row {row}, col {col}, radius {radius:.1f} pixels")
 view = cv2.circle(mask * 255, (col, row), round(radius), 128, 2)
-show([images[4], view], ["four fingers", "mask"], text=figure_texts["mask"])
+show([images[4], view], ["four fingers", "mask"], text="gestures/mask")
 
 # %% [markdown]
 # `argmax` of an image counts the pixels row by row; `np.unravel_index` makes a row and a column of this number.
@@ -152,7 +150,7 @@ show([images[4], view], ["four fingers", "mask"], text=figure_texts["mask"])
 assert small_mask.sum() == 27
 
 # %% [markdown]
-# ## 2 · A rubber band around points (23 minutes)
+# ## 2 · A rubber band around points ([[minutes]])
 #
 # Stretch a rubber band around the hand and let it go: it touches the finger tips, and spans the valleys between them. The shape of the band is called the *[[term:convex hull]]*. Its corners are points of the hand, and the band turns in the same direction at each of them.
 #
@@ -216,7 +214,7 @@ for x, y in [(0, 4), (1, 2), (2, 2), (3, 3), (4, 0)]:
     axes.annotate(f"({x}, {y})", (x, y), xytext=(8, -12), textcoords="offset points")
 axes.set(xlabel="x (pixels)", ylabel="y (pixels), down", xlim=(-0.4, 5), ylim=(4.6, -0.8))
 axes.legend(loc="lower right")
-show_figure(figure, text=figure_texts["chain"])
+show_figure(figure, text="gestures/chain")
 
 # %% [markdown]
 # The lower side of the band: the same over the sorted points **backwards**, from right to left, with a new chain. This chain also turns only to the right. Each of the two chains ends where the other one begins, so the last point of each is left out.
@@ -337,7 +335,7 @@ for a, b in zip(hull, np.roll(hull, -1, axis=0), strict=True):
     assert min(turn(a.astype(int), b.astype(int), point.astype(int)) for point in outline) >= 0
 
 # %% [markdown]
-# ## 3 · Valleys (21 minutes)
+# ## 3 · Valleys ([[minutes]])
 #
 # Between two neighbouring corners of the hull, the contour goes into a valley. How deep is it? The depth of a point is its distance to the straight line through the two corners. `turn(a, b, p)` helps again: without its sign, it is the area of a parallelogram with the base from a to b, and the distance is its height. So divide it by the length of the base.
 
@@ -495,7 +493,7 @@ cv2.polylines(view, [hull], True, (255, 255, 255), 1)
 for x, y in valleys_of(mask):
     cv2.circle(view, (int(x), int(y)), 4, (0, 0, 255), -1)
 show(cv2.resize(view, None, fx=2, fy=2, interpolation=cv2.INTER_NEAREST), "four fingers",
-     text=figure_texts["hull"])
+     text="gestures/hull")
 
 # %% [markdown]
 # Four fingers have three valleys: one fewer than fingers. **Predict** how many valleys are found in the image with one finger, and think of the fist as well.
@@ -517,7 +515,7 @@ compare_guess(guess_valleys, valleys[1])
 assert valleys == [0, 0, 1, 2, 3, 4]
 
 # %% [markdown]
-# ## 4 · A circle around the palm (18 minutes)
+# ## 4 · A circle around the palm ([[minutes]])
 #
 # So another idea. Draw a circle around the palm's center, twice as large as the palm's circle. Walk around it once, and count how often you come from the background onto the hand: once for each raised finger, and once for the arm.
 
@@ -538,7 +536,7 @@ for r, c in zip(rows, cols, strict=True):
     colour = (0, 0, 255) if mask[r, c] else (255, 128, 0)
     view[r - 1:r + 2, c - 1:c + 2] = colour
 show(cv2.resize(view, None, fx=2, fy=2, interpolation=cv2.INTER_NEAREST), "four fingers",
-     text=figure_texts["circle"])
+     text="gestures/circle")
 
 # %% [markdown]
 # A row of neighbouring pixels on the circle that all belong to the hand is called a *run*. The circle is closed, so the pixel before the first one is the last one. In a Python list, `values[-1]` is just that.
@@ -752,7 +750,7 @@ for axes, matrix, title in zip(figure.subplots(1, 2), (valley_matrix, circle_mat
         axes.text(col, row, matrix[row, col], ha="center", va="center",
                   color="w" if matrix[row, col] > 10 else "k")
     axes.set(title=title, xlabel="answer", ylabel="raised fingers", xticks=range(6), yticks=range(6))
-show_figure(figure, text=figure_texts["tables"])
+show_figure(figure, text="gestures/tables")
 
 # %%
 # Check: the numbers in this section
@@ -765,7 +763,7 @@ assert np.trace(circle_matrix) == 116 and set(by_valleys) <= set(range(6)) and c
 #
 # This is a good place for a pause.
 #
-# ## 5 · A small network (12 minutes)
+# ## 5 · A small network ([[minutes]])
 #
 # Somebody had to invent the circle. A *[[term:neural network]]* learns from examples what to look at. The linear classifier of [[recognising_objects#5]] multiplied and added once. A network does it several times, in *layers*, and after each layer but the last, negative numbers become 0. A network with two inputs, two numbers in its *[[term:hidden layer]]*, and two classes:
 
@@ -794,7 +792,7 @@ def crop_of(mask):
 
 # %%
 show([crop_of(find_glove(image)) for image in images],
-     [f"{fingers} raised" for fingers in range(6)], columns=6, text=figure_texts["crops"])
+     [f"{fingers} raised" for fingers in range(6)], columns=6, text="gestures/crops")
 
 # %% [markdown]
 # The training data are 600 other hands, drawn at half the size, to be quick. scikit-learn's `MLPClassifier` (BSD-3 licence) trains the network in less than a second. It stops when the *loss*, a number for how wrong the scores are, hardly falls any more. Nothing is downloaded: these weights are our own.
@@ -830,7 +828,7 @@ assert (predicted == truth).sum() >= 119 and (predicted[::6] == 0).sum() == 20
 assert [weights.shape for weights in network.coefs_] == [(256, 32), (32, 6)] and network.n_iter_ < 60
 
 # %% [markdown]
-# The network is as good as the circle or better, also with noise, which it never saw in training. And it tells a fist from one finger. All the hands until now were turned by at most 23 degrees to each side. Now 60 hands are turned by 90 degrees more, so that the arm comes from the side. The circle has all 60 right. (Only guessing would have 10 right.)
+# The network is as good as the circle or better, also with noise, which it never saw in training. And it tells a fist from one finger. All the hands until now were turned by at most 23 degrees to each side. Now 60 hands are turned by 90 degrees more, so that the arm comes from the side. The circle has all 60 right.
 #
 # **Predict** how many of the 60 the network has right.
 
@@ -853,9 +851,9 @@ assert [fingers_of(mask) for mask in turned_masks] == turned_fingers.tolist()
 assert np.degrees(max(abs(hand.turn) for hand in hands)) < 23
 
 # %% [markdown]
-# **The second planned failure:** the network has learnt these 600 hands, and not what a finger is. It knows nothing of turned hands, and does not say so: it gives a class, often with a high probability. The circle is the same from all sides. What would you change: the training data, or the crop?
+# The network has no more right than somebody who only guesses among the six classes. **The second planned failure:** the network has learnt these 600 hands, and not what a finger is. It knows nothing of turned hands, and does not say so: it gives a class, often with a high probability. The circle is the same from all sides. What would you change: the training data, or the crop?
 #
-# ## 6 · Movements (25 minutes)
+# ## 6 · Movements ([[minutes]])
 #
 # A wave is a movement, so one image is not enough. We follow the palm's center from frame to frame: its *[[term:tracking|track]]*, an array of points x, y. `gesture_track` makes such tracks of six gestures, with noise. No two people are equally fast, so the tracks have different lengths. A gesture is the same on the left and on the right of the image, so we subtract the mean of all points.
 
@@ -878,7 +876,7 @@ for axes, gesture in zip(figure.subplots(2, 3).ravel(), GESTURES, strict=True):
     axes.plot(x, y, "b.-", linewidth=1)
     axes.plot(x[:1], y[:1], "o", color="limegreen", markersize=9)
     axes.set(title=gesture, xlim=(-1.6, 1.6), ylim=(1.6, -1.6), aspect="equal")
-show_figure(figure, text=figure_texts["tracks"])
+show_figure(figure, text="gestures/tracks")
 
 # %% [markdown]
 # To compare two tracks of different lengths, the simplest way is to *resample* both: 24 points each, at equal times, with the points between computed by `np.interp`. Then take the mean distance of the points with the same number. The gesture whose reference is nearest is the answer.
@@ -954,7 +952,7 @@ print(distances)
 print(costs)
 
 # %% [markdown]
-# The number for i points and j points stands at [i, j], but the distance of these two points at [i − 1, j − 1], because counting begins with 0. **Predict** `costs[2, 2]`. First comes `costs[2, 1]` = 2 + min(inf, 0, inf) = 2.
+# The number for i points and j points is at [i, j], but the distance of these two points at [i − 1, j − 1], because counting begins with 0. **Predict** `costs[2, 2]`. First comes `costs[2, 1]` = 2 + min(inf, 0, inf) = 2.
 
 # %% role="predict"
 guess_table = None  # your guess: which number?
@@ -1090,7 +1088,7 @@ for axes, pairs, title in zip(figure.subplots(1, 2, sharey=True),
     axes.set(title=title, xlabel="number of the point", ylim=(-1.1, 1.5))
     axes.legend(loc="upper center", ncols=2)
 figure.axes[0].set_ylabel("x")
-show_figure(figure, text=figure_texts["pairs"])
+show_figure(figure, text="gestures/pairs")
 
 # %% [markdown]
 # The score: 120 tracks, 20 of each gesture, with uneven speed. The plain distance is right for 105 of them.
@@ -1121,7 +1119,7 @@ for _, track in tracks:
 # %% [markdown]
 # A movement in one direction is easy: a swipe is a swipe at any speed. What goes to and fro, the wave and the circle, needs time warping.
 #
-# ## 7 · In the room (11 minutes)
+# ## 7 · In the room ([[minutes]])
 #
 # Now the robot obeys. Images of your hand come on the topic `/webcam/image_raw`. The node looks at each of them:
 # - Five fingers are a **palm**: the robot stops at once, and forgets what it was doing. Stop always wins: how a palm moves does not matter.
@@ -1289,7 +1287,7 @@ if ros_available():
     live_camera.stop()
     print("images:", node.looks, "  gestures:", node.seen)
     print(f"turned to the left at most {max(yaws):.0f} degrees, at the end {yaws[-1]:.0f}")
-    show(image_to_array(node.image, "bgr8"), text=figure_texts["live"])
+    show(image_to_array(node.image, "bgr8"), text="gestures/live")
 
 # %%
 # Check: the node looked

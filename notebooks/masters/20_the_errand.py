@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: The errand
-#     minutes: 130
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - decide when a robot may believe what it has read,
 # - join these parts to a robot that does an errand.
 #
-# **Time** about 130 minutes, with a long pause after section 4. **You need** the lessons since [[drive_the_robot]], above all [[obstacles_ahead]], [[mapping_and_slam]] and [[reading_text]].
+# **Time** [[minutes]], with a long pause after section 4. **You need** the lessons since [[drive_the_robot]], above all [[obstacles_ahead]], [[mapping_and_slam]] and [[reading_text]].
 
 # %% role="given" exercise=["errand-frame", "errand-speed", "errand-direction", "errand-believe"]
 import math
@@ -44,8 +43,7 @@ from imgproc_course.recording import RecordingWriter, open_recording
 from imgproc_course.ros import Robot, RosSession, open_camera, ros_available
 from imgproc_course.simulation import Simulation
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "jump": (
         "The path of the robot: black, the truth; gray, as the wheels alone count it; blue, with the correction. At the cross, the robot sees the marker; before it, the blue path hides the gray one.",
@@ -86,7 +84,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · Where am I, all the time? (20 minutes)
+# ## 1 · Where am I, all the time? ([[minutes]])
 #
 # The robot has two answers to this question, and neither is good enough alone:
 #
@@ -245,7 +243,7 @@ axes.plot(*corrected[:, :2].T, "b.-", label="corrected")
 axes.plot(*truth[seen, :2], "rx", markersize=10)
 axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 axes.legend()
-show_figure(figure, text=figure_texts["jump"])
+show_figure(figure, text="the_errand/jump")
 
 # %%
 # Check: the numbers of the drive
@@ -256,7 +254,7 @@ assert [round(float(e), 2) for e in (wheel_errors[seen], wheel_errors[-1], error
 # %% [markdown]
 # At the marker, the error of 0.28 m becomes 0. Later the wheels drift on, so at the end there is an error again; but it is 0.33 m in place of 0.59 m. The more often the robot sees a marker, the smaller its error. And the odometry itself has no jump: only the blue path in the map has one.
 #
-# ## 2 · How fast may it be? (14 minutes)
+# ## 2 · How fast may it be? ([[minutes]])
 #
 # [[obstacles_ahead#8]] had a rule: brake when the free way is less than the stopping distance. So the robot drives with its full speed, or it stands. In a room with a person, it is better to drive slowly when there is little space: only as fast as the robot can still stop in time.
 #
@@ -294,7 +292,7 @@ axes = figure.subplots()
 axes.plot([round(needed_way(speed), 4) for speed in speeds], speeds)
 axes.axhline(0.3, color="0.5", linestyle="--")
 axes.set(xlabel="free way (m)", ylabel="safe speed (m/s)", xlim=(0, 0.8))
-show_figure(figure, text=figure_texts["speed"])
+show_figure(figure, text="the_errand/speed")
 
 # %% [markdown]
 # Trying a thousand speeds is slow, and it gives only three digits. We solve the equation for v. First with small numbers: v² + 2 v = 3. A quadratic equation v² + 2 h v = q has the solution
@@ -388,7 +386,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 3 · Around things (15 minutes)
+# ## 3 · Around things ([[minutes]])
 #
 # Boxes stand in front of the robot, and the goal is behind them, a little to the left. The laser scanner sees all around: one ray for each degree, counterclockwise from straight ahead. It is mounted 0.156 m in front of the axle. As in [[mapping_and_slam#1]], the ends of the rays become points: x ahead of the axle, y to its left.
 
@@ -400,7 +398,7 @@ angles = scan.angle_min + scan.angle_increment * np.flatnonzero(hit)
 points = np.column_stack([0.156 + scan.ranges[hit] * np.cos(angles),
                           scan.ranges[hit] * np.sin(angles)])
 print("points:", points.shape, points.dtype)
-show(robot.frame(), text=figure_texts["boxes"])
+show(robot.frame(), text="the_errand/boxes")
 
 # %% [markdown]
 # How far can the robot drive, if it first turns to a direction and then drives straight ahead? Here we measure from the axle; the part of the robot in front of it counts later. The robot needs a corridor, as in [[obstacles_ahead#6]], but the corridor is turned. So we turn all points back by this direction. Then the corridor lies straight ahead:
@@ -432,7 +430,7 @@ for direction, way in zip(directions, np.minimum(ways, 2.5), strict=True):
     axes.plot([0, round(way * math.cos(direction), 3)], [0, round(way * math.sin(direction), 3)], "g")
 axes.plot([0, round(2.5 * math.cos(goal), 3)], [0, round(2.5 * math.sin(goal), 3)], "r--")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal", xlim=(-1.9, 3), ylim=(-1, 2.6))
-show_figure(figure, text=figure_texts["ways"])
+show_figure(figure, text="the_errand/ways")
 
 # %% [markdown]
 # The straight line to the goal just passes the corner of a box, but the robot is wider than a line: in the direction nearest to the goal, 15 degrees, its corridor ends after 0.62 m. The longest way, at 60 degrees, leads far away from the goal. The rule is: of all directions with *enough* free way, take the one that is nearest to the goal. **Predict** the direction, if 1 m of free way is enough.
@@ -559,7 +557,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · Believe a text (15 minutes)
+# ## 4 · Believe a text ([[minutes]])
 #
 # In the recorded drive, the network of [[reading_text]] looked for text in each frame. A person walks past the sign KITCHEN in the middle of the drive. Here is what it read in eight of these frames, word for word. (They are written down here, because each look takes a third of a second or more.)
 
@@ -604,7 +602,7 @@ compare_guess(guess_votes, sum(distance <= 1 for distance in nearest))
 #
 # - **A look votes at most once for a name.** If it shows the word twice, on the sign and on a reflection, this is still one vote. A look that shows two names votes for both.
 # - **The most votes win.** If BATHROOM has two votes and KITCHEN five, it is the kitchen, even if two votes would be enough.
-# - **Of equals, the first.** If two names have the same number of votes, the one that stands first in `names` wins. A rule is needed, so that the result does not depend on chance.
+# - **Of equals, the first.** If two names have the same number of votes, the one that comes first in `names` wins. A rule is needed, so that the result does not depend on chance.
 #
 # Small letters count as capital ones: `"Kitchen".upper()` is `"KITCHEN"`.
 
@@ -757,7 +755,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 5 · The whole errand (22 minutes)
+# ## 5 · The whole errand ([[minutes]])
 #
 # Now all parts come together. The errand, step by step:
 #
@@ -1125,7 +1123,7 @@ def run_errand(seed, lighting="day", limit=180, **options):
                   np.array(path), np.array(believed), bumps), errand
 
 # %% [markdown]
-# ## 6 · A first run, and a planned failure (12 minutes)
+# ## 6 · A first run, and a planned failure ([[minutes]])
 #
 # Each part has worked in its own lesson. The first run uses them as they were in their lessons: each marker is believed at once and completely, as in [[where_am_i#4]], and obstacles come from the laser scan alone, as [[obstacles_ahead#8]] advises for the real robot. We tried each of these two simplifications alone before, with the same seed: **100 points** each time. Now both together. The run ends after 45 seconds.
 #
@@ -1157,7 +1155,7 @@ def draw_run(result, errand, text):
     show_figure(figure, text=text)
 
 # %%
-draw_run(first, first_errand, figure_texts["first"])
+draw_run(first, first_errand, "the_errand/first")
 steps = np.diff(first.believed - first.path, axis=0)  # jumps of what it believes
 jumps = {round((k + 2) / 5, 1): round(100 * math.hypot(*step)) for k, step in enumerate(steps.tolist())}
 print("tasks done:", [task for task, _ in first_errand.diary])
@@ -1169,7 +1167,7 @@ print("jumps (s, cm):", {second: jump for second, jump in jumps.items() if jump 
 
 # %%
 stuck = min(first_errand.album, key=lambda entry: abs(entry[0] - 25.6))
-show(stuck[1][::2, ::2], f"what it looked at after {stuck[0]:.1f} s", text=figure_texts["stuck"])
+show(stuck[1][::2, ::2], f"what it looked at after {stuck[0]:.1f} s", text="the_errand/stuck")
 
 # %% [markdown]
 # Two slippers lie on the floor. They are lower than the plane of the laser scanner, so for this robot they do not exist: it drives against them, backs off, and tries again. Alone, this simplification did no harm: the route did not come near the slippers. The markers are the reason that it does now. At the lookout, the robot saw a marker from almost 3 m, and believed it completely: its place jumped by 16 cm. So it put the sign at another place than the careful robot does, and its route passes the chair on the other side, where the slippers are (compare the figure in section 7). There it got stuck. Only later came the large jumps: a marker with the wrong one of two poses, by up to 104 cm. They turned the robot around and made everything worse.
@@ -1184,7 +1182,7 @@ assert [task for task, _ in first_errand.diary] == ["to_lookout", "look_around"]
 assert first.bump_times[0] < large[0] and jumps[12.8] == 16
 
 # %% [markdown]
-# ## 7 · The repaired robot (10 minutes)
+# ## 7 · The repaired robot ([[minutes]])
 #
 # Both are repaired already: `Place` weighs the markers, and `low_points` shows the slippers. We run the same seed again, without the two options. Now the robot reaches the sign just when the person walks past it. **Predict** how often it has to look at the sign, until two looks agree.
 
@@ -1196,7 +1194,7 @@ repaired, repaired_errand = run_errand(6, "evening")
 compare_guess(guess_looks, len(repaired_errand.readings), "looks")
 
 # %%
-draw_run(repaired, repaired_errand, figure_texts["repaired"])
+draw_run(repaired, repaired_errand, "the_errand/repaired")
 print("tasks done:", [task for task, _ in repaired_errand.diary])
 for reading in repaired_errand.readings:
     print(reading)
@@ -1229,13 +1227,13 @@ assert parts_read == [["KIT"], ["K"], [], [], ["HEN"]]
 assert round(100 * np.linalg.norm(repaired.path - repaired.believed, axis=1).max()) == 33
 
 # %% [markdown]
-# ## 8 · Your own runs (22 minutes)
+# ## 8 · Your own runs ([[minutes]])
 #
 # Now your functions. **Run the four `check` cells first**: all must pass. A wrong function gives an error in the middle of the errand, or a robot that does strange things.
 #
 # Then give `my_seed` a whole number from 1 on, choose the light, and run the next three cells. The robot does the errand with the four functions that you have written. This takes 15 to 30 seconds; a robot that does not come back needs up to two minutes. Each of your runs is added to the file `errand_runs.csv` beside this notebook, and the table shows all of them, the best first. Try at least three seeds, day and evening.
 #
-# Then change the robot. In a new cell, set one of the numbers that stand above the class `Errand`, such as `VOTES = 3`, `LIMIT = 0.3` or `LOOKOUT = (1.0, 0.3)`, write it into `my_note`, and run again. Is it better with *all* your seeds, or only with one?
+# Then change the robot. In a new cell, set one of the numbers that are defined above the class `Errand`, such as `VOTES = 3`, `LIMIT = 0.3` or `LOOKOUT = (1.0, 0.3)`, write it into `my_note`, and run again. Is it better with *all* your seeds, or only with one?
 
 # %%
 my_seed = None  # a number, 1 or more
@@ -1269,7 +1267,7 @@ my_parts = Parts(map_to_odom, safe_speed, choose_direction, believe)
 if my_seed is not None:
     mine, my_errand = run_errand(my_seed, my_lighting, parts=my_parts)
     keep_run(mine, my_seed, my_lighting, my_note)
-    draw_run(mine, my_errand, figure_texts["mine"])
+    draw_run(mine, my_errand, "the_errand/mine")
     show_runs()
 
 # %% [markdown]
@@ -1291,7 +1289,7 @@ with tempfile.TemporaryDirectory() as folder:
         print("frames:", len(watched))
         some = (0, 11, 24, 29)
         show([watched.frame(k)[::2, ::2] for k in some],
-             [f"{watched.stamps[k] / 1e9:.0f} s" for k in some], columns=2, text=figure_texts["album"])
+             [f"{watched.stamps[k] / 1e9:.0f} s" for k in some], columns=2, text="the_errand/album")
 
 # %% [markdown]
 # To keep your own run, call `save_run(my_errand, "my_errand")`; `live_view(open_recording("my_errand"))` plays it.

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Image processing in ROS 2
-#     minutes: 2
 # ---
 
 # %% [markdown]
@@ -20,20 +19,28 @@ from imgproc_course.exercises import overview
 overview()
 
 # %% [markdown]
+# ## Routes
+#
+# Each lesson has a *core*, and sections that are marked *deeper*. Deeper sections can be left out: no core needs them. The table shows the minutes of the core and of the whole lesson, for somebody who knows a little Python and nothing of NumPy, ROS or image processing.
+#
+# - **The original lesson in one day** (about 8 hours): the cores of [[start_here]], [[arrays]], [[what_is_image_processing]], [[images_as_messages]], [[grayscale]], [[grayscale_node]], [[canny_stages]], [[edge_detection_node]] and [[ros2_packages]]. You write a node that finds edges, and build it as a ROS 2 package.
+# - **The driving robot** (about 11 hours): after that day, the cores of [[drive_the_robot]], [[obstacles_ahead]], [[object_tracking]], [[where_am_i]] and [[mapping_and_slam]]. A robot drives, brakes, follows a ball and makes a map.
+# - **The whole course** (about 44 hours): all lessons in their order, with what is deeper.
+#
 # ## Beside the lessons
 #
 # - [Glossary](glossary.md): every term of the course in one or two sentences, with the lesson that introduces it.
 # - [Cheat sheet](cheat_sheet.html): two pages to print: arrays, message fields, the stages of Canny, ROS commands.
 # - Stuck in an exercise? Add a cell (press **Esc**, then `b`), and call `hint` in it, such as `hint("grayscale-luma")`: it shows the next of three hints. `solution("grayscale-luma")` opens after three tries.
 #
-# ## The way of an image
+# ## What happens to an image
 #
 # This is what happens to every image in the course. A *topic* is a named stream of messages; a *node* is a program that subscribes to topics and publishes on topics.
 #
 # ```mermaid
 # %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
 # flowchart TB
-#     accTitle: The way of an image
+#     accTitle: What happens to an image
 #     accDescr: The camera publishes messages on a topic. A node subscribes to the topic, converts and processes each image, and publishes the result on another topic, which the live view shows.
 #     camera["camera<br/>(or the recording)"] -->|publishes| raw(["topic<br/>/kachaka/front_camera/image_raw"])
 #     raw -->|"subscribes"| node["your node<br/>convert → process"]

@@ -11,7 +11,6 @@ from imgproc_course.classroom.authoring.glossary import GLOSSARY, read_glossary
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
 
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
-MINUTES = re.compile(r"^# #{2,3} .*\((\d+) minutes(?:, practice)?\)$", re.M)
 NUMBERED = re.compile(r"\blessons? \d\d?\b|\b\d\d_\w+\.ipynb\b|^# # \d\d · ", re.I | re.M)
 
 
@@ -28,10 +27,3 @@ def test_masters_refer_to_lessons_by_name():
         f"{path.name}: {match[0]}" for path in paths for match in NUMBERED.finditer(path.read_text("utf-8"))
     ]
     assert numbered == []
-
-
-def test_the_minutes_of_the_sections_add_up_to_those_of_the_lesson():
-    for path in find_masters(MASTERS):
-        text, master = path.read_text("utf-8"), read_master(path)
-        assert sum(map(int, MINUTES.findall(text))) == master.minutes, path.name
-        assert f"**Time** about {master.minutes} minutes" in text, path.name

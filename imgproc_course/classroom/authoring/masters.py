@@ -9,7 +9,6 @@ A whole one:
     # jupyter:
     #   imgproc_course:
     #     title: Doubling
-    #     minutes: 5
     # ---
 
     # %% [markdown]
@@ -68,8 +67,12 @@ A whole one:
         return pixels * 2
 
 Front matter
-    `jupyter: imgproc_course:` holds `title` and `minutes`. The first cell begins with the heading `# title`;
+    `jupyter: imgproc_course:` holds the `title`. The first cell begins with the heading `# title`;
     the lesson has its number there, too.
+
+Minutes, core and deeper
+    `[[minutes]]` in a heading begins a section: build writes its minutes. `([[minutes]], deeper)` marks what
+    can be left out. In the line **Time**, `[[minutes]]` is the time of the lesson; `minutes` has the rule.
 
 References
     Other lessons, their sections and the terms of the glossary are referred to by name:
@@ -96,6 +99,9 @@ Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 
                the right answer, `solution(...)`, and change its result. Dropped. See Known mistakes.
     predict    the learner's guess, before the result: `guess_share = None  # how many percent?`. Its id is
                `predict-<lesson>-<n>`. It belongs to no exercise. See Predictions.
+    texts      `figure_texts = {"wrapped": ("caption.", "alt text."), ...}`, the literal texts of figures; a
+               figure names them: `show(wrapped, text="<lesson>/wrapped")`. Dropped: the build writes them
+               into texts/<lesson>.json beside the lesson. It belongs to no exercise.
     After the declaration, a role cell belongs to the last declared exercise, or to the one that `exercise=`
     names.
 
@@ -132,13 +138,9 @@ Predictions
     another result. Choices stand in the comment: `# your guess: "left" or "right"?`.
 
 Folded cells
-    JupyterLab shows only the first line, a comment, of
-    - a cell that holds only asserts, and assignments and imports for them:
-      `# Check: the numbers in this section`, once at the end of a section. An assert stands in no other cell;
-      only a cell whose output varies may hold its own;
-    - a cell of texts: `# The captions and alt texts of the figures`, then
-      `figure_texts = {"wrapped": ("caption.", "alt text."), ...}`. A figure takes its two texts from there:
-      `show(wrapped, text=figure_texts["wrapped"])`.
+    JupyterLab shows only the first line, a comment, of a cell that holds only asserts, and assignments and
+    imports for them: `# Check: the numbers in this section`, once at the end of a section. An assert stands
+    in no other cell; only a cell whose output varies may hold its own.
 
 Tags (`tags=["..."]`, any code cell)
     nbval-ignore-output        its output varies (a live image); the next code cell holds asserts
@@ -149,13 +151,15 @@ Tags (`tags=["..."]`, any code cell)
 A practice exercise (`practice=True`) is checked but not graded: its points count as 0.
 """
 
+import ast
 from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE, lesson_name
+from imgproc_course.classroom.authoring.minutes import timed_script
 from imgproc_course.classroom.authoring.references import References
-from imgproc_course.classroom.authoring.rules import FOLDED_LINES, VARYING_TAG, master_problems
+from imgproc_course.classroom.authoring.rules import CHECK_LINE, VARYING_TAG, master_problems
 from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
 from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
 
@@ -176,6 +180,7 @@ class Cell:
     role           "given", "answer", "check", "predict" or ""
     exercise       the id of its exercise, or ""
     tags           tuple of str
+    deeper         whether it can be left out: it is in a deeper section
     """
 
     id: str
@@ -185,6 +190,7 @@ class Cell:
     role: str = ""
     exercise: str = ""
     tags: tuple = ()
+    deeper: bool = False
 
     @property
     def varies(self):
@@ -193,7 +199,7 @@ class Cell:
     @property
     def folded(self):
         """Whether JupyterLab shows only its first line."""
-        return self.kind == "code" and self.source.startswith(FOLDED_LINES)
+        return self.kind == "code" and self.source.startswith(CHECK_LINE)
 
 
 @dataclass(frozen=True)
@@ -202,13 +208,17 @@ class Master:
 
     name    of the lesson, its identity: "images_as_messages"
     number  its place in the course: "03"
+    minutes, core_minutes  of the whole lesson, and of its core
+    texts   {name of a figure: (caption, alternative text)}
     """
 
     path: Path
     title: str
     minutes: int
+    core_minutes: int
     cells: tuple
     exercises: tuple
+    texts: dict
 
     @property
     def name(self):
@@ -218,6 +228,11 @@ class Master:
     def number(self):
         match = LESSON_FILE.fullmatch(self.path.stem)
         return match["number"] if match else ""  # the index has none
+
+    @property
+    def deeper_exercises(self):
+        """The ids of the exercises that can be left out."""
+        return tuple(cell.exercise for cell in self.cells if cell.role == "answer" and cell.deeper)
 
     @property
     def handed_out(self):
@@ -276,15 +291,42 @@ def read_master(path):
     script, references = read_script(path), References(path)
     exercises = tuple(_resolved(exercise, references) for exercise in read_exercises(path))
     title = str(script.front_matter.get("title", ""))
-    cells = list(_lesson_cells(path, script, exercises, references))
     match = LESSON_FILE.fullmatch(path.stem)
+    timed = timed_script(script, match["number"] if match else "")
+    cells = list(_lesson_cells(path, timed, exercises, references))
     if match and cells and cells[0].kind == "markdown":
         cells[0] = _numbered(cells[0], match["number"])
-    master = Master(path, title, script.front_matter.get("minutes", 0), tuple(cells), exercises)
+    master = Master(
+        path,
+        title,
+        timed.whole,
+        timed.core,
+        tuple(cells),
+        exercises,
+        _texts(script, references),
+    )
     problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
     return master
+
+
+def _texts(script, references):
+    """The texts of the figures; MasterError: they are no literal dict of pairs."""
+    texts = {}
+    for cell in script.cells:
+        if cell.role == "texts":
+            try:
+                texts |= ast.literal_eval(ast.parse(references.in_code(cell.source)).body[0].value)
+                pairs = [isinstance(pair, tuple) and len(pair) == 2 for pair in texts.values()]
+                is_right = all(pairs) and all(text.strip() for pair in texts.values() for text in pair)
+            except (SyntaxError, ValueError, TypeError, AttributeError, IndexError):
+                is_right = False
+            if not is_right:
+                raise MasterError(
+                    f'{cell.place}: a texts cell is figure_texts = {{"name": ("caption", "alt text"), ...}}'
+                )
+    return texts
 
 
 def _numbered(cell, number):
@@ -307,12 +349,12 @@ def _resolved(record, references):
     return replace(record, **changes)
 
 
-def _lesson_cells(path, script, exercises, references):
+def _lesson_cells(path, timed, exercises, references):
     counts, latest = Counter(), ""
     declared = iter(exercises)
     solutions = {exercise.id: exercise.solution for exercise in exercises}
     position = 0
-    for cell in script.cells:
+    for cell, deeper in zip(timed.cells, timed.deeper, strict=True):
         role = cell.role
         if role == "exercise":
             latest = next(declared).id
@@ -334,4 +376,4 @@ def _lesson_cells(path, script, exercises, references):
         source = resolve(cell.source)
         solved_source = solutions[owner] if role == "answer" else source
         exercise = "" if role == "predict" else owner
-        yield Cell(id, cell.kind, source, solved_source, role, exercise, tags)
+        yield Cell(id, cell.kind, source, solved_source, role, exercise, tags, deeper)

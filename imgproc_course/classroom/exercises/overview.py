@@ -26,16 +26,20 @@ class LessonProgress:
     """One lesson of a folder.
 
     file       name of its notebook, "04_grayscale.ipynb"
+    minutes    of the whole lesson; core_minutes without its deeper sections
     needs      numbers of the lessons that it needs, ("03",)
     exercises  ids of its exercises
+    deeper     those of them that can be left out
     passed     those of them that have passed
     """
 
     file: str
     title: str
     minutes: int
+    core_minutes: int
     needs: tuple
     exercises: tuple
+    deeper: tuple
     passed: tuple
 
     @property
@@ -44,7 +48,8 @@ class LessonProgress:
 
     @property
     def is_done(self):
-        return len(self.passed) == len(self.exercises)
+        """Whether every exercise of the core has passed."""
+        return {*self.exercises} <= {*self.passed, *self.deeper}
 
     @property
     def tick(self):
@@ -52,7 +57,11 @@ class LessonProgress:
 
     @property
     def count(self):
-        return f"{len(self.passed)} of {len(self.exercises)}"
+        passed = {*self.passed} - {*self.deeper}
+        text = f"{len(passed)} of {len(self.exercises) - len(self.deeper)}"
+        if self.deeper:
+            text += f", deeper {len({*self.passed} - passed)} of {len(self.deeper)}"
+        return text
 
 
 @dataclass(frozen=True)
@@ -73,13 +82,14 @@ class Overview:
 
     @property
     def next_lesson(self):
-        """The first lesson with an exercise that has not passed; None if there is none."""
+        """The first lesson with an exercise of its core that has not passed; None if there is none."""
         return next((lesson for lesson in self.lessons if not lesson.is_done), None)
 
     def _summary(self):
-        minutes = sum(lesson.minutes for lesson in self.lessons)
-        time = f"{minutes} minutes" if minutes < 120 else f"about {minutes / 60:.0f} hours"
-        return f"{self.passed} of {self.exercises} exercises passed · all lessons: {time}"
+        whole = _time(sum(lesson.minutes for lesson in self.lessons))
+        core = _time(sum(lesson.core_minutes for lesson in self.lessons))
+        passed = f"{self.passed} of {self.exercises} exercises passed"
+        return f"{passed} · all lessons: {whole}; their cores: {core}"
 
     def __repr__(self):
         filled = round(_BAR_CHARACTERS * self.passed / max(self.exercises, 1))
@@ -89,11 +99,12 @@ class Overview:
     def _line(self, lesson):
         needs = f", needs {', '.join(lesson.needs)}" if lesson.needs else ""
         mark = lesson.tick or ("→ " if lesson == self.next_lesson else "  ")
-        about = f"{lesson.number} {lesson.title}: {lesson.minutes} minutes{needs}"
+        time = f"core {lesson.core_minutes}, whole {lesson.minutes} minutes"
+        about = f"{lesson.number} {lesson.title}: {time}{needs}"
         return f"{mark}{about}; {lesson.count} exercises"
 
     def _repr_html_(self):
-        head = _row('th scope="col"', ("Lesson", "Minutes", "Needs", "Exercises passed"))
+        head = _row('th scope="col"', ("Lesson", "Minutes: core", "whole", "Needs", "Exercises passed"))
         rows = "".join(_row("td", self._cells(lesson)) for lesson in self.lessons)
         bar = (
             f'<progress value="{self.passed}" max="{max(self.exercises, 1)}" aria-label="exercises passed"'
@@ -107,7 +118,12 @@ class Overview:
         link = f'<a href="{html.escape(lesson.file)}">{label}</a>'
         if lesson == self.next_lesson:
             link += f" <b>{'begin' if self.passed == 0 else 'continue'} here</b>"
-        return link, lesson.minutes, ", ".join(lesson.needs) or "–", f"{lesson.tick}{lesson.count}"
+        needs = ", ".join(lesson.needs) or "–"
+        return link, lesson.core_minutes, lesson.minutes, needs, f"{lesson.tick}{lesson.count}"
+
+
+def _time(minutes):
+    return f"{minutes} minutes" if minutes < 120 else f"about {minutes / 60:.0f} hours"
 
 
 def _row(tag, cells):
@@ -145,7 +161,8 @@ def _lesson(path, progress):
     try:
         notebook = json.loads(path.read_text(encoding="utf-8"))
         about = notebook["metadata"]["imgproc_course"]
-        name, title, minutes = str(about["lesson"]), str(about["title"]), int(about["minutes"])
+        name, title, whole = str(about["lesson"]), str(about["title"]), int(about["minutes"])
+        core, deeper = int(about.get("core_minutes", whole)), tuple(about.get("deeper", ()))
         text = "".join(notebook["cells"][0]["source"])
     except (OSError, *DAMAGED):
         return None
@@ -153,7 +170,8 @@ def _lesson(path, progress):
     exercises = _exercises_of(name, path.parent)
     passed = tuple(id for id in exercises if id in progress and progress[id].passed)
     numbers = tuple(dict.fromkeys(_LINKED_NUMBER.findall(needs[1]))) if needs else ()
-    return LessonProgress(path.name, title, minutes, numbers, exercises, passed)
+    deeper = tuple(id for id in exercises if id in deeper)
+    return LessonProgress(path.name, title, whole, core, numbers, exercises, deeper, passed)
 
 
 def _exercises_of(lesson, folder):

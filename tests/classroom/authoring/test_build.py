@@ -127,7 +127,9 @@ def test_the_metadata_name_the_lesson_and_no_machine(built):
         "imgproc_course": {
             "lesson": "template",
             "title": "Doubling",
-            "minutes": 5,
+            "minutes": 10,
+            "core_minutes": 10,
+            "deeper": [],
             "version": version("imgproc-course"),
         },
         "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
@@ -248,7 +250,7 @@ def test_a_cell_that_cannot_be_stored_is_named_and_the_stored_lesson_stays(
 
 
 def test_one_bad_lesson_does_not_block_another(write_master, tmp_path):
-    write_master(("minutes: 5", "minutes: 0"), name="80_bad")
+    write_master(("title: Doubling", "title: ''"), name="80_bad")
     path = write_master(("template-double", "template-twice"))
     result = build(path.parent, tmp_path / "lessons", tmp_path / "solved", progress=str)
     assert result.built == ["90_template"]
@@ -259,10 +261,13 @@ def test_the_kernel_sees_no_other_robot_and_no_backend_setting(write_master, tmp
     monkeypatch.setenv("MPLBACKEND", "agg")
     names = ("MPLBACKEND", "ROS_AUTOMATIC_DISCOVERY_RANGE")
     code = "import os\n\n" + "\n".join(f"print(os.environ[{name!r}])" for name in names)
-    path = write_master(add=f"\n# %%\n{code}\nprint(os.listdir())\n")
+    path = write_master(add=f"\n# %%\n{code}\nprint(sorted(os.listdir()))\n")
     build(path.parent, tmp_path / "lessons", tmp_path / "solved", progress=str)
     printed = cells_of(tmp_path / "lessons" / "90_template.ipynb")["template-7"].outputs[0].text
-    assert printed == "module://matplotlib_inline.backend_inline\nLOCALHOST\n['.ipython']\n"
+    assert (
+        printed
+        == "module://matplotlib_inline.backend_inline\nLOCALHOST\n['.ipython', 'checks', 'solutions']\n"
+    )
     assert os.environ["MPLBACKEND"] == "agg"
 
 

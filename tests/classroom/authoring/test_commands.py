@@ -36,7 +36,7 @@ def test_build_then_check_agree(write_master, call, tmp_path):
 
 
 def test_a_master_that_cannot_be_built_is_reported_in_one_line(write_master, call):
-    result = call(write_master(("minutes: 5", "minutes: 0")))
+    result = call(write_master(("title: Doubling", "title: ''")))
     assert result.exit_code == 1
     assert result.stderr.startswith("90_template.py: the front matter needs")
     result = call(write_master(), "77")

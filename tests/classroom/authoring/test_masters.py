@@ -8,7 +8,8 @@ from imgproc_course.classroom.exercises import MasterError
 
 def test_a_master_is_read_whole(write_master):
     master = read_master(write_master())
-    assert (master.number, master.name, master.title, master.minutes) == ("90", "template", "Doubling", 5)
+    assert (master.number, master.name, master.title) == ("90", "template", "Doubling")
+    assert (master.minutes, master.core_minutes, master.deeper_exercises) == (5, 5, ())
     assert [(cell.id, cell.role) for cell in master.cells] == [
         ("template-1", ""),
         ("given-template-double-1", "given"),
@@ -30,7 +31,7 @@ THIRTEEN = "\n".join(f"x{k} = {k}" for k in range(13))
     ("replacements", "added", "message"),
     [
         ([("title: Doubling", "title: Trebling")], "", "begins with '# Trebling'"),
-        ([("minutes: 5", "minutes: few")], "", "the front matter needs"),
+        ([("title: Doubling", "title: ''")], "", "the front matter needs"),
         ([('role="hidden"', 'role="case"')], "", 'has no role="hidden"'),
         ([('        "What is 2 * 200, and where does uint8 end?",\n', "")], "", "nearly the code; it has 2"),
         ([('"What is 2 * 200, and where does uint8 end?"', '" "')], "", "needs hints=(...) with 3 texts"),
@@ -132,15 +133,21 @@ def test_a_planned_failure_may_stand_before_the_comparison(write_master):
     read_master(write_master(add=PREDICTION.replace("# %%\ntotal = 2", failure)))
 
 
-TEXTS = '\n# %%\n# The captions and alt texts of the figures\nfigure_texts = {"a": ("A.", "B.")}\n'
+TEXTS = '\n# %% role="texts"\nfigure_texts = {"a": ("A.", "B.")}\n\n# %%\n'
 
 
 @pytest.mark.parametrize(
     ("added", "message"),
     [
-        ("# %%\nshow(image)\n", "show(...) needs text=(caption, alt), or caption= and alt="),
-        ('# %%\nshow(image, alt="an image")\n', "show(...) needs text=(caption, alt)"),
-        (f"{TEXTS}x = 1\n", "holds only figure_texts = {...}"),
+        ("# %%\nshow(image)\n", 'show(...) needs text="<lesson>/<name>", or caption= and alt='),
+        ('# %%\nshow(image, alt="an image")\n', 'show(...) needs text="<lesson>/<name>"'),
+        (f"{TEXTS}x = 1\n", 'no figure takes text="template/a"; delete it'),
+        (f'{TEXTS}live_view(x, text="a")\n', 'text="a": no role="texts" cell has it; there are: template/a'),
+        (f'{TEXTS}show(x, text="template/b")\n', 'text="template/b": no role="texts" cell has it'),
+        ('# %%\ntext = "template/b"\n', 'text="template/b": no role="texts" cell has it; there are: none'),
+        (TEXTS.replace('"B."', "f'{1}'"), "a texts cell is figure_texts = {"),
+        (TEXTS.replace('"B."', '" "'), "a texts cell is figure_texts = {"),
+        (TEXTS.replace(', "B."', ""), "a texts cell is figure_texts = {"),
     ],
 )
 def test_a_figure_without_its_texts_is_named(write_master, added, message):
@@ -149,14 +156,16 @@ def test_a_figure_without_its_texts_is_named(write_master, added, message):
     assert message in str(error.value)
 
 
-def test_the_texts_of_figures_stand_in_a_folded_cell(write_master):
-    figure = '\n# %%\nshow(image, text=figure_texts["a"])\nshow(image, caption="A.", alt="B.")\n'
-    assert read_master(write_master(add=TEXTS + figure)).cells[6].folded
+def test_the_texts_of_figures_stand_in_a_cell_that_no_lesson_has(write_master):
+    figure = 'show(image, text="template/a")\nshow(image, caption="A.", alt="B.")'
+    master = read_master(write_master(add=TEXTS + figure))
+    assert (master.texts, master.cells[-1].id) == ({"a": ("A.", "B.")}, "template-7")
+    assert master.cells[-1].source == figure
 
 
 def test_every_broken_rule_is_named_at_once(write_master):
     with pytest.raises(MasterError) as error:
-        read_master(write_master(("minutes: 5", "minutes: 0"), add="\n# %%\nfrom math import *\n"))
+        read_master(write_master(("title: Doubling", "title: Trebling"), add="\n# %%\nfrom math import *\n"))
     assert len(str(error.value).splitlines()) == 3  # the second names its line too
 
 

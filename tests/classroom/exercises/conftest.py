@@ -6,7 +6,7 @@ def write_master(tmp_path):
     """Writes a master of one exercise, `test-double`, with parts replaced, and lets `check` find it."""
 
     parts = {
-        "front": "# ---\n# jupyter:\n#   imgproc_course:\n#     title: Doubling\n#     minutes: 5\n# ---",
+        "front": "# ---\n# jupyter:\n#   imgproc_course:\n#     title: Doubling\n# ---",
         "title": "# %% [markdown]\n# # Doubling",
         "given": '# %% role="given" exercise="test-double"\nLIMIT = 255',
         "exercise": (

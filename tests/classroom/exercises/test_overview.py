@@ -16,7 +16,8 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "checks").mkdir()
     for number, name, needs in (("07", "one", ""), ("08", "two", "**You need** [x](07_one.ipynb).")):
         cells = [{"cell_type": "markdown", "source": f"# {name}\n**Time** about 30 minutes. {needs}"}]
-        about = {"lesson": name, "title": f"Lesson <{name}>", "minutes": 30}
+        about = {"lesson": name, "title": f"Lesson <{name}>", "minutes": 30, "core_minutes": 20}
+        about["deeper"] = ["one-b"] if name == "one" else []
         text = json.dumps({"cells": cells, "metadata": {"imgproc_course": about}})
         (tmp_path / f"{number}_{name}.ipynb").write_text(text)
         checks = {"format": 1, "lesson": name, "version": "1", "cells": {}, "values": {}}
@@ -40,20 +41,21 @@ def test_without_progress_the_first_lesson_is_the_next(folder):
     ]
     assert (result.passed, result.exercises) == (0, 3)
     assert repr(result) == (
-        "░░░░░░░░░░░░░░░░░░░░ 0 of 3 exercises passed · all lessons: 60 minutes\n"
-        "→ 07 Lesson <one>: 30 minutes; 0 of 2 exercises\n"
-        "  08 Lesson <two>: 30 minutes, needs 07; 0 of 1 exercises"
+        "░░░░░░░░░░░░░░░░░░░░ 0 of 3 exercises passed · all lessons: 60 minutes; their cores: 40 minutes\n"
+        "→ 07 Lesson <one>: core 20, whole 30 minutes; 0 of 1, deeper 0 of 1 exercises\n"
+        "  08 Lesson <two>: core 20, whole 30 minutes, needs 07; 0 of 1 exercises"
     )
     assert '<a href="07_one.ipynb">07 · Lesson &lt;one&gt;</a> <b>begin here</b>' in result._repr_html_()
 
 
-def test_a_lesson_is_done_when_all_its_exercises_pass(folder):
-    pass_exercises(folder, "one-a", "one-b", "other-course")
+def test_a_lesson_is_done_when_the_exercises_of_its_core_pass(folder):
+    pass_exercises(folder, "one-a", "other-course")
     result = overview(folder)
-    assert (result.passed, result.next_lesson.file) == (2, "08_two.ipynb")
+    assert (result.passed, result.next_lesson.file) == (1, "08_two.ipynb")
     assert "✓ 07 Lesson <one>" in repr(result) and "→ 08" in repr(result)
     page = result._repr_html_()
-    assert "✓ 2 of 2" in page and '<progress value="2" max="3"' in page and "<b>continue here</b>" in page
+    assert "✓ 1 of 1, deeper 0 of 1" in page
+    assert '<progress value="1" max="3"' in page and "<b>continue here</b>" in page
 
 
 def test_when_everything_passes_nothing_is_next(folder):

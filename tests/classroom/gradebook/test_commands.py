@@ -126,7 +126,6 @@ QUIET = """# ---
 # jupyter:
 #   imgproc_course:
 #     title: Quiet
-#     minutes: 5
 # ---
 
 # %% [markdown]

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Attacked
-#     minutes: 5
 # ---
 
 # %% [markdown]

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Light
-#     minutes: 5
 # ---
 
 # %% [markdown]

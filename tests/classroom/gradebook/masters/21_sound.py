@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Sound
-#     minutes: 5
 # ---
 
 # %% [markdown]

@@ -1,0 +1,84 @@
+"""The minutes of the lessons: the rule against the walks, and every page that shows minutes."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.authoring.minutes import MINUTES, minutes_of
+
+ROOT = Path(__file__).parents[2]
+MASTERS = ROOT / "notebooks" / "masters"
+# A walk through all lessons: the counts of each text as it was walked, in the order of MINUTES, and the
+# estimate in minutes. The lessons have changed since.
+WALKED = {
+    "00": (1389, 29, 1, 1, 1, 30),
+    "01": (1684, 83, 8, 8, 11, 100),
+    "02": (1531, 99, 6, 1, 7, 65),
+    "03": (2269, 165, 7, 5, 25, 140),
+    "04": (1586, 116, 11, 1, 3, 85),
+    "05": (2031, 151, 4, 1, 1, 100),
+    "06": (2025, 146, 9, 3, 20, 120),
+    "07": (1092, 100, 6, 1, 10, 70),
+    "08": (2725, 183, 7, 5, 47, 220),
+    "09": (1960, 206, 6, 2, 23, 130),
+    "10": (2787, 153, 4, 1, 1, 100),
+    "11": (2155, 208, 6, 3, 9, 70),
+    "12": (2472, 243, 7, 5, 20, 100),
+    "13": (2936, 393, 7, 5, 24, 150),
+    "14": (2761, 382, 7, 5, 35, 160),
+    "15": (3233, 375, 6, 5, 43, 190),
+    "16": (2257, 307, 8, 4, 34, 130),
+    "17": (2411, 382, 9, 4, 25, 120),
+    "18": (3422, 380, 13, 5, 32, 140),
+    "19": (3208, 432, 12, 4, 36, 150),
+    "20": (4042, 569, 6, 4, 23, 190),
+}
+
+
+@pytest.mark.parametrize("number", WALKED)
+def test_the_rule_agrees_with_the_walk_within_15_percent(number):
+    *counts, estimated = WALKED[number]
+    minutes = minutes_of(dict(zip(MINUTES, counts, strict=True)), number)
+    assert 0.85 <= minutes / estimated <= 1.15
+
+
+def test_every_numbered_section_shows_its_minutes_and_every_lesson_its_time():
+    for path in find_masters(MASTERS):
+        text = path.read_text("utf-8")
+        headings = re.findall(r"^# #{2,3} \d+ · .*$", text, re.M)
+        assert [line for line in headings if "[[minutes]]" not in line] == [], path.name
+        assert "**Time** [[minutes]]" in text, path.name
+
+
+def hours(masters, *, core):
+    return round(sum(master.core_minutes if core else master.minutes for master in masters.values()) / 60)
+
+
+def test_index_first_lesson_and_readme_name_the_routes_with_their_hours():
+    masters = {master.name: master for master in map(read_master, find_masters(MASTERS))}
+    index = (MASTERS / "index.py").read_text("utf-8")
+    original, driving, whole = re.findall(r"^# - \*\*.* \(about \d+ hours\): .*$", index, re.M)
+    route = {name: masters[name] for name in re.findall(r"\[\[(\w+)\]\]", original)}
+    assert " ".join(master.number for master in route.values()) == "00 01 02 03 04 05 08 09 10"
+    assert all(20 <= master.core_minutes <= 70 for master in route.values())
+    assert f"**The original lesson in one day** (about {hours(route, core=True)} hours)" in original
+    further = {name: masters[name] for name in re.findall(r"\[\[(\w+)\]\]", driving)}
+    assert f"**The driving robot** (about {hours(further, core=True)} hours)" in driving
+    assert f"**The whole course** (about {hours(masters, core=False)} hours)" in whole
+    sentence = f"*The original lesson in one day* is a route of about {hours(route, core=True)} hours"
+    for page in (MASTERS / "00_start_here.py", ROOT / "README.md"):
+        text = page.read_text("utf-8")
+        assert sentence in text, page.name
+    assert all(f"[[{name}]]" in (MASTERS / "00_start_here.py").read_text("utf-8") for name in [*route][1:])
+
+
+def test_the_table_of_the_readme_shows_the_minutes_of_every_lesson():
+    readme = (ROOT / "README.md").read_text("utf-8")
+    rows = re.findall(r"^\| (\d\d) \| (.*?) \| .* \| (\d+) \| (\d+) \|$", readme, re.M)
+    masters = [read_master(path) for path in find_masters(MASTERS)]
+    assert rows == [(m.number, m.title, str(m.core_minutes), str(m.minutes)) for m in masters]
+    whole = round(sum(master.minutes for master in masters) / 60)
+    core = round(sum(master.core_minutes for master in masters) / 60)
+    assert f"All lessons together take a beginner about {whole} hours, their cores {core}." in readme

@@ -1,0 +1,108 @@
+"""No prediction whose answer a learner has read before, save those with a reason."""
+
+import sys
+from pathlib import Path
+
+import nbformat
+import pytest
+
+sys.path.append(str(Path(__file__).parent))
+from spoiled_predictions import spoiled_predictions
+
+from imgproc_course.classroom.authoring.masters import find_lessons
+
+LESSONS = find_lessons(Path(__file__).parents[2] / "notebooks")
+
+CHOICE = "the question itself names it, beside other answers"
+CHANCE = "the same number or word with another meaning"
+SHAPE = "the shape above is the one before; the question is whether it changes"
+ALLOWED = {
+    "predict-start_here-1": CHOICE,
+    "predict-arrays-4": SHAPE,
+    "predict-arrays-5": "255 is known as the largest uint8; that 0 - 1 becomes 255 is not",
+    "predict-arrays-7": CHOICE,
+    "predict-arrays-8": "another question about the same small array had this number",
+    "predict-images_as_messages-4": "the padding bytes are shown; the question is where one of them goes",
+    "predict-grayscale-3": "the last two numbers of a longer shape",
+    "predict-noise_removal-9": "one of the four filters that the question names",
+    "predict-binarization-3": CHOICE,
+    "predict-canny_stages-6": CHANCE,
+    "predict-drive_the_robot-2": CHANCE,
+    "predict-object_tracking-3": CHANCE,
+    "predict-object_tracking-4": CHANCE,
+    "predict-where_am_i-4": CHANCE,
+    "predict-mapping_and_slam-5": CHANCE,
+    "predict-reading_text-3": CHANCE,
+    "predict-faces-10": CHANCE,
+    "predict-faces-12": "how many of 30: the answer is all",
+    "predict-gestures-12": "how many of 120: the answer is all",
+    "predict-the_errand-3": "one of the directions that the table above shows",
+}
+
+
+@pytest.mark.parametrize("path", [pytest.param(path, id=path.stem) for path in LESSONS])
+def test_no_answer_stands_above_its_prediction(path):
+    spoiled = spoiled_predictions(nbformat.read(path, as_version=4).cells)
+    unexpected = [str(one) for one in spoiled if one.prediction not in ALLOWED]
+    assert unexpected == []
+
+
+def test_every_exception_is_needed():
+    found = {
+        one.prediction
+        for path in LESSONS
+        for one in spoiled_predictions(nbformat.read(path, as_version=4).cells)
+    }
+    assert ALLOWED.keys() <= found
+
+
+def lesson_with(heading="Numbers", text="Here they are.", question="how many there are", output=""):
+    """The cells of a small lesson whose prediction has the answer 34 edges, told by none of the defaults."""
+    cells = [
+        nbformat.v4.new_markdown_cell(f"# Lesson\n\n**Time** about 34 edges.\n\n## 1 · {heading}\n\n{text}"),
+        nbformat.v4.new_code_cell("x", outputs=[nbformat.v4.new_output("stream", text=output)]),
+        nbformat.v4.new_markdown_cell(f"**Predict** {question}."),
+        nbformat.v4.new_code_cell("guess = None", id="predict-small-1"),
+    ]
+    return cells
+
+
+def with_answer(cells, answer):
+    text = f"No guess yet. The result is {answer}."
+    result = nbformat.v4.new_output("execute_result", data={"text/plain": text})
+    return [*cells, nbformat.v4.new_code_cell("compare_guess(guess, x)", outputs=[result])]
+
+
+@pytest.mark.parametrize(
+    ("cells", "answer"),
+    [
+        (lesson_with(text="We find 34 edges here."), "34 edges"),
+        (lesson_with(output="in all: 1,234"), "1234"),
+        (lesson_with(output="shape (2, 4)"), "(2, 4)"),
+        (lesson_with(heading="A subscription that receives nothing"), "0"),
+        (lesson_with(heading="The median wins"), "median"),
+        (
+            lesson_with(text="The median is the best here.", question="which filter is the best here"),
+            "median",
+        ),
+        (lesson_with(text="There are three wrong edges.", question="how many edges are wrong"), "3"),
+    ],
+)
+def test_an_answer_that_stands_above_is_found(cells, answer):
+    (spoiled,) = spoiled_predictions(with_answer(cells, answer))
+    assert (spoiled.prediction, spoiled.answer) == ("predict-small-1", answer)
+
+
+@pytest.mark.parametrize(
+    ("cells", "answer"),
+    [
+        (lesson_with(text="34 cats, 134 edges, 34.5 edges and 34 edges/s"), "34 edges"),
+        (lesson_with(), "34 edges"),
+        (lesson_with(question="whether there are 34 edges"), "34 edges"),
+        (lesson_with(text="The median is a filter.", question="what is best for impulse noise"), "median"),
+        (lesson_with(text="There are three dogs.", question="how many edges are wrong"), "3"),
+        (lesson_with(heading="Yes"), "yes"),
+    ],
+)
+def test_other_numbers_and_words_are_not(cells, answer):
+    assert spoiled_predictions(with_answer(cells, answer)) == []
