@@ -14,7 +14,7 @@
 # - explain each file of an `ament_python` package (a ROS 2 package in Python; *[[term:ament]]* is the build system of ROS 2),
 # - build a *[[term:workspace]]* (a folder with packages) with `colcon`, source it, and start its nodes in a terminal,
 # - recognise two common mistakes with packages, and repair them,
-# - write the files of a package of your own, build it, and run its node,
+# - deeper: write the files of a package of your own, build it, and run its node,
 # - explain what changes on the real robot, and go on with a robot and a node of your own.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
@@ -573,7 +573,7 @@ if stop_now and edge_node is not None:
     stop(edge_node)
 
 # %% [markdown]
-# ## 9 · Your turn: a package of your own ([[minutes]])
+# ## 9 · Your turn: a package of your own ([[minutes]], deeper)
 #
 # Write a third package, `image_negative`. Its node publishes the *negative* of each gray image: `255 - gray`, so black becomes white. With a full ROS 2 installation you would begin with
 #
