@@ -37,7 +37,7 @@ def drive(
     linear: float = 0.3,
     angular: float = 1.2,
     width: int = 480,
-    text: tuple[str, str] | None = None,
+    text: str | tuple[str, str] | None = None,
     caption: str | None = None,
     alt: str | None = None,
 ) -> "DriveView":

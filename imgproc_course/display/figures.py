@@ -1,11 +1,14 @@
 """Still images in a notebook: side by side, on one scale, with a caption and an alternative text."""
 
 import base64
+import contextlib
 import html
 import itertools
+import json
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import NamedTuple, TypeAlias
 
 import cv2
@@ -56,7 +59,7 @@ def show(
     titles: str | Sequence[str] | None = None,
     *,
     encoding: str | Sequence[str] = "bgr8",
-    text: tuple[str, str] | None = None,
+    text: str | tuple[str, str] | None = None,
     alt: str | None = None,
     caption: str | None = None,
     limits: tuple[float, float] | None = None,
@@ -80,8 +83,9 @@ def show(
     encoding : str or list of str, one per image
         Channel order of colour images: "bgr8", "rgb8", "bgra8", "rgba8", "8UC3" (bgr). An (H, W) array is
         gray under each of these. "mono8", "mono16", "16UC1", "32FC1" and similar ones require their dtype.
-    text : (caption, alt)
-        Both texts of the figure, instead of `caption` and `alt`.
+    text : "<lesson>/<name>", or (caption, alt)
+        Both texts of the figure, instead of `caption` and `alt`; a name is read in texts/<lesson>.json, in
+        the current folder or in the course's. A missing file or name makes the figure one without texts.
     alt : str
         Alternative text: what the figure shows. If omitted, it is made of titles and sizes.
     caption : str
@@ -142,7 +146,7 @@ def show_figure(
     *,
     alt: str | None = None,
     caption: str | None = None,
-    text: tuple[str, str] | None = None,
+    text: str | tuple[str, str] | None = None,
 ) -> None:
     """Shows any matplotlib figure as an image with an alternative text, and closes it.
 
@@ -153,9 +157,12 @@ def show_figure(
     figure : matplotlib Figure
     alt : str, what the figure shows
     caption : str, a sentence under the figure
-    text : (caption, alt), instead of `caption` and `alt`
+    text : name of both texts, or (caption, alt), as in `show`, instead of `caption` and `alt`
     """
     caption, alt = split_text(text, caption, alt)
+    if text is not None and alt is None:
+        titles = [figure.get_suptitle(), *(axes.get_title() for axes in figure.axes)]
+        alt = "; ".join(filter(None, titles)) or "a figure"
     if not isinstance(alt, str) or not alt.strip():
         raise ValueError(f"alt must say in words what the figure shows, got {alt!r}")
     display(Output(caption or alt, _figure_html(_encode(figure), alt, caption)))
@@ -163,17 +170,32 @@ def show_figure(
 
 
 def split_text(
-    text: tuple[str, str] | None, caption: str | None = None, alt: str | None = None
+    text: str | tuple[str, str] | None, caption: str | None = None, alt: str | None = None
 ) -> tuple[str | None, str | None]:
-    """(caption, alt) of a figure: of its `text`, if it has one; ValueError if this is not a pair of texts."""
+    """(caption, alt) of a figure: of its `text`, if it has one, and None for one that is not stored.
+
+    ValueError: both are given, or `text` is neither a name nor a pair of texts.
+    """
     if text is None:
         return caption, alt
     if caption is not None or alt is not None:
-        raise ValueError("give text=(caption, alt), or caption= and alt=, not both")
+        raise ValueError("give text=, or caption= and alt=, not both")
+    if isinstance(text, str):
+        return _stored_texts(text)
     is_pair = isinstance(text, tuple | list) and len(text) == 2
     if not is_pair or not all(isinstance(part, str) and part.strip() for part in text):
-        raise ValueError(f'text must be ("caption", "alternative text"), got {text!r}')
+        raise ValueError(f'text must be "lesson/name" or ("caption", "alternative text"), got {text!r}')
     return text[0], text[1]
+
+
+def _stored_texts(name):
+    """(caption, alt) in the file of a lesson; (None, None) if there is no such file or name."""
+    lesson, _, figure = name.partition("/")
+    for folder in (Path(), Path(__file__).parents[2] / "notebooks"):
+        with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
+            texts = json.loads((folder / "texts" / f"{lesson}.json").read_text(encoding="utf-8"))
+            return str(texts[figure]["caption"]), str(texts[figure]["alt"])
+    return None, None
 
 
 class Output:

@@ -35,7 +35,7 @@ def live_view(
     encoding: str = "bgr8",
     width: int | None = None,
     limits: tuple[float, float] | None = None,
-    text: tuple[str, str] | None = None,
+    text: str | tuple[str, str] | None = None,
     caption: str | None = None,
     alt: str | None = None,
     **ranges: Any,
@@ -58,7 +58,7 @@ def live_view(
         CSS pixels. If omitted: 640 for one image, 960 for several. Frames are sent at this width.
     limits : (low, high)
         The values shown black and white, for gray results that are neither uint8 nor bool.
-    text : (caption, alt), instead of `caption` and `alt`
+    text : name of both texts, or (caption, alt), as in `show`, instead of `caption` and `alt`
     caption : str, a sentence under the view
     alt : str, alternative text. If omitted: made of the function's name
     **ranges

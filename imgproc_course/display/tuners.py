@@ -27,7 +27,7 @@ def tune(
     encoding: str = "bgr8",
     width: int | None = None,
     limits: tuple[float, float] | None = None,
-    text: tuple[str, str] | None = None,
+    text: str | tuple[str, str] | None = None,
     caption: str | None = None,
     alt: str | None = None,
     **sliders: Any,

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import imgproc_course
 from imgproc_course.classroom.authoring.atomic_write import stage_file
-from imgproc_course.classroom.authoring.learner_files import files_for_learners, without_outputs
+from imgproc_course.classroom.authoring.learner_files import TEXTS, files_for_learners, without_outputs
 from imgproc_course.classroom.authoring.lesson_names import lesson_name
 from imgproc_course.classroom.exercises.progress import one_at_a_time
 
@@ -102,6 +102,9 @@ def _update(source, target, lessons, version):
     with staged:
         for name in lessons:
             data = without_outputs((source / name).read_bytes())
+            if name.startswith(f"{TEXTS}/"):  # the lessons read them: no work of a learner
+                staged.write(name, data, replaces=_content(target / name))
+                continue
             old_name = _name_under_older_number(target, name, origins)
             if old_name:
                 staged.rename(old_name, name)

@@ -70,8 +70,7 @@ report
 # Check: your computer is ready
 assert report.ready, "a line above shows ✗; do what it says, then run both cells again"
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "frame": (
         "The robot's camera, 20 cm above the floor, sees a lot of floor, some furniture, and a ball in front of the robot.",
@@ -108,7 +107,7 @@ compare_guess(guess_first, frame.shape[0])
 # Rows come first: 720 rows, 1280 columns, and 3 numbers for each pixel. The three numbers belong to three *[[term:channel|channels]]*: blue, green and red. Each number is an *[[term:intensity]]*: 0 means no light of this colour, 255 means the most light. The dtype `uint8` holds whole numbers from 0 to 255.
 
 # %%
-show(frame, "the robot's first frame", text=figure_texts["frame"])
+show(frame, "the robot's first frame", text="start_here/frame")
 
 # %%
 # Check: the numbers in this section
@@ -154,7 +153,7 @@ def darken(frame, percent=100):
     return large.astype("uint8")
 
 
-view = live_view(source, darken, percent=(0, 100), text=figure_texts["live"])
+view = live_view(source, darken, percent=(0, 100), text="start_here/live")
 
 # %%
 # Check: the numbers in this section

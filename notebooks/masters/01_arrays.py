@@ -26,8 +26,7 @@ from imgproc_course.display import show
 from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.recording import open_recording
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "tiny": (
         "The same array as an image: 0 is black, 255 is white. Row 0 is at the top, column 0 is on the left.",
@@ -80,7 +79,7 @@ print(tiny)
 print("shape:", tiny.shape, "  size:", tiny.size)
 
 # %%
-show(tiny, "tiny", text=figure_texts["tiny"])
+show(tiny, "tiny", text="arrays/tiny")
 
 # %%
 # Check: the numbers in this section
@@ -124,7 +123,7 @@ two_rows = tiny[1:3]
 three_columns = tiny[:, 1:4]
 both = tiny[1:3, 1:4]
 show([two_rows, three_columns, both], ["[1:3]", "[:, 1:4]", "[1:3, 1:4]"],
-     text=figure_texts["parts"])
+     text="arrays/parts")
 
 # %% [markdown]
 # **Predict.** What is the shape of `tiny[:2, 3:]`?
@@ -204,7 +203,7 @@ frame = open_recording("drive").frame(30)
 small = frame[::4, ::4]
 print("frame:", frame.shape, "  every fourth row and column:", small.shape)
 show([small, small[::-1], small[:, ::-1]], ["small", "[::-1]", "[:, ::-1]"],
-     text=figure_texts["mirrored"])
+     text="arrays/mirrored")
 
 # %% [markdown]
 # **Predict.** Here is a row of five numbers: 1, 2, 3, 4, 5. What is `row[::-2]`?
@@ -284,7 +283,7 @@ ball = frame[340:440, 430:530]
 blue, green, red = ball[..., 0], ball[..., 1], ball[..., 2]
 print("part of the frame:", ball.shape, "  one channel:", red.shape)
 show([ball, blue, green, red], ["ball", "blue", "green", "red"], columns=2,
-     text=figure_texts["channels"])
+     text="arrays/channels")
 
 # %% [markdown]
 # **Predict.** What is the shape of `frame[..., ::-1]`?
@@ -404,7 +403,7 @@ assert [np.dtype(name).itemsize for name in ("uint8", "uint16", "int16", "float6
 # %%
 bright = tiny > 100
 print(bright.astype(int))  # 1 for True, 0 for False
-show([tiny, bright], ["tiny", "tiny > 100"], text=figure_texts["mask"])
+show([tiny, bright], ["tiny", "tiny > 100"], text="arrays/mask")
 
 # %% [markdown]
 # True counts as 1, and False as 0. So the *sum* of a mask is the number of its True pixels, and the *mean* of a mask is their share: between 0 (none) and 1 (all).
@@ -702,7 +701,7 @@ print(sums)
 # %%
 left, middle, right = row[:-2], row[1:-1], row[2:]
 show(np.stack([left, middle, right]), "left, middle, right",
-     text=figure_texts["rows"])
+     text="arrays/rows")
 
 # %% [markdown]
 # In each column of the figure stand the three numbers that the loop adds. So we add the three arrays:
@@ -719,7 +718,7 @@ print((left + middle + right).tolist())
 zeros = np.pad(tiny, 1)
 repeated = np.pad(tiny, 1, mode="edge")
 print("before:", tiny.shape, "  after:", zeros.shape)
-show([zeros, repeated], ["zeros", "outermost pixels repeated"], text=figure_texts["padded"])
+show([zeros, repeated], ["zeros", "outermost pixels repeated"], text="arrays/padded")
 
 # %%
 # Check: the numbers in this section
@@ -786,7 +785,7 @@ def inputs(rng):
 steps = np.diff(frame[..., 1].astype(np.int16), axis=1)  # of the green channel
 # limits: -40 and less is black, 40 and more is white
 print("shape:", steps.shape, "  range:", steps.min(), "to", steps.max())
-show(steps, "differences", limits=(-40, 40), text=figure_texts["steps"])
+show(steps, "differences", limits=(-40, 40), text="arrays/steps")
 
 # %%
 # Check: the numbers in this section and in the table below

@@ -33,8 +33,7 @@ recording = open_recording("drive")
 frame = recording.frame(30)
 print("frame", frame.shape, frame.dtype, "  numbers:", frame.size)
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "frame": (
         "Three seconds after the start: a person walks past, a ball lies ahead, and a marker stands in front of the wall.",
@@ -79,7 +78,7 @@ figure_texts = {
 }
 
 # %%
-show(frame, "frame 30 of the drive", text=figure_texts["frame"])
+show(frame, "frame 30 of the drive", text="what_is_image_processing/frame")
 
 # %%
 # Check: the numbers in this section
@@ -114,7 +113,7 @@ compare_guess(guess_floor, round(floor_share * 100), "%")
 # %%
 painted = frame.copy()
 painted[floor] = (0, 160, 0)  # blue, green, red
-show(painted, "floor, painted green", text=figure_texts["floor"])
+show(painted, "floor, painted green", text="what_is_image_processing/floor")
 
 # %%
 # Check: the numbers in this section
@@ -138,7 +137,7 @@ boxed = frame.copy()
 yellow = (0, 255, 255)
 # OpenCV's points are (column, row), the other way round than an index
 cv2.rectangle(boxed, (left, top), (right, bottom), yellow, thickness=4)
-show(boxed, "one person, one bounding box", text=figure_texts["person"])
+show(boxed, "one person, one bounding box", text="what_is_image_processing/person")
 
 # %%
 # Check: the numbers in this section
@@ -157,7 +156,7 @@ corners, ids, _ = detector.detectMarkers(frame)
 marked = frame.copy()
 cv2.aruco.drawDetectedMarkers(marked, corners, ids)
 show(marked, "the marker", rows=(280, 430), cols=(590, 790),
-     text=figure_texts["marker"])
+     text="what_is_image_processing/marker")
 
 # %%
 top_left, top_right, bottom_right, bottom_left = corners[0][0]
@@ -219,7 +218,7 @@ compare_guess(guess_obstacle, recording.label_names[names[0]])
 
 # %%
 show(depth, "depth in millimetres: dark is near", limits=(500, 5000),
-     text=figure_texts["depth"])
+     text="what_is_image_processing/depth")
 
 # %%
 # Check: the numbers in this section
@@ -244,7 +243,7 @@ assert np.nonzero(box)[1].min() > 427
 gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
 print("before", frame.shape, "  after", gray.shape, gray.dtype)
 print("different values:", np.unique(gray).size)
-show([frame, gray], ["colour", "gray"], text=figure_texts["gray"])
+show([frame, gray], ["colour", "gray"], text="what_is_image_processing/gray")
 
 # %% [markdown]
 # ### 6 · Planned failure: grayscale is not binary (4 minutes)
@@ -276,7 +275,7 @@ binary_share = (binary == 255).mean()
 print("different values:", np.unique(binary))
 print("white:", round(binary_share * 100), "%")
 show([gray, binary], ["gray: 246 values", "binary: two"],
-     text=figure_texts["binary"])
+     text="what_is_image_processing/binary")
 
 # %% [markdown]
 # ### 8 · Edge detection: where the intensity jumps (4 minutes)
@@ -297,7 +296,7 @@ compare_guess(guess_white, "more" if edge_share > binary_share else "fewer")
 
 # %%
 show([binary, edges], ["binary: areas", "edges: lines"],
-     text=figure_texts["edges"])
+     text="what_is_image_processing/edges")
 
 # %%
 # Check: the numbers in the sections 7 and 8
@@ -324,7 +323,7 @@ noisy[random_values > 0.975] = 255
 cleaned = cv2.medianBlur(noisy, 3)
 print("before", noisy.shape, "  after", cleaned.shape)
 show([noisy, cleaned], ["with noise", "after a 3 × 3 median"],
-     rows=(300, 460), cols=(440, 730), text=figure_texts["noise"])
+     rows=(300, 460), cols=(440, 730), text="what_is_image_processing/noise")
 
 # %% [markdown]
 # **Predict.** How large is the mean error that is left, compared with the mean error of the noisy image?
@@ -380,7 +379,7 @@ if ros_available():
 else:
     source = recording
 view = live_view(source, with_edges, low=(0, 500), high=(0, 500),
-                 text=figure_texts["live"])
+                 text="what_is_image_processing/live")
 
 # %%
 # Check: the function gives the same edges as above

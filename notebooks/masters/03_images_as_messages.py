@@ -33,8 +33,7 @@ from imgproc_course.messages.cv_bridge import CvBridge
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "tiny": (
         "In each value, the first digit counts the rows (from 1) and the second digit counts the columns (from 0). So you can see at once if the rows are cut wrongly.",
@@ -126,7 +125,7 @@ print("data", list(tiny_message.data))
 
 # %%
 show(tiny, "data, cut into rows of step = 5 bytes", encoding="mono8",
-     text=figure_texts["tiny"])
+     text="images_as_messages/tiny")
 
 # %% [markdown]
 # Rows, columns and bytes are counted from 0. One row takes `step` bytes. So row 1 begins at byte `1 * step`, and column 2 is two bytes after that.
@@ -235,7 +234,7 @@ print("frame", frame.shape, frame.dtype)
 print("range", frame.min(), "to", frame.max())
 
 # %%
-show(frame, "decoded by hand", encoding="rgb8", text=figure_texts["decoded"])
+show(frame, "decoded by hand", encoding="rgb8", text="images_as_messages/decoded")
 
 # %% [markdown]
 # OpenCV stores the channels of a pixel in the order blue, green, red. The robot sends red, green, blue. You cannot see the order in the bytes. Only `encoding` tells you the order.
@@ -253,7 +252,7 @@ compare_guess(guess_colour, ["blue", "green", "red"][largest])
 
 # %%
 show([frame, frame], ["correct: read as rgb8", "wrong: read as bgr8"],
-     encoding=["rgb8", "bgr8"], text=figure_texts["swapped"])
+     encoding=["rgb8", "bgr8"], text="images_as_messages/swapped")
 
 # %% [markdown]
 # Python raised no error, so this mistake is easy to overlook. Now **repair it**: OpenCV needs `bgr8`, so red and blue must be swapped. `image_to_array` reads `encoding`. If you ask for another encoding, it reorders the channels.
@@ -366,7 +365,7 @@ compare_guess(guess_first, cut_by_width[1, 0])
 rows = flat.reshape(padded.height, padded.step)
 cut_by_step = rows[:, : padded.width]
 show([cut_by_width, cut_by_step], ["cut by width", "cut by step, then cropped"],
-     encoding="mono8", text=figure_texts["cut"])
+     encoding="mono8", text="images_as_messages/cut")
 
 # %% [markdown]
 # Here is the same mistake with the camera's image. Every row is padded by one pixel (three bytes):
@@ -377,7 +376,7 @@ wide[:, :1280] = frame
 first_bytes = wide.reshape(-1)[: 720 * 1280 * 3]  # -1: one long row
 sheared = first_bytes.reshape(720, 1280, 3)
 show(sheared, "padding read as pixels", encoding="rgb8",
-     text=figure_texts["sheared"])
+     text="images_as_messages/sheared")
 
 # %% [markdown]
 # `image_to_array` uses `step`. If the fields of a message contradict each other, it raises an error. The error says which field is wrong, which value was expected, and what you can do. (`try` and `except` catch the error, so that the lesson goes on.)
@@ -627,7 +626,7 @@ canvas = by_function.copy()
 yellow = (255, 255, 0)
 cv2.circle(canvas, (546, 380), 40, yellow, thickness=4)  # OpenCV: (column, row)
 show(canvas, "a circle on a copy", encoding="rgb8",
-     rows=(310, 450), cols=(446, 646), text=figure_texts["circle"])
+     rows=(310, 450), cols=(446, 646), text="images_as_messages/circle")
 
 # %% [markdown]
 # Every encoding has a dtype and a number of channels (`32FC1`: 32-bit floating-point numbers, 1 channel):
@@ -898,7 +897,7 @@ def shift_channels(frame, shift=0):
 
 # %% tags=["nbval-ignore-output"]
 view = live_view(source, shift_channels, shift=(0, 40),
-                 text=figure_texts["live"])
+                 text="images_as_messages/live")
 
 # %%
 # Check: with a shift of 0 the frame stays as it is

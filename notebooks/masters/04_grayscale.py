@@ -34,8 +34,7 @@ frame = open_recording("drive").frame(30)
 print("frame", frame.shape, frame.dtype)
 print("range", frame.min(), "to", frame.max())
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "overflow": (
         "On the left, no pixel is above 85, and bright walls look dark: this is the effect of uint8 overflow.",
@@ -123,7 +122,7 @@ wrong = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3
 wide = frame.astype(np.uint16)
 right = (wide[..., 0] + wide[..., 1] + wide[..., 2]) // 3
 show([wrong, right.astype(np.uint8)], ["added as uint8", "widened first"],
-     encoding="mono8", text=figure_texts["overflow"])
+     encoding="mono8", text="grayscale/overflow")
 
 # %% [markdown]
 # **Repair it** in four steps, always in this order: *widen, compute, round, narrow*. To *widen* is to convert to a larger type: `astype(np.uint16)` gives a type that holds numbers up to 65,535. To *narrow* is to convert back to `uint8`, after the values are small enough again. (Here `//` rounds down.)
@@ -178,7 +177,7 @@ guess_brightest = None  # your guess: "blue", "green" or "red"?
 luma_patches = to_gray(patches)
 strips = [patches, average_gray(patches), lightness_gray(patches), luma_patches]
 show(strips, ["colour", "average", "lightness", "luma"], numbers=False,
-     text=figure_texts["methods"])
+     text="grayscale/methods")
 largest = luma_patches[0, ::2].argmax()  # the position of the largest value
 compare_guess(guess_brightest, ["blue", "green", "red"][largest])
 
@@ -282,7 +281,7 @@ assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decim
 # %%
 tiny = frame[386:391, 449:454]
 show([tiny, to_gray(tiny)], ["blue, green, red", "luma"], columns=1,
-     encoding=["bgr8", "mono8"], text=figure_texts["tiny"])
+     encoding=["bgr8", "mono8"], text="grayscale/tiny")
 
 # %%
 b = int(tiny[2, 2, 0])  # the middle pixel; int() makes a Python integer of it
@@ -333,7 +332,7 @@ print("our sum differs from OpenCV:", (rounded != opencv).sum(), "pixels")
 
 # %%
 show([frame, gray], ["frame", "gray (luma)"],
-     encoding=["bgr8", "mono8"], text=figure_texts["frame"])
+     encoding=["bgr8", "mono8"], text="grayscale/frame")
 
 # %% [markdown]
 # Now we take a photograph: a cup of coffee. The library scikit-image contains this photograph, which is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
@@ -344,7 +343,7 @@ from skimage import data
 coffee = data.coffee()[..., ::-1]
 coffee_gray = to_gray(coffee)
 show([coffee, coffee_gray], ["photograph", "gray (luma)"],
-     encoding=["bgr8", "mono8"], text=figure_texts["coffee"])
+     encoding=["bgr8", "mono8"], text="grayscale/coffee")
 
 # %%
 # Check: the results in this section
@@ -382,7 +381,7 @@ pair[:, :4] = (40, 100, 60)   # a green
 pair[:, 4:] = (200, 10, 175)  # a violet
 print("luma:", to_gray(pair)[0, 0], "left,", to_gray(pair)[0, -1], "right")
 show([pair, to_gray(pair)], ["two colours", "one gray"], numbers=False,
-     encoding=["bgr8", "mono8"], text=figure_texts["pair"])
+     encoding=["bgr8", "mono8"], text="grayscale/pair")
 
 # %%
 # Check: the results in this section
@@ -411,7 +410,7 @@ by_light = linear_light_gray(patches)
 print("luma             ", luma_patches[0, ::2], " (blue, green, red)")
 print("luminance encoded", by_light[0, ::2])
 show([patches, luma_patches, by_light], ["colour", "luma", "luminance"],
-     numbers=False, text=figure_texts["luminance"])
+     numbers=False, text="grayscale/luminance")
 
 # %%
 # Check: the numbers in this section

@@ -35,8 +35,7 @@ if ros_available():
     camera = open_camera("recording")
     print("the camera publishes", camera.topic)
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "gray": (
         "The drive in gray, live, with ten images per second.",
@@ -382,10 +381,10 @@ assert not ros_available() or (gray.shape == (720, 1280) and gray.dtype == np.ui
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
-    view = live_view(gray_frames, encoding="mono8", text=figure_texts["gray"])
+    view = live_view(gray_frames, encoding="mono8", text="grayscale_node/gray")
 else:
     drive = open_recording("drive")
-    view = live_view(drive, to_gray, text=figure_texts["gray"])
+    view = live_view(drive, to_gray, text="grayscale_node/gray")
 
 # %%
 # Check: the live view runs
@@ -520,7 +519,7 @@ if ros_available():
     )
     my_images = ImageSubscriber("/my_node/gray", encoding="mono8")
     my_image = my_images.wait(timeout=10)
-    my_view = live_view(my_images, encoding="mono8", text=figure_texts["mine"])
+    my_view = live_view(my_images, encoding="mono8", text="grayscale_node/mine")
 
 # %%
 # Check: my node publishes images of the camera's size

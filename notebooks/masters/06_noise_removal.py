@@ -31,8 +31,7 @@ from imgproc_course.imaging import gaussian_blur, median_blur
 from imgproc_course.imaging import psnr, ssim, to_gray
 from imgproc_course.recording import open_recording
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "wall": (
         "The wall has one colour, but the numbers differ: this is the noise of the sensor.",
@@ -89,7 +88,7 @@ guess_range = None  # your guess: how many gray levels?
 
 # %%
 wall = gray[120:128, 880:888]
-show(wall, "a piece of the wall", text=figure_texts["wall"])
+show(wall, "a piece of the wall", text="noise_removal/wall")
 compare_guess(guess_range, int(wall.max()) - int(wall.min()), "gray levels")
 
 # %% [markdown]
@@ -126,7 +125,7 @@ print("noisy", noisy_row)
 padded = np.pad(noisy_row, 1, mode="edge")
 shifted = np.stack([padded[:-2], padded[1:-1], padded[2:]])
 show(shifted.astype(np.uint8), "left neighbour, pixel, right neighbour",
-     text=figure_texts["shifted"])
+     text="noise_removal/shifted")
 
 # %%
 def mean_of_three(row):
@@ -249,7 +248,7 @@ padded = np.pad(tiny, 1, mode="edge")
 row, col = 0, 0
 window = padded[row : row + 3, col : col + 3]
 show([tiny, padded, window], ["image", "padded", "window of (0, 0)"],
-     columns=2, text=figure_texts["nine"])
+     columns=2, text="noise_removal/nine")
 print("sorted:", np.sort(window, axis=None), "  median:", np.median(window))
 
 # %% [markdown]
@@ -272,7 +271,7 @@ print("zero padding", np.pad(border_row, 2, mode="constant"))
 cleaned = median_blur(tiny, 3)
 show([tiny, box_blur(tiny, 3), cleaned],
      ["with salt and pepper", "3 × 3 mean", "3 × 3 median"],
-     columns=2, text=figure_texts["tiny"])
+     columns=2, text="noise_removal/tiny")
 
 # %% [markdown]
 # The 3 × 3 mean is the **box filter** (or mean filter): all nine weights are 1/9. The **Gaussian filter** is a mean, too, but near neighbours have more weight than far ones. Therefore it blurs more evenly than the box filter. Its 3 × 3 kernel, multiplied by 16, is
@@ -292,7 +291,7 @@ bump = np.zeros((5, 5), np.uint8)
 bump[2, 2] = 160
 response = gaussian_blur(bump, 0, size=3)
 show([bump, response], ["one pixel of 160", "3 × 3 Gaussian filter"],
-     text=figure_texts["bump"])
+     text="noise_removal/bump")
 compare_guess(guess_response, response[2, 2])
 
 # %% [markdown]
@@ -327,7 +326,7 @@ grainy = add_gaussian_noise(gray, 20, seed=1)
 print(f"changed pixels, impulse noise:  {(salted != gray).mean():.1%}")
 print(f"changed pixels, Gaussian noise: {(grainy != gray).mean():.1%}")
 show([salted, grainy], ["impulse noise", "Gaussian noise"], columns=1,
-     rows=(310, 440), cols=(430, 740), text=figure_texts["two kinds"])
+     rows=(310, 440), cols=(430, 740), text="noise_removal/two kinds")
 
 # %%
 # Check: the numbers in this section
@@ -447,7 +446,7 @@ compare_guess(guess_impulse, names[np.argmax(scores)])
 # %%
 results = [filters[name](salted) for name in names]
 show(results, names, rows=(310, 410), cols=(600, 760), columns=2,
-     text=figure_texts["impulse"])
+     text="noise_removal/impulse")
 
 # %% [markdown]
 # **Predict** which of the four is best against Gaussian noise.
@@ -468,7 +467,7 @@ compare_guess(guess_gaussian, names[np.argmax(gaussian_scores)])
 # %%
 results = [filters[name](grainy) for name in names]
 show(results, names, rows=(310, 410), cols=(600, 760), columns=2,
-     text=figure_texts["gaussian"])
+     text="noise_removal/gaussian")
 
 # %% [markdown]
 # There is no best filter for every noise. Against impulse noise the median is better than the others by more than ten decibels. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
@@ -482,7 +481,7 @@ portrait = to_gray(data.astronaut()[..., ::-1])  # from RGB to BGR first
 salted_portrait = add_salt_and_pepper(portrait, 0.05, seed=2)
 show([portrait, salted_portrait, median_blur(salted_portrait, 3)],
      ["original", "salt and pepper", "3 × 3 median"], columns=2,
-     rows=(60, 160), cols=(160, 290), text=figure_texts["portrait"])
+     rows=(60, 160), cols=(160, 290), text="noise_removal/portrait")
 
 # %%
 # Check: the numbers in this section

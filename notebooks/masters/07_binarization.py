@@ -30,8 +30,7 @@ from imgproc_course.imaging import adaptive_threshold, otsu_threshold
 from imgproc_course.imaging import threshold, to_gray
 from imgproc_course.recording import open_recording
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "tiny": (
         "Above means strictly above: 100 is not above 100, so this pixel becomes black.",
@@ -93,7 +92,7 @@ tiny = np.array([[20, 30, 40, 180, 190],
                  [35, 45, 160, 195, 205],
                  [40, 50, 170, 200, 210]], dtype=np.uint8)
 binary = np.where(tiny > 100, 255, 0).astype(np.uint8)
-show([tiny, binary], ["gray", "above 100"], text=figure_texts["tiny"])
+show([tiny, binary], ["gray", "above 100"], text="binarization/tiny")
 compare_guess(guess_middle, binary[2, 2])
 
 # %% [markdown]
@@ -112,7 +111,7 @@ assert (cv2.threshold(tiny, 100, 255, cv2.THRESH_BINARY)[1] == binary).all()
 
 # %%
 marker = gray[319:395, 656:724]
-show(marker, "the marker", text=figure_texts["marker"])
+show(marker, "the marker", text="binarization/marker")
 
 # %% [markdown]
 # A **histogram** counts how many pixels have each gray level. `np.bincount` counts how often each whole number occurs in a list of numbers: first how many 0, then how many 1, and so on. `ravel` makes such a list of an image: all rows, one after another.
@@ -145,7 +144,7 @@ axes = figure.add_subplot()
 axes.bar(range(256), counts, width=1, color="0.35")
 axes.axvline(128, color="tab:blue")  # a vertical line
 axes.set(xlabel="gray level", ylabel="pixels", xlim=(0, 255))
-show_figure(figure, text=figure_texts["histogram"])
+show_figure(figure, text="binarization/histogram")
 
 # %%
 # Check: the numbers in this section
@@ -232,11 +231,11 @@ lower.axvline(best, color="tab:red")
 upper.set(ylabel="pixels", title=f"Otsu's threshold is {best}")
 lower.set(xlabel="threshold t (gray level)", xlim=(0, 255),
           ylabel="between-class\nvariance (level²)")
-show_figure(figure, text=figure_texts["otsu"])
+show_figure(figure, text="binarization/otsu")
 
 # %%
 show([marker, threshold(marker, best)], ["gray", f"above {best}"],
-     columns=1, text=figure_texts["binary marker"])
+     columns=1, text="binarization/binary marker")
 
 # %%
 # Check: the numbers in this section
@@ -259,7 +258,7 @@ photograph = data.camera()
 t = otsu_threshold(photograph)
 print("sign:", otsu_threshold(sign), "  photograph:", t)
 show([photograph, threshold(photograph, t)], ["photograph", "Otsu"],
-     text=figure_texts["photograph"])
+     text="binarization/photograph")
 
 # %%
 # Check: Otsu's threshold of both images is OpenCV's
@@ -276,7 +275,7 @@ for image in (sign, photograph):
 
 # %%
 rug = gray[415:515, 60:560]
-show(rug, "rug, partly in the sun", text=figure_texts["rug"])
+show(rug, "rug, partly in the sun", text="binarization/rug")
 
 # %% [markdown]
 # **Predict** how many percent of the sunny pixels become white with Otsu's global threshold. (If the stripes were separated correctly, it would be about 60 %.)
@@ -287,7 +286,7 @@ guess_white = None  # your guess: how many percent?
 # %%
 t = otsu_threshold(rug)
 global_result = threshold(rug, t)
-show(global_result, f"above {t}", text=figure_texts["global"])
+show(global_result, f"above {t}", text="binarization/global")
 sunny_result = global_result[50:90, 150:250]
 compare_guess(guess_white, round((sunny_result == 255).mean() * 100), "%")
 
@@ -329,7 +328,7 @@ print("white    ", (row > block_means - 5).astype(int))
 adaptive_result = adaptive_threshold(rug, 31, 5)
 show([global_result, adaptive_result],
      ["global threshold (Otsu)", "adaptive: mean of 31 × 31, minus 5"],
-     columns=1, text=figure_texts["adaptive"])
+     columns=1, text="binarization/adaptive")
 
 # %%
 # Check: the numbers in this section

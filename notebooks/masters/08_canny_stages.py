@@ -43,8 +43,7 @@ recording = open_recording("drive")
 gray = to_gray(recording.frame(30))
 print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "window": (
         "Nine gray levels, nine weights, nine products. The response of the middle pixel is the sum of the products.",
@@ -172,7 +171,7 @@ window = step[1:4, 0:3].astype(np.int32)  # a product can be negative
 products = window * kernel
 print("response:", products.sum())
 show([window, kernel, products], ["window", "kernel", "products"],
-     text=figure_texts["window"])
+     text="canny_stages/window")
 compare_guess(guess_response, products.sum())
 
 # %% [markdown]
@@ -200,7 +199,7 @@ print(kernel.T)
 grad_row, grad_col = sobel(step)
 show([step, grad_col, grad_row],
      ["gray", "grad_col (along a row)", "grad_row (down a column)"],
-     text=figure_texts["sobel"])
+     text="canny_stages/sobel")
 
 # %% [markdown]
 # The factor **4** is important: all thresholds below are compared with the Sobel response, not with gray levels. At a vertical or horizontal edge, a threshold of 50 means a step of 12.5 gray levels, and a threshold of 150 means a step of 37.5.
@@ -320,7 +319,7 @@ print("middle pixel: grad_row", down[2, 2], "  grad_col", right[2, 2])
 figure, axes = draw(slanted, "gradient of the middle pixel", encoding="mono8")
 to_right, to_bottom = right[2, 2] / 400, down[2, 2] / 400  # in pixels
 axes[0].arrow(2, 2, to_right, to_bottom, width=0.06, color="tab:orange")
-show_figure(figure, text=figure_texts["arrow"])
+show_figure(figure, text="canny_stages/arrow")
 
 # %% [markdown]
 # The next figure shows the gradient magnitude of a camera frame. `canny_stages` runs all stages of Canny with the thresholds 50 and 150, and returns the result of each stage.
@@ -330,7 +329,7 @@ stages = canny_stages(gray, 50, 150)
 all_magnitudes = stages.magnitude
 print(all_magnitudes.shape, all_magnitudes.dtype, "up to", all_magnitudes.max())
 show(np.minimum(all_magnitudes, 500), "magnitude (L1), up to 500",
-     text=figure_texts["magnitude"])
+     text="canny_stages/magnitude")
 
 # %% [markdown]
 # The figure below shows the direction as the *[[term:hue]]* of a colour, and the magnitude as its brightness. Hue is the place of a colour on the colour wheel: red, yellow, green, blue and back to red. It is an angle. OpenCV's *HSV* image has three channels: hue (in steps of two degrees), saturation (255 is a full colour), and value (the brightness).
@@ -345,7 +344,7 @@ hsv[:, :, 1] = 255
 hsv[:, :, 2] = np.minimum(stages.magnitude // 2, 255)
 coloured = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)
 show(coloured, "direction as hue", rows=(310, 440), cols=(430, 740),
-     text=figure_texts["hue"])
+     text="canny_stages/hue")
 
 # %%
 # Check: the results in this section
@@ -485,7 +484,7 @@ for row in range(height):
 
 # %%
 show([wall, wall_magnitude, wall_thinned],
-     ["gray", "magnitude", "peaks of each row"], text=figure_texts["small"])
+     ["gray", "magnitude", "peaks of each row"], text="canny_stages/small")
 
 # %% [markdown]
 # But left and right are the right neighbours only at a vertical edge. In general, Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps the pixel only if its magnitude is a maximum. This is **[[term:non-maximum suppression]]**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
@@ -507,7 +506,7 @@ for number in range(4):
 # %%
 before, after = np.minimum(all_magnitudes, 500), np.minimum(stages.thinned, 500)
 show([before, after], ["magnitude", "after suppression"], rows=(376, 400),
-     cols=(440, 464), numbers=False, text=figure_texts["thinned"])
+     cols=(440, 464), numbers=False, text="canny_stages/thinned")
 
 # %% [markdown]
 # <details>
@@ -633,7 +632,7 @@ strong = stages.thinned > 150
 weak = (stages.thinned > 50) & (stages.thinned <= 150)
 print("weak", weak.sum(), "  strong", strong.sum())
 show([weak | strong, strong], ["weak or strong: above 50", "strong: above 150"],
-     rows=(380, 700), cols=(640, 1120), text=figure_texts["thresholds"])
+     rows=(380, 700), cols=(640, 1120), text="canny_stages/thresholds")
 
 # %%
 # Check: the results in this section
@@ -764,7 +763,7 @@ def growth(frame, steps=0):
     return np.where(edges, 255, 0).astype(np.uint8)
 
 
-growing = tune(growth, gray, steps=(0, 60), text=figure_texts["growth"])
+growing = tune(growth, gray, steps=(0, 60), text="canny_stages/growth")
 
 # %%
 # Check: the slider's image before it is moved
@@ -777,7 +776,7 @@ print("strong pixels:", stages.strong.sum())
 print("edge pixels after 3 steps:", early.sum())
 print("edge pixels after 400 steps:", late.sum())
 show([stages.strong, late], ["strong pixels", "after growth"],
-     rows=(380, 700), cols=(640, 1120), text=figure_texts["grown"])
+     rows=(380, 700), cols=(640, 1120), text="canny_stages/grown")
 
 # %%
 # Check: the results in this section
@@ -934,7 +933,7 @@ guess_times = None  # your guess: 1, 2, 4 or 8 times as many?
 noisy = add_gaussian_noise(gray, 15, seed=1)
 clean_edges, unblurred = canny(gray, 50, 150), canny(noisy, 50, 150)
 show([clean_edges, unblurred], ["edges of the frame", "edges with noise"],
-     text=figure_texts["noise"])
+     text="canny_stages/noise")
 times = (unblurred > 0).sum() / (clean_edges > 0).sum()
 compare_guess(guess_times, round(float(times)), "times")
 
@@ -944,7 +943,7 @@ compare_guess(guess_times, round(float(times)), "times")
 # %%
 repaired = canny(noisy, 50, 150, sigma=2)
 show([unblurred, repaired], ["without blur", "sigma = 2 pixels"],
-     text=figure_texts["repaired"])
+     text="canny_stages/repaired")
 
 # %%
 # Check: the results in this section
@@ -958,7 +957,7 @@ assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 
 # %% tags=["nbval-ignore-output"]
 tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0),
-             text=figure_texts["tuner"])
+             text="canny_stages/tuner")
 
 # %%
 # Check: the sliders' image
@@ -973,7 +972,7 @@ from skimage import data
 cat = to_gray(data.chelsea()[:, :, ::-1])
 cat_edges, blurred_edges = canny(cat, 50, 150), canny(cat, 50, 150, sigma=2)
 show([cat, cat_edges, blurred_edges], ["photograph", "sigma = 0", "sigma = 2"],
-     text=figure_texts["cat"])
+     text="canny_stages/cat")
 
 # %%
 # Check: the results in this section

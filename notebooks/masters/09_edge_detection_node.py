@@ -40,8 +40,7 @@ frame = recording.frame(30)
 gray = to_gray(frame)
 print("gray", gray.shape, gray.dtype)
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "outputs": (
         "The frame that the node receives, and two of the images that it publishes.",
@@ -106,7 +105,7 @@ def find_edges(frame, low=50, high=150, sigma=0.0):
 # %%
 outputs = find_edges(frame)
 show([frame, outputs["gray"], outputs["edges"]], ["original", "gray", "edges"],
-     text=figure_texts["outputs"])
+     text="edge_detection_node/outputs")
 print("view", outputs["view"].shape)
 
 # %%
@@ -189,10 +188,10 @@ if ros_available():
     thresholds.observe(set_thresholds, names="value")  # called when it moves
     display(labelled(thresholds, ["low", "high"]))  # for screen readers
     views = ImageSubscriber("/edges_by_hand/view", encoding="bgr8")
-    view = live_view(views, width=960, text=figure_texts["live"])
+    view = live_view(views, width=960, text="edge_detection_node/live")
 else:
     view = live_view(recording, three_images, width=960,
-                     text=figure_texts["live"], thresholds=(0, 1020))
+                     text="edge_detection_node/live", thresholds=(0, 1020))
 
 # %%
 # Check: the live view runs
@@ -301,7 +300,7 @@ def outlines_of(labels):
 # %%
 true_outlines = outlines_of(recording.labels(30))
 show([true_outlines, outputs["edges"]], ["true outlines", "edges at 50, 150"],
-     text=figure_texts["outlines"])
+     text="edge_detection_node/outlines")
 print("outline pixels", true_outlines.sum())
 print("edge pixels   ", (outputs["edges"] > 0).sum())
 
@@ -324,7 +323,7 @@ small_edges = np.zeros((5, 7), dtype=bool)
 small_edges[0:3, 3] = True  # rows 0 to 2 of the same column
 small_edges[4, 6] = True
 show([small_outlines, small_edges], ["outlines", "edges"],
-     text=figure_texts["small"])
+     text="edge_detection_node/small")
 
 # %% [markdown]
 # Three of the four edge pixels are on the outline: precision 3/4. Three of the five outline pixels were detected: recall 3/5. **Predict** F1, with two digits after the point. (You may use a calculator.)
@@ -359,7 +358,7 @@ for row in range(3):
     for col in range(3):
         near_outlines |= padded[row : row + height, col : col + width]
 show([small_outlines, near_outlines], ["outlines", "near an outline"],
-     text=figure_texts["near"])
+     text="edge_detection_node/near")
 
 # %%
 print("edge pixels:", small_edges.sum())
@@ -642,7 +641,7 @@ tuning = load_frames((5, 45), noise=20)
 dark = mean_score(tuning, 50, 150)
 dim_gray, _ = tuning[0]
 show([dim_gray, edges_of(dim_gray, 50, 150)], ["dim light", "edges at 50, 150"],
-     text=figure_texts["dim"])
+     text="edge_detection_node/dim")
 compare_guess(guess_dim, round(float(dark), 2))
 
 # %% [markdown]
@@ -690,7 +689,7 @@ for s, sigma in enumerate(sigmas):
     frame_of_best = Rectangle((j - 0.5, i - 0.5), 1, 1, clip_on=False,
                               fill=False, edgecolor="red", linewidth=4)
     axes[s].add_patch(frame_of_best)
-show_figure(figure, text=figure_texts["maps"])
+show_figure(figure, text="edge_detection_node/maps")
 
 # %%
 # Check: the numbers in this section
@@ -739,7 +738,7 @@ assert round(f1_maps.max(), 2) == 0.45
 # %% tags=["nbval-ignore-output"]
 practice, _ = load_frames((35,), noise=20)[0]
 tuner = tune(edges_of, practice, thresholds=(0, 1020), sigma=(0, 5.0),
-             text=figure_texts["practice"])
+             text="edge_detection_node/practice")
 
 # %%
 # Check: the sliders' image

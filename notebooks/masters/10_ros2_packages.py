@@ -40,8 +40,7 @@ from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import to_gray
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "script": (
         "The gray images that the script publishes from another process.",
@@ -152,7 +151,7 @@ if ros_available():
         script_node = start("exec python scripts/image_gray_processor.py")
     script_image = script_images.wait(timeout=30)
     print("from another process:", script_image.shape, script_image.dtype)
-    text = figure_texts["script"]
+    text = "ros2_packages/script"
     script_view = live_view(script_images, encoding="mono8", text=text)
 
 # %%
@@ -394,7 +393,7 @@ if ros_available():
 if ros_available():
     gray = gray_images.wait(timeout=30)
     print("from another process:", gray.shape, gray.dtype)
-    view = live_view(gray_images, encoding="mono8", text=figure_texts["gray"])
+    view = live_view(gray_images, encoding="mono8", text="ros2_packages/gray")
 
 # %%
 # Check: the other process publishes gray images
@@ -550,7 +549,7 @@ if ros_available():
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     edges = edge_images.wait(timeout=30)
-    text = figure_texts["edges"]
+    text = "ros2_packages/edges"
     edge_view = live_view(edge_images, encoding="mono8", text=text)
 
 # %%

@@ -33,8 +33,7 @@ from imgproc_course.ros import Robot, RosSession, open_camera
 from imgproc_course.ros import record, ros_available
 from imgproc_course.simulation import Simulation
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "start": (
         "What the camera of the robot sees at the start: the room of the recording.",
@@ -75,7 +74,7 @@ figure_texts = {
 robot = Simulation(seed=7, start=(0.0, 0.0, 0.0))
 frame = robot.frame()
 print(frame.shape, frame.dtype)
-show(frame, text=figure_texts["start"])
+show(frame, text="drive_the_robot/start")
 
 # %% [markdown]
 # The same robot also runs in ROS. There it has a clock: it drives in real time, and any node can drive it. The next cell starts it (or joins it, if another notebook has started it).
@@ -96,7 +95,7 @@ assert frame.shape == (360, 640, 3)
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     live_robot = Robot()
-    view = drive(live_robot, text=figure_texts["drive"])
+    view = drive(live_robot, text="drive_the_robot/drive")
 
 # %%
 # Check: the view runs
@@ -254,7 +253,7 @@ axes.plot(0, 0, "ko")
 axes.annotate("start", (0, 0), (0.04, 0.08), arrowprops={"arrowstyle": "-"})
 axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 axes.legend(loc="center")
-show_figure(figure, text=figure_texts["circle"])
+show_figure(figure, text="drive_the_robot/circle")
 
 # %%
 # Check: the numbers in this section
@@ -456,7 +455,7 @@ axes.plot(0, 0, "ko")
 axes.annotate("start", (0, 0), (-0.08, -0.05))
 axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 axes.legend(loc="center")
-show_figure(figure, text=figure_texts["square"])
+show_figure(figure, text="drive_the_robot/square")
 
 # %%
 # Check: the numbers in this section
@@ -502,7 +501,7 @@ if ros_available():
 # %% tags=["nbval-ignore-output", "long"]
 if ros_available():
     live_robot.restart(start=(0.0, 0.0, 0.0))
-    view = drive(live_robot, text=figure_texts["live"])
+    view = drive(live_robot, text="drive_the_robot/live")
     session = RosSession.current()
     node = session.add_node(SquareNode(0.3, context=session.context))
     end = time.monotonic() + 60
@@ -662,7 +661,7 @@ with_rule = Simulation(seed=2)
 short = drive_on(with_rule, longest_age=0.5)
 print("with the rule:", round(short, 2), "m")
 show([without_rule.frame(), with_rule.frame()], ["without", "with"],
-     text=figure_texts["failure"])
+     text="drive_the_robot/failure")
 
 # %%
 # Check: the numbers in this section
@@ -705,7 +704,7 @@ if ros_available():
     camera.stop()
     my_drive = open_recording(folder)
     print(folder, "has", len(my_drive), "images")
-    show(my_drive.frame(0), text=figure_texts["mine"])
+    show(my_drive.frame(0), text="drive_the_robot/mine")
 
 # %%
 # Check: the recording has images of the room's camera

@@ -38,8 +38,7 @@ from imgproc_course.simulation import Simulation
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "depth": (
         "A frame of the recorded drive and its depth image: dark is near. The depth of the floor grows with each row upward.",
@@ -78,7 +77,7 @@ depth = recording.depth(30)
 z = depth / 1000  # metres
 print(depth.shape, depth.dtype, " from", z.min(), "to", z.max(), "m")
 show([frame[::2, ::2], depth], ["frame", "depth"], limits=(0, 5000),
-     text=figure_texts["depth"])
+     text="obstacles_ahead/depth")
 
 # %%
 # Check: each pixel of this depth image has a depth
@@ -531,11 +530,11 @@ true_obstacle = (labels != 1) & (labels != 14)  # neither floor nor rug
 both = (obstacle & true_obstacle).sum()
 iou = both / (obstacle | true_obstacle).sum()
 print("IoU with the ground truth:", round(iou, 2))
-show(height.round(2), limits=(0, 0.5), cmap="viridis", text=figure_texts["height"])
+show(height.round(2), limits=(0, 0.5), cmap="viridis", text="obstacles_ahead/height")
 
 # %%
 show([obstacle, true_obstacle], ["computed", "ground truth"],
-     text=figure_texts["obstacles"])
+     text="obstacles_ahead/obstacles")
 
 # %%
 # Check: the obstacles agree with the ground truth
@@ -562,7 +561,7 @@ compare_guess(guess_phantom, int(phantoms.sum()))
 right_points = rays * z_66[:, :, np.newaxis]
 right_height = 0.20 - right_points[:, :, 1]
 show([right_height > 0.03, wrong_height > 0.03], ["with the lens", "pinhole"],
-     text=figure_texts["phantom"])
+     text="obstacles_ahead/phantom")
 print("with the lens:", ((right_height > 0.03) & floor_66).sum(), "phantoms")
 
 # %% [markdown]
@@ -721,7 +720,7 @@ axes.plot(-ranges * np.sin(right_first), ranges * np.cos(right_first),
           ".", label="depth image")
 axes.set(xlabel="to the right of the camera (m)", ylabel="forward (m)", aspect="equal")
 axes.legend()
-show_figure(figure, text=figure_texts["scan"])
+show_figure(figure, text="obstacles_ahead/scan")
 
 # %%
 # Check: at the wall on the left, both scans agree
@@ -841,7 +840,7 @@ def inputs(rng):
 
 # %%
 robot = Simulation(seed=1, start=(0.95, -1.3, 0.0), time=5.0)
-show(robot.frame(), text=figure_texts["boxes"])
+show(robot.frame(), text="obstacles_ahead/boxes")
 
 # %% tags=["long"]
 def free_distance(robot):

@@ -40,8 +40,7 @@ from imgproc_course.simulation import Simulation
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "task": (
         "The task: the white box is around the ball in the first frame. Where is the ball in all the other frames?",
@@ -98,7 +97,7 @@ def with_box(frame, box, colour=(255, 255, 255)):
 
 
 show([with_box(frames[0], true_boxes[0]), frames[60]], ["frame 0", "frame 60"],
-     text=figure_texts["task"])
+     text="object_tracking/task")
 
 # %% [markdown]
 # How good is a box that a tracker gives us? You know the *IoU* (intersection over union) from [[edge_detection_node]]. For two boxes it is the area that both cover, divided by the area that at least one of them covers. It is 1 for equal boxes, and 0 for boxes that do not touch.
@@ -251,7 +250,7 @@ def ball_weights(hsv):
 
 
 show([frames[40], ball_weights(hsv_frames[40])], ["frame 40", "back-projection"],
-     text=figure_texts["weights"])
+     text="object_tracking/weights")
 
 # %% [markdown]
 # The ball is bright. But so are the toy car, the chair, the pattern of the rug, and a few books.
@@ -523,7 +522,7 @@ axes.plot(np.round(mean_shift_iou, 3), label="mean shift")
 axes.plot(np.round(camshift_iou, 3), "--", label="CamShift")
 axes.set(xlabel="frame", ylabel="IoU", ylim=(0, 1))
 axes.legend()
-show_figure(figure, text=figure_texts["iou"])
+show_figure(figure, text="object_tracking/iou")
 
 # %%
 shown = []
@@ -532,7 +531,7 @@ for k in (0, 30, 60, 89):
     image = with_box(image, mean_shift_boxes[k], (0, 220, 255))
     shown.append(with_box(image, camshift_boxes[k], (0, 200, 0)))
 show(shown, ["frame 0", "frame 30", "frame 60", "frame 89"], columns=2,
-     text=figure_texts["boxes"])
+     text="object_tracking/boxes")
 
 # %%
 # Check: the numbers in this section
@@ -636,7 +635,7 @@ print("at most", round(max(distances), 1), "cm")
 # %%
 red = ball_weights(hsv_frames[46]) >= 128
 show([frames[46], red], ["frame 46", "red"], rows=(130, 280), cols=(130, 400),
-     text=figure_texts["merged"])
+     text="object_tracking/merged")
 
 # %%
 # Check: the numbers in this section
@@ -1006,7 +1005,7 @@ for axes, path, title in zip(figure.subplots(2, 1, sharex=True), (alone, joint),
     axes.set(title=title, xlabel="y (m), left", ylabel="x (m), ahead",
              aspect="equal", xlim=(1, -1.5))
     axes.legend()
-show_figure(figure, text=figure_texts["paths"])
+show_figure(figure, text="object_tracking/paths")
 
 # %%
 # Check: the numbers in this section
@@ -1067,7 +1066,7 @@ print("distances:", [round(value, 1) for value in kept[::10]])
 compare_guess(guess_kept, round(kept[-1], 1), "m")
 
 # %%
-show(images, ["at the start", "after 5 s"], text=figure_texts["follow"])
+show(images, ["at the start", "after 5 s"], text="object_tracking/follow")
 
 # %%
 # Check: the robot kept its distance
@@ -1163,7 +1162,7 @@ if ros_available():
     session.remove_node(node)
     print("looks:", node.looks, "  tracks:", len(node.tracker.filters))
     live_camera.stop()
-    show(image_to_array(node.image, "bgr8"), text=figure_texts["live"])
+    show(image_to_array(node.image, "bgr8"), text="object_tracking/live")
 
 # %%
 # Check: the node looked

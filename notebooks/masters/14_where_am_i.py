@@ -46,8 +46,7 @@ from imgproc_course.simulation import Simulation
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "marker": (
         "The marker in the first and in the last frame of the drive. The dots are the corners that OpenCV finds; the large dot is the first one.",
@@ -126,7 +125,7 @@ def cut_out(k):
     return image
 
 
-show([cut_out(0), cut_out(89)], ["frame 0", "frame 89"], text=figure_texts["marker"])
+show([cut_out(0), cut_out(89)], ["frame 0", "frame 89"], text="where_am_i/marker")
 
 # %%
 # Check: the marker is found in every frame
@@ -310,7 +309,7 @@ for col, row in cell_pixels(corners[89]).reshape(36, 2).tolist():
 (left, top), (right, bottom) = corners[89].min(axis=0), corners[89].max(axis=0)
 part = dotted[int(top) - 9:int(bottom) + 9, int(left) - 9:int(right) + 9]
 show([part, np.kron(cells, np.full((17, 17), 255, np.uint8))],
-     ["the middles of the cells", "1 is white"], text=figure_texts["cells"])
+     ["the middles of the cells", "1 is white"], text="where_am_i/cells")
 
 # %% [markdown]
 # The outermost cells are all black: this is the *border*, by which the marker is found. The 4 × 4 cells inside are the *word* of the marker. The [[term:marker dictionary|dictionary]] DICT_4X4_50 has 50 words, one for each number:
@@ -522,7 +521,7 @@ axes.plot(*rough_places[:, :2].round(2).T, "rx", label="rough corners")
 axes.plot(*marker.position[:2], "ks", label="marker")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
 axes.legend()
-show_figure(figure, text=figure_texts["flips"])
+show_figure(figure, text="where_am_i/flips")
 
 # %%
 # Check: the numbers in this section
@@ -569,7 +568,7 @@ lines = frames[50][::2, ::2].copy()
 for a, b in zip(np.rint(start).astype(int), np.rint(end).astype(int), strict=True):
     cv2.line(lines, a.tolist(), b.tolist(), (0, 220, 255), 1)
     cv2.circle(lines, b.tolist(), 2, (0, 220, 255), -1)
-show(lines, "frame 50", text=figure_texts["pairs"])
+show(lines, "frame 50", text="where_am_i/pairs")
 
 # %% [markdown]
 # With the depth image, each pixel becomes a point in front of the camera, as in [[obstacles_ahead#2]]: its ray, times its depth. So we get two clouds of points, and each point of the first cloud has its partner in the second one.
@@ -778,7 +777,7 @@ for a, b, agrees in zip(start, end, near, strict=True):
     colour = (255, 255, 255) if agrees else (0, 0, 255)
     cv2.line(lines, a.tolist(), b.tolist(), colour, 1)
     cv2.circle(lines, b.tolist(), 2, colour, -1)
-show(lines, "frame 50", text=figure_texts["inliers"])
+show(lines, "frame 50", text="where_am_i/inliers")
 
 # %%
 # Check: the numbers in this section
@@ -947,7 +946,7 @@ axes.plot(*every[:, :2].round(3).T, "r", label="every frame")
 axes.plot(*tenth[:, :2].round(3).T, "b.--", label="every tenth frame")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
 axes.legend(loc="lower left")
-show_figure(figure, text=figure_texts["paths"])
+show_figure(figure, text="where_am_i/paths")
 
 # %%
 # Check: the numbers in this section
@@ -1123,7 +1122,7 @@ for name, path, style in (("truth", truth, "0.7"), ("wheels", wheels, "r--"), ("
     axes.plot(*np.array(path)[:, :2].round(3).T, style, label=name, linewidth=6 if name == "truth" else 2)
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
 axes.legend(loc="lower left")
-show_figure(figure, text=figure_texts["room"])
+show_figure(figure, text="where_am_i/room")
 
 # %%
 # Check: the numbers in this section
@@ -1223,7 +1222,7 @@ if ros_available():
               "r--", label="wheels")
     axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
     axes.legend()
-    show_figure(figure, text=figure_texts["live"])
+    show_figure(figure, text="where_am_i/live")
 
 # %%
 # Check: the node looked, and published each pose

@@ -47,8 +47,7 @@ from imgproc_course.simulation import Simulation
 from imgproc_course.simulation.laser import cut
 from imgproc_course.simulation.room_model import load_room
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "scan": (
         "The first scan: each dot is a place where a ray of the laser scanner ends. The robot stands at the triangle.",
@@ -121,7 +120,7 @@ axes = figure.subplots()
 axes.plot(*scans[0].T, "k.", markersize=3)
 axes.plot(0, 0, "b>")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
-show_figure(figure, text=figure_texts["scan"])
+show_figure(figure, text="mapping_and_slam/scan")
 
 # %%
 # Check: the numbers in this section
@@ -175,7 +174,7 @@ axes = figure.subplots()
 axes.imshow(grid, cmap="Blues", vmax=1.4)
 axes.plot([0, 5], [0, 2], "r")
 axes.set(xlabel="column", ylabel="row", yticks=[0, 1, 2])
-show_figure(figure, text=figure_texts["ray"])
+show_figure(figure, text="mapping_and_slam/ray")
 
 # %%
 # Check: the numbers in this section
@@ -282,7 +281,7 @@ axes = figure.subplots()
 axes.plot(p, np.log(p / (1 - p)).round(3))
 axes.axhline(0, color="0.7")
 axes.set(xlabel="probability", ylabel="log-odds")
-show_figure(figure, text=figure_texts["log-odds"])
+show_figure(figure, text="mapping_and_slam/log-odds")
 
 # %% [markdown]
 # 0 means: we do not know. So the map begins with zeros, each hit adds 0.85, and each ray that passes takes away 0.4. Two hits and one passing ray: 0.85 + 0.85 − 0.4 = 1.3. Back to a probability, it is 0.79. So that no cell becomes so sure that it never changes its mind, we stop at −6 and at 6.
@@ -461,7 +460,7 @@ print("after one scan: occupied", (first_map > 0).sum(), "  free", (first_map < 
       "  unknown", (first_map == 0).sum())
 figure = Figure(figsize=(6, 4), layout="constrained")
 draw_map(figure.subplots(), first_map, truth[:1], "one scan")
-show_figure(figure, text=figure_texts["first map"])
+show_figure(figure, text="mapping_and_slam/first map")
 
 # %% [markdown]
 # How good is a map? For the score we need the truth: the cells of all walls and furniture at the height of the scanner. [[edge_detection_node]] had the two numbers for it: *[[term:precision]]*, the share of the occupied cells where there really is something, and *[[term:recall]]*, the share of the real cells that the map has found. A cell beside the right one is good enough.
@@ -499,7 +498,7 @@ figure = Figure(figsize=(9, 3.7), layout="constrained")
 left, right = figure.subplots(1, 2)
 draw_map(left, true_map, truth, "true poses")
 draw_map(right, wheels_map, wheels, "poses of the wheels")
-show_figure(figure, text=figure_texts["doubled"])
+show_figure(figure, text="mapping_and_slam/doubled")
 
 # %% [markdown]
 # The same scans, but each wall is there twice, or three times: this map is useless. The scanner is exact; only the poses are wrong. The rest of this lesson repairs them.
@@ -705,7 +704,7 @@ for axes, (title, motion) in zip(parts, motions.items(), strict=True):
     axes.plot(*scans[0].T, ".", color="0.6", markersize=6)
     axes.plot(*to_room(motion, scans[32]).T, "r.", markersize=2)
     axes.set(title=title, xlabel="x (m)", ylabel="y (m)", aspect="equal")
-show_figure(figure, text=figure_texts["matching"])
+show_figure(figure, text="mapping_and_slam/matching")
 
 # %%
 # Check: the numbers in this section
@@ -1044,7 +1043,7 @@ figure = Figure(figsize=(9, 3.7), layout="constrained")
 left, right = figure.subplots(1, 2)
 draw_map(left, wheels_map, wheels, "poses of the wheels")
 draw_map(right, new_map, poses, "after the loop closure")
-show_figure(figure, text=figure_texts["closed"])
+show_figure(figure, text="mapping_and_slam/closed")
 
 # %%
 # Check: the numbers in this section
@@ -1202,7 +1201,7 @@ if ros_available():
         left, right = figure.subplots(1, 2)
         draw_map(left, node.before, node.before_path, "before the loop was closed")
         draw_map(right, node.grid, node.mapper.poses, "after")
-        show_figure(figure, text=figure_texts["live"])
+        show_figure(figure, text="mapping_and_slam/live")
 
 # %%
 # Check: the node has seen scans, and made keyframes of them

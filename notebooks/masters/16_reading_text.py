@@ -43,8 +43,7 @@ from imgproc_course.ros import Robot, RosSession, open_camera, ros_available
 recording = open_recording("drive")
 LINES = ("KITCHEN", "ROOM 204", "Please keep the floor clear")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "sign": (
         "The sign in frame 80. It is about 125 pixels wide, and its lowest line is only 6 pixels high.",
@@ -102,7 +101,7 @@ def read_text(image):
 frame = recording.frame(80)
 rows, cols = np.nonzero(recording.labels(80) == 12)  # 12 is the sign
 sign_part = frame[rows.min() - 12:rows.max() + 13, cols.min() - 12:cols.max() + 13].copy()
-show(sign_part, "frame 80", text=figure_texts["sign"])
+show(sign_part, "frame 80", text="reading_text/sign")
 
 # %% [markdown]
 # **Predict** how many of the three lines of the sign the network reads without an error, in the whole frame of 1280 × 720 pixels.
@@ -154,7 +153,7 @@ print(signs.shape, signs.dtype, "range", signs.min(), "to", signs.max())
 
 # %%
 show([cv2.resize(signs[k], None, fx=2, fy=2) for k in (0, 89)], ["frame 0", "frame 89"],
-     columns=1, text=figure_texts["signs"])
+     columns=1, text="reading_text/signs")
 
 # %%
 # Check: the shape of the rectified signs
@@ -319,7 +318,7 @@ for left, top, width, height, size in boxes[1:].tolist():
 # %%
 shades = np.where(labels > 0, 60 + 24 * labels, 0).clip(0, 255).astype(np.uint8)
 show([line, np.where(ink, 255, 0).astype(np.uint8), shades],
-     ["gray", "ink", "components"], columns=1, text=figure_texts["components"])
+     ["gray", "ink", "components"], columns=1, text="reading_text/components")
 
 # %%
 # Check: seven letters, seven large components
@@ -363,7 +362,7 @@ large.sort(key=lambda i: boxes[i, 0])  # from left to right
 seen = [in_form(labels == i) for i in large]
 font_row = np.hstack([templates[letter] for letter in "KITCHEN"])
 show([np.kron(row, np.ones((3, 3), np.uint8)) for row in (font_row, np.hstack(seen))],
-     ["the font", "the sign"], columns=1, text=figure_texts["glyphs"])
+     ["the font", "the sign"], columns=1, text="reading_text/glyphs")
 
 # %% [markdown]
 # How much does a component look like a glyph? The *[[term:normalized cross-correlation]]* (NCC) says it with one number from −1 to 1. Subtract from each image its own mean (written ā); multiply both, pixel by pixel, and add the products. Then add the squares of each image, multiply the two sums, and divide by the square root of this product:
@@ -687,7 +686,7 @@ for frames, errors, style, name in (
     axes.plot(frames, [7 - e for e in errors], style, label=name)
 axes.set(xlabel="frame", ylabel="7 − edit distance", ylim=(-0.3, 7.3))
 axes.legend(loc="lower right")
-show_figure(figure, text=figure_texts["curve"])
+show_figure(figure, text="reading_text/curve")
 
 # %%
 # Check: the numbers in this section; what section 1 read is in the table
@@ -872,7 +871,7 @@ widths = [int(width) for width, height in boxes[1:, 2:4] if 2 * height >= len(gr
 print("large components:", len(widths), "  widths:", sorted(widths), "(79: both letters O)")
 shades = np.where(labels > 0, 60 + 150 * labels // count, 0).astype(np.uint8)
 show([gray, shades], ["the second line", "components"], columns=1,
-     text=figure_texts["touching"])
+     text="reading_text/touching")
 
 # %% [markdown]
 # The network reads this line, because it learned how words look, and not only single letters. Can we help it? The sign is small in the image. We cut it out, and enlarge it four times.
@@ -923,7 +922,7 @@ def stretched(strip):
 
 
 show([stretched(strip) for strip in strips],
-     ["frame 89", "mean of 10", "mean of 30"], columns=1, text=figure_texts["mean"])
+     ["frame 89", "mean of 10", "mean of 30"], columns=1, text="reading_text/mean")
 
 # %% [markdown]
 # You can perhaps read the line in frame 89 as well, because you know these words. The network cannot: in five single frames, its edit distance is at least 10, of 27 characters. In the mean, the noise of the camera is gone, and it has only a few errors. For this, the robot must know exactly where it was in each frame: then all signs lie on each other.
@@ -992,7 +991,7 @@ if ros_available():
     live_camera.stop()
     print("images read:", node.looks)
     print(*received, sep="\n")
-    show(image_to_array(node.image, "bgr8"), text=figure_texts["live"])
+    show(image_to_array(node.image, "bgr8"), text="reading_text/live")
 
 # %%
 # Check: the node looked; the robot was 3 m from the wall in the last frame

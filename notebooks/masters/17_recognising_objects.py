@@ -42,8 +42,7 @@ from imgproc_course.simulation import Simulation
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "crops": (
         "One crop of each class, from the first half of the drive. Each has 64 × 64 pixels.",
@@ -129,7 +128,7 @@ print(len(train_crops), "crops to learn from,", len(test_crops), "to test")
 
 # %%
 first_crops = [train_crops[list(train_classes).index(place)] for place in range(12)]
-show(first_crops, thing_names, columns=6, text=figure_texts["crops"])
+show(first_crops, thing_names, columns=6, text="recognising_objects/crops")
 
 # %%
 # Check: the numbers in this section
@@ -310,7 +309,7 @@ _, stars = hog(gray_of(chair), orientations=9, pixels_per_cell=(8, 8),
 stars = np.clip(stars * 255 / np.percentile(stars, 99), 0, 255).round().astype(np.uint8)
 show([cv2.resize(gray_of(chair), (320, 320), interpolation=cv2.INTER_NEAREST),
       cv2.resize(stars, (320, 320), interpolation=cv2.INTER_NEAREST)],
-     ["chair", "histograms of its cells"], text=figure_texts["cells"])
+     ["chair", "histograms of its cells"], text="recognising_objects/cells")
 
 # %%
 # Check: the numbers in this section
@@ -632,7 +631,7 @@ for row, col in np.argwhere(matrix).tolist():
 axes.set_xticks(range(12), thing_names, rotation=60)
 axes.set_yticks(range(12), thing_names)
 axes.set(xlabel="predicted class", ylabel="true class")
-show_figure(figure, text=figure_texts["confusion"])
+show_figure(figure, text="recognising_objects/confusion")
 
 # %%
 # Check: the numbers in this section, and that the model decides in the same way
@@ -693,7 +692,7 @@ for k in range(60, 90, 3):
 
 # %%
 show([recording.frame(87)[::2, ::2], room.frame()[::2, ::2]],
-     ["frame 87 of the drive", "in the evening"], text=figure_texts["evening"])
+     ["frame 87 of the drive", "in the evening"], text="recognising_objects/evening")
 
 # %% [markdown]
 # The linear classifier with colours had 85 % right at the end of the drive (the nearest mean had 80 % in section 3). **Predict** how many percent it has right in the evening.
@@ -724,7 +723,7 @@ axes.axhline(100 / 12, color="0.4", linestyle="--", label="guessing")
 axes.set_xticks(places, ["random crops", "end of the drive", "evening"])
 axes.set(ylabel="right (%)", ylim=(0, 100))
 axes.legend()
-show_figure(figure, text=figure_texts["scores"])
+show_figure(figure, text="recognising_objects/scores")
 
 # %%
 # Check: the numbers in this section
@@ -959,7 +958,7 @@ cv2.polylines(view, [quad - [240, 150]], True, (0, 255, 0), 2)
 for point, is_inlier in zip(frame_points.round().astype(int) - [240, 150], inliers, strict=True):
     colour = (0, 255, 0) if is_inlier else (0, 0, 255)
     cv2.circle(view, point.tolist(), 4, colour, 2)
-show(view, "frame 30", text=figure_texts["matches"])
+show(view, "frame 30", text="recognising_objects/matches")
 
 # %%
 # Check: the marker is in the part that is shown
@@ -1051,7 +1050,7 @@ def with_names(frame, things, names):
     return view
 
 
-show(with_names(small_frame, things, names), text=figure_texts["things"])
+show(with_names(small_frame, things, names), text="recognising_objects/things")
 
 # %%
 # Check: the names, and that the label image agrees with what a person sees
@@ -1163,7 +1162,7 @@ if ros_available():
         place = marker.pose.position
         print(f"{marker.text:8} at x = {place.x:.2f} m, y = {place.y:.2f} m")
     if node.looks:
-        show(with_names(*node.last_look), text=figure_texts["live"])
+        show(with_names(*node.last_look), text="recognising_objects/live")
 
 # %%
 # Check: the node looked

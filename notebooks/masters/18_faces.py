@@ -44,8 +44,7 @@ from imgproc_course.simulation import draw_face, put_face, random_identity
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "people": (
         "Four images of drawn faces. The first, third and fourth one show the same person.",
@@ -102,7 +101,7 @@ print(len(people), "people, the first one:", people[0].round(2))
 faces = [draw_face(people[0], 128), draw_face(people[1], 128),
          draw_face(people[0], 128, side_light=0.6), draw_face(people[0], 128, yaw=0.3)]
 show(faces, ["person 0", "person 1", "0, side light", "0, turned"],
-     columns=4, text=figure_texts["people"])
+     columns=4, text="faces/people")
 
 # %%
 # Check: the numbers in this section
@@ -242,7 +241,7 @@ window = cv2.cvtColor(small[20:20 + 24, 52:52 + 24], cv2.COLOR_GRAY2BGR)
 view = cv2.resize(window, (384, 384), interpolation=cv2.INTER_NEAREST)
 for left, top, width, height, _ in first_feature:
     cv2.rectangle(view, (16 * left, 16 * top), (16 * (left + width), 16 * (top + height)), (0, 0, 255), 2)
-show(view, "24 × 24 pixels", text=figure_texts["feature"])
+show(view, "24 × 24 pixels", text="faces/feature")
 
 # %% [markdown]
 # The large box has the weight −1, and the strip inside it 3. So a pixel of the strip counts 3 − 1 = 2, and every other pixel of the large box counts −1. On a face the strip lies at the height of the eyes.
@@ -455,7 +454,7 @@ axes = figure.subplots()
 axes.bar(range(len(left)), left, color="b")
 axes.set(xlabel="stage", ylabel="windows left", yscale="log")
 axes.grid(axis="y")
-show_figure(figure, text=figure_texts["stages"])
+show_figure(figure, text="faces/stages")
 
 # %%
 # Check: the numbers in this section
@@ -509,7 +508,7 @@ def with_boxes(gray, boxes):
 every_window, groups = find_faces(portrait, 0), find_faces(portrait, 4)
 print(len(every_window), "windows,", len(groups), "group")
 show([with_boxes(portrait, every_window), with_boxes(portrait, groups)],
-     ["minNeighbors=0", "minNeighbors=4"], text=figure_texts["neighbours"])
+     ["minNeighbors=0", "minNeighbors=4"], text="faces/neighbours")
 
 # %%
 # Check: the numbers in this section
@@ -548,7 +547,7 @@ for k, rows, cols in ((30, slice(150, 420), slice(400, 800)), (66, slice(200, 47
     for left, top, width, height in alarms[k]:
         cv2.rectangle(view, (left, top), (left + width, top + height), (0, 255, 0), 3)
     views.append(view[rows, cols])
-show(views, ["frame 30", "frame 66"], text=figure_texts["alarm"])
+show(views, ["frame 30", "frame 66"], text="faces/alarm")
 
 # %%
 # Check: the numbers in this section
@@ -694,7 +693,7 @@ def as_image(eigenface):
 
 views = [mean_face.reshape(64, 64).round().astype(np.uint8), *map(as_image, eigenfaces[:5])]
 show([cv2.resize(view, (192, 192), interpolation=cv2.INTER_NEAREST) for view in views],
-     ["mean", "1", "2", "3", "4", "5"], columns=3, text=figure_texts["eigenfaces"])
+     ["mean", "1", "2", "3", "4", "5"], columns=3, text="faces/eigenfaces")
 
 # %%
 # Check: the eigenfaces have length 1 and are at right angles to each other
@@ -878,7 +877,7 @@ def patterns(gray):
 # %%
 front, side = photo(people[6], noise=0), photo(people[6], side_light=0.6, noise=0)
 show([front, side, patterns(front), patterns(side)],
-     ["front light", "side light", "codes", "codes"], columns=2, text=figure_texts["codes"])
+     ["front light", "side light", "codes", "codes"], columns=2, text="faces/codes")
 
 # %% [markdown]
 # scikit-image's `local_binary_pattern` interpolates the diagonal neighbours on a circle, so only its straight neighbours agree with ours. Its neighbours also have another order.
@@ -952,7 +951,7 @@ for shift, name, colour in (
 axes.set_xticks(places, list(kinds))
 axes.set(ylabel="right, of 30", ylim=(0, 39), yticks=(0, 10, 20, 30))
 axes.legend(loc="upper center", ncols=3)
-show_figure(figure, text=figure_texts["scores"])
+show_figure(figure, text="faces/scores")
 
 # %%
 # Check: the numbers in this section
@@ -1101,7 +1100,7 @@ def behind_mosaic(gray, size):
 
 
 hidden = [behind_mosaic(photo(people[6]), size) for size in (4, 8, 16, 64)]
-show(hidden, ["blocks of 4 pixels", "8", "16", "64"], columns=4, text=figure_texts["mosaics"])
+show(hidden, ["blocks of 4 pixels", "8", "16", "64"], columns=4, text="faces/mosaics")
 
 # %% [markdown]
 # With blocks of 16 pixels, 16 numbers are left of a face. **Predict** how many of the 30 people the program recognises from them, in the same light.
@@ -1222,7 +1221,7 @@ if ros_available():
     print("images with a face that is still visible:", sum(share > 0.5 for share in visible))
     first = visitor.sent[messages[0].header.stamp.sec, messages[0].header.stamp.nanosec][0]
     show([first, image_to_array(messages[0], "bgr8")], ["from the visitor", "stored"],
-         text=figure_texts["live"])
+         text="faces/live")
 
 # %%
 # Check: each stored image was compared

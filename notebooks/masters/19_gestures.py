@@ -37,8 +37,7 @@ from imgproc_course.simulation import GESTURES, Hand, draw_hand, gesture_track, 
 
 recording = open_recording("drive")
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "gloves": (
         "Six drawn hands, with 0 to 5 raised fingers.",
@@ -93,7 +92,7 @@ rng = np.random.default_rng(3)
 hands = [random_hand(rng, fingers) for fingers in range(6)]
 images = [draw_hand(background, hand, noise=12, rng=rng) for hand in hands]
 print(images[0].shape, images[0].dtype)
-show(images, [f"{fingers} raised" for fingers in range(6)], columns=3, text=figure_texts["gloves"])
+show(images, [f"{fingers} raised" for fingers in range(6)], columns=3, text="gestures/gloves")
 
 # %% [markdown]
 # The hand is found by its colour, like the ball in [[object_tracking]]: a median filter against the noise, then the [[term:hue]] of green and enough [[term:saturation]], then the largest [[term:connected component]].
@@ -142,7 +141,7 @@ def palm_of(mask):
 row, col, radius = palm_of(mask)
 print(f"row {row}, col {col}, radius {radius:.1f} pixels")
 view = cv2.circle(mask * 255, (col, row), round(radius), 128, 2)
-show([images[4], view], ["four fingers", "mask"], text=figure_texts["mask"])
+show([images[4], view], ["four fingers", "mask"], text="gestures/mask")
 
 # %% [markdown]
 # `argmax` of an image counts the pixels row by row; `np.unravel_index` makes a row and a column of this number.
@@ -216,7 +215,7 @@ for x, y in [(0, 4), (1, 2), (2, 2), (3, 3), (4, 0)]:
     axes.annotate(f"({x}, {y})", (x, y), xytext=(8, -12), textcoords="offset points")
 axes.set(xlabel="x (pixels)", ylabel="y (pixels), down", xlim=(-0.4, 5), ylim=(4.6, -0.8))
 axes.legend(loc="lower right")
-show_figure(figure, text=figure_texts["chain"])
+show_figure(figure, text="gestures/chain")
 
 # %% [markdown]
 # The lower side of the band: the same over the sorted points **backwards**, from right to left, with a new chain. This chain also turns only to the right. Each of the two chains ends where the other one begins, so the last point of each is left out.
@@ -495,7 +494,7 @@ cv2.polylines(view, [hull], True, (255, 255, 255), 1)
 for x, y in valleys_of(mask):
     cv2.circle(view, (int(x), int(y)), 4, (0, 0, 255), -1)
 show(cv2.resize(view, None, fx=2, fy=2, interpolation=cv2.INTER_NEAREST), "four fingers",
-     text=figure_texts["hull"])
+     text="gestures/hull")
 
 # %% [markdown]
 # Four fingers have three valleys: one fewer than fingers. **Predict** how many valleys are found in the image with one finger, and think of the fist as well.
@@ -538,7 +537,7 @@ for r, c in zip(rows, cols, strict=True):
     colour = (0, 0, 255) if mask[r, c] else (255, 128, 0)
     view[r - 1:r + 2, c - 1:c + 2] = colour
 show(cv2.resize(view, None, fx=2, fy=2, interpolation=cv2.INTER_NEAREST), "four fingers",
-     text=figure_texts["circle"])
+     text="gestures/circle")
 
 # %% [markdown]
 # A row of neighbouring pixels on the circle that all belong to the hand is called a *run*. The circle is closed, so the pixel before the first one is the last one. In a Python list, `values[-1]` is just that.
@@ -752,7 +751,7 @@ for axes, matrix, title in zip(figure.subplots(1, 2), (valley_matrix, circle_mat
         axes.text(col, row, matrix[row, col], ha="center", va="center",
                   color="w" if matrix[row, col] > 10 else "k")
     axes.set(title=title, xlabel="answer", ylabel="raised fingers", xticks=range(6), yticks=range(6))
-show_figure(figure, text=figure_texts["tables"])
+show_figure(figure, text="gestures/tables")
 
 # %%
 # Check: the numbers in this section
@@ -794,7 +793,7 @@ def crop_of(mask):
 
 # %%
 show([crop_of(find_glove(image)) for image in images],
-     [f"{fingers} raised" for fingers in range(6)], columns=6, text=figure_texts["crops"])
+     [f"{fingers} raised" for fingers in range(6)], columns=6, text="gestures/crops")
 
 # %% [markdown]
 # The training data are 600 other hands, drawn at half the size, to be quick. scikit-learn's `MLPClassifier` (BSD-3 licence) trains the network in less than a second. It stops when the *loss*, a number for how wrong the scores are, hardly falls any more. Nothing is downloaded: these weights are our own.
@@ -878,7 +877,7 @@ for axes, gesture in zip(figure.subplots(2, 3).ravel(), GESTURES, strict=True):
     axes.plot(x, y, "b.-", linewidth=1)
     axes.plot(x[:1], y[:1], "o", color="limegreen", markersize=9)
     axes.set(title=gesture, xlim=(-1.6, 1.6), ylim=(1.6, -1.6), aspect="equal")
-show_figure(figure, text=figure_texts["tracks"])
+show_figure(figure, text="gestures/tracks")
 
 # %% [markdown]
 # To compare two tracks of different lengths, the simplest way is to *resample* both: 24 points each, at equal times, with the points between computed by `np.interp`. Then take the mean distance of the points with the same number. The gesture whose reference is nearest is the answer.
@@ -1090,7 +1089,7 @@ for axes, pairs, title in zip(figure.subplots(1, 2, sharey=True),
     axes.set(title=title, xlabel="number of the point", ylim=(-1.1, 1.5))
     axes.legend(loc="upper center", ncols=2)
 figure.axes[0].set_ylabel("x")
-show_figure(figure, text=figure_texts["pairs"])
+show_figure(figure, text="gestures/pairs")
 
 # %% [markdown]
 # The score: 120 tracks, 20 of each gesture, with uneven speed. The plain distance is right for 105 of them.
@@ -1289,7 +1288,7 @@ if ros_available():
     live_camera.stop()
     print("images:", node.looks, "  gestures:", node.seen)
     print(f"turned to the left at most {max(yaws):.0f} degrees, at the end {yaws[-1]:.0f}")
-    show(image_to_array(node.image, "bgr8"), text=figure_texts["live"])
+    show(image_to_array(node.image, "bgr8"), text="gestures/live")
 
 # %%
 # Check: the node looked

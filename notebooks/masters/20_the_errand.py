@@ -44,8 +44,7 @@ from imgproc_course.recording import RecordingWriter, open_recording
 from imgproc_course.ros import Robot, RosSession, open_camera, ros_available
 from imgproc_course.simulation import Simulation
 
-# %%
-# The captions and alt texts of the figures
+# %% role="texts"
 figure_texts = {
     "jump": (
         "The path of the robot: black, the truth; gray, as the wheels alone count it; blue, with the correction. At the cross, the robot sees the marker; before it, the blue path hides the gray one.",
@@ -245,7 +244,7 @@ axes.plot(*corrected[:, :2].T, "b.-", label="corrected")
 axes.plot(*truth[seen, :2], "rx", markersize=10)
 axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 axes.legend()
-show_figure(figure, text=figure_texts["jump"])
+show_figure(figure, text="the_errand/jump")
 
 # %%
 # Check: the numbers of the drive
@@ -294,7 +293,7 @@ axes = figure.subplots()
 axes.plot([round(needed_way(speed), 4) for speed in speeds], speeds)
 axes.axhline(0.3, color="0.5", linestyle="--")
 axes.set(xlabel="free way (m)", ylabel="safe speed (m/s)", xlim=(0, 0.8))
-show_figure(figure, text=figure_texts["speed"])
+show_figure(figure, text="the_errand/speed")
 
 # %% [markdown]
 # Trying a thousand speeds is slow, and it gives only three digits. We solve the equation for v. First with small numbers: v² + 2 v = 3. A quadratic equation v² + 2 h v = q has the solution
@@ -400,7 +399,7 @@ angles = scan.angle_min + scan.angle_increment * np.flatnonzero(hit)
 points = np.column_stack([0.156 + scan.ranges[hit] * np.cos(angles),
                           scan.ranges[hit] * np.sin(angles)])
 print("points:", points.shape, points.dtype)
-show(robot.frame(), text=figure_texts["boxes"])
+show(robot.frame(), text="the_errand/boxes")
 
 # %% [markdown]
 # How far can the robot drive, if it first turns to a direction and then drives straight ahead? Here we measure from the axle; the part of the robot in front of it counts later. The robot needs a corridor, as in [[obstacles_ahead#6]], but the corridor is turned. So we turn all points back by this direction. Then the corridor lies straight ahead:
@@ -432,7 +431,7 @@ for direction, way in zip(directions, np.minimum(ways, 2.5), strict=True):
     axes.plot([0, round(way * math.cos(direction), 3)], [0, round(way * math.sin(direction), 3)], "g")
 axes.plot([0, round(2.5 * math.cos(goal), 3)], [0, round(2.5 * math.sin(goal), 3)], "r--")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal", xlim=(-1.9, 3), ylim=(-1, 2.6))
-show_figure(figure, text=figure_texts["ways"])
+show_figure(figure, text="the_errand/ways")
 
 # %% [markdown]
 # The straight line to the goal just passes the corner of a box, but the robot is wider than a line: in the direction nearest to the goal, 15 degrees, its corridor ends after 0.62 m. The longest way, at 60 degrees, leads far away from the goal. The rule is: of all directions with *enough* free way, take the one that is nearest to the goal. **Predict** the direction, if 1 m of free way is enough.
@@ -1157,7 +1156,7 @@ def draw_run(result, errand, text):
     show_figure(figure, text=text)
 
 # %%
-draw_run(first, first_errand, figure_texts["first"])
+draw_run(first, first_errand, "the_errand/first")
 steps = np.diff(first.believed - first.path, axis=0)  # jumps of what it believes
 jumps = {round((k + 2) / 5, 1): round(100 * math.hypot(*step)) for k, step in enumerate(steps.tolist())}
 print("tasks done:", [task for task, _ in first_errand.diary])
@@ -1169,7 +1168,7 @@ print("jumps (s, cm):", {second: jump for second, jump in jumps.items() if jump 
 
 # %%
 stuck = min(first_errand.album, key=lambda entry: abs(entry[0] - 25.6))
-show(stuck[1][::2, ::2], f"what it looked at after {stuck[0]:.1f} s", text=figure_texts["stuck"])
+show(stuck[1][::2, ::2], f"what it looked at after {stuck[0]:.1f} s", text="the_errand/stuck")
 
 # %% [markdown]
 # Two slippers lie on the floor. They are lower than the plane of the laser scanner, so for this robot they do not exist: it drives against them, backs off, and tries again. Alone, this simplification did no harm: the route did not come near the slippers. The markers are the reason that it does now. At the lookout, the robot saw a marker from almost 3 m, and believed it completely: its place jumped by 16 cm. So it put the sign at another place than the careful robot does, and its route passes the chair on the other side, where the slippers are (compare the figure in section 7). There it got stuck. Only later came the large jumps: a marker with the wrong one of two poses, by up to 104 cm. They turned the robot around and made everything worse.
@@ -1196,7 +1195,7 @@ repaired, repaired_errand = run_errand(6, "evening")
 compare_guess(guess_looks, len(repaired_errand.readings), "looks")
 
 # %%
-draw_run(repaired, repaired_errand, figure_texts["repaired"])
+draw_run(repaired, repaired_errand, "the_errand/repaired")
 print("tasks done:", [task for task, _ in repaired_errand.diary])
 for reading in repaired_errand.readings:
     print(reading)
@@ -1269,7 +1268,7 @@ my_parts = Parts(map_to_odom, safe_speed, choose_direction, believe)
 if my_seed is not None:
     mine, my_errand = run_errand(my_seed, my_lighting, parts=my_parts)
     keep_run(mine, my_seed, my_lighting, my_note)
-    draw_run(mine, my_errand, figure_texts["mine"])
+    draw_run(mine, my_errand, "the_errand/mine")
     show_runs()
 
 # %% [markdown]
@@ -1291,7 +1290,7 @@ with tempfile.TemporaryDirectory() as folder:
         print("frames:", len(watched))
         some = (0, 11, 24, 29)
         show([watched.frame(k)[::2, ::2] for k in some],
-             [f"{watched.stamps[k] / 1e9:.0f} s" for k in some], columns=2, text=figure_texts["album"])
+             [f"{watched.stamps[k] / 1e9:.0f} s" for k in some], columns=2, text="the_errand/album")
 
 # %% [markdown]
 # To keep your own run, call `save_run(my_errand, "my_errand")`; `live_view(open_recording("my_errand"))` plays it.

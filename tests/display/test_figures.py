@@ -207,9 +207,45 @@ def test_both_texts_can_be_given_as_one(shown):
     assert alt_text(shown[0]) == "nine black pixels" and shown[0].text == "All < 1."
 
 
-@pytest.mark.parametrize("text", ["a caption", ("a caption",), ("", "an image"), (None, "an image"), 3])
+@pytest.fixture
+def texts(tmp_path, monkeypatch):
+    """A current folder with the texts of a lesson; returns their file."""
+    monkeypatch.chdir(tmp_path)
+    file = tmp_path / "texts" / "arrays.json"
+    file.parent.mkdir()
+    file.write_text('{"nine": {"caption": "All < 1.", "alt": "nine black pixels"}}')
+    return file
+
+
+def test_both_texts_are_read_in_the_file_of_a_lesson(shown, texts):
+    show(np.zeros((3, 3), np.uint8), text="arrays/nine")
+    assert alt_text(shown[0]) == "nine black pixels" and shown[0].text == "All < 1."
+
+
+def test_texts_that_are_not_in_the_current_folder_are_those_of_the_course(shown, texts):
+    show(np.zeros((3, 3), np.uint8), text="arrays/tiny")
+    assert shown[0].text.startswith("The same array as an image")
+
+
+@pytest.mark.parametrize("damage", [None, "{", "[]", '{"no": 3}', '{"no": {"caption": "A."}}'])
+@pytest.mark.parametrize("name", ["no/no", "arrays/no", "no", ""])
+def test_without_its_texts_a_figure_has_its_title(shown, texts, name, damage):
+    texts.write_text(damage) if damage else texts.unlink()
+    show(np.zeros((3, 3), np.uint8), "zeros", text=name)
+    assert (alt_text(shown[0]), "figcaption" in shown[0].html) == ("zeros (gray, 3 rows by 3 cols)", False)
+    figure, axes = plt.subplots()
+    show_figure(figure, text=name)
+    figure.suptitle("Errors")
+    axes.set_title("in pixels")
+    show_figure(figure, text=name)
+    assert [alt_text(output) for output in shown[1:]] == ["a figure", "Errors; in pixels"]
+
+
+@pytest.mark.parametrize("text", [("a caption",), ("", "an image"), (None, "an image"), 3])
 def test_a_text_that_is_no_pair_is_named(text):
-    with pytest.raises(ValueError, match=r'text must be \("caption", "alternative text"\), got'):
+    with pytest.raises(
+        ValueError, match=r'text must be "lesson/name" or \("caption", "alternative text"\), got'
+    ):
         show(np.zeros((3, 3), np.uint8), text=text)
 
 

@@ -138,6 +138,16 @@ def test_checks_and_solutions_stay_in_the_course(course):
     assert course.files() == ["a.ipynb", "b.ipynb"]
 
 
+def test_the_texts_of_figures_are_the_newest_and_no_work_of_a_learner(course):
+    texts = [course.notebooks / "texts" / "a.json", course.copies / "texts" / "a.json"]
+    texts[0].parent.mkdir()
+    for text in ("old", "new"):
+        texts[0].write_text(text)
+        changes = course.start()
+        assert (texts[1].read_text(), changes.new) == (text, ["a.ipynb", "b.ipynb"] * (text == "old"))
+    assert list(changes.lines()) == ["my_lessons/ is up to date; nothing was changed."]
+
+
 def test_a_second_start_changes_nothing(course):
     course.start()
     course.write("a", notebook("my work"))

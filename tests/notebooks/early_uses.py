@@ -46,17 +46,17 @@ def early_uses(masters, terms):
     for master in masters:
         explained = {term for term in terms if term.ordinary or places[term.lesson] <= places[master.name]}
         for cell in master.cells:
-            for words, term in _terms_in(cell, pattern, owners):
+            for words, term in _terms_in(master, cell, pattern, owners):
                 if words and term not in explained:
                     uses.append(EarlyUse(master.name, cell.id, words, term))
                 explained.add(term)
     return uses
 
 
-def _terms_in(cell, pattern, owners):
+def _terms_in(master, cell, pattern, owners):
     """(the words, the term) of each use in a cell; the words are "" in a link to the term."""
     addresses = {term.address: term for term in owners.values()}
-    text = cell.source if cell.kind == "markdown" else "\n".join(_captions(cell.source))
+    text = cell.source if cell.kind == "markdown" else "\n".join(_captions(master, cell))
     for match in pattern.finditer(_CODE_OR_FORMULA.sub(" ", text)):
         if match["form"]:
             yield match["form"], owners[match["form"].casefold()]
@@ -68,16 +68,15 @@ def _terms_in(cell, pattern, owners):
                 yield inner["form"], owners[inner["form"].casefold()]
 
 
-def _captions(source):
-    """The captions of a code cell: `caption="..."`, and the first text of each pair in `figure_texts`."""
+def _captions(master, cell):
+    """The captions of a code cell: `caption="..."`, and those of the texts that it names."""
     try:
-        nodes = list(ast.walk(ast.parse(source)))
+        nodes = list(ast.walk(ast.parse(cell.source)))
     except SyntaxError:  # a cell with a magic
         return
-    values = [node.value for node in nodes if isinstance(node, ast.keyword) and node.arg == "caption"]
+    captions = {f"{master.name}/{name}": caption for name, (caption, _alt) in master.texts.items()}
     for node in nodes:
-        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "figure_texts":
-            values += [pair.elts[0] for pair in ast.walk(node.value) if isinstance(pair, ast.Tuple)]
-    for value in values:
-        if isinstance(value, ast.Constant) and isinstance(value.value, str):
-            yield value.value
+        if isinstance(node, ast.keyword) and node.arg == "caption" and isinstance(node.value, ast.Constant):
+            yield str(node.value.value)
+        elif isinstance(node, ast.Constant) and node.value in captions:
+            yield captions[node.value]

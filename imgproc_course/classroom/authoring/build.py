@@ -1,7 +1,6 @@
 """Build lessons and their solved twins from masters, and compare stored lessons with their masters."""
 
 import hashlib
-import tempfile
 import time
 from dataclasses import dataclass, field
 from importlib.metadata import version
@@ -13,6 +12,7 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from imgproc_course.classroom.authoring.atomic_write import write_file
 from imgproc_course.classroom.authoring.execute import execute, normalize, output_texts, refuse_traces
+from imgproc_course.classroom.authoring.learner_files import TEXTS
 from imgproc_course.classroom.authoring.lesson_files import lesson_file_differences, lesson_files
 from imgproc_course.classroom.authoring.lesson_names import lesson_name
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
@@ -144,9 +144,7 @@ def build_solved(master):
 
 def _execute_master(master, *, solved):
     notebook = lesson_notebook(master, solved=solved)
-    with tempfile.TemporaryDirectory(prefix="checks-") as folder:
-        _write_lesson_files(lesson_files(master), Path(folder), with_solutions=True)
-        execute(notebook, master.path, checks_dir=Path(folder) / CHECKS)
+    execute(notebook, master.path, files=lesson_files(master))
     return notebook
 
 
@@ -215,7 +213,7 @@ def _orphans(masters_dir, lessons_dir):
     paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
     paths += pages_without_source(masters_dir, folder)
     names = {lesson_name(master) for master in masters}
-    for subfolder in (CHECKS, SOLUTIONS):
+    for subfolder in (CHECKS, SOLUTIONS, TEXTS):
         paths += [path for path in sorted(folder.glob(f"{subfolder}/*.json")) if path.stem not in names]
     return [f"{path.name}: it has no master; delete it, or restore its master" for path in paths]
 

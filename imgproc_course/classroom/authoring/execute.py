@@ -17,6 +17,7 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 from nbformat.v4 import new_output
 from PIL import Image
 
+from imgproc_course.classroom.authoring.atomic_write import write_file
 from imgproc_course.classroom.authoring.rules import RAISING_TAGS
 from imgproc_course.classroom.exercises.check_files import CHECKS_VARIABLE
 from imgproc_course.classroom.exercises.declaration import MasterError
@@ -29,6 +30,7 @@ _VARIABLES_LEFT_OUT = (
     "NO_COLOR",
     "ROS_LOCALHOST_ONLY",
     "JPY_SESSION_NAME",
+    CHECKS_VARIABLE,
 )
 _ANSI = re.compile(r"\x1b\[[0-9;]*m")
 _ADDRESS = re.compile(r"\b0x[0-9a-f]{8,}\b")
@@ -36,11 +38,9 @@ _DATA_URI = re.compile(r"base64,[A-Za-z0-9+/=\s]+")
 _WIDGET = "application/vnd.jupyter.widget-view+json"
 
 
-def kernel_environment(checks_dir=None):
+def kernel_environment():
     """The environment of a lesson's kernel: the user's, without variables that would change outputs."""
     environment = {name: value for name, value in os.environ.items() if name not in _VARIABLES_LEFT_OUT}
-    if checks_dir is not None:
-        environment[CHECKS_VARIABLE] = str(Path(checks_dir).resolve())
     return environment | {
         # The lesson sees no other robot or lesson. ROS takes 0 to 101.
         "ROS_DOMAIN_ID": str(1 + os.getpid() % 100),
@@ -52,9 +52,10 @@ def kernel_environment(checks_dir=None):
     }
 
 
-def execute(notebook, master_path, kernel_name="python3", checks_dir=None):
-    """Execute a notebook in its own kernel, in an empty folder; its outputs are stored in the notebook.
+def execute(notebook, master_path, kernel_name="python3", files=None):
+    """Execute a notebook in its own kernel, in a folder with these files; its outputs are stored in it.
 
+    `files` are {relative path: text}, as `lesson_files` gives them.
     MasterError: a cell raised or did not finish, or the kernel died.
     """
     running = {"id": "the kernel's start"}
@@ -63,6 +64,8 @@ def execute(notebook, master_path, kernel_name="python3", checks_dir=None):
         running["id"] = cell.id
 
     with tempfile.TemporaryDirectory(prefix="lesson-") as folder:
+        for name, text in (files or {}).items():
+            write_file(Path(folder) / name, text)
         client = NotebookClient(
             notebook,
             timeout=CELL_SECONDS,
@@ -74,7 +77,7 @@ def execute(notebook, master_path, kernel_name="python3", checks_dir=None):
             on_cell_start=note_cell,
         )
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        environment = kernel_environment(checks_dir) | {"IPYTHONDIR": str(Path(folder) / ".ipython")}
+        environment = kernel_environment() | {"IPYTHONDIR": str(Path(folder) / ".ipython")}
         try:
             client.execute(env=environment, **quiet)
         except CellExecutionError as error:

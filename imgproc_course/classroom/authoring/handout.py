@@ -1,4 +1,4 @@
-"""What learners get: lessons without outputs and counters, and what `check` and `hint` need."""
+"""What learners get: lessons without outputs and counters, and the files that the lessons read."""
 
 import io
 import json
@@ -9,7 +9,7 @@ from pathlib import Path
 
 from imgproc_course.classroom.authoring.atomic_write import write_file
 from imgproc_course.classroom.authoring.glossary import GLOSSARY_PAGE
-from imgproc_course.classroom.authoring.learner_files import CHECKS, SOLUTIONS, without_outputs
+from imgproc_course.classroom.authoring.learner_files import CHECKS, SOLUTIONS, TEXTS, without_outputs
 from imgproc_course.classroom.authoring.lesson_names import lesson_name
 from imgproc_course.classroom.authoring.masters import find_lessons
 from imgproc_course.classroom.exercises.progress import LEARNERS_FOLDER
@@ -46,6 +46,9 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     files = {path.name: without_outputs(path.read_bytes()) for path in pages if path not in left_out}
     for path in chosen:
         files |= _exercise_files(source, path, with_solutions)
+        texts = f"{TEXTS}/{lesson_name(path.stem)}.json"
+        if (source / texts).is_file():
+            files[texts] = (source / texts).read_bytes()
     files[LEARNERS_FOLDER] = (json.dumps({"handout": version("imgproc-course")}) + "\n").encode()
     archive = folder.with_name(f"{folder.name}.zip")
     outputs = {folder / name: data for name, data in files.items()}

@@ -6,6 +6,7 @@ import json
 from imgproc_course.classroom.exercises.check_files import CHECKS, SOLUTIONS
 
 KEEP_OUTPUT_TAG = "keep-output"
+TEXTS = "texts"  # name of the folder of captions and alternative texts
 _NOT_FOR_LEARNERS = {"masters", "__pycache__", CHECKS, SOLUTIONS}
 
 

@@ -1,10 +1,15 @@
-"""Write the files that a lesson carries, and compare stored ones; `exercises.check_files` describes them."""
+"""Write the files that a lesson carries, and compare stored ones.
+
+texts/<lesson>.json holds {name of a figure: its "caption" and "alt"}; `exercises.check_files` describes the
+others.
+"""
 
 import hashlib
 import json
 from dataclasses import dataclass
 from importlib.metadata import version
 
+from imgproc_course.classroom.authoring.learner_files import TEXTS
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.check_data import CheckData, shared_fields
 from imgproc_course.classroom.exercises.check_files import (
@@ -24,13 +29,15 @@ _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 
 
 def lesson_files(master):
-    """{relative path: text} of what the lesson of a master carries; {} for a lesson without exercises."""
-    if not master.exercises:
-        return {}
-    return {
-        f"{CHECKS}/{master.name}.json": _check_file_text(master),
-        f"{SOLUTIONS}/{master.name}.json": _solution_file_text(master),
-    }
+    """{relative path: text} of what the lesson of a master carries."""
+    files = {}
+    if master.texts:
+        texts = {name: {"caption": caption, "alt": alt} for name, (caption, alt) in master.texts.items()}
+        files[f"{TEXTS}/{master.name}.json"] = _text_of(texts)
+    if master.exercises:
+        files[f"{CHECKS}/{master.name}.json"] = _check_file_text(master)
+        files[f"{SOLUTIONS}/{master.name}.json"] = _solution_file_text(master)
+    return files
 
 
 def _check_file_text(master):
@@ -51,7 +58,10 @@ def _solution_file_text(master):
         exercise.id: {"code": exercise.solution, "explanation": exercise.explanation}
         for exercise in master.exercises
     }
-    data = {"format": FORMAT, "lesson": master.name, "solutions": solutions}
+    return _text_of({"format": FORMAT, "lesson": master.name, "solutions": solutions})
+
+
+def _text_of(data):
     return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
 
 
@@ -139,7 +149,10 @@ def lesson_file_differences(files, folder):
         path = folder / name
         if name.startswith(CHECKS):
             differences += _check_file_differences(text, path)
-        elif path.is_file() and path.read_text(encoding="utf-8", errors="replace") != text:
+        elif not path.is_file():
+            if not name.startswith(SOLUTIONS):
+                differences.append(f"{name}: not built yet; run imgproc-course build")
+        elif path.read_text(encoding="utf-8", errors="replace") != text:
             differences.append(f"{name}: differs from the master; run imgproc-course build")
     return differences
 

@@ -96,6 +96,9 @@ Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 
                the right answer, `solution(...)`, and change its result. Dropped. See Known mistakes.
     predict    the learner's guess, before the result: `guess_share = None  # how many percent?`. Its id is
                `predict-<lesson>-<n>`. It belongs to no exercise. See Predictions.
+    texts      `figure_texts = {"wrapped": ("caption.", "alt text."), ...}`, the literal texts of figures; a
+               figure names them: `show(wrapped, text="<lesson>/wrapped")`. Dropped: the build writes them
+               into texts/<lesson>.json beside the lesson. It belongs to no exercise.
     After the declaration, a role cell belongs to the last declared exercise, or to the one that `exercise=`
     names.
 
@@ -132,13 +135,9 @@ Predictions
     another result. Choices stand in the comment: `# your guess: "left" or "right"?`.
 
 Folded cells
-    JupyterLab shows only the first line, a comment, of
-    - a cell that holds only asserts, and assignments and imports for them:
-      `# Check: the numbers in this section`, once at the end of a section. An assert stands in no other cell;
-      only a cell whose output varies may hold its own;
-    - a cell of texts: `# The captions and alt texts of the figures`, then
-      `figure_texts = {"wrapped": ("caption.", "alt text."), ...}`. A figure takes its two texts from there:
-      `show(wrapped, text=figure_texts["wrapped"])`.
+    JupyterLab shows only the first line, a comment, of a cell that holds only asserts, and assignments and
+    imports for them: `# Check: the numbers in this section`, once at the end of a section. An assert stands
+    in no other cell; only a cell whose output varies may hold its own.
 
 Tags (`tags=["..."]`, any code cell)
     nbval-ignore-output        its output varies (a live image); the next code cell holds asserts
@@ -149,13 +148,14 @@ Tags (`tags=["..."]`, any code cell)
 A practice exercise (`practice=True`) is checked but not graded: its points count as 0.
 """
 
+import ast
 from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE, lesson_name
 from imgproc_course.classroom.authoring.references import References
-from imgproc_course.classroom.authoring.rules import FOLDED_LINES, VARYING_TAG, master_problems
+from imgproc_course.classroom.authoring.rules import CHECK_LINE, VARYING_TAG, master_problems
 from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
 from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
 
@@ -193,7 +193,7 @@ class Cell:
     @property
     def folded(self):
         """Whether JupyterLab shows only its first line."""
-        return self.kind == "code" and self.source.startswith(FOLDED_LINES)
+        return self.kind == "code" and self.source.startswith(CHECK_LINE)
 
 
 @dataclass(frozen=True)
@@ -202,6 +202,7 @@ class Master:
 
     name    of the lesson, its identity: "images_as_messages"
     number  its place in the course: "03"
+    texts   {name of a figure: (caption, alternative text)}
     """
 
     path: Path
@@ -209,6 +210,7 @@ class Master:
     minutes: int
     cells: tuple
     exercises: tuple
+    texts: dict
 
     @property
     def name(self):
@@ -280,11 +282,36 @@ def read_master(path):
     match = LESSON_FILE.fullmatch(path.stem)
     if match and cells and cells[0].kind == "markdown":
         cells[0] = _numbered(cells[0], match["number"])
-    master = Master(path, title, script.front_matter.get("minutes", 0), tuple(cells), exercises)
+    master = Master(
+        path,
+        title,
+        script.front_matter.get("minutes", 0),
+        tuple(cells),
+        exercises,
+        _texts(script, references),
+    )
     problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
     return master
+
+
+def _texts(script, references):
+    """The texts of the figures; MasterError: they are no literal dict of pairs."""
+    texts = {}
+    for cell in script.cells:
+        if cell.role == "texts":
+            try:
+                texts |= ast.literal_eval(ast.parse(references.in_code(cell.source)).body[0].value)
+                pairs = [isinstance(pair, tuple) and len(pair) == 2 for pair in texts.values()]
+                is_right = all(pairs) and all(text.strip() for pair in texts.values() for text in pair)
+            except (SyntaxError, ValueError, TypeError, AttributeError, IndexError):
+                is_right = False
+            if not is_right:
+                raise MasterError(
+                    f'{cell.place}: a texts cell is figure_texts = {{"name": ("caption", "alt text"), ...}}'
+                )
+    return texts
 
 
 def _numbered(cell, number):

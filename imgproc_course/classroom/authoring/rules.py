@@ -7,10 +7,10 @@ from imgproc_course.classroom.exercises.cell_syntax import bound_names
 
 VARYING_TAG = "nbval-ignore-output"
 RAISING_TAGS = ("nbval-raises-exception", "raises-exception")
-CHECK_LINE, TEXTS_LINE = "# Check: ", "# The captions and alt texts of the figures"
-FOLDED_LINES = (CHECK_LINE, TEXTS_LINE)  # JupyterLab shows only this first line of the cell
+CHECK_LINE = "# Check: "  # JupyterLab shows only this first line of the cell
 MOST_LINES = 12  # of code in a cell
 _FIGURES = ("show", "show_figure", "tune")
+_WITH_TEXTS = (*_FIGURES, "live_view", "drive")
 HINTS = 3  # of every exercise
 _MOST_ID_CHARACTERS = 64  # of a cell id in a notebook
 _HIDES_WORK = re.compile(r"\s*(from\s+\S+\s+import\s+\*|%%(capture|script|html|javascript))")
@@ -19,7 +19,12 @@ _HIDING_TAGS = re.compile(r"(hide|remove|skip)([-_]|$)|nbval-skip")
 
 def master_problems(master):
     """The rules that a master breaks, a text for each."""
-    problems = [*_heading_problems(master), *_name_problems(master), *_id_problems(master)]
+    problems = [
+        *_heading_problems(master),
+        *_name_problems(master),
+        *_id_problems(master),
+        *_text_problems(master),
+    ]
     code_cells = [cell for cell in master.cells if cell.kind == "code"]
     for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=False):
         first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
@@ -88,6 +93,21 @@ def _id_problems(master):
             yield f'exercise {exercise.id} has no role="check" cell'
 
 
+def _text_problems(master):
+    """The names of texts that are not in the master, and the texts that no figure takes."""
+    texts, named = {f"{master.name}/{name}" for name in master.texts}, set()
+    for cell in master.cells:
+        constants = [node for node in _nodes(cell) if isinstance(node, ast.Constant)]
+        strings = {node.value for node in constants if isinstance(node.value, str)}
+        named |= {string for string in strings if string.startswith(f"{master.name}/")}
+        keywords = [keyword for call in _calls(cell, _WITH_TEXTS) for keyword in call.keywords]
+        values = [keyword.value for keyword in keywords if keyword.arg == "text"]
+        named |= {value.value for value in values if isinstance(value, ast.Constant)}
+    for name in sorted(named - texts):
+        yield f'text="{name}": no role="texts" cell has it; there are: {", ".join(sorted(texts)) or "none"}'
+    yield from (f'no figure takes text="{name}"; delete it' for name in sorted(texts - named))
+
+
 def _cell_problems(cell, next_cell):
     lines = [line for line in cell.source.splitlines() if line.strip() and not line.strip().startswith("#")]
     if not lines:
@@ -132,15 +152,11 @@ def _figure_problems(cell):
     for call in _calls(cell, _FIGURES):
         keywords = {keyword.arg for keyword in call.keywords}
         if "text" not in keywords and not {"caption", "alt"} <= keywords:
-            yield f"{call.func.id}(...) needs text=(caption, alt), or caption= and alt="
+            yield f'{call.func.id}(...) needs text="<lesson>/<name>", or caption= and alt='
 
 
 def _folding_problems(cell):
-    module = _parse(cell.source)
-    if cell.source.startswith(TEXTS_LINE):
-        if module is None or bound_names(cell.source) != {"figure_texts"} or len(module.body) != 1:
-            yield f"a cell that begins with '{TEXTS_LINE}' holds only figure_texts = {{...}}"
-    elif not _asserts(cell) or not all(_belongs_to_asserts(node) for node in module.body):
+    if not _asserts(cell) or not all(_belongs_to_asserts(node) for node in _parse(cell.source).body):
         yield f"a cell that begins with '{CHECK_LINE}' is folded: it holds only asserts, and names for them"
 
 

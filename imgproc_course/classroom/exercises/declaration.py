@@ -197,7 +197,7 @@ def _read_exercises(path, _modified):
             if latest in headings:
                 raise MasterError(f"{cell.place}: exercise {latest} is declared twice")
             headings[latest] = heading
-        elif cell.role != "predict":
+        elif cell.role not in ("predict", "texts"):
             owned_cells.append((cell, _owners(cell, latest)))
     for cell, owners in owned_cells:
         for owner in owners:

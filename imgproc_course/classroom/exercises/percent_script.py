@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake", "predict")
-DROPPED_ROLES = ("exercise", "solution", "case", "hidden", "mistake")  # what a learner does not get
+ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake", "predict", "texts")
+DROPPED_ROLES = ("exercise", "solution", "case", "hidden", "mistake", "texts")  # what a learner does not get
 MISTAKES_SUFFIX = ".mistakes.py"  # of the file beside a master that holds its known mistakes
 
 _ROLE_HEADER = re.compile(r"# ?%%(?!%).*\brole=")

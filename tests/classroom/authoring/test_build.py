@@ -259,10 +259,13 @@ def test_the_kernel_sees_no_other_robot_and_no_backend_setting(write_master, tmp
     monkeypatch.setenv("MPLBACKEND", "agg")
     names = ("MPLBACKEND", "ROS_AUTOMATIC_DISCOVERY_RANGE")
     code = "import os\n\n" + "\n".join(f"print(os.environ[{name!r}])" for name in names)
-    path = write_master(add=f"\n# %%\n{code}\nprint(os.listdir())\n")
+    path = write_master(add=f"\n# %%\n{code}\nprint(sorted(os.listdir()))\n")
     build(path.parent, tmp_path / "lessons", tmp_path / "solved", progress=str)
     printed = cells_of(tmp_path / "lessons" / "90_template.ipynb")["template-7"].outputs[0].text
-    assert printed == "module://matplotlib_inline.backend_inline\nLOCALHOST\n['.ipython']\n"
+    assert (
+        printed
+        == "module://matplotlib_inline.backend_inline\nLOCALHOST\n['.ipython', 'checks', 'solutions']\n"
+    )
     assert os.environ["MPLBACKEND"] == "agg"
 
 

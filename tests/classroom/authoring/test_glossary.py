@@ -109,10 +109,12 @@ EARLY = """
 # Rank filtering, an Edge and its view.
 # `rank filter` and $edge detector$, [lesson 02, edge detector](02_sharpen.ipynb).
 
+# %% role="texts"
+figure_texts = {"first": ("Two rank filters, and a Rank filter.", "A zoom.")}
+
 # %%
 caption = "an edge detector"
-figure_texts = {"first": ("Two rank filters, and a Rank filter.", "A zoom.")}
-print(figure_texts, dict(caption="A median filter."))
+print("NAME/first", dict(caption="A median filter."))
 
 # %% [markdown]
 # Medial median filters. [An edge detector](https://example.org) and an edge detector.
@@ -127,16 +129,16 @@ EXPLAINED = """
 def test_words_before_their_introduction_are_found(glossary, write_master):
     terms = read_glossary(glossary())
     masters = [
-        read_master(write_master(add=text, name=name))
+        read_master(write_master(add=text.replace("NAME", name[3:]), name=name))
         for name, text in (("00_first", EARLY), ("01_blur", EXPLAINED), ("02_sharpen", EARLY))
     ]
     uses = early_uses(masters, terms)
     assert [(use.lesson, use.cell, use.words) for use in uses] == [
         ("first", "first-7", "Edge"),
-        ("first", "first-8", "median filter"),
+        ("first", "first-8", "Rank filter"),
         ("first", "first-9", "edge detector"),
     ]
-    assert str(uses[1]) == "first: cell first-8: 'median filter', which sharpen introduces"
+    assert str(uses[1]) == "first: cell first-8: 'Rank filter', which sharpen introduces"
     masters[1] = read_master(
         write_master(add=EXPLAINED.replace("[[term:edge detector]]", "edge detector"), name="01_blur")
     )

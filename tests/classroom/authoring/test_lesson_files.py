@@ -12,7 +12,7 @@ from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.classroom.exercises.check_files import read_check_file
 from imgproc_course.classroom.exercises.checking import run_cases, run_check
 
-CHECKS, SOLUTIONS = "checks/template.json", "solutions/template.json"
+CHECKS, SOLUTIONS, TEXTS = "checks/template.json", "solutions/template.json", "texts/template.json"
 
 
 @pytest.fixture
@@ -35,6 +35,18 @@ def test_the_checks_hold_no_solution_and_the_solutions_hold_it(stored):
     assert "uint8 ends at 255, and 200 * 2 became 144" in files[CHECKS]
     solution = json.loads(files[SOLUTIONS])["solutions"]["template-double"]
     assert "np.minimum(pixels.astype(np.uint16) * 2, LIMIT)" in solution["code"]
+
+
+def test_the_texts_of_figures_are_stored_and_compared(stored):
+    texts = (
+        '\n# %% role="texts"\nfigure_texts = {"a": ("A.", "Ä.")}\n\n# %%\nshow(image, text="template/a")\n'
+    )
+    files, folder = stored(add=texts)
+    assert json.loads(files[TEXTS]) == {"a": {"caption": "A.", "alt": "Ä."}}
+    for change in (lambda path: path.write_text("{}"), lambda path: path.unlink()):
+        change(folder / TEXTS)
+        differences = lesson_file_differences(files, folder)
+        assert [text.split("; ")[1] for text in differences] == ["run imgproc-course build"]
 
 
 def test_the_same_master_gives_the_same_bytes(stored):

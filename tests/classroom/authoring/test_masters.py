@@ -132,15 +132,21 @@ def test_a_planned_failure_may_stand_before_the_comparison(write_master):
     read_master(write_master(add=PREDICTION.replace("# %%\ntotal = 2", failure)))
 
 
-TEXTS = '\n# %%\n# The captions and alt texts of the figures\nfigure_texts = {"a": ("A.", "B.")}\n'
+TEXTS = '\n# %% role="texts"\nfigure_texts = {"a": ("A.", "B.")}\n\n# %%\n'
 
 
 @pytest.mark.parametrize(
     ("added", "message"),
     [
-        ("# %%\nshow(image)\n", "show(...) needs text=(caption, alt), or caption= and alt="),
-        ('# %%\nshow(image, alt="an image")\n', "show(...) needs text=(caption, alt)"),
-        (f"{TEXTS}x = 1\n", "holds only figure_texts = {...}"),
+        ("# %%\nshow(image)\n", 'show(...) needs text="<lesson>/<name>", or caption= and alt='),
+        ('# %%\nshow(image, alt="an image")\n', 'show(...) needs text="<lesson>/<name>"'),
+        (f"{TEXTS}x = 1\n", 'no figure takes text="template/a"; delete it'),
+        (f'{TEXTS}live_view(x, text="a")\n', 'text="a": no role="texts" cell has it; there are: template/a'),
+        (f'{TEXTS}show(x, text="template/b")\n', 'text="template/b": no role="texts" cell has it'),
+        ('# %%\ntext = "template/b"\n', 'text="template/b": no role="texts" cell has it; there are: none'),
+        (TEXTS.replace('"B."', "f'{1}'"), "a texts cell is figure_texts = {"),
+        (TEXTS.replace('"B."', '" "'), "a texts cell is figure_texts = {"),
+        (TEXTS.replace(', "B."', ""), "a texts cell is figure_texts = {"),
     ],
 )
 def test_a_figure_without_its_texts_is_named(write_master, added, message):
@@ -149,9 +155,11 @@ def test_a_figure_without_its_texts_is_named(write_master, added, message):
     assert message in str(error.value)
 
 
-def test_the_texts_of_figures_stand_in_a_folded_cell(write_master):
-    figure = '\n# %%\nshow(image, text=figure_texts["a"])\nshow(image, caption="A.", alt="B.")\n'
-    assert read_master(write_master(add=TEXTS + figure)).cells[6].folded
+def test_the_texts_of_figures_stand_in_a_cell_that_no_lesson_has(write_master):
+    figure = 'show(image, text="template/a")\nshow(image, caption="A.", alt="B.")'
+    master = read_master(write_master(add=TEXTS + figure))
+    assert (master.texts, master.cells[-1].id) == ({"a": ("A.", "B.")}, "template-7")
+    assert master.cells[-1].source == figure
 
 
 def test_every_broken_rule_is_named_at_once(write_master):
