@@ -49,11 +49,12 @@ function makeMap(root) {
     const walls = add(map, "path", {class: "imgproc-walls"});
     const trace = add(map, "polyline", {class: "imgproc-trace"});
     const robot = add(map, "path", {class: "imgproc-robot", d: "M -.15 .12 H .14 L .237 0 L .14 -.12 H -.15 Z"});
+    const cells = new Map();  // "x,y" of a corner: the square as a path
     let box;
 
     function clear() {
         box = [-1, -1, 1, 1];
-        walls.setAttribute("d", "");
+        cells.clear();
         trace.setAttribute("points", "");
     }
 
@@ -76,8 +77,9 @@ function makeMap(root) {
     return message => {
         if (message.begins) clear();
         for (const [x, y] of [...message.trace, ...message.cells]) grow(x, y);
-        const cells = message.cells.map(([x, y]) => `M${x} ${y}h.05v.05h-.05z`).join("");
-        if (cells) walls.setAttribute("d", walls.getAttribute("d") + cells);
+        for (const [x, y] of message.cells) cells.set(`${x},${y}`, `M${x} ${y}h.05v.05h-.05z`);
+        for (const corner of message.gone) cells.delete(corner.join());
+        walls.setAttribute("d", [...cells.values()].join(""));
         const points = message.trace.map(point => point.join()).join(" ");
         if (points) trace.setAttribute("points", `${trace.getAttribute("points")} ${points}`);
         const [x, y, yaw] = message.pose;
@@ -95,6 +97,9 @@ function render({model, el}) {
         "data-lm-suppress-shortcuts": "true",
     });
     const showMap = makeMap(root);
+    const legend = add(root, "div", {class: "imgproc-legend"});
+    for (const name of ["robot", "way so far", "seen by the laser scanner"]) add(legend, "span", {}, name);
+    add(legend, "div", {}, "One square of the grid is 1 m wide.");
     const controls = add(root, "div", {class: "imgproc-controls"});
     const buttons = add(controls, "div", {class: "imgproc-buttons"});
     for (const [name, sign] of BUTTONS) {

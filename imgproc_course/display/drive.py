@@ -24,6 +24,7 @@ robot_log = logging.getLogger("imgproc_course.ros.robot")
 STALE = 0.3  # seconds; a command that the kernel reads so late is of a key that may be up again
 MAP_PERIOD = 0.1  # seconds
 CELL = 0.05  # metres: of the map's obstacles
+BEHIND = 0.2  # metres; if the rays around a cell reach so far behind it, what stood there has moved away
 FASTEST = 0.6  # m/s: what is farther from the last odometry is of a robot that has begun again
 # Where the Kachaka's scanner stands on it: x in metres, and turned to the left.
 SCANNER = (0.156, math.pi / 2)
@@ -219,12 +220,13 @@ class _Map:
         """The message for the browser; of trace and cells, what is new since the message before."""
         x, y, yaw = self._follow(odometry)
         begins, self._begins = self._begins, False
-        count, new_cells = len(self.trace), set()
+        count, new_cells, gone = len(self.trace), set(), set()
         if not self.trace or math.dist(self.trace[-1], (x, y)) > 0.01:
             self.trace.append((x, y))
         if scan is not None and (place := self._place_at(seconds(scan.header.stamp))):
-            new_cells = cells_of(scan, *place) - self._cells
-            self._cells |= new_cells
+            met = cells_of(scan, *place)
+            new_cells, gone = met - self._cells, seen_through(self._cells, scan, *place) - met
+            self._cells = (self._cells | met) - gone
         if begins:
             count, new_cells = 0, self._cells
         twist = odometry.twist.twist
@@ -232,7 +234,8 @@ class _Map:
             "pose": [round(v, 3) for v in (x, y, yaw)],
             "speed": [round(twist.linear.x, 3), round(twist.angular.z, 3)],
             "trace": [[round(u, 3), round(v, 3)] for u, v in self.trace[count:]],
-            "cells": [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(new_cells)],
+            "cells": _corners(new_cells),
+            "gone": _corners(gone),
             "begins": begins,
         }
 
@@ -265,13 +268,33 @@ def seconds(stamp):
     return stamp.sec + stamp.nanosec / 1e9
 
 
+def _corners(cells):
+    return [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(cells)]
+
+
+def _rays(scan, x, y, yaw):
+    """Place of the scanner and direction of its first ray, in the map; its ranges, 0 where it met nothing."""
+    ahead, turned = SCANNER
+    ranges = np.array(scan.ranges, float)
+    ranges[~((ranges >= scan.range_min) & (ranges <= scan.range_max))] = 0
+    place = x + ahead * math.cos(yaw), y + ahead * math.sin(yaw)
+    return place, yaw + turned + scan.angle_min, ranges
+
+
 def cells_of(scan, x, y, yaw):
     """The cells {(i, j)} of the map in which a LaserScan of a robot at (x, y, yaw) has met something."""
-    ahead, turned = SCANNER
-    ranges = np.asarray(scan.ranges, float)
-    angles = yaw + turned + scan.angle_min + scan.angle_increment * np.arange(len(ranges))
-    valid = np.isfinite(ranges) & (ranges >= scan.range_min) & (ranges <= scan.range_max)
-    columns = x + ahead * math.cos(yaw) + ranges[valid] * np.cos(angles[valid])
-    rows = y + ahead * math.sin(yaw) + ranges[valid] * np.sin(angles[valid])
-    cells = np.floor(np.stack([columns, rows], -1) / CELL).astype(int)
-    return set(map(tuple, cells.tolist()))
+    place, first, ranges = _rays(scan, x, y, yaw)
+    angles = (first + scan.angle_increment * np.arange(len(ranges)))[ranges > 0]
+    points = place + ranges[ranges > 0, None] * np.stack([np.cos(angles), np.sin(angles)], -1)
+    return set(map(tuple, np.floor(points / CELL).astype(int).tolist()))
+
+
+def seen_through(cells, scan, x, y, yaw):
+    """Those of the cells {(i, j)} through which the scan's rays have passed."""
+    place, first, ranges = _rays(scan, x, y, yaw)
+    cells = np.array(sorted(cells), int).reshape(-1, 2)
+    columns, rows = ((cells + 0.5) * CELL - place).T
+    numbers = np.round((np.arctan2(rows, columns) - first) % (2 * math.pi) / scan.angle_increment).astype(int)
+    around = np.append(ranges, 0)[np.clip(numbers[:, None] + range(-3, 4), -1, len(ranges))]
+    passed = around.min(axis=1) > np.hypot(columns, rows) + BEHIND
+    return set(map(tuple, cells[passed].tolist()))

@@ -75,8 +75,9 @@ class Screen:
         layout = widgets.Layout(object_fit="contain", **common)
         self.image = NamedImage(format="jpeg", layout=layout, tooltip=look.alt or look.caption or alt)
         self._titles = widgets.HTML(layout=widgets.Layout(**common))
-        # Its height is fixed: an error that appears or disappears must not move the page.
-        self._message = widgets.HTML(layout=widgets.Layout(height="62px", overflow="auto", **common))
+        # It appears with the first text and keeps its height: texts that come and go must not move the page.
+        layout = widgets.Layout(height="62px", overflow="auto", display="none", **common)
+        self._message = widgets.HTML(layout=layout)
         width = look.width or WIDTH
         self._resize(width, round(width * 9 / 16))
         self.image.value = _encode(np.full((self._size[1], width), 230, np.uint8))
@@ -97,6 +98,8 @@ class Screen:
         line = f'<div style="{colour} line-height: 1.35; white-space: pre-wrap">{html.escape(text)}</div>'
         if line != self._message.value:
             self._message.value = line
+        if text:
+            self._message.layout.display = None
 
     def _read(self, result):
         titles, arrays = _split_result(result)

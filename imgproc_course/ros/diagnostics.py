@@ -89,7 +89,7 @@ def _silent_publisher(publishers, topic, received):
     reason = "the node is paused, or still starting (a Kachaka's depth camera is silent on its charger)"
     if not topic.endswith("compressed"):
         reason += (
-            f", or its big images get lost on the way: subscribe to {topic}/compressed, and look at "
-            "imgproc_course.ros.dds_profile() in the process that publishes"
+            f", or its big images get lost on the way: subscribe to {topic}/compressed, and run "
+            "imgproc-course doctor"
         )
     return f"{nodes} publishes it, but no image came; {reason}"

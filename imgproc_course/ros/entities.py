@@ -1,5 +1,6 @@
 """What an object of ours has in the ROS graph, and when that is destroyed."""
 
+import contextvars
 import weakref
 from typing import Any, Self
 
@@ -64,11 +65,14 @@ def _destroy(session, node, entities):
 
 
 def weak_callback(method):
-    """A function that calls the method as long as its object exists."""
-    reference = weakref.WeakMethod(method)
+    """A function that calls the method as long as its object exists.
+
+    What the method prints goes below the notebook's cell that made the function.
+    """
+    reference, cell = weakref.WeakMethod(method), contextvars.copy_context()
 
     def call(*arguments):
         bound_method = reference()
-        return bound_method(*arguments) if bound_method is not None else None
+        return cell.copy().run(bound_method, *arguments) if bound_method is not None else None
 
     return call

@@ -5,23 +5,25 @@ from rclpy.qos import qos_policy_name_from_kind
 
 from imgproc_course.ros.session import Throttle
 
-DUPLICATE_NAME_PERIOD = 60.0  # seconds between two warnings about a second node of the same name
+DUPLICATE_NAME_PERIOD = 60.0  # seconds without a second node of the same name until it is news again
 
 
 class NodeLog:
-    """Logs in the name of a node. A repeated warning is logged at most every few seconds."""
+    """Logs in the name of a node: a warning once for each cause, and one of a kind every few seconds."""
 
     def __init__(self, node):
         self._node = node
         self._may_log = Throttle()
-        self._may_log_duplicate = Throttle(DUPLICATE_NAME_PERIOD)
+        self._causes = set()
+        self._may_log_duplicate = Throttle(DUPLICATE_NAME_PERIOD, while_it_lasts=True)
 
     def info(self, text):
         self._node.get_logger().info(text)
 
-    def warn(self, fault, text):
-        if self._may_log(fault):
-            self._node.get_logger().warning(text)
+    def warn(self, kind, cause, details=""):
+        if cause not in self._causes and self._may_log(kind):
+            self._causes.add(cause)
+            self._node.get_logger().warning(f"{cause}{details}")
 
     def warn_about_duplicate_name(self):
         node = self._node

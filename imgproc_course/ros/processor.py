@@ -60,7 +60,7 @@ class ImageProcessor(Node):
     The node publishes its `statistics()` once per second on `~/statistics` (std_msgs/String, JSON), if that
     topic has a subscriber.
 
-    No image stops the node: a failure is counted, and logged with its cause at most every 5 s. In a
+    No image stops the node: a failure is counted, and each cause is logged once. In a
     RosSession, the node replaces the one of the same name.
 
     Raises
@@ -180,7 +180,8 @@ class ImageProcessor(Node):
         statistics = self._statistics
         statistics.failed += 1
         statistics.last_error = text
-        self._log.warn("failure", f"{text} (skipped; {statistics.failed} of {statistics.received} failed)")
+        counts = f" (skipped; {statistics.failed} of {statistics.received} failed)"
+        self._log.warn("failure", text, counts)
 
     def _report(self):
         if self._statistics_publisher.get_subscription_count():
@@ -189,7 +190,7 @@ class ImageProcessor(Node):
             self._log.info(change)
         losses = self._statistics.new_losses()
         if losses:
-            self._log.warn("losses", losses)
+            self._log.warn("losses", *losses)
         if self._stream.has_become_silent():
             received, topics = self._statistics.received, self._outputs.topics()
             reason = explain_missing_messages(self, self._subscription, SILENCE, received, own_topics=topics)

@@ -81,8 +81,8 @@ def _why_not(free):
     """Why the course's profile cannot be used, and the remedy, in one line; None if it can."""
     if _a_node_exists():
         return (
-            "a ROS node existed before imgproc_course.ros was imported, so Fast DDS keeps its defaults and "
-            "raw images get lost between processes; restart the kernel and import imgproc_course.ros first"
+            "a ROS node existed before imgproc_course.ros was imported, so images get lost between programs; "
+            "restart the kernel and import imgproc_course.ros first"
         )
     if free is not None and free < _SMALL_NEEDS:
         return (

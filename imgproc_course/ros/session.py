@@ -28,11 +28,13 @@ from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.logging import LoggingSeverity, set_logger_level
 from rclpy.node import Node
 
-from imgproc_course.ros import notebook_spin
+from imgproc_course.ros import notebook_log, notebook_spin
 from imgproc_course.ros.profile import lost_ports, remove_stale_segments
 
 RCLError = rclpy_implementation.RCLError  # rclpy exports it nowhere else
 log = logging.getLogger("imgproc_course.ros")
+
+notebook_log.install()  # before a context exists
 
 CALLBACK_TIMEOUT = 5.0  # seconds that others wait for a callback to return
 LOG_PERIOD = 5.0  # seconds between two log lines about the same fault
@@ -271,7 +273,7 @@ class _Spinner:
         # ROS warns about two nodes of one name in a process, but here the second replaces the first.
         set_logger_level("rcl.logging_rosout", LoggingSeverity.ERROR)
         self.context, self.node = _new_node(f"imgproc_course_{os.getpid()}")
-        self.executor = SingleThreadedExecutor(context=self.context)
+        self.executor = _Executor(context=self.context)
         self.executor.add_node(self.node)
         self.closed = False
         self.last_callback_error: str | None = None
@@ -280,7 +282,7 @@ class _Spinner:
         self._leaving = threading.Event()
         self._tasks: collections.deque[Callable[[], Any]] = collections.deque()
         self._shutdown_callbacks = {}
-        self._may_log = Throttle()
+        self._may_log = Throttle(while_it_lasts=True)
         notebook_spin.install(self.context, self._take_back)
         # A daemon thread, so that a callback that never returns cannot keep the interpreter alive.
         self.thread = threading.Thread(target=self._spin, name="imgproc_course ROS session", daemon=True)
@@ -315,6 +317,7 @@ class _Spinner:
         if node not in self._nodes:
             self.remove_namesakes(node.get_fully_qualified_name())
             self._nodes.append(node)
+            self._may_log = Throttle(while_it_lasts=True)  # what fails again was not mended
             self.executor.add_node(node)
 
     def nodes(self):
@@ -354,10 +357,12 @@ class _Spinner:
             raise
         except InvalidHandle:
             pass  # something was destroyed between the wait and its callback; the next round is in order
-        except Exception as error:  # callbacks are other people's code, and the graph must live on
-            self.last_callback_error = f"a callback failed {failed_line(error)}"
-            if self._may_log():
-                log.exception("a ROS callback failed; the graph continues")
+        except Exception as error:  # noqa: BLE001  callbacks are other people's code; the graph must live on
+            failure = failed_line(error)
+            self.last_callback_error = f"a callback failed {failure}"
+            if self._may_log(failure):
+                in_cell = notebook_log.in_cell_of(self.executor.name_of_node)
+                in_cell(log.error, "a ROS callback failed; the graph continues", exc_info=error)
 
     def _close(self):
         notebook_spin.uninstall()
@@ -372,6 +377,17 @@ class _Spinner:
             self.executor.shutdown()
             self.closed = True
         self.context.try_shutdown()
+
+
+class _Executor(SingleThreadedExecutor):
+    """Knows whose callback it calls."""
+
+    name_of_node = ""  # of its logger
+
+    def wait_for_ready_callbacks(self, *arguments, **options):
+        ready: Any = super().wait_for_ready_callbacks(*arguments, **options)
+        self.name_of_node = ready[2].get_logger().name if ready[2] else ""
+        return ready  # (handler, entity, node)
 
 
 def failed_line(error):

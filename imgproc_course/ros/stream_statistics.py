@@ -78,25 +78,24 @@ class ProcessingStatistics:
         self._durations.append(duration)
 
     def new_losses(self):
-        """How many images were lost since the last call and why, in one line; None if none was."""
+        """Why images were lost since the last call, and how many: two parts of a line; None if none was."""
         lost, received, busy, start = self._reported
         now = time.perf_counter()
         self._reported = (self.losses.total, self.received, self.busy, now)
         lost = self.losses.total - lost
         if not lost:
             return None
-        sent = lost + self.received - received
         busy_share = (self.busy - busy) / (now - start)
         period = "second" if now - start < LATE else f"{now - start:.1f} s"
-        text = f"{lost} of {sent} images of the last {period} were lost: "
+        counts = f" ({lost} of {lost + self.received - received} images of the last {period})"
         if busy_share > 0.5:
-            return f"{text}this node is busy {busy_share:.0%} of the time, so the oldest images are dropped"
+            return "this node is busy most of the time, so the oldest images are dropped", counts
         if now - start >= LATE:
-            return f"{text}this node's thread was blocked meanwhile, so the oldest images were dropped"
+            return "this node was blocked for some time, so the oldest images were dropped", counts
         return (
-            f"{text}they did not arrive here; does the camera's process use the course's DDS profile (import "
-            "imgproc_course.ros there)? Or this machine is too busy: subscribe to the /compressed topic"
-        )
+            "images get lost on the way to this node: the machine is too busy (subscribe to the /compressed "
+            "topic), or the program of the camera does not import imgproc_course.ros"
+        ), counts
 
     def as_dict(self):
         span = self._arrivals[-1] - self._arrivals[0] if len(self._arrivals) > 1 else 0

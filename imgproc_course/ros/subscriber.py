@@ -59,7 +59,8 @@ class ImageSubscriber(Stoppable):
     Attributes
     ----------
     received : messages that arrived
-    failed : messages that could not be converted, or for which `on_image` raised; they are logged and skipped
+    failed : messages that could not be converted, or for which `on_image` raised; they are skipped, and each
+        cause is logged once
     last_error : why the last of those failed, in one line; None
     skipped : frames that a loop over this subscriber skipped to get to the newest
     incompatible_qos : the QoS policy that does not match, with the remedy; None
@@ -96,6 +97,7 @@ class ImageSubscriber(Stoppable):
         self._on_image: Any = on_image
         self._change = threading.Condition()
         self._arrivals: collections.deque[float] = collections.deque(maxlen=RECENT)
+        self._causes: set[str] = set()
         self._may_log = Throttle()
         self._latest: Any = None
         self._converted = 0
@@ -276,7 +278,8 @@ class ImageSubscriber(Stoppable):
         with self._change:
             self.failed += 1
             self.last_error = text
-        if self._may_log():
+        if text not in self._causes and self._may_log():
+            self._causes.add(text)
             log.warning("%s (skipped; %d failed so far)", text, self.failed)
 
     def _on_incompatible_qos(self, event):

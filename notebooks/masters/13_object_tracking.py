@@ -62,7 +62,7 @@ figure_texts = {
         "Left, the toy car covers a part of the ball; right, one single white spot over both.",
     ),
     "paths": (
-        "The floor from above, as the robot sees it (ahead is up): the true paths (gray), and what the tracker says.",
+        "The floor from above, as the robot sees it (ahead is up, and drawn larger): the true paths (gray), and what the tracker says.",
         "Two maps. Above, the red track of the ball leaves the end of the ball's path, and crosses the path of the car; below, with joint assignment, it stays at the ball.",
     ),
     "live": (
@@ -1002,7 +1002,7 @@ for axes, path, title in zip(figure.subplots(2, 1, sharex=True), (alone, joint),
         x, y = path[:, number, 0].round(3), path[:, number, 1].round(3)
         axes.plot(y, x, style, label=f"track of the {name}")
     axes.set(title=title, xlabel="y (m), left", ylabel="x (m), ahead",
-             aspect="equal", xlim=(1, -1.5))
+             xlim=(1, -1.5))
     axes.legend()
 show_figure(figure, text="object_tracking/paths")
 
@@ -1156,11 +1156,16 @@ if ros_available():
     live_robot.restart(start=(1.2, 0.2, 0.0))
     session = RosSession.current()
     node = session.add_node(FollowNode(context=session.context))
+    ways = []  # metres from the robot to the ball
     end = time.monotonic() + 20
     while node.looks < 30 and time.monotonic() < end:
         time.sleep(0.1)
+        if 0 in node.tracker.filters:
+            ways.append(math.dist(node.tracker.place(0), node.robot_pose.position[:2]))
     session.remove_node(node)
     print("looks:", node.looks, "  tracks:", len(node.tracker.filters))
+    if ways:
+        print(f"distance to the ball: first {ways[0]:.2f} m, last {ways[-1]:.2f} m")
     live_camera.stop()
     show(image_to_array(node.image, "bgr8"), text="object_tracking/live")
 

@@ -60,7 +60,7 @@ figure_texts = {
         "A gray line from left to right, blue dots near it, and a few red crosses far away from it.",
     ),
     "pairs": (
-        "Frames 40 and 50: each line begins where a point was, and ends where it is now.",
+        "Frames 40 and 50: each line begins where a point was, and ends where it is now. One point in three is drawn.",
         "The living room with many short lines; most of them point away from the middle of the image.",
     ),
     "inliers": (
@@ -564,7 +564,7 @@ print(start.shape, end.shape)
 
 # %%
 lines = frames[50][::2, ::2].copy()
-for a, b in zip(np.rint(start).astype(int), np.rint(end).astype(int), strict=True):
+for a, b in zip(np.rint(start[::3]).astype(int), np.rint(end[::3]).astype(int), strict=True):
     cv2.line(lines, a.tolist(), b.tolist(), (0, 220, 255), 1)
     cv2.circle(lines, b.tolist(), 2, (0, 220, 255), -1)
 show(lines, "frame 50", text="where_am_i/pairs")
@@ -944,7 +944,7 @@ axes.plot(true_places[:, 0], true_places[:, 1], color="0.7", linewidth=6, label=
 axes.plot(*every[:, :2].round(3).T, "r", label="every frame")
 axes.plot(*tenth[:, :2].round(3).T, "b.--", label="every tenth frame")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
-axes.legend(loc="lower left")
+figure.legend(loc="outside upper center", ncols=3)
 show_figure(figure, text="where_am_i/paths")
 
 # %%
@@ -1120,7 +1120,7 @@ axes = figure.subplots()
 for name, path, style in (("truth", truth, "0.7"), ("wheels", wheels, "r--"), ("camera", seen, "b")):
     axes.plot(*np.array(path)[:, :2].round(3).T, style, label=name, linewidth=6 if name == "truth" else 2)
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
-axes.legend(loc="lower left")
+figure.legend(loc="outside upper center", ncols=3)
 show_figure(figure, text="where_am_i/room")
 
 # %%

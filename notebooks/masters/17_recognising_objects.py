@@ -1041,11 +1041,16 @@ SURE = 0.4  # a name with a smaller margin is not sure
 def with_names(frame, things, names):
     """The frame in double size, with the name of each thing: green if sure, else orange."""
     view = cv2.resize(frame, None, fx=2, fy=2, interpolation=cv2.INTER_NEAREST)
+    written = []  # row, first and last column of each name
     for (box, _), (name, margin) in zip(things, names, strict=True):
         left, top, width, height = (2 * number for number in box)
         colour = (0, 255, 0) if margin > SURE else (0, 160, 255)
         cv2.rectangle(view, (left, top), (left + width, top + height), colour, 2)
-        cv2.putText(view, name, (left, max(top - 8, 24)), cv2.FONT_HERSHEY_SIMPLEX, 0.9, colour, 2)
+        row, right = max(top - 8, 24), left + 20 * len(name)
+        while any(abs(row - r) < 28 and left < b and a < right for r, a, b in written):
+            row += 28  # below the name that stands there
+        written.append((row, left, right))
+        cv2.putText(view, name, (left, row), cv2.FONT_HERSHEY_SIMPLEX, 0.9, colour, 2)
     return view
 
 

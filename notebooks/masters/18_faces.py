@@ -83,7 +83,7 @@ figure_texts = {
     ),
     "live": (
         "Left: what the camera with the visitor sends, before it is stored anywhere. Right: the first stored image.",
-        "Two images of the living room. On the left there is a drawn face; on the right there is a plain square at its place.",
+        "Two images of the living room. On the left there is a drawn person; on the right there is a plain square in place of the face.",
     ),
 }
 
@@ -1137,7 +1137,7 @@ def paint_over(frame, boxes):
 # %% [markdown]
 # ## 8 · Hidden before it is stored ([[minutes]])
 #
-# The person in the room of our robot does not turn a face to the camera. So a node of ours, the *visitor*, draws one into each image of the camera; it moves from the left to the right. The second node, the *anonymiser*, subscribes to these images. It looks for faces, paints over them, and publishes the result on a topic of its own. It does not know where the visitor is. `record` stores only the anonymiser's topic.
+# The person in the room of our robot does not turn a face to the camera. So a node of ours, the *visitor*, draws a visitor into each image of the camera, who moves from the left to the right. The second node, the *anonymiser*, subscribes to these images. It looks for faces, paints over them, and publishes the result on a topic of its own. It does not know where the visitor is. `record` stores only the anonymiser's topic.
 
 # %% tags=["long"]
 if ros_available():
@@ -1159,7 +1159,10 @@ if ros_available():
 
         def on_image(self, msg):
             left = 60 + 10 * len(self.sent) % 300
-            frame, box = put_face(image_to_array(msg, "bgr8"), self.identity, left, 100, 140)
+            frame = image_to_array(msg, "bgr8").copy()
+            cv2.ellipse(frame, (left + 70, 380), (110, 135), 0, 0, 360, (100, 70, 50), -1)  # the body
+            cv2.rectangle(frame, (left + 48, 215), (left + 92, 262), (85, 105, 135), -1)  # the neck
+            frame, box = put_face(frame, self.identity, left, 100, 140)
             self.sent[msg.header.stamp.sec, msg.header.stamp.nanosec] = frame, box
             self.images.publish(array_to_image(frame, "bgr8", msg.header))
 

@@ -792,7 +792,7 @@ def crop_of(mask):
 
 # %%
 show([crop_of(find_glove(image)) for image in images],
-     [f"{fingers} raised" for fingers in range(6)], columns=6, text="gestures/crops")
+     [f"{fingers} raised" for fingers in range(6)], columns=3, text="gestures/crops")
 
 # %% [markdown]
 # The training data are 600 other hands, drawn at half the size, to be quick. scikit-learn's `MLPClassifier` (BSD-3 licence) trains the network in less than a second. It stops when the *loss*, a number for how wrong the scores are, hardly falls any more. Nothing is downloaded: these weights are our own.

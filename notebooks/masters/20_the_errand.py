@@ -70,7 +70,7 @@ figure_texts = {
         "A dim image from near the floor: two gray slippers close in front of the camera.",
     ),
     "repaired": (
-        "The same seed after the repair: to the lookout, to the sign, and back.",
+        "The same seed after the repair: to the lookout, to the sign, and back. The map has some walls twice, because odom drifts.",
         "A path from the start down to the lookout on the left, then in a bow to a place before the sign on the right, and back to the start; the believed path is near it.",
     ),
     "mine": (
@@ -1410,6 +1410,7 @@ if ros_available():
     session.remove_node(node)
     live_robot.stop()
     print("looks:", node.looks, "  tasks done:", [task for task, _ in errand.diary])
+    print(f"task now: {errand.task.__name__}, {math.dist(errand.place.pose[:2], START[:2]):.1f} m from the start")
     print("the name:", errand.name, "  bumps:", live_camera.bumps)
     live_camera.stop()
 
@@ -1433,7 +1434,15 @@ assert not ros_available() or not in_time or not in_corner
 # | route | (N, 2) | float64 | | metre |
 # | points of a run | one number | int | 0 to 100 | |
 #
-# This was the last lesson. You began with the bytes of one image; now a robot reads a sign in another part of the room, and brings you its name. Take the course's package, or your own functions, to a robot of your own. Before you go, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# This was the last lesson. You began with the bytes of one image; now a robot reads a sign in another part of the room, and brings you its name.
+#
+# **What to do next:**
+#
+# - Let the robot do the whole errand with your own functions: `most_looks = 750` and `my_parts` in the last cell of section 8.
+# - Change one part, such as the number of looks that must agree, and measure it with three seeds by day and in the evening, as in section 7.
+# - Make a package of a node of your own, as in [[ros2_packages]]. On a robot, begin with a node that only looks, such as the one of [[edge_detection_node]]; then let it drive.
+#
+# Before you go, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the numbers in the table

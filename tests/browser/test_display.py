@@ -101,6 +101,16 @@ def test_live_view_shows_red_as_red(notebook):
     assert max(colour_at(page, 0.5, 0.5)[1:]) < 15
 
 
+@pytest.mark.parametrize(
+    "call", ["live_view(camera)", "tune(lambda frame, k: frame, camera.frame(3), k=(0, 9))"]
+)
+def test_no_blank_space_stands_below_an_image_without_a_text(notebook, call):
+    page = notebook(f"view = {call}", "1 + 1")
+    page.wait_for_image()
+    image, screen = (page.page.locator(css).bounding_box() for css in (VIEW, f".widget-vbox:has(> {VIEW})"))
+    assert screen["y"] + screen["height"] - image["y"] - image["height"] <= 6
+
+
 def test_an_error_in_the_function_is_shown_and_the_view_goes_on(notebook):
     page = notebook(
         """

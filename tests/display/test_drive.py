@@ -5,6 +5,7 @@ import math
 import threading
 import time
 
+import numpy as np
 import pytest
 
 pytestmark = pytest.mark.ros
@@ -142,3 +143,31 @@ def test_a_scan_is_drawn_from_where_the_robot_was_when_it_was_taken():
         # Too far away, then near, then at zero: the robot has begun again.
         assert (last["begins"], last["cells"]) == (place[0] != 3.1, [])
         assert last["trace"] == [[*place[:2]]]
+
+
+def test_what_has_moved_away_disappears_from_the_map_and_walls_stay():
+    from imgproc_course.display.drive import _Map
+
+    def scan(moment, *, ball):
+        msg = scan_at(moment, [])
+        msg.angle_increment = math.pi / 180
+        angles = np.radians(np.arange(360) - 180)
+        # A wall 2 m to the right of the scanner, which one sees almost along its surface far away.
+        ranges = np.where(np.cos(angles) > 0.3, 2 / np.maximum(np.cos(angles), 0.3), math.inf)
+        if ball:
+            ranges[175:186] = 1.0
+        msg.ranges = ranges.tolist()
+        return msg
+
+    map_, moments = _Map(), (10.25, 10.75, 11.25)
+    map_.update(odometry_at(10.0, 0.0, 0.0, 0.0), None)
+    first, second, third = (
+        map_.update(odometry_at(moment + 0.25, 0.0, 0.0, 0.0), scan(moment, ball=moment == 10.25))
+        for moment in moments
+    )
+    ball = [cell for cell in first["cells"] if abs(cell[1]) < 1.5 and abs(cell[0]) < 0.5]
+    assert (first["gone"], second["gone"], third["gone"]) == ([], ball, [])
+    assert len(ball) in range(4, 9)
+    map_.begin_again()
+    everything = map_.update(odometry_at(12.0, 0.0, 0.0, 0.0), None)["cells"]
+    assert not [cell for cell in everything if cell in ball] and len(everything) > 60

@@ -1,6 +1,8 @@
 """A notebook's kernel: cells run again in any order, restarts, interrupts and kills, without error output."""
 
+import os
 import time
+from collections import defaultdict
 from queue import Empty
 
 import pytest
@@ -40,7 +42,9 @@ class Notebook:
 
     def __init__(self, stderr):
         self.manager = KernelManager(kernel_name="python3")
-        self.manager.start_kernel(stderr=stderr)
+        # Like a learner's kernel: under pytest, ipykernel would not show what C code prints.
+        environment = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
+        self.manager.start_kernel(stderr=stderr, env=environment)
         self.connect()
 
     def connect(self):
@@ -143,6 +147,52 @@ def test_a_late_warning_of_the_robot_belongs_to_the_cell_that_opened_it(notebook
     with drive_of_another_program(3.0, switch=True):  # as it was, for the other tests
         assert "has switched the robot: it is now playing drive at 10 Hz" in msg["content"]["text"]
         assert msg["parent_header"]["msg_id"] == opening != other_cell
+
+
+TALKER = """
+from rclpy.node import Node
+from std_msgs.msg import Empty
+from imgproc_course.ros import *
+from imgproc_course.ros.node_log import NodeLog
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__("talker", context=RosSession.current().context)
+        self.create_subscription(Empty, "/talker", self.on_message, 10)
+        self.heard, self.log = 0, NodeLog(self)
+        self.get_logger().info("begins")
+
+    def on_message(self, msg):
+        self.heard += 1
+        self.log.warn("kind", "an empty message", f" ({self.heard} so far)")
+        raise ValueError("a mistake of the learner")
+
+talker = RosSession.current().add_node(Talker())
+"""
+TALK = """
+publisher = RosSession.current().node.create_publisher(Empty, "/talker", 10)
+heard_before = talker.heard
+while talker.heard < heard_before + 3:
+    publisher.publish(Empty())
+RosSession.current().stop()
+"""
+
+
+def test_a_nodes_log_is_neutral_once_per_cause_and_below_the_cell_that_made_the_node(notebook):
+    cells = {notebook.client.execute(code): name for name, code in (("made", TALKER), ("talked", TALK))}
+    printed = defaultdict(str)
+    ended = set()
+    while ended != {*cells}:
+        msg = notebook.client.get_iopub_msg(timeout=150)
+        if msg["msg_type"] == "stream":
+            printed[cells[parent(msg)], msg["content"]["name"]] += msg["content"]["text"]
+        elif msg["content"].get("execution_state") == "idle":
+            ended.add(parent(msg))
+    log, error = printed.pop(("made", "stdout")), printed.pop(("made", "stderr"))
+    assert log == "[INFO] [talker]: begins\n[WARN] [talker]: an empty message (1 so far)\n"
+    assert error.startswith("a ROS callback failed; the graph continues\nTraceback")
+    assert error.count("ValueError: a mistake of the learner") == 1
+    assert printed == {}
 
 
 SPIN = """

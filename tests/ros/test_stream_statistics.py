@@ -50,36 +50,21 @@ def test_without_message_numbers_the_losses_are_unknown():
 
 
 @pytest.mark.parametrize(
-    "busy, elapsed, text",
+    "busy, elapsed, why, period",
     [
-        (
-            0.9,
-            1.0,
-            "last second were lost: this node is busy 90% of the time, so the oldest images are dropped",
-        ),
-        (
-            0.1,
-            1.0,
-            "last second were lost: they did not arrive here; does the camera's process use the course's",
-        ),
-        (
-            0.1,
-            2.7,
-            "last 2.7 s were lost: this node's thread was blocked meanwhile, so the oldest images were",
-        ),
-        (
-            2.7,
-            3.0,
-            "last 3.0 s were lost: this node is busy 90% of the time, so the oldest images are dropped",
-        ),
+        (0.9, 1.0, "this node is busy most of the time, so the oldest images are dropped", "second"),
+        (0.1, 1.0, "images get lost on the way to this node: the machine is too busy", "second"),
+        (0.1, 2.7, "this node was blocked for some time, so the oldest images were dropped", "2.7 s"),
+        (2.7, 3.0, "this node is busy most of the time, so the oldest images are dropped", "3.0 s"),
     ],
 )
-def test_losses_are_reported_once_with_their_cause(clock, busy, elapsed, text):
+def test_losses_are_reported_once_with_their_cause(clock, busy, elapsed, why, period):
     statistics = ProcessingStatistics()
     for number in (1, 2, 6):
         statistics.count_received(number)
     statistics.busy, clock.now = busy, clock.now + elapsed
-    assert statistics.new_losses().startswith(f"3 of 6 images of the {text}")
+    cause, counts = statistics.new_losses()
+    assert cause.startswith(why) and counts == f" (3 of 6 images of the last {period})"
     clock.now += 1.0
     assert statistics.new_losses() is None
 
