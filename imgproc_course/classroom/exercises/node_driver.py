@@ -26,6 +26,7 @@ from imgproc_course.classroom.exercises.recording_node import (
     NodeStopped,
     RecordingNode,
     refusals,
+    refuse,
     stop,
     type_text,
 )
@@ -38,6 +39,7 @@ _TRAPS = {
     "cv2": dict.fromkeys(_WINDOWS, "windows"),
     "rclpy": dict.fromkeys(("spin", "spin_once", "spin_until_future_complete"), "spins")
     | {"ok": "is running"},
+    "rclpy.logging": {"get_logger": "loggers"},
 }
 _POLICIES = ("reliability", "durability", "history", "depth")
 
@@ -142,6 +144,8 @@ def _traps(node_class):
                 return function(*arguments, **options)
             if name == "spins":
                 stop(NodeError(_SPINS))
+            if name == "loggers":
+                refuse("get_logger")
             if name == "is running":
                 return True
             used[name] = True

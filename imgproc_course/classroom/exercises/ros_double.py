@@ -297,7 +297,8 @@ def _modules():
     messages = {f"{name}.msg": {} for name in course.ROS_MESSAGES}
     for kind in _MESSAGES:
         messages[kind.__module__][kind.__name__] = kind
-    waiting = dict.fromkeys(("spin", "spin_once", "spin_until_future_complete"), _do_nothing)
+    waiting = ("spin", "spin_once", "spin_until_future_complete")
+    waiting = {name: lambda *_arguments, **_options: None for name in waiting}  # a drive traps each
     ending = dict.fromkeys(("init", "shutdown", "try_shutdown"), _do_nothing)
     packages["rclpy"] = waiting | ending | {"ok": lambda **_options: True}
     groups = ("CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup")
