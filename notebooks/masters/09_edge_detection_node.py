@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: The edge-detection node
-#     minutes: 105
+#     minutes: 125
 # ---
 
 # %% [markdown]
@@ -12,11 +12,12 @@
 #
 # **You will be able to**
 # - run an edge-detection node and change its parameters while it runs,
+# - write such a node yourself,
 # - explain the unit of the two thresholds, and what happens if you swap them,
 # - compare edges with a ground truth, and measure precision, recall and F1,
 # - tune the parameters on some frames, and evaluate them on other frames.
 #
-# **Time** about 105 minutes, with a pause after section 3. **You need** [[grayscale_node]] and [[canny_stages]].
+# **Time** about 125 minutes, with a pause after section 4. **You need** [[grayscale_node]] and [[canny_stages]].
 
 # %% role="given" exercise=["edges-near", "edges-f1"]
 import numpy as np
@@ -29,12 +30,14 @@ from matplotlib.patches import Rectangle
 
 from imgproc_course.display import draw, labelled, live_view
 from imgproc_course.display import show, show_figure, tune
-from imgproc_course.exercises import check, compare_guess, hint, solution
+from imgproc_course.exercises import check, compare_guess, hint
+from imgproc_course.exercises import offer_modules, solution
 from imgproc_course.imaging import add_gaussian_noise, canny, to_gray
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, RosSession
 from imgproc_course.ros import open_camera, ros_available
 
+offer_modules()  # for the exercise in section 4
 recording = open_recording("drive")
 frame = recording.frame(30)
 gray = to_gray(frame)
@@ -50,6 +53,10 @@ figure_texts = {
     "live": (
         "The frame, the gray image and the edges of the drive, live. Move the two ends of the slider.",
         "The living room in colour, in gray and as white lines on black, while the robot drives.",
+    ),
+    "mine": (
+        "The images that my node publishes.",
+        "The edges of my own node, live.",
     ),
     "outlines": (
         "The outlines separate objects. The edges also follow the stripes of the rug and the books.",
@@ -275,17 +282,210 @@ assert different == 0
 assert not ros_available() or (not result.successful and "low" in result.reason)
 
 # %% [markdown]
-# From here on, the lesson does not need the node. The next cell stops the live view and the node, so that your computer has time for the computations below. (To use them again, run the cells of sections 1 and 2 again.)
+# ## 4 · Your turn: the edge-detection node (20 minutes)
+#
+# Write this node yourself, with the names of ROS alone. Begin with your class `ImageGrayProcessor` of [[grayscale_node]]; parameters are new. Each step is one line of the check.
+#
+# 1. **Declare and answer.** The node is called `edge_detector`. It declares the parameters `low`, at first 50, and `high`, at first 150. It subscribes to `/kachaka/front_camera/image_raw` as before (best effort, volatile, depth 5), and publishes on `~/edges`: for each image `cv2.Canny` of its gray image, as `mono8` with the header of the message. *Afterwards* each image of the camera gives an image of its edges.
+# 2. **Follow the parameters.** Read `low` and `high` where you need them, in the callback. *Afterwards* the next image after `ros2 param set /edge_detector low 20` has more edges.
+# 3. **Survive.** A message that cannot be converted is logged as an error, and nothing is published for it. *Afterwards* the node goes on, with the values that were set last.
+#
+# The two lines for a parameter are:
+#
+# ```python
+# self.declare_parameter("low", 50)           # in __init__
+# low = self.get_parameter("low").value       # wherever you need its value
+# ```
+
+# %% role="exercise"
+exercise(
+    "edges-class",
+    subject="node",
+    title="The edge-detection node",
+    function="EdgeDetector",
+    time_limit=5,
+    allowed=("cv2", "imgproc_course.messages", "imgproc_course.imaging"),
+    hint="Compare your class with ImageGrayProcessor: which lines are different?",
+    hints=(
+        "Which lines of your ImageGrayProcessor stay as they are? What must the callback know that it did not need"
+        " for gray?",
+        "1. In __init__, declare both parameters, then create the publisher and the subscription.\n"
+        "2. In image_callback, convert the message to bgr8, and the frame to gray.\n"
+        "3. Read both parameters, call cv2.Canny(gray, low, high), and publish the edges with the header.\n"
+        "4. Put try: and except CvBridgeError: around the conversion of the message alone.",
+        'self.declare_parameter("low", 50)\nself.declare_parameter("high", ...)\n\n'
+        'low = self.get_parameter("low").value\nhigh = ...\nedges = cv2.Canny(gray, low, high)',
+    ),
+    explanation="The callback asks for the parameters at each image, so a change counts from the next image on. A value"
+    " that __init__ keeps in an attribute never changes. get_parameter returns a Parameter; its value is the number.",
+    another_way="You can also keep the values in attributes, and change them in a callback that you register with"
+    " add_on_set_parameters_callback.",
+)
+
+
+def blocks(rng):
+    """A frame of coloured blocks, with steps from faint to strong between them."""
+    colours = rng.integers(0, 256, size=(4, 6, 3))
+    faint = rng.integers(-12, 13, size=(16, 24, 1))
+    frame = colours.repeat(8, axis=0).repeat(8, axis=1) + faint.repeat(2, axis=0).repeat(2, axis=1)
+    return frame.clip(0, 255).astype(np.uint8)
+
+
+def sent(image, number, **more):
+    """A step of a drive: an image of the camera."""
+    return {
+        "image": image,
+        "encoding": "bgr8",
+        "topic": "/kachaka/front_camera/image_raw",
+        "stamp": (100 + number, 1000 * number + 7),
+        "frame_id": f"camera_{number}",
+    } | more
+
+
+# %% role="answer"
+import cv2
+from cv_bridge import CvBridge, CvBridgeError
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from sensor_msgs.msg import Image
+
+
+class EdgeDetector(Node):
+    def __init__(self):
+        raise NotImplementedError("step 1: delete this line, and write it")
+
+    def image_callback(self, msg):
+        pass
+
+
+# %% role="solution"
+import cv2
+from cv_bridge import CvBridge, CvBridgeError
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from sensor_msgs.msg import Image
+
+
+class EdgeDetector(Node):
+    def __init__(self):
+        super().__init__("edge_detector")
+        self.declare_parameter("low", 50)
+        self.declare_parameter("high", 150)
+        self.bridge = CvBridge()
+        qos = QoSProfile(
+            depth=5,
+            reliability=ReliabilityPolicy.BEST_EFFORT,
+            durability=DurabilityPolicy.VOLATILE,
+        )
+        self.publisher = self.create_publisher(Image, "~/edges", qos)
+        self.create_subscription(
+            Image, "/kachaka/front_camera/image_raw", self.image_callback, qos
+        )
+
+    def image_callback(self, msg):
+        try:
+            frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")
+        except CvBridgeError as error:
+            self.get_logger().error(str(error))
+            return
+        gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+        low = self.get_parameter("low").value
+        high = self.get_parameter("high").value
+        edges = cv2.Canny(gray, low, high)
+        edges_msg = self.bridge.cv2_to_imgmsg(edges, "mono8", msg.header)
+        self.publisher.publish(edges_msg)
+
+
+# %% role="check"
+check("edges-class", EdgeDetector)
+
+
+# %% role="case" title="step 1: declare and answer" points=1 hint="Compare names, topics and first values with the task."
+def inputs(rng):
+    return [
+        ("setup", []),
+        ("images", [{"get": ["low", "high"]}, sent(blocks(rng), 1)]),
+    ]
+
+
+# %% role="case" title="step 2: follow the parameters" points=1 hint="Read the parameters in the callback."
+def inputs(rng):
+    frame = blocks(rng)
+    return (
+        "images",
+        [
+            sent(frame, 1),
+            {"set": {"low": int(rng.integers(5, 15))}},
+            sent(frame, 2),
+            {"set": {"high": int(rng.integers(400, 600))}},
+            sent(frame, 3),
+        ],
+    )
+
+
+# %% role="case" title="step 3: survive" points=1 hint="Put try around imgmsg_to_cv2. In except, log the error and return."
+def inputs(rng):
+    return (
+        "images",
+        [
+            {"set": {"low": 10, "high": 30}},
+            sent(blocks(rng), 1),
+            sent(blocks(rng), 2, encoding="bgr16", bad=True),
+            sent(blocks(rng), 3),
+        ],
+    )
+
+
+# %% role="hidden" title="other values, other bad messages" points=1 hint="Read both parameters for each image."
+def inputs(rng):
+    return (
+        "images",
+        [
+            sent(blocks(rng), 4, encoding="rgb8"),
+            {"set": {"low": int(rng.integers(5, 30)), "high": int(rng.integers(300, 900))}},
+            sent(blocks(rng), 5),
+            sent(blocks(rng), 6, cut=True, bad=True),
+            {"set": {"high": int(rng.integers(60, 120))}},
+            sent(blocks(rng), 7),
+        ],
+    )
+
+
+# %% [markdown]
+# **Run it** on the camera. The first cell shows the images that your node publishes. The second one sets a parameter of the running node, as `ros2 param set` does: change the number, and run it again.
+
+# %% tags=["nbval-ignore-output"]
+is_running = ros_available() and check("edges-class", EdgeDetector).points > 0
+if is_running:
+    my_node = session.add_node(EdgeDetector)
+    my_edges = ImageSubscriber("/edge_detector/edges", encoding="mono8")
+    view.stop()
+    view = live_view(my_edges, encoding="mono8", text=figure_texts["mine"])
+else:
+    print("this needs your class and a running ROS 2")
+
+# %%
+# Check: a live view runs
+assert view.running
+
+# %%
+if is_running:
+    result = my_node.set_parameters([Parameter("high", value=500)])
+
+# %% [markdown]
+# From here on, the lesson does not need the nodes. The next cell stops the live view and the nodes, so that your computer has time for the computations below. (To use them again, run the cells of sections 1 and 2 again.)
 
 # %%
 view.stop()
 if ros_available():
     session.remove_node(node)
+    if is_running:
+        session.remove_node(my_node)
 
 # %% [markdown]
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 4 · Which edges are right? (12 minutes)
+# ## 5 · Which edges are right? (12 minutes)
 #
 # To decide which edges are better, we need a **[[term:ground truth]]**: the right result, from another source than the node. The recording has a *[[term:label image]]* for each frame: the value of each of its pixels is the number of the object that the pixel shows. If two neighbouring pixels show different objects, there is a true *outline* between them.
 #
@@ -345,7 +545,7 @@ compare_guess(guess_f1, round(float(f1), 2))
 assert both == 3 and precision == 3 / 4 and recall == 3 / 5 and round(float(f1), 2) == 0.67
 
 # %% [markdown]
-# ## 5 · Near is enough: a tolerance (8 minutes)
+# ## 6 · Near is enough: a tolerance (8 minutes)
 #
 # "On an outline" is too strict: the outline lies *between* two objects, and an edge may be one pixel beside it. So we accept a **tolerance**: an edge pixel counts if an outline pixel is *near*. With a tolerance of 1, near means at most one row *and* at most one column away: the 3 × 3 neighbourhood of a pixel.
 #
@@ -443,7 +643,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · Your turn: F1 (20 minutes)
+# ## 7 · Your turn: F1 (20 minutes)
 #
 # Write `f1_score(edges, outlines, tolerance)`.
 #
@@ -587,7 +787,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · Dim light (15 minutes)
+# ## 8 · Dim light (15 minutes)
 #
 # In dim light, the images of a camera have more noise. Here we add Gaussian noise with a standard deviation of 20 gray levels.
 #
@@ -705,7 +905,7 @@ assert f1_maps.max() == f1_maps[1].max() and f1_maps.max() < bright
 # - The best values have a small blur, with a sigma of one pixel. A sigma of three removes outlines together with the noise.
 # - No values reach the F1 of the images in bright light.
 #
-# ## 8 · Evaluate on frames that you did not tune on (6 minutes)
+# ## 9 · Evaluate on frames that you did not tune on (6 minutes)
 #
 # If you report the F1 of the two frames that you tuned on, the number is usually too good: the values may fit only these two frames. So evaluate the values on other frames. We compare three settings on two new frames: the best values (with sigma = 1), the best values without blur, and 50, 150.
 #
@@ -732,7 +932,7 @@ assert (round(tuned, 2), round(unblurred, 2), round(untuned, 2)) == (0.42, 0.38,
 assert round(f1_maps.max(), 2) == 0.45
 
 # %% [markdown]
-# ## 9 · Practice: better than the map (8 minutes)
+# ## 10 · Practice: better than the map (8 minutes)
 #
 # Move the sliders yourself, on another frame in dim light, which is neither a tuning frame nor a new frame. Then write your values into the cell below the image, and run it: it prints their F1 on the new frames. Do this only once. If you look at the result and change your values again, you tune on the new frames.
 
