@@ -69,7 +69,8 @@ def drive(node_class, look, steps):
     node_class, patches = _recording(node_class)
     with contextlib.ExitStack() as stack, _stops_end_here():
         for owner, name, value in patches:
-            stack.enter_context(_patched(owner, name, value))
+            stack.callback(setattr, owner, name, getattr(owner, name))
+            setattr(owner, name, value)
         used = stack.enter_context(_traps(node_class))
         node = node_class()
         record = node._node_record
@@ -120,17 +121,6 @@ def _between(node_class, ros_node):
 
     # Node.__init__(self, ...) does not look for the class between, as super() does.
     return type(node_class.__name__, (node_class, between), {}), [(ros_node, "__init__", start_recording)]
-
-
-@contextlib.contextmanager
-def _patched(owner, name, value):
-    """Like mock.patch.object, whose import takes long."""
-    old = getattr(owner, name)
-    setattr(owner, name, value)
-    try:
-        yield
-    finally:
-        setattr(owner, name, old)
 
 
 @contextlib.contextmanager
