@@ -156,21 +156,21 @@ class RosSession:
         first, so a cell that runs again does not leave two nodes. A class without arguments is created here,
         in the session's context; it replaces nodes of a class of this name.
         """
-        if isinstance(node, type):
-            node = self._create(node)
-        self.run(functools.partial(self._running_spinner().add, node))
-        return node
+        added = self._create(node) if isinstance(node, type) else node
+        self.run(functools.partial(self._running_spinner().add, added))
+        return added
 
-    def _create(self, node_class):
+    def _create(self, node_class: Any) -> Node:
         for node in self._running_spinner().nodes():
             if type(node).__name__ == node_class.__name__:
                 self.remove_node(node)
         # Its __init__ names no context, so that it is the same as in a script.
-        default_context, rclpy.node.get_default_context = rclpy.node.get_default_context, lambda: self.context
+        names = vars(rclpy.node)
+        default_context, names["get_default_context"] = names["get_default_context"], lambda: self.context
         try:
             return node_class()
         finally:
-            rclpy.node.get_default_context = default_context
+            names["get_default_context"] = default_context
 
     def remove_node(self, node: Node) -> None:
         """Stops spinning your node and destroys it. A second call does nothing."""

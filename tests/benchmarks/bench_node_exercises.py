@@ -2,8 +2,8 @@
 
     .venv/bin/python tests/benchmarks/bench_node_exercises.py
 
-Budgets: 0.1 s of wall time for a check in the notebook, 0.5 s of processor time for a submission in the sandbox.
-The exit code is 1 if one is exceeded.
+Budgets: 0.1 s of wall time for a check in the notebook, 0.5 s of processor time for a submission in the
+sandbox. The exit code is 1 if one is exceeded.
 """
 
 import statistics

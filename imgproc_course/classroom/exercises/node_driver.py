@@ -26,6 +26,7 @@ from imgproc_course.classroom.exercises.recording_node import (
     NodeStopped,
     RecordingNode,
     refusals,
+    refuse,
     stop,
     type_text,
 )
@@ -38,6 +39,7 @@ _TRAPS = {
     "cv2": dict.fromkeys(_WINDOWS, "windows"),
     "rclpy": dict.fromkeys(("spin", "spin_once", "spin_until_future_complete"), "spins")
     | {"ok": "is running"},
+    "rclpy.logging": {"get_logger": "loggers"},
 }
 _POLICIES = ("reliability", "durability", "history", "depth")
 
@@ -67,7 +69,8 @@ def drive(node_class, look, steps):
     node_class, patches = _recording(node_class)
     with contextlib.ExitStack() as stack, _stops_end_here():
         for owner, name, value in patches:
-            stack.enter_context(_patched(owner, name, value))
+            stack.callback(setattr, owner, name, getattr(owner, name))
+            setattr(owner, name, value)
         used = stack.enter_context(_traps(node_class))
         node = node_class()
         record = node._node_record
@@ -121,17 +124,6 @@ def _between(node_class, ros_node):
 
 
 @contextlib.contextmanager
-def _patched(owner, name, value):
-    """Like mock.patch.object, whose import takes long."""
-    old = getattr(owner, name)
-    setattr(owner, name, value)
-    try:
-        yield
-    finally:
-        setattr(owner, name, old)
-
-
-@contextlib.contextmanager
 def _traps(node_class):
     """Trap what a node must not do, also under the names that the learner's cell imported it by."""
     used, own_thread = {"sleeps": False, "windows": False}, threading.get_ident()
@@ -142,6 +134,8 @@ def _traps(node_class):
                 return function(*arguments, **options)
             if name == "spins":
                 stop(NodeError(_SPINS))
+            if name == "loggers":
+                refuse("get_logger")
             if name == "is running":
                 return True
             used[name] = True

@@ -42,7 +42,7 @@ def sentence_on_node(expected, actual, arguments):
         for pattern, sentence in _SENTENCES.items():
             match = re.fullmatch(pattern, path)
             if match:
-                names = match.groupdict() | {"expected": _as_text(wanted), "actual": _as_text(given)}
+                names = match.groupdict() | {"expected": wanted, "actual": given}
                 steps = arguments[1][: int(names.get("step", -1)) + 1]
                 text = sentence(wanted, given, steps) if callable(sentence) else sentence
                 return text.format(**names)
@@ -87,16 +87,6 @@ def _differences(expected, actual, path=""):
                 return
     elif type(expected) is not type(actual) or not np.array_equal(expected, actual):
         yield path, expected, actual
-
-
-def _as_text(value):
-    """A value in a sentence; of subscriptions or publishers their topics."""
-    topics = (
-        [str(entry.get("topic")) for entry in value if isinstance(entry, dict)]
-        if isinstance(value, list)
-        else ()
-    )
-    return " and ".join(topics) or str(value)
 
 
 def _on_endpoints(noun):

@@ -58,13 +58,6 @@ class NodeRecord:
         self.publishers, self.subscriptions, self.timers = [], [], []
         self.published, self.logged = [], []
 
-    def remove(self, created):
-        """Forget a publisher, a subscription or a timer; whether it was there."""
-        lists = [items for items in (self.publishers, self.subscriptions, self.timers) if created in items]
-        for items in lists:
-            items.remove(created)
-        return bool(lists)
-
 
 class _Logger:
     def __init__(self, name, logged):
@@ -150,7 +143,7 @@ class RecordingNode:
         self._node_record = NodeRecord()
         self._node_name, self._node_namespace = node_name, "/" + (namespace or "").strip("/")
         self._node_context, self._node_logger = context, _Logger(node_name, self._node_record.logged)
-        self._declared, self._set_callbacks, self._post_callbacks = {}, [], []
+        self._declared, self._set_callbacks = {}, []
         self._overrides = {parameter.name: parameter for parameter in parameter_overrides or ()}
 
     def __getattr__(self, name):
@@ -163,10 +156,6 @@ class RecordingNode:
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     context = property(lambda self: self._node_context)
-    default_callback_group = property(lambda self: None)
-    publishers = property(lambda self: iter(self._node_record.publishers))
-    subscriptions = property(lambda self: iter(self._node_record.subscriptions))
-    timers = property(lambda self: iter(self._node_record.timers))
 
     def get_name(self):
         return self._node_name
@@ -212,17 +201,11 @@ class RecordingNode:
         return endpoints[-1]
 
     def create_timer(self, timer_period_sec, callback, *_arguments, autostart=True, **_options):
-        timer = _Timer(int(float(timer_period_sec) * 1e9), callback, is_on=autostart)
-        self._node_record.timers.append(timer)
-        return timer
+        self._node_record.timers.append(_Timer(callback, is_on=autostart))
+        return self._node_record.timers[-1]
 
     def destroy_node(self):
         pass
-
-    def destroy_publisher(self, created):
-        return self._node_record.remove(created)
-
-    destroy_subscription = destroy_timer = destroy_publisher
 
     # ------------------------------------------------------------ parameters
 
@@ -264,16 +247,8 @@ class RecordingNode:
     def get_parameters(self, names):
         return [self.get_parameter(name) for name in names]
 
-    def get_parameter_or(self, name, alternative_value=None):
-        if name in self._declared and self._declared[name][0].value is not None:
-            return self._declared[name][0]
-        return alternative_value or ros_name("rclpy.parameter", "Parameter")(name)
-
     def add_on_set_parameters_callback(self, callback):
         self._set_callbacks.insert(0, callback)
-
-    def add_post_set_parameters_callback(self, callback):
-        self._post_callbacks.insert(0, callback)
 
     def set_parameters(self, parameter_list):
         return [self.set_parameters_atomically([parameter]) for parameter in parameter_list]
@@ -301,23 +276,20 @@ class RecordingNode:
         for parameter in parameters:
             about = new[parameter.name] if new else self._declared[parameter.name][1:]
             self._declared[parameter.name] = (parameter, *about)
-        for callback in self._post_callbacks:
-            callback(parameters)
         return result_class(successful=True)
 
 
 class _Timer:
-    def __init__(self, period, callback, is_on):
-        self.timer_period_ns, self.callback, self.is_on = period, callback, is_on
+    """A timer; its period has no meaning in a drive."""
+
+    def __init__(self, callback, is_on):
+        self.callback, self.is_on = callback, is_on
 
     def cancel(self):
         self.is_on = False
 
     def reset(self):
         self.is_on = True
-
-    def is_canceled(self):
-        return not self.is_on
 
 
 def _problem_of(parameter, kind, descriptor, is_new):
@@ -340,17 +312,19 @@ def _problem_of(parameter, kind, descriptor, is_new):
 UNKNOWN = re.findall(
     r"\w+",
     """
-    PARAM_REL_TOL add_pre_set_parameters_callback add_waitable clients count_clients count_publishers
-    count_services count_subscribers create_client create_guard_condition create_rate create_service
-    describe_parameter describe_parameters destroy_client destroy_guard_condition destroy_rate destroy_service
-    executor get_client_names_and_types_by_node get_fully_qualified_node_names get_node_names
-    get_node_names_and_namespaces get_node_names_and_namespaces_with_enclaves get_parameter_type
-    get_parameter_types get_parameters_by_prefix get_publisher_names_and_types_by_node
-    get_publishers_info_by_topic get_service_names_and_types get_service_names_and_types_by_node
-    get_subscriber_names_and_types_by_node get_subscriptions_info_by_topic get_topic_names_and_types guards
-    handle list_parameters remove_on_set_parameters_callback remove_post_set_parameters_callback
+    PARAM_REL_TOL add_post_set_parameters_callback add_pre_set_parameters_callback add_waitable clients
+    count_clients count_publishers count_services count_subscribers create_client create_guard_condition
+    create_rate create_service default_callback_group describe_parameter describe_parameters
+    destroy_client destroy_guard_condition destroy_publisher destroy_rate destroy_service
+    destroy_subscription destroy_timer executor get_client_names_and_types_by_node
+    get_fully_qualified_node_names get_node_names get_node_names_and_namespaces
+    get_node_names_and_namespaces_with_enclaves get_parameter_or get_parameter_type get_parameter_types
+    get_parameters_by_prefix get_publisher_names_and_types_by_node get_publishers_info_by_topic
+    get_service_names_and_types get_service_names_and_types_by_node get_subscriber_names_and_types_by_node
+    get_subscriptions_info_by_topic get_topic_names_and_types guards handle list_parameters publishers
+    remove_on_set_parameters_callback remove_post_set_parameters_callback
     remove_pre_set_parameters_callback remove_waitable resolve_service_name services set_descriptor
-    undeclare_parameter wait_for_node waitables
+    subscriptions timers undeclare_parameter wait_for_node waitables
     """,
 )
 

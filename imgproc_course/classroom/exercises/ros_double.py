@@ -44,14 +44,6 @@ class _Message:
 
     __hash__ = None
 
-    def __repr__(self):
-        values = ", ".join(f"{name}={getattr(self, name)!r}" for name in self._fields)
-        return f"{type(self).__module__}.{type(self).__name__}({values})"
-
-    @classmethod
-    def get_fields_and_field_types(cls):
-        return {name: getattr(kind, "__name__", "") for name, kind in cls._fields.items()}
-
 
 def _bytes():
     return array.array("B")
@@ -66,14 +58,12 @@ _Time = _message("Time", "builtin_interfaces", sec=int, nanosec=int)
 _Header = _message("Header", "std_msgs", stamp=_Time, frame_id=str)
 _MESSAGES = (
     *(_Time, _Header),
-    _message("String", "std_msgs", data=str),
     _message(
         "Image",
         "sensor_msgs",
         **dict.fromkeys(("height", "width", "is_bigendian", "step"), int),
         **{"header": _Header, "encoding": str, "data": _bytes},
     ),
-    _message("CompressedImage", "sensor_msgs", header=_Header, format=str, data=_bytes),
     _message("SetParametersResult", "rcl_interfaces", successful=bool, reason=str),
     _message("IntegerRange", "rcl_interfaces", from_value=int, to_value=int, step=int),
     _message("FloatingPointRange", "rcl_interfaces", from_value=float, to_value=float, step=float),
@@ -125,9 +115,7 @@ class _Parameter:
 
 
 def _policy(name, values):
-    return enum.IntEnum(
-        name, {member: number for number, member in enumerate(values.split()) if member != "-"}
-    )
+    return enum.IntEnum(name, {member: number for number, member in enumerate(values.split())})
 
 
 _POLICIES = {
@@ -136,11 +124,11 @@ _POLICIES = {
         "DurabilityPolicy", "SYSTEM_DEFAULT TRANSIENT_LOCAL VOLATILE UNKNOWN BEST_AVAILABLE"
     ),
     "history": _policy("HistoryPolicy", "SYSTEM_DEFAULT KEEP_LAST KEEP_ALL UNKNOWN"),
-    "liveliness": _policy(
-        "LivelinessPolicy", "SYSTEM_DEFAULT AUTOMATIC - MANUAL_BY_TOPIC UNKNOWN BEST_AVAILABLE"
-    ),
 }
-_OTHER_POLICIES = ("lifespan", "deadline", "liveliness_lease_duration", "avoid_ros_namespace_conventions")
+_OTHER_POLICIES = (
+    *("lifespan", "deadline", "liveliness", "liveliness_lease_duration"),
+    "avoid_ros_namespace_conventions",
+)
 
 
 class InvalidQoSProfileException(Exception):
@@ -157,7 +145,7 @@ class _QoSProfile:
         self.history = policies.pop("history", _POLICIES["history"].KEEP_LAST)
         if self.history.name == "KEEP_LAST" and "depth" not in policies:
             raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
-        defaults = {"depth": 10, "reliability": 1, "durability": 2, "liveliness": 0}
+        defaults = {"depth": 10, "reliability": 1, "durability": 2}
         for name, value in (defaults | policies).items():
             setattr(self, name, value)
 
@@ -193,25 +181,13 @@ class _Instant:
     def __sub__(self, other):
         return _Instant(self.nanoseconds - other.nanoseconds)
 
-    def seconds_nanoseconds(self):
-        return divmod(self.nanoseconds, 10**9)
-
     def to_msg(self):
-        return _Time(**dict(zip(("sec", "nanosec"), self.seconds_nanoseconds(), strict=True)))
+        sec, nanosec = divmod(self.nanoseconds, 10**9)
+        return _Time(sec=sec, nanosec=nanosec)
 
 
 def _do_nothing(*_arguments, **_options):
     return None
-
-
-def _spin(*arguments, **options):
-    """What `spin` of an executor does: a drive traps rclpy.spin."""
-    return ros_name("rclpy", "spin")(*arguments, **options)
-
-
-class _Executor:
-    __init__ = add_node = remove_node = shutdown = _do_nothing
-    spin = spin_once = spin_until_future_complete = _spin
 
 
 def _check_name(pattern, error):
@@ -252,7 +228,6 @@ _ERRORS = {
     **dict.fromkeys(("InvalidNodeNameException", "InvalidTopicNameException"), Exception.__init__),
 }
 _ERRORS = {name: type(name, (Exception,), {"__init__": init}) for name, init in _ERRORS.items()}
-_ERRORS["NotInitializedException"] = type("NotInitializedException", (Exception,), {})
 
 
 class _Uncovered(type):
@@ -274,6 +249,12 @@ class _Module(types.ModuleType):
         return _Uncovered(name, (), {"__module__": self.__name__})
 
 
+# They can be imported; what is in them cannot be used.
+_EMPTY_MODULES = re.findall(
+    r"\w+", "action client context duration executors lifecycle logging service task time timer utilities"
+)
+
+
 def _qos_names():
     sensor_data = _QoSProfile(depth=5, reliability=_POLICIES["reliability"].BEST_EFFORT)
     system_default = _QoSProfile(
@@ -283,9 +264,6 @@ def _qos_names():
     return names | {
         "QoSProfile": _QoSProfile,
         "InvalidQoSProfileException": InvalidQoSProfileException,
-        "QoSPresetProfiles": enum.Enum(
-            "QoSPresetProfiles", {"SENSOR_DATA": sensor_data, "SYSTEM_DEFAULT": system_default}
-        ),
         "qos_profile_sensor_data": sensor_data,
         "qos_profile_system_default": system_default,
     }
@@ -293,39 +271,30 @@ def _qos_names():
 
 def _modules():
     """{name: what the double has in this module}."""
-    packages = {name: {} for name in ("rclpy", *course.ROS_MESSAGES)}
-    messages = {f"{name}.msg": {} for name in course.ROS_MESSAGES}
+    names = ("rclpy", *course.ROS_MESSAGES, *(f"{package}.msg" for package in course.ROS_MESSAGES))
+    modules = {name: {} for name in (*names, *(f"rclpy.{module}" for module in _EMPTY_MODULES))}
     for kind in _MESSAGES:
-        messages[kind.__module__][kind.__name__] = kind
-    waiting = dict.fromkeys(("spin", "spin_once", "spin_until_future_complete"), _do_nothing)
-    ending = dict.fromkeys(("init", "shutdown", "try_shutdown"), _do_nothing)
-    packages["rclpy"] = waiting | ending | {"ok": lambda **_options: True}
+        modules[kind.__module__][kind.__name__] = kind
+    for name in ("spin", "spin_once", "spin_until_future_complete"):
+        modules["rclpy"][name] = lambda *_arguments, **_options: None  # each its own: a drive traps them
+    modules["rclpy"] |= dict.fromkeys(("init", "shutdown", "try_shutdown"), _do_nothing)
+    modules["rclpy"]["ok"] = lambda **_options: True
     groups = ("CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup")
-    shutdown = type("ExternalShutdownException", (Exception,), {})
-    executors = dict.fromkeys(("SingleThreadedExecutor", "MultiThreadedExecutor"), _Executor)
     node_class = type("Node", (RecordingNode,), refusals(UNKNOWN) | {"__module__": "rclpy.node"})
-    topic, name = r"(~|(~/|/)?[A-Za-z_]\w*)(/[A-Za-z_]\w*)*", r"[A-Za-z_]\w*"
-    others = ("action", "client", "context", "duration", "lifecycle", "logging", "service", "task", "time")
-    return (
-        packages
-        | messages
-        | {f"rclpy.{module}": {} for module in (*others, "timer", "utilities")}
-        | {
-            "rclpy.node": {"Node": node_class},
-            "rclpy.qos": _qos_names(),
-            "rclpy.parameter": {"Parameter": _Parameter},
-            "rclpy.exceptions": _ERRORS,
-            "rclpy.clock": {"Clock": _Clock},
-            "rclpy.callback_groups": {group: type(group, (), {}) for group in groups},
-            "rclpy.executors": executors | {"ExternalShutdownException": shutdown},
-            "rclpy.expand_topic_name": {"expand_topic_name": _expand_topic_name},
-            "rclpy.type_support": {"check_is_valid_msg_type": _check_message_class},
-            "rclpy.validate_node_name": {"validate_node_name": _check_name(name, "InvalidNodeNameException")},
-            "rclpy.validate_topic_name": {
-                "validate_topic_name": _check_name(topic, "InvalidTopicNameException")
-            },
-        }
-    )
+    check_node_name = _check_name(r"[A-Za-z_]\w*", "InvalidNodeNameException")
+    check_topic = _check_name(r"(~|(~/|/)?[A-Za-z_]\w*)(/[A-Za-z_]\w*)*", "InvalidTopicNameException")
+    return modules | {
+        "rclpy.node": {"Node": node_class},
+        "rclpy.qos": _qos_names(),
+        "rclpy.parameter": {"Parameter": _Parameter},
+        "rclpy.exceptions": _ERRORS,
+        "rclpy.clock": {"Clock": _Clock},
+        "rclpy.callback_groups": {group: type(group, (), {}) for group in groups},
+        "rclpy.expand_topic_name": {"expand_topic_name": _expand_topic_name},
+        "rclpy.type_support": {"check_is_valid_msg_type": _check_message_class},
+        "rclpy.validate_node_name": {"validate_node_name": check_node_name},
+        "rclpy.validate_topic_name": {"validate_topic_name": check_topic},
+    }
 
 
 def offer_modules(*, even_if_installed=False):

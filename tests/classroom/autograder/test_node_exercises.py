@@ -14,7 +14,13 @@ pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("node exercises"), py
 MASTERS = Path(__file__).parents[3] / "notebooks/masters"
 LESSONS = {"node-class": "grayscale_node", "edges-class": "edge_detection_node"}
 ATTACKS = {name: outcomes for name, _, outcomes in NODE_ATTACKS}
-UNGRADED = {"a service", "logging by rclpy"}  # they use what the double does not have
+UNGRADED = ("a service", "logging by rclpy")  # they use what the double does not have
+# test_node_exercises.py beside `check` has all of them.
+SAMPLE = [
+    answer
+    for number, answer in enumerate(ANSWERS)
+    if number % 5 == 0 or answer.name in ("a service", "reliable")
+]
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +29,7 @@ def exercises(tmp_path_factory):
     key = make_key(MASTERS, 8_675_309, tmp_path_factory.mktemp("key") / "key", LESSONS.values())
     submissions = [
         (f"{answer.exercise}: {answer.name}", LESSONS[answer.exercise], {answer.exercise: answer.source})
-        for answer in ANSWERS
+        for answer in SAMPLE
     ]
     submissions += [(name, "grayscale_node", {"node-class": source}) for name, source, _ in NODE_ATTACKS]
     return {
@@ -32,7 +38,7 @@ def exercises(tmp_path_factory):
     }
 
 
-@pytest.mark.parametrize("answer", ANSWERS, ids=[f"{a.exercise}: {a.name}" for a in ANSWERS])
+@pytest.mark.parametrize("answer", SAMPLE, ids=[f"{a.exercise}: {a.name}" for a in SAMPLE])
 def test_grading_says_what_check_says(answer, exercises):
     exercise = exercises[f"{answer.exercise}: {answer.name}"]
     passes = "".join(
@@ -48,8 +54,8 @@ def test_grading_says_what_check_says(answer, exercises):
 def test_a_message_is_the_sentence_of_check(exercises):
     reliable = exercises["node-class: reliable"].cases
     assert reliable[0].message == (
-        "The camera offers best effort: ROS does not connect a RELIABLE subscription, so no image arrives. Write"
-        " reliability=ReliabilityPolicy.BEST_EFFORT."
+        "The camera offers best effort: ROS does not connect a RELIABLE subscription, so no image arrives."
+        " Write reliability=ReliabilityPolicy.BEST_EFFORT."
     )
     assert reliable[-1].hidden and reliable[-1].message == "" and reliable[-1].failed_call is None
     service = exercises["node-class: a service"].cases[0]

@@ -259,6 +259,7 @@ def test_each_changed_method_is_a_new_try():
     digests = [digest_of(answer_in(source, f"<cell {k}>")) for k, source in enumerate(sources)]
     assert len(set(digests)) == 4
     assert digest_of(answer_in(RIGHT.replace("* 2", "*  2  # twice"), "<cell 5>")) == digests[0]
+    assert digest_of(class_in(RIGHT)) != digest_of(class_in(WRONG))  # their cell is not known
 
 
 def test_methods_of_own_bases_belong_to_an_answer():

@@ -153,7 +153,7 @@ NODE_FORMS = {
         2,
     ),
     "a stub above": (["class Doubler:\n    pass"], NODE.format(2), 2),
-    "a module": (["import scipy"], ATTRIBUTE.replace("= FACTOR", "= scipy.e"), 0),
+    "a module": (["import scipy"], ATTRIBUTE.replace("= FACTOR", "= min(2, len(scipy.version.version))"), 0),
     "main below": ([], f"{NODE.format(2)}\nif __name__ == '__main__':\n    print('main')", 2),
 }
 NODE_MORE = [

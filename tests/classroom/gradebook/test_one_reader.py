@@ -363,7 +363,7 @@ def test_a_class_and_other_cells_give_the_same_points(nodes, node_kernel, tmp_pa
     assert in_kernel in (None, in_run), (text, content["findings"], content["answers"])
 
 
-NODE_STUB = "class Doubler(Node):\n    def __init__(self):\n        self.factor = 2\n        raise NotImplementedError"
+NODE_STUB = "class Doubler(Node):\n    def __init__(self):\n        f = 2\n        raise NotImplementedError"
 
 
 @pytest.mark.parametrize(
@@ -387,8 +387,8 @@ NODE_STUB = "class Doubler(Node):\n    def __init__(self):\n        self.factor 
             NODE_STUB,
             [NODE.format(2)],
             "answered",
-            "graded from another cell (mine), which defines Doubler: its answer cell (answer-nodes-double) holds"
-            " the stub",
+            "graded from another cell (mine), which defines Doubler: its answer cell (answer-nodes-double)"
+            " holds the stub",
         ),
     ],
 )
