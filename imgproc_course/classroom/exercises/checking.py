@@ -269,8 +269,9 @@ def _judge_calls(exercise, function, calls, dependencies):
     errors = {case_call.result.error for case_call in calls}
     is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
     if "NotImplementedError" in errors or is_stub:
-        has_line = isinstance(function, type) and not is_stub
-        remarks = (STUB_LINE,) if has_line else _remarks(exercise, function)
+        remarks = _remarks(exercise, function)
+        if isinstance(function, type):
+            remarks = () if is_stub else (STUB_LINE,)
         return CheckResult(exercise, attempted=False, remarks=remarks)
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     has_passed = all(result.passed for result in results)

@@ -26,6 +26,7 @@ from imgproc_course.classroom.exercises.recording_node import (
     NodeStopped,
     RecordingNode,
     refusals,
+    refuse,
     stop,
     type_text,
 )
@@ -36,7 +37,9 @@ _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows"
 _TRAPS = {
     "time": {"sleep": "sleeps"},
     "cv2": dict.fromkeys(_WINDOWS, "windows"),
-    "rclpy": dict.fromkeys(("spin", "spin_once", "spin_until_future_complete"), "spins"),
+    "rclpy": dict.fromkeys(("spin", "spin_once", "spin_until_future_complete"), "spins")
+    | {"ok": "is running"},
+    "rclpy.logging": {"get_logger": "loggers"},
 }
 _POLICIES = ("reliability", "durability", "history", "depth")
 
@@ -73,9 +76,10 @@ def drive(node_class, look, steps):
         early, results = len(record.published), []
         for step in steps:
             has_ended = bool(results) and bool(results[-1].get("ended"))
-            results.append(results[-1] if has_ended else _result(node, record, step))
+            results.append(results[-1] if has_ended else _take_step(node, record, step))
         if look == "setup":
-            return _description(node) | {"published early": early} | used
+            description = describe_node(node.get_name(), record.subscriptions, record.publishers)
+            return description | {"published early": early} | used
         return {"steps": results} | used
 
 
@@ -140,6 +144,10 @@ def _traps(node_class):
                 return function(*arguments, **options)
             if name == "spins":
                 stop(NodeError(_SPINS))
+            if name == "loggers":
+                refuse("get_logger")
+            if name == "is running":
+                return True
             used[name] = True
             return -1  # no key was pressed
 
@@ -163,8 +171,8 @@ def _traps(node_class):
 
 
 _SPINS = (
-    "rclpy.spin and spin_once wait for messages, and do not belong into the class of a node. __init__ only"
-    " creates, the callback only answers; main spins the node, and here the check does it for you"
+    "rclpy.spin and spin_once wait for messages: they do not belong in the class of a node. __init__ only"
+    " creates, and the callback only answers. main spins the node; here the check does it."
 )
 
 
@@ -176,16 +184,16 @@ def _functions_of(node_class):
 # ---------------------------------------------------------------- what it does
 
 
-def _description(node):
-    record = node._node_record
-    subscriptions = [
+def describe_node(name, subscriptions, publishers):
+    """What the constructor of a node made, as plain values."""
+    described = [
         _endpoint(endpoint) | {name: _policy(endpoint, name) for name in _POLICIES}
-        for endpoint in record.subscriptions
+        for endpoint in subscriptions
     ]
     return {
-        "node": node.get_name(),
-        "subscriptions": sorted(subscriptions, key=lambda entry: entry["topic"]),
-        "publishers": sorted(map(_endpoint, record.publishers), key=lambda entry: entry["topic"]),
+        "node": name,
+        "subscriptions": sorted(described, key=lambda entry: entry["topic"]),
+        "publishers": sorted(map(_endpoint, publishers), key=lambda entry: entry["topic"]),
     }
 
 
@@ -198,19 +206,16 @@ def _policy(endpoint, name):
     return getattr(value, "name", value)
 
 
-def _result(node, record, step):
-    if "set" in step:
-        return {"accepted": {name: _set(node, name, value) for name, value in step["set"].items()}}
-    if "get" in step:
-        names = filter(node.has_parameter, step["get"])
-        return {"parameters": {name: node.get_parameter(name).value for name in names}}
+def _take_step(node, record, step):
+    if "image" not in step:
+        return ask_parameters(node, step)
     published, logged = len(record.published), len(record.logged)
     delivered, ended = 0, ""
     for subscription in list(record.subscriptions):
         if _is_connected(subscription, step["topic"]):
             delivered += 1
             try:
-                subscription.call(_message(step, subscription.msg_type))
+                subscription.call(image_message(step, subscription.msg_type))
             except Exception as error:
                 if not step.get("bad"):
                     raise
@@ -219,21 +224,48 @@ def _result(node, record, step):
         if timer.is_on:
             timer.callback()
     levels = [level for level, _ in record.logged[logged:]]
+    return describe_answer(step, delivered, ended, levels, record.published[published:])
+
+
+def ask_parameters(node, step):
+    """What came of a step that sets or gets parameters; None for one that the node does not have."""
+    if "get" in step:
+        names = filter(node.has_parameter, step["get"])
+        return {"parameters": {name: node.get_parameter(name).value for name in names}}
+    parameter_class = importlib.import_module("rclpy.parameter").Parameter
+    accepted = {}
+    for name, value in step["set"].items():
+        accepted[name] = None
+        if node.has_parameter(name):
+            accepted[name] = node.set_parameters([parameter_class(name, value=value)])[0].successful
+    return {"accepted": accepted}
+
+
+def describe_answer(step, delivered, ended, levels, published):
+    """What came of a step that sent an image, as plain values.
+
+    delivered  how many subscriptions got it
+    ended      the type of the exception that ended the node, ""
+    levels     of what the node logged; only an error counts if the message was right
+    published  (topic, fields) of each message
+    """
     level = max(levels, key=LEVELS.index, default="")
+    level = "error" if level == "fatal" else level
     return {
         "delivered": delivered,
         "ended": ended,
-        "log": "error" if level == "fatal" else level if step.get("bad") or level == "error" else "",
-        "published": [_plain_message(topic, fields) for topic, fields in record.published[published:]],
+        "log": level if step.get("bad") or level == "error" else "",
+        "published": [_with_pixels(topic, fields) for topic, fields in published],
     }
 
 
-def _set(node, name, value):
-    """Whether a node takes a value for a parameter; None if it has no such parameter."""
-    if not node.has_parameter(name):
-        return None
-    parameter = importlib.import_module("rclpy.parameter").Parameter(name, value=value)
-    return bool(node.set_parameters([parameter])[0].successful)
+def _with_pixels(topic, fields):
+    """A published message; the bytes of an image as "pixels", in rows."""
+    fields = {"topic": topic} | fields
+    if "data" in fields:
+        data, step = np.frombuffer(fields.pop("data"), np.uint8), fields.pop("step") or 1
+        fields["pixels"] = data.reshape(-1, step) if data.size % step == 0 else data
+    return fields
 
 
 def _is_connected(subscription, topic):
@@ -243,7 +275,8 @@ def _is_connected(subscription, topic):
     return is_image and not asks_for_more & {"RELIABLE", "TRANSIENT_LOCAL"}
 
 
-def _message(step, kind):
+def image_message(step, kind):
+    """The message of a step that sends an image, of the class `kind`."""
     pixels = np.ascontiguousarray(step["image"])
     msg = kind()
     msg.height, msg.width = pixels.shape[:2]
@@ -252,15 +285,3 @@ def _message(step, kind):
     msg.header.frame_id = step["frame_id"]
     msg.data.frombytes(pixels.tobytes()[: pixels.nbytes // 2 if step.get("cut") else None])
     return msg
-
-
-def _plain_message(topic, fields):
-    """A published message; the bytes of an image as "pixels", in rows."""
-    fields = {"topic": topic} | fields
-    if "data" in fields:
-        data = np.frombuffer(fields.pop("data"), np.uint8)
-        fields["pixels"] = (
-            data.reshape(-1, fields["step"] or 1) if data.size % (fields["step"] or 1) == 0 else data
-        )
-        del fields["step"]
-    return fields

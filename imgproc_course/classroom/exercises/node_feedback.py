@@ -194,9 +194,12 @@ _SENTENCES = {
 STEP/delivered
     The image did not reach your node: ROS connects none of its subscriptions with the camera. Repair step 1
     first.
-STEP/(accepted|parameters)(/\w+)?
+STEP/parameters(/\w+)?
     Your node does not have the parameters of the task, with their first values: __init__ declares each, as in
     self.declare_parameter("low", 50).
+STEP/accepted/(?P<name>\w+)
+    Your node does not take a new value for the parameter {name}: it is not declared, or with another type
+    (50.0 is no whole number), or a callback refuses it.
 IMAGE/topic
     The image is published on {actual}. The task asks for {expected}.
 IMAGE/encoding
@@ -220,8 +223,8 @@ AttributeError: .*_TYPE_SUPPORT
     The first argument of create_publisher and create_subscription is the class of the messages: Image.
 InvalidTopicNameException
     A topic name has letters, digits, _ and /, such as ~/gray.
-Parameter(?:NotDeclared|Uninitialized)Exception
-    Declare the parameter in __init__, with its first value: self.declare_parameter("low", 50).
+Parameter(?:NotDeclared|Uninitialized)Exception: .*?(\w+)\W*\n
+    Declare the parameter \1 in __init__, with its first value: self.declare_parameter("\1", ...).
 TypeError: Expected .*, got .*ndarray
     publish takes a message, and this is an array: convert it with cv2_to_imgmsg first.
 """)

@@ -38,8 +38,8 @@ def stop(error):
 def refuse(name):
     stop(
         NotGradedError(
-            f"this check does not have {name} (is it spelled right?): write the node without it, or let your"
-            " teacher look at it"
+            f"This check does not know {name} (is it spelled right?). Write the node without it, or ask your"
+            " teacher to look at it."
         )
     )
 
@@ -102,7 +102,7 @@ class _Endpoint:
     def publish(self, msg):
         if not isinstance(msg, self.msg_type):
             raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
-        self._record.published.append((self.topic_name, _fields_of(msg)))
+        self._record.published.append((self.topic_name, fields_of(msg)))
 
     def call(self, msg):
         """Call the callback of a subscription, with its message alone or with {} as message info."""
@@ -114,7 +114,7 @@ class _Endpoint:
     get_publisher_count = get_subscription_count
 
 
-def _fields_of(msg):
+def fields_of(msg):
     """What an Image holds now, as plain values; of another message only its type."""
     if type_text(type(msg)) != "sensor_msgs/msg/Image":
         return {"type": type_text(type(msg))}
@@ -156,7 +156,9 @@ class RecordingNode:
     def __getattr__(self, name):
         if name == "_node_record":
             stop(
-                NodeError("__init__ of your class must begin with super().__init__(...), and the node's name")
+                NodeError(
+                    "__init__ of your class must begin with super().__init__(...), and the node's name."
+                )
             )
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 

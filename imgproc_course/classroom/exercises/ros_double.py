@@ -276,7 +276,9 @@ class _Module(types.ModuleType):
 
 def _qos_names():
     sensor_data = _QoSProfile(depth=5, reliability=_POLICIES["reliability"].BEST_EFFORT)
-    system_default = _QoSProfile(history=_POLICIES["history"].SYSTEM_DEFAULT, reliability=0, durability=0)
+    system_default = _QoSProfile(
+        history=_POLICIES["history"].SYSTEM_DEFAULT, depth=0, reliability=0, durability=0
+    )
     names = {f"{prefix}{kind.__name__}": kind for kind in _POLICIES.values() for prefix in ("", "QoS")}
     return names | {
         "QoSProfile": _QoSProfile,
@@ -295,7 +297,8 @@ def _modules():
     messages = {f"{name}.msg": {} for name in course.ROS_MESSAGES}
     for kind in _MESSAGES:
         messages[kind.__module__][kind.__name__] = kind
-    waiting = dict.fromkeys(("spin", "spin_once", "spin_until_future_complete"), _do_nothing)
+    waiting = ("spin", "spin_once", "spin_until_future_complete")
+    waiting = {name: lambda *_arguments, **_options: None for name in waiting}  # a drive traps each
     ending = dict.fromkeys(("init", "shutdown", "try_shutdown"), _do_nothing)
     packages["rclpy"] = waiting | ending | {"ok": lambda **_options: True}
     groups = ("CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup")

@@ -1,8 +1,6 @@
-"""An answer that is a node: a class that is driven, here by a double of the driver that calls methods."""
+"""An answer that is a node: what `check` does with a class as it does with a function."""
 
 import linecache
-import sys
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -27,48 +25,51 @@ from imgproc_course.classroom.exercises.running import (
     source_of,
 )
 
-STUB = (
-    "class Doubler:\n    def __init__(self):\n        raise NotImplementedError\n\n"
-    "    def callback(self, pixels):\n        pass"
-)
-RIGHT = (
-    'class Doubler:\n    def __init__(self):\n        self.name = "doubler"\n\n'
-    "    def callback(self, pixels):\n        return pixels.astype(np.uint16) * 2"
-)
-WRONG = RIGHT.replace(".astype(np.uint16)", "")
+IMPORTS = """from array import array
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import Image
+"""
+STUB = f"""{IMPORTS}
+class Doubler(Node):
+    def __init__(self):
+        raise NotImplementedError
+        self.twice = 2
+
+    def callback(self, msg):
+        pass
+"""
+INIT = """    def __init__(self):
+        super().__init__("doubler")
+        self.publisher = self.create_publisher(Image, "~/double", 5)
+        self.create_subscription(Image, "/camera", self.callback, qos_profile_sensor_data)
+"""
+CALLBACK = """    def callback(self, msg):
+        wide = np.array(msg.data, np.uint16) * 2
+        msg.data = array("B", np.minimum(wide, 255).astype(np.uint8).tobytes())
+        self.publisher.publish(msg)
+"""
+RIGHT = f"{IMPORTS}\nclass Doubler(Node):\n{INIT}\n{CALLBACK}"
+WRONG = RIGHT.replace("np.minimum(wide, 255)", "wide")
 HINT = 'hint="Widen."'
 HINTS = 'hints=("a", "b", "c"), explanation="e", another_way="w"'
 NODE_PARTS = {
     "exercise": (
-        f'# %% role="exercise"\nexercise("test-double", function="Doubler", subject="node", {HINT})\nSIDE = 3'
+        f'# %% role="exercise"\nexercise("test-double", function="Doubler", subject="node", {HINT})\n'
+        "SIDE = 3\n\ndef sent(rng):\n"
+        "    image = rng.integers(0, 256, (2, 3), dtype=np.uint8)\n"
+        '    place = {"topic": "/camera", "stamp": (1, 2), "frame_id": "camera"}\n'
+        '    return {"image": image, "encoding": "mono8"} | place'
     ),
     "answer": f'# %% role="answer"\n{STUB}',
     "solution": f'# %% role="solution"\n{RIGHT}',
     "check": '# %% role="check"\ncheck("test-double", Doubler)',
     "case": '# %% role="case" title="step 1"\ndef inputs(rng):\n    return ("setup", [])',
-    "second": (
-        '# %% role="case" title="step 2"\ndef inputs(rng):\n'
-        '    return ("images", [rng.integers(128, 256, (2, 3), dtype=np.uint8)])'
-    ),
-    "hidden": (
-        '# %% role="hidden" title="step 2"\ndef inputs(rng):\n'
-        '    return ("images", list(rng.integers(128, 256, (2, 2, 3), dtype=np.uint8)))'
-    ),
+    "second": '# %% role="case" title="step 2"\ndef inputs(rng):\n    return ("images", [sent(rng)])',
+    "hidden": '# %% role="hidden" title="step 2"\ndef inputs(rng):\n    return ("images", [sent(rng)] * 2)',
     "mistake": f'# %% role="mistake" name="wraps" says="It wraps."\n{WRONG}',
     "second mistake": "",
 }
-
-
-def drive(node_class, look, steps):
-    """What the node is called, or what its callback returns for each step."""
-    node = node_class()
-    return {"node": node.name} if look == "setup" else {"results": [node.callback(step) for step in steps]}
-
-
-@pytest.fixture(autouse=True)
-def driver(monkeypatch):
-    name = "imgproc_course.classroom.exercises.node_driver"
-    monkeypatch.setitem(sys.modules, name, SimpleNamespace(drive=drive))
 
 
 @pytest.fixture
@@ -91,21 +92,25 @@ def test_a_node_is_driven_and_its_record_compared(node_master):
     assert check_data_of(declared).names == ("look", "steps")
 
 
+class Size:
+    def __init__(self, rows, columns):
+        self.rows, self.columns = rows, columns
+
+
 def test_a_value_that_is_no_class_is_refused_with_its_type():
-    result = call(class_in(RIGHT)(), ("setup", []), ["look", "steps"], 1, "node")
+    result = call(Size(3, 4), ("setup", []), ["look", "steps"], 1, "node")
     assert (result.error, result.message) == (
         "TypeError",
-        "expected the class of your node, got a value of type Doubler",
+        "expected the class of your node, got a value of type Size",
     )
 
 
-def test_a_class_that_is_no_node_is_called():
-    result = call(class_in(RIGHT), (), [], 1)
-    assert result.value["type"] == "Doubler"
+def test_a_class_is_called_if_the_subject_is_a_function():
+    assert call(Size, (3, 4), ["rows", "columns"], 1).value["type"] == f"{__name__}.Size"
 
 
 def test_the_arguments_of_a_node_have_names():
-    assert argument_names(class_in(RIGHT), subject="node") == ["look", "steps"]
+    assert argument_names(Size, subject="node") == ["look", "steps"]
     assert argument_names(lambda image: image, (1, 2)) == ["image", "argument 2"]
 
 
@@ -190,7 +195,7 @@ def checked(node_master):
 
 
 def test_the_unchanged_stub_is_not_attempted(checked):
-    for source in (STUB, STUB.replace("class Doubler:", "class Doubler:\n    '''Mine.'''\n")):
+    for source in (STUB, STUB.replace("(Node):", "(Node):\n    '''Mine.'''\n")):
         result = checked(source)
         assert not result.attempted and result.points == 0
     assert repr(checked(STUB)).splitlines()[:2] == [
@@ -201,16 +206,14 @@ def test_the_unchanged_stub_is_not_attempted(checked):
 
 
 def test_a_stub_that_raises_nothing_is_known_by_its_code(node_master):
-    silent = STUB.replace("raise NotImplementedError", 'self.name = ""')
+    silent = STUB.replace("raise NotImplementedError", 'super().__init__("n")')
     data = check_data_of(*read_exercises(node_master(answer=f'# %% role="answer"\n{silent}')))
     assert not run_check(data, answer_in(silent)).attempted
-    assert run_check(data, answer_in(silent.replace('""', '"doubler"'))).attempted
+    assert run_check(data, answer_in(silent.replace('"n"', '"other"'))).attempted
 
 
 def test_a_stub_line_that_was_left_in_an_answer_is_named(checked):
-    result = checked(
-        RIGHT.replace("        self.name", "        raise NotImplementedError\n        self.name")
-    )
+    result = checked(f"{RIGHT.replace(INIT, '')}\n{INIT}        raise NotImplementedError")
     assert not result.attempted
     assert result.remarks == (
         "The line with raise NotImplementedError is still there, and ends the function: delete it.",
@@ -219,57 +222,52 @@ def test_a_stub_line_that_was_left_in_an_answer_is_named(checked):
 
 
 def test_modules_that_methods_use_are_refused(checked):
-    source = RIGHT.replace("        return", "        import cv2\n\n        return")
-    for cells, own in (((), source), ((), f"import cv2\n{RIGHT.replace('np.uint16', 'cv2.CV_16U')}")):
-        result = checked(own, *cells)
-        assert list(result.dependencies.refused) == ["cv2"] and not result.passed
-        assert "Doubler uses cv2. Write this exercise without it: grading refuses it." in repr(result)
+    in_method = RIGHT.replace("        wide", "        import scipy\n\n        wide")
+    for source in (in_method, f"import scipy\n{RIGHT.replace('* 2', '* scipy.e')}"):
+        result = checked(source)
+        assert list(result.dependencies.refused) == ["scipy"] and not result.passed
+        assert "Doubler uses scipy. Write this exercise without it: grading refuses it." in repr(result)
 
 
-BASE = (
-    "class Base:\n    def callback(self, pixels):\n"
-    "        return sum([p for p in (1, 1)]) * pixels.astype(KIND)"
-)
-WITH_BASE = 'class Doubler(Base):\n    def __init__(self):\n        self.name = "doubler"'
+BASE = f"""class Base(Node):
+{CALLBACK.replace("* 2", "* sum([FACTOR for _ in (1, 1)])")}"""
+WITH_BASE = f"{IMPORTS}\nclass Doubler(Base):\n{INIT}"
 
 
 def test_names_of_other_cells_are_taken_along(checked):
-    result = checked(WITH_BASE, "KIND = 'uint16'", BASE)
-    assert result.passed and result.dependencies.taken == {"Base": "class", "KIND": "value"}
-    assert "Doubler uses KIND, Base of another cell. Grading takes that along." in repr(result)
-    assert result.remarks == ()
+    result = checked(WITH_BASE, "FACTOR = 1", f"{IMPORTS}\n{BASE}")
+    assert result.passed and result.remarks == ()
+    assert result.dependencies.taken == {"FACTOR": "value", "Node": "import", "Base": "class"}
+    assert "Doubler uses FACTOR, Node, Base of another cell. Grading takes that along." in repr(result)
     wrong = checked(WRONG.replace("* 2", "* FACTOR"), "FACTOR = 2")
     assert "Doubler uses FACTOR of another cell. Grading takes that along." in repr(wrong)
 
 
 def test_an_error_has_the_line_of_the_method(checked):
-    result = checked(RIGHT.replace("np.uint16", "self.kind"))
+    result = checked(RIGHT.replace("* 2", "* self.factor"))
     error = result.results[1].failed_call.result
     assert (error.error, error.line) == (
         "AttributeError",
-        "line 6: return pixels.astype(self.kind) * 2",
+        "line 13: wide = np.array(msg.data, np.uint16) * self.factor",
     )
-    assert "    Doubler raised AttributeError: 'Doubler' object has no attribute 'kind'" in repr(result)
+    assert "    Doubler raised AttributeError: 'Doubler' object has no attribute 'factor'" in repr(result)
 
 
 def test_each_changed_method_is_a_new_try():
-    sources = (
-        RIGHT,
-        WRONG,
-        RIGHT.replace('"doubler"', '"d"'),
-        RIGHT.replace("class Doubler:", "class Doubler:\n    k = 3"),
-    )
+    attribute = RIGHT.replace("(Node):", "(Node):\n    k = 3")
+    sources = (RIGHT, WRONG, RIGHT.replace('"doubler"', '"d"'), attribute)
     digests = [digest_of(answer_in(source, f"<cell {k}>")) for k, source in enumerate(sources)]
     assert len(set(digests)) == 4
     assert digest_of(answer_in(RIGHT.replace("* 2", "*  2  # twice"), "<cell 5>")) == digests[0]
+    assert digest_of(class_in(RIGHT)) != digest_of(class_in(WRONG))  # their cell is not known
 
 
 def test_methods_of_own_bases_belong_to_an_answer():
-    names = {"np": np, "__name__": "__main__", "Foreign": type("Foreign", (), {"spin": lambda self: 3})}
-    names["Foreign"].__module__ = "rclpy.node"
+    foreign = type("Foreign", (), {"spin": lambda self: 3, "__module__": "rclpy.node"})
+    names = {"__name__": "__main__", "Foreign": foreign}
     source = (
-        f"{BASE}\nclass Doubler(Base, Foreign):\n    @property\n    def name(self):\n        return 'd'\n"
-        "    @staticmethod\n    def twice(p):\n        return 2 * p"
+        "class Base:\n    def callback(self): ...\n\nclass Doubler(Base, Foreign):\n    @property\n"
+        "    def name(self):\n        return 'd'\n    @staticmethod\n    def twice(p):\n        return 2 * p"
     )
     exec(source, names)
     assert sorted(codes_of(names["Doubler"])) == ["callback", "name", "twice"]
@@ -278,8 +276,9 @@ def test_methods_of_own_bases_belong_to_an_answer():
 
 
 def test_the_source_of_a_class_is_found_by_its_methods():
-    source = f"x = 1\n\n@str\n{BASE}\n\n@dataclass\n{RIGHT}\n\ny = 2\n"
-    assert source_of(answer_in(source, dataclass=lambda kind: kind)) == f"@dataclass\n{RIGHT}\n"
+    own = f"class Doubler(Node):\n{INIT}"
+    source = f"{IMPORTS}\n@str\nclass Base:\n    def callback(self): ...\n\n@same\n{own}\ny = 2\n"
+    assert source_of(answer_in(source, same=lambda kind: kind)) == f"@same\n{own}"
     assert source_of(answer_in("class Doubler:\n    pass")) == ""
 
 
@@ -311,9 +310,9 @@ def test_an_object_is_no_answer(node_master, monkeypatch, tmp_path):
     (tmp_path / "solutions" / "doubling.json").write_text(lesson_files(master)["solutions/doubling.json"])
     monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
     with pytest.raises(TypeError) as error:
-        check("test-double", class_in(RIGHT)())
+        check("test-double", Size(3, 4))
     assert str(error.value) == (
-        "check('test-double', ...) needs your class Doubler itself, got a value of type Doubler; run the cell"
+        "check('test-double', ...) needs your class Doubler itself, got a value of type Size; run the cell"
         " with your class first (if it shows an error, repair that), and write check('test-double', Doubler),"
         " no parentheses after the name"
     )
@@ -322,15 +321,12 @@ def test_an_object_is_no_answer(node_master, monkeypatch, tmp_path):
     assert [hint("test-double", step).text for step in (1, 2, 3)] == ["a", "b", "c"]
     assert "shows how the class can be written" in repr(hint("test-double"))
     assert check("test-double", answer_in(RIGHT)).passed
-    assert solution("test-double").code == RIGHT
+    assert solution("test-double").code == RIGHT.strip()
 
 
 def test_remarks_on_the_source_of_methods(checked):
-    source = RIGHT.replace(
-        "        return", "        for pixels in [pixels]:\n            pass\n        return"
-    )
-    result = checked(source.replace("* 2", "* 3"))
+    loop = "        for msg in [msg]:\n            pass\n"
+    result = checked(RIGHT.replace("        wide", f"{loop}        wide").replace("* 2", "* 3"))
     assert result.remarks == (
-        "The loop for pixels in ... writes over the argument pixels. Give the variable of the loop another"
-        " name.",
+        "The loop for msg in ... writes over the argument msg. Give the variable of the loop another name.",
     )

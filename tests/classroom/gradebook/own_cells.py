@@ -113,3 +113,53 @@ MORE = [
     *("sum = 3", "from math import *", "import cv2", "def wide(pixels):\n    return pixels", "FACTOR = ("),
     *("def double(pixels):\n    return pixels", "pixels = camera.latest()", "%matplotlib inline\nFACTOR = 2"),
 ]
+
+# ---------------------------------------------------------------- answers to nodes-double, a class
+
+NODE_IMPORTS = """from array import array
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import Image
+"""
+NODE_INIT = """    def __init__(self):
+        super().__init__("doubler")
+        self.publisher = self.create_publisher(Image, "~/double", 5)
+        self.create_subscription(Image, "/camera", self.callback, qos_profile_sensor_data)
+"""
+NODE_CALLBACK = """    def callback(self, msg):
+        wide = np.array(msg.data, np.uint16) * {}
+        msg.data = array("B", np.minimum(wide, LIMIT).astype(np.uint8).tobytes())
+        self.publisher.publish(msg)
+"""
+NODE = f"{NODE_IMPORTS}\nclass Doubler(Node):\n{NODE_INIT}\n{NODE_CALLBACK}"
+BASE = f"{NODE_IMPORTS}\nclass Base(Node):\n{NODE_CALLBACK.format('FACTOR')}"
+FROM_BASE = f"{NODE_IMPORTS}\nclass Doubler(Base):\n{NODE_INIT}"
+ATTRIBUTE = NODE.format("self.factor").replace("(Node):", "(Node):\n    factor = FACTOR")
+# {name: (the learner's cells, the answer, the points that the public checks give)}
+NODE_FORMS = {
+    "alone": ([], NODE.format(2), 2),
+    "wrong": ([], NODE.format(3), 1),
+    "a value": (["FACTOR = 2"], NODE.format("FACTOR"), 2),
+    "a base": ([BASE, "FACTOR = 2"], FROM_BASE, 2),
+    "a base that is bound again below": (
+        [BASE, "FACTOR = 2"],
+        f"{FROM_BASE}\nclass Base:\n    pass",
+        2,
+    ),
+    "a class attribute": (["FACTOR = 2"], f"{ATTRIBUTE}\nFACTOR = 3", 2),
+    "a decorator": (
+        ["def same(kind):\n    return kind"],
+        f"{NODE.format(2).replace('class', '@same{}class').format(chr(10))}\nsame = None",
+        2,
+    ),
+    "a stub above": (["class Doubler:\n    pass"], NODE.format(2), 2),
+    "a module": (["import scipy"], ATTRIBUTE.replace("= FACTOR", "= min(2, len(scipy.version.version))"), 0),
+    "main below": ([], f"{NODE.format(2)}\nif __name__ == '__main__':\n    print('main')", 2),
+}
+NODE_MORE = [
+    "FACTOR = 3",
+    "FACTOR += 1",
+    "class Base:\n    pass",
+    "class Doubler:\n    factor = 3",
+    "Image = 3",
+]

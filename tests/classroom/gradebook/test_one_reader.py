@@ -2,17 +2,24 @@
 
 import json
 import re
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from jupyterlab_cells import insert, new_cell, position_of
 from kernel_points import NotebookKernel
-from own_cells import FORMS, MORE, ONCE_REFUSED
-from submissions import answers_of, cell_of, notebook
+from own_cells import FORMS, MORE, NODE, NODE_FORMS, NODE_MORE, ONCE_REFUSED
+from submissions import SEED, answers_of, cell_of, notebook
+from template_master import write_carried_files
 
+from imgproc_course.classroom.authoring.masters import read_master
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.pool import autograde
+from imgproc_course.classroom.gradebook.answer_keys import load_keys
 from imgproc_course.classroom.gradebook.check import LessonFileError, check_lesson, run_answers
 from imgproc_course.classroom.gradebook.collect import collect
+from imgproc_course.classroom.gradebook.fingerprints import shape_of, syntax_tokens
 from imgproc_course.classroom.gradebook.learners import read_all
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]  # the key is made in a sandbox
@@ -285,6 +292,122 @@ def test_a_right_answer_that_reads_a_value_of_an_own_cell_passes(light, checks, 
     path.write_text(json.dumps(made), encoding="utf-8")
     in_kernel, in_run, texts = verdicts(made, path, kernel, checks)
     assert in_kernel == in_run == {"light-double": 1, "light-halves": 2}, texts
+
+
+# ---------------------------------------------------------------- an answer that is a class
+
+NODE_MASTERS = Path(__file__).parent / "nodes" / "masters"
+
+
+@pytest.fixture(scope="module")
+def nodes(tmp_path_factory):
+    """A lesson whose answer is a node: its Master, the folder of its checks, and its AnswerKeys."""
+    folder = tmp_path_factory.mktemp("nodes")
+    master = read_master(NODE_MASTERS / "22_nodes.py")
+    write_carried_files(master, folder)
+    make_key(NODE_MASTERS, SEED, folder / "key")
+    return master, folder / "checks", load_keys([folder / "key"])
+
+
+@pytest.fixture(scope="module")
+def node_kernel(nodes):
+    kernel = NotebookKernel(nodes[1])
+    yield kernel
+    kernel.close()
+
+
+def node_notebook(master, own, answer, more=()):
+    made = notebook(master, {"nodes-double": answer})
+    insert(made, position_of(made, "answer-nodes-double"), *map(new_cell, own))
+    for position, source in more:
+        insert(made, position % len(made["cells"]), new_cell(source))
+    return made
+
+
+def node_verdicts(made, folder, nodes, kernel):
+    """(points in a kernel, points of `check --run`, the kernel's text, the verdict of `grade`'s reader)."""
+    _, checks, answer_keys = nodes
+    path = folder / "22_nodes.ipynb"
+    path.write_text(json.dumps(made), encoding="utf-8")
+    content = verdict_of_check(path, checks)
+    assert content == verdict_of_grade(path, answer_keys)
+    here = kernel.points(made["cells"], {"nodes-double": "Doubler"})
+    points, text = here.get("nodes-double", (None, ""))
+    in_run = points_of_run(path, checks)["nodes-double"]
+    return points, in_run, text, content
+
+
+@pytest.mark.parametrize("name", NODE_FORMS)
+def test_a_class_gets_the_same_points_everywhere(nodes, node_kernel, tmp_path, name):
+    own, answer, points = NODE_FORMS[name]
+    made = node_notebook(nodes[0], own, answer)
+    in_kernel, in_run, text, content = node_verdicts(made, tmp_path, nodes, node_kernel)
+    (result,) = autograde([("one", "nodes", content["answers"])], nodes[2].keys[0], workers=1)
+    graded = sum(case.points for case in result.exercises[0].cases if not case.hidden)
+    assert (in_kernel, in_run, graded) == (points, points, points), (text, content["findings"])
+
+
+@settings(
+    max_examples=20,
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
+@given(
+    form=st.sampled_from(sorted(NODE_FORMS)),
+    more=st.lists(st.tuples(positions, st.sampled_from(NODE_MORE)), max_size=2),
+)
+def test_a_class_and_other_cells_give_the_same_points(nodes, node_kernel, tmp_path, form, more):
+    made = node_notebook(nodes[0], *NODE_FORMS[form][:2], more)
+    in_kernel, in_run, text, content = node_verdicts(made, tmp_path, nodes, node_kernel)
+    assert in_kernel in (None, in_run), (text, content["findings"], content["answers"])
+
+
+NODE_STUB = "class Doubler(Node):\n    def __init__(self):\n        f = 2\n        raise NotImplementedError"
+
+
+@pytest.mark.parametrize(
+    ("answer", "own", "state", "text"),
+    [
+        ("class Doubler(Node):\n    pass", [], "not attempted", None),
+        (
+            NODE_STUB,
+            [],
+            "not attempted",
+            "Doubler still has the line `raise NotImplementedError(...)`: nothing below it runs; delete this"
+            " line",
+        ),
+        (
+            NODE.format(2).replace("Doubler", "Doublr"),
+            [],
+            "broken",
+            "its answer cell does not define Doubler, but Doublr; the name must be the one of the task",
+        ),
+        (
+            NODE_STUB,
+            [NODE.format(2)],
+            "answered",
+            "graded from another cell (mine), which defines Doubler: its answer cell (answer-nodes-double)"
+            " holds the stub",
+        ),
+    ],
+)
+def test_what_is_reported_of_a_class(nodes, tmp_path, answer, own, state, text):
+    made = node_notebook(nodes[0], [], answer)
+    made["cells"] += [dict(new_cell(source), id="mine") for source in own]
+    path = tmp_path / "22_nodes.ipynb"
+    path.write_text(json.dumps(made), encoding="utf-8")
+    content = verdict_of_check(path, nodes[1])
+    assert content == verdict_of_grade(path, nodes[2])
+    assert content["states"] == {"nodes-double": state}
+    assert [finding[2] for finding in content["findings"]] == [text] * (text is not None)
+
+
+def test_a_class_is_compared_whatever_its_names(nodes):
+    renamed = NODE.format(2).replace("publisher =", "out =").replace("self.publisher.", "self.out.")
+    shapes = [shape_of(syntax_tokens(source)) for source in (NODE.format(2), renamed, NODE.format(3))]
+    assert shapes[0] == shapes[1] != shapes[2]
+    assert shapes[0] == shape_of(syntax_tokens(nodes[0].exercises[0].solution))
 
 
 def too_long(made):

@@ -1,0 +1,67 @@
+"""The node exercises of the lessons: verdicts and sentences on many answers, with rclpy and without it."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from node_answers import ANSWERS
+
+from imgproc_course.classroom.exercises.checking import run_check
+from imgproc_course.classroom.exercises.declaration import read_exercises
+from imgproc_course.classroom.exercises.expected_results import check_data_of
+
+MASTERS = Path(__file__).parents[3] / "notebooks/masters"
+EXERCISES = {
+    exercise.id: exercise
+    for lesson in ("05_grayscale_node", "09_edge_detection_node")
+    for exercise in read_exercises(MASTERS / f"{lesson}.py")
+}
+OTHER_TEXTS = ("Image in quotes", "publishes an array")  # rclpy's own errors have another text
+WITHOUT_ROS = """
+import json, sys
+from imgproc_course.classroom.exercises.ros_double import offer_modules
+offer_modules(even_if_installed=True)
+sys.path[:0] = sys.argv[1:]
+from test_node_exercises import ANSWERS, outcome_of
+print(json.dumps([outcome_of(answer) for answer in ANSWERS]))
+"""
+
+
+def result_of(answer):
+    """The CheckResult of an answer on all cases, with those that only grading runs."""
+    exercise = EXERCISES[answer.exercise]
+    data = check_data_of(exercise, exercise.cases)
+    names, error = data.run_answer(answer.source, exercise.function)
+    assert not error
+    return run_check(data, names[exercise.function])
+
+
+def outcome_of(answer):
+    """[the cases that an answer passes, as `node_answers` names them; what `check` says]."""
+    result = result_of(answer)
+    names = [
+        "h" if case.case.hidden else case.case.id.split("-")[-1] for case in result.results if case.passed
+    ]
+    return ["".join(names), " ".join(str(result).split())]
+
+
+@pytest.mark.parametrize("answer", ANSWERS, ids=[f"{a.exercise}: {a.name}" for a in ANSWERS])
+def test_an_answer_passes_its_cases_and_is_told_why_not_the_others(answer):
+    passes, text = outcome_of(answer)
+    assert (passes, answer.says in text) == (answer.passes, True), text
+    assert "a dict" not in text and "In answer[" not in text
+
+
+@pytest.mark.ros
+def test_verdicts_and_sentences_are_the_same_without_ros():
+    folders = [str(Path(__file__).parent), str(Path(__file__).parents[2])]
+    run = subprocess.run(
+        [sys.executable, "-c", WITHOUT_ROS, *folders], capture_output=True, text=True, check=True, timeout=300
+    )
+    for answer, (passes, text) in zip(ANSWERS, json.loads(run.stdout), strict=True):
+        real_passes, real_text = outcome_of(answer)
+        assert passes == real_passes, answer.name
+        if answer.name not in OTHER_TEXTS:
+            assert text == real_text, answer.name

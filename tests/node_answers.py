@@ -1,0 +1,357 @@
+"""Answers to the node exercises: in all styles that are right, and wrong in the ways of beginners.
+
+`passes` names the cases that an answer passes: 1, 2 and 3 are the steps of the task, h is the hidden case.
+`says` is a part of what `check` says about a wrong one.
+"""
+
+# ruff: noqa: E501 - the long lines are learners'
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class NodeAnswer:
+    name: str
+    source: str
+    passes: str = "123h"
+    says: str = ""
+    exercise: str = "node-class"
+
+
+IMPORTS = """import cv2
+from cv_bridge import CvBridge, CvBridgeError
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from sensor_msgs.msg import Image
+
+"""
+ORIGINAL = f"""{IMPORTS}
+class ImageGrayProcessor(Node):
+    def __init__(self):
+        super().__init__("image_gray_processor")
+        qos = QoSProfile(
+            depth=5,
+            reliability=ReliabilityPolicy.BEST_EFFORT,
+            durability=DurabilityPolicy.VOLATILE,
+        )
+        self.subscription = self.create_subscription(
+            Image, "/kachaka/front_camera/image_raw", self.image_callback, qos
+        )
+        self.publisher = self.create_publisher(Image, "~/gray", qos)
+        self.bridge = CvBridge()
+        self.get_logger().info("The gray node has started.")
+
+    def image_callback(self, msg):
+        try:
+            frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")
+        except CvBridgeError as error:
+            self.get_logger().error(f"cannot convert: {{error}}")
+            return
+        gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+        gray_msg = self.bridge.cv2_to_imgmsg(gray, "mono8")
+        gray_msg.header = msg.header
+        self.publisher.publish(gray_msg)
+"""
+EDGES = (
+    ORIGINAL.replace("ImageGrayProcessor", "EdgeDetector")
+    .replace("image_gray_processor", "edge_detector")
+    .replace("~/gray", "~/edges")
+    .replace(
+        "        qos =",
+        '        self.declare_parameter("low", 50)\n        self.declare_parameter("high", 150)\n        qos =',
+        1,
+    )
+    .replace(
+        "COLOR_BGR2GRAY)\n",
+        'COLOR_BGR2GRAY)\n        low = self.get_parameter("low").value\n'
+        '        high = self.get_parameter("high").value\n        edges = cv2.Canny(gray, low, high)\n',
+    )
+    .replace('(gray, "mono8")', '(edges, "mono8")')
+)
+TRY = ORIGINAL[ORIGINAL.index("        try:") : ORIGINAL.index("        gray = cv2")]
+SUBSCRIBE = ORIGINAL[ORIGINAL.index("        self.subscription") : ORIGINAL.index("        self.publisher =")]
+PUBLISH = "        self.publisher.publish(gray_msg)\n"
+STARTED = '        self.get_logger().info("The gray node has started.")\n'
+
+
+def changed(*changes, source=ORIGINAL):
+    """The original with (old, new) changes, each of which must fit."""
+    for old, new in changes:
+        assert old in source, old
+        source = source.replace(old, new)
+    return source
+
+
+SHORT_FORM = '''import cv2
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import Image
+from imgproc_course.messages import ConversionError, array_to_image, image_to_array
+
+
+class ImageGrayProcessor(Node):
+    """Converts the camera's images to gray."""
+
+    def __init__(self, context=None):
+        super().__init__("image_gray_processor", context=context)
+        self.publisher = self.create_publisher(Image, "~/gray", qos_profile_sensor_data)
+        topic = "/kachaka/front_camera/image_raw"
+        self.create_subscription(Image, topic, self.on_image, qos_profile_sensor_data)
+
+    def on_image(self, msg):
+        try:
+            frame = image_to_array(msg, "bgr8")
+        except ConversionError as error:
+            self.get_logger().error(str(error))
+            return
+        gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+        self.publisher.publish(array_to_image(gray, "mono8", msg.header))
+'''
+NODE_INIT = """import cv2
+from cv_bridge import CvBridge
+from rclpy.node import Node
+from rclpy.qos import QoSProfile, QoSReliabilityPolicy
+from sensor_msgs.msg import Image
+
+
+class ImageGrayProcessor(Node):
+    def __init__(self):
+        Node.__init__(self, "image_gray_processor")
+        q = QoSProfile(depth=5, reliability=QoSReliabilityPolicy.BEST_EFFORT)
+        self.cv = CvBridge()
+        self.pub = self.create_publisher(Image, "image_gray_processor/gray", q)
+        self.sub = self.create_subscription(
+            Image, topic="kachaka/front_camera/image_raw", callback=self.cb, qos_profile=q
+        )
+
+    def cb(self, msg, info):
+        try:
+            gray = cv2.cvtColor(self.cv.imgmsg_to_cv2(msg, "bgr8"), cv2.COLOR_BGR2GRAY)
+        except Exception as e:
+            self.get_logger().error(str(e), throttle_duration_sec=5.0)
+        else:
+            out = self.cv.cv2_to_imgmsg(gray, "mono8")
+            out.header.stamp = msg.header.stamp
+            out.header.frame_id = msg.header.frame_id
+            self.pub.publish(out)
+"""
+MAIN = """
+
+def main(args=None):
+    rclpy.init(args=args)
+    node = ImageGrayProcessor()
+    try:
+        rclpy.spin(node)
+    finally:
+        node.destroy_node()
+        rclpy.shutdown()
+
+
+if __name__ == "__main__":
+    main()
+"""
+ON_SET = """
+    def on_set(self, parameters):
+        for parameter in parameters:
+            setattr(self, parameter.name, parameter.value)
+        return SetParametersResult(successful=True)
+"""
+READ_ONCE = (
+    ('        low = self.get_parameter("low").value\n        high = self.get_parameter("high").value\n', ""),
+    ("Canny(gray, low, high)", "Canny(gray, self.low, self.high)"),
+    (
+        '        self.declare_parameter("high", 150)\n',
+        '        self.declare_parameter("high", 150)\n'
+        '        self.low = self.get_parameter("low").value\n        self.high = self.get_parameter("high").value\n',
+    ),
+)
+TIMER = (
+    ("        self.bridge = CvBridge()\n", "        self.bridge, self.newest = CvBridge(), None\n"
+     "        self.create_timer(0.02, self.on_timer)\n"),
+    (PUBLISH, "        self.newest = gray_msg\n\n    def on_timer(self):\n        if self.newest is not None:\n"
+     "            self.publisher.publish(self.newest)\n            self.newest = None\n"),
+)  # fmt: skip
+BY_HAND = (
+    (
+        '        gray_msg = self.bridge.cv2_to_imgmsg(gray, "mono8")\n        gray_msg.header = msg.header\n',
+        '        gray_msg = Image(header=msg.header, encoding="mono8")\n'
+        "        gray_msg.height, gray_msg.width = gray.shape\n"
+        "        gray_msg.step = gray.shape[1]\n        gray_msg.data = gray.tobytes()\n",
+    ),
+)
+RIGHT = (
+    ("the original", ORIGINAL),
+    ("a lambda", changed(("self.image_callback, qos", "lambda msg: self.image_callback(msg), qos"))),
+    (
+        "functools.partial",
+        "from functools import partial\n\n"
+        + changed(
+            ("self.image_callback, qos", "partial(self.image_callback, 7), qos"),
+            ("(self, msg)", "(self, number, msg)"),
+        ),
+    ),
+    ("the course's short form", SHORT_FORM),
+    ("Node.__init__, a callback with info, relative topics", NODE_INIT),
+    ("main below", "import rclpy\n" + ORIGINAL + MAIN),
+    ("main in one line", "import rclpy\n" + ORIGINAL + "\nrclpy.init()\nrclpy.spin(ImageGrayProcessor())\n"),
+    (
+        "the older names",
+        changed(("ReliabilityPolicy", "QoSReliabilityPolicy"), ("DurabilityPolicy", "QoSDurabilityPolicy")),
+    ),
+    ("everything in except Exception", changed(("except CvBridgeError", "except Exception"))),
+    ("a timer that publishes", changed(*TIMER)),
+    ("a message made by hand", changed(*BY_HAND)),
+    ("fatal", changed((".error(f", ".fatal(f"))),
+    (
+        "a class between",
+        changed(
+            (
+                "class ImageGrayProcessor(Node):",
+                "class Base(Node):\n    bridge = CvBridge()\n\n\nclass ImageGrayProcessor(Base):",
+            ),
+            ("        self.bridge = CvBridge()\n", ""),
+        ),
+    ),
+    (
+        "a parameter for the topic",
+        changed(
+            (
+                "        qos =",
+                '        self.declare_parameter("topic", "/kachaka/front_camera/image_raw")\n        qos =',
+            ),
+            (
+                'Image, "/kachaka/front_camera/image_raw", self',
+                'Image, self.get_parameter("topic").value, self',
+            ),
+        ),
+    ),
+    (
+        "a callback group and the clock",
+        "from rclpy.callback_groups import ReentrantCallbackGroup\n"
+        + changed(
+            ("self.image_callback, qos", "self.image_callback, qos, callback_group=ReentrantCallbackGroup()"),
+            (PUBLISH, PUBLISH + '        self.get_logger().info(f"{self.get_clock().now().nanoseconds}")\n'),
+        ),
+    ),
+    ("a depth for the publisher", changed(('"~/gray", qos', '"~/gray", 10'))),
+)
+WRONG = (
+    ("reliable", changed(("ReliabilityPolicy.BEST_EFFORT", "ReliabilityPolicy.RELIABLE")), "", "camera offers best effort"),
+    ("only a depth", changed(("self.image_callback, qos", "self.image_callback, 5")), "", "camera offers best effort"),
+    ("transient local", changed(("Policy.VOLATILE", "Policy.TRANSIENT_LOCAL")), "", "durability of your subscription"),
+    ("depth 10", changed(("depth=5", "depth=10")), "23h", "The depth of your subscription is 10"),
+    ("another topic", changed(("kachaka/front_camera/", "")), "", "You subscribe to /image_raw, and the camera"),
+    ("no depth", changed(("            depth=5,\n", "")), "", "QoSProfile needs a depth"),
+    ("the callback called", changed(("self.image_callback, qos", "self.image_callback(), qos")), "", "without parentheses"),
+    ("no subscription", changed((SUBSCRIBE, "")), "", "Your node has no subscription"),
+    ("no publisher", changed(('        self.publisher = self.create_publisher(Image, "~/gray", qos)\n', "")), "", "has no publisher"),
+    ("two subscriptions", changed((SUBSCRIBE, SUBSCRIBE * 2)), "", "more than one subscription"),
+    ("compressed", changed(("Image, \"/k", "CompressedImage, \"/k"), ("msg import Image", "msg import CompressedImage, Image")), "", "sensor_msgs/msg/Image"),
+    ("another name", changed(('"image_gray_processor"', '"gray"')), "", "Your node is called gray"),
+    ("a publisher on /gray", changed(("~/gray", "/gray")), "", "You publish on /gray"),
+    ("publishes in __init__", changed((STARTED, "        self.publisher.publish(Image())\n")), "23h", "before an image has arrived"),
+    ("no super", changed(('        super().__init__("image_gray_processor")\n', "")), "", "super().__init__"),
+    ("no node", changed(("ImageGrayProcessor(Node)", "ImageGrayProcessor")), "", "inherit from Node"),
+    ("Image in quotes", changed(('Image, "/k', '"Image", "/k')), "", "is the class of the messages: Image"),
+    ("no argument", changed(("def image_callback(self, msg)", "def image_callback(self)")), "", "def image_callback(self, msg)"),
+    ("red and blue exchanged", changed(("COLOR_BGR2GRAY", "COLOR_RGB2GRAY")), "1", "Red and blue are exchanged"),
+    ("rgb8", changed(('(msg, "bgr8")', '(msg, "rgb8")')), "1", "Red and blue are exchanged"),
+    ("no encoding asked for", changed(('(msg, "bgr8")', "(msg)")), "123", ""),
+    ("no header", changed(("        gray_msg.header = msg.header\n", "")), "1", "not its header"),
+    ("only the stamp", changed(("gray_msg.header = msg.header", "gray_msg.header.stamp = msg.header.stamp")), "1", "not its header"),
+    ("a stamp of its own", changed((PUBLISH, "        gray_msg.header.stamp = self.get_clock().now().to_msg()\n" + PUBLISH)), "1", "not its header"),
+    ("no encoding", changed(('(gray, "mono8")', "(gray)")), "1", "says 8UC1"),
+    ("the frame as it is", changed(('(gray, "mono8")', '(frame, "bgr8")')), "1", "says bgr8"),
+    ("half the size", changed((PUBLISH, PUBLISH), ("cv2.COLOR_BGR2GRAY)", "cv2.COLOR_BGR2GRAY)[::2, ::2].copy()")), "1", "The height of the published"),
+    ("inverted", changed(('(gray, "mono8")', '(255 - gray, "mono8")')), "1", "pixels of the published image are wrong"),
+    ("publishes an array", changed(("publish(gray_msg)", "publish(gray)")), "1", "publish takes a message"),
+    ("nothing published", changed((PUBLISH, "")), "1", "published nothing"),
+    ("published twice", changed((PUBLISH, PUBLISH * 2)), "1", "more than one message"),
+    ("a name misspelled", changed(("publish(gray_msg)", "publish(grey_msg)")), "1", "grey_msg"),
+    ("the exception escapes", changed((TRY, '        frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")\n')), "12", "ends your node with ConversionError"),
+    ("another exception is caught", changed(("except CvBridgeError", "except KeyError")), "12", "ends your node"),
+    ("no return in except", changed(("            return\n", "")), "12", "ends your node with UnboundLocalError"),
+    ("an exception for a logger", changed(('f"cannot convert: {error}"', "error")), "12", "a logger takes a text"),
+    ("silent", changed(('            self.get_logger().error(f"cannot convert: {error}")\n', "")), "12", "it logs nothing"),
+    ("print", changed(("self.get_logger().error(", "print(")), "12", "it logs nothing"),
+    ("a warning", changed(("().error(", "().warning(")), "12", "the level warn"),
+    ("the last image again", changed((PUBLISH, PUBLISH + "        self.last = gray_msg\n"), ("            return\n", "            self.publisher.publish(self.last)\n            return\n")), "12", "although the message cannot"),
+    ("sleeps", changed(("        gray = cv2", "        time.sleep(60)\n        gray = cv2"), ("import cv2\n", "import time\n\nimport cv2\n")), "1", "Your node sleeps"),
+    ("sleep by its name", changed(("        gray = cv2", "        sleep(60)\n        gray = cv2"), ("import cv2\n", "from time import sleep\n\nimport cv2\n")), "1", "Your node sleeps"),
+    ("imshow", changed((PUBLISH, '        cv2.imshow("gray", gray)\n        cv2.waitKey(1)\n' + PUBLISH)), "1", "imshow and waitKey"),
+    ("spin", changed((STARTED, "        rclpy.spin(self)\n"), ("import cv2\n", "import cv2\nimport rclpy\n")), "", "rclpy.spin"),
+    ("a loop of spin_once", changed((PUBLISH, PUBLISH + "        while rclpy.ok():\n            rclpy.spin_once(self)\n"), ("import cv2\n", "import cv2\nimport rclpy\n")), "1", "rclpy.spin"),
+    ("a service", changed((STARTED, '        self.create_service(Image, "gray", self.image_callback)\n')), "", "This check does not know create_service"),
+    ("logging by rclpy", changed(("self.get_logger().error(", 'get_logger("gray").error('), ("import cv2\n", "import cv2\nfrom rclpy.logging import get_logger\n")), "12", "This check does not know get_logger"),
+)  # fmt: skip
+EDGE_ANSWERS = (
+    ("read in the callback", EDGES, "123h", ""),
+    (
+        "a callback for parameters",
+        "from rcl_interfaces.msg import SetParametersResult\n"
+        + changed(
+            *READ_ONCE,
+            ("        qos =", "        self.add_on_set_parameters_callback(self.on_set)\n        qos ="),
+            source=EDGES,
+        )
+        + ON_SET,
+        "123h",
+        "",
+    ),
+    (
+        "get_parameter_value",
+        changed(
+            ('("low").value', '("low").get_parameter_value().integer_value'),
+            (
+                '        self.declare_parameter("low", 50)\n        self.declare_parameter("high", 150)\n',
+                '        self.declare_parameters("", [("low", 50), ("high", 150)])\n',
+            ),
+            source=EDGES,
+        ),
+        "123h",
+        "",
+    ),
+    ("read once", changed(*READ_ONCE, source=EDGES), "1", "read the parameters in the callback"),
+    (
+        "high is not declared",
+        changed(('        self.declare_parameter("high", 150)\n', ""), source=EDGES),
+        "",
+        "Declare the parameter high",
+    ),
+    (
+        "other first values",
+        changed(('("low", 50)', '("low", 100)'), source=EDGES),
+        "3",
+        "have the parameters of the task",
+    ),
+    (
+        "floats",
+        changed(('("low", 50)', '("low", 50.0)'), source=EDGES),
+        "1",
+        "does not take a new value for the parameter low",
+    ),
+    (
+        "thresholds exchanged",
+        changed(("Canny(gray, low, high)", "Canny(gray, high, low)"), source=EDGES),
+        "123h",
+        "",
+    ),
+    (
+        "gray published",
+        changed(('(edges, "mono8")', '(gray, "mono8")'), source=EDGES),
+        "",
+        "pixels of the published",
+    ),
+    (
+        "a read-only parameter",
+        "from rcl_interfaces.msg import ParameterDescriptor\n"
+        + changed(('("low", 50)', '("low", 50, ParameterDescriptor(read_only=True))'), source=EDGES),
+        "1",
+        "does not take a new value for the parameter low",
+    ),
+)
+ANSWERS = (
+    *(NodeAnswer(name, source) for name, source in RIGHT),
+    *(NodeAnswer(*answer) for answer in WRONG),
+    *(NodeAnswer(*answer, exercise="edges-class") for answer in EDGE_ANSWERS),
+)
