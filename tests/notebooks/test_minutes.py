@@ -71,7 +71,6 @@ def test_index_first_lesson_and_readme_name_the_routes_with_their_hours():
     for page in (MASTERS / "00_start_here.py", ROOT / "README.md"):
         text = page.read_text("utf-8")
         assert sentence in text, page.name
-    assert all(f"[[{name}]]" in (MASTERS / "00_start_here.py").read_text("utf-8") for name in [*route][1:])
 
 
 def test_the_table_of_the_readme_shows_the_minutes_of_every_lesson():

@@ -296,15 +296,8 @@ def read_master(path):
     cells = list(_lesson_cells(path, timed, exercises, references))
     if match and cells and cells[0].kind == "markdown":
         cells[0] = _numbered(cells[0], match["number"])
-    master = Master(
-        path,
-        title,
-        timed.whole,
-        timed.core,
-        tuple(cells),
-        exercises,
-        _texts(script, references),
-    )
+    parts = tuple(cells), exercises, _texts(script, references)
+    master = Master(path, title, timed.whole, timed.core, *parts)
     problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
@@ -318,13 +311,13 @@ def _texts(script, references):
         if cell.role == "texts":
             try:
                 texts |= ast.literal_eval(ast.parse(references.in_code(cell.source)).body[0].value)
-                pairs = [isinstance(pair, tuple) and len(pair) == 2 for pair in texts.values()]
-                is_right = all(pairs) and all(text.strip() for pair in texts.values() for text in pair)
-            except (SyntaxError, ValueError, TypeError, AttributeError, IndexError):
+                pairs = [pair for pair in texts.values() if isinstance(pair, tuple) and len(pair) == 2]
+                is_right = len(pairs) == len(texts) and all(all(map(str.strip, pair)) for pair in pairs)
+            except (SyntaxError, ValueError, TypeError, AttributeError):
                 is_right = False
             if not is_right:
                 raise MasterError(
-                    f'{cell.place}: a texts cell is figure_texts = {{"name": ("caption", "alt text"), ...}}'
+                    f'{cell.place}: expected figure_texts = {{"name": ("caption", "alt"), ...}}'
                 )
     return texts
 

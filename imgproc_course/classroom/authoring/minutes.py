@@ -1,34 +1,30 @@
 """The minutes of a lesson, by one rule, and which of its sections go deeper.
 
-A section begins at a heading with `[[minutes]]`, and build replaces that by the minutes of the section:
+A section begins at a heading with `[[minutes]]`; build writes its minutes there, and the lesson's elsewhere:
 
     ## 3 · Masks ([[minutes]])               ## 3 · Masks (12 minutes)
     ### Two levels ([[minutes]], deeper)     ### Two levels (8 minutes, deeper)
-    **Time** [[minutes]].                    **Time** about 60 minutes for the core, 75 with the ...
 
-A deeper section ends at the next heading of its level or of a higher one. The rest of the lesson is its core:
-it runs, and can be understood, without the deeper sections and their exercises.
+A deeper section ends at the next heading of its level or of a higher one. The rest is the core of the lesson:
+it runs, and can be understood, without the deeper sections.
 
-The rule. Minutes are a sum over words of prose, lines of code that the learner reads, predictions, exercises,
-and lines that the learner writes (those of the solution that the stub does not hold). From lesson 11 on a
-learner is practised and needs 0.6 of this sum.
-
-How it was calibrated. One person walked through the lessons 00 to 20 as a second-year student without NumPy,
-ROS or image processing, and estimated the minutes of each. The six numbers below were fitted to these 21
-estimates: the largest error is 15 %, on lessons 09, 15 and 17. They are no measurement of learners. With six
-numbers for 21 lessons, they say little about one word or one line, and most about the sum. Without the
-factor for practice no such rule comes nearer than 20 %. Mathematics counts as any other text.
+How the rule was calibrated: one walk through the lessons 00 to 20, as a second-year student without NumPy,
+ROS or image processing, estimated the minutes of each. The six numbers below were fitted to these 21
+estimates, not to learners; the largest error is 15 %, on the lessons 09, 15 and 17. So they say little about
+one line, and more about the sum. Without a factor for practice, from lesson 11 on, no such rule came nearer
+than 20 %.
 """
 
 import re
 from collections import Counter
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from imgproc_course.classroom.authoring.rules import CHECK_LINE
 
 MINUTES = {"words": 1 / 80, "code lines": 0.35, "predictions": 0.5, "exercises": 4, "solution lines": 1.75}
 PRACTISED, FIRST_OF_THE_PRACTISED = 0.6, "11"
-REFERENCE, DEEPER = "[[minutes]]", "deeper"
+_REFERENCE = "[[minutes]]"
 
 _PART = re.compile(r"^(?=#{2,4} )", re.M)  # of a Markdown cell: a heading and the text below it
 _HEADING = re.compile(r"(#{2,4}) .*?(?P<timed> \(\[\[minutes\]\](?P<words>, [a-z, ]+)?\))?$", re.M)
@@ -38,21 +34,14 @@ _WORD = re.compile(r"\w[\w'’.-]*")
 
 @dataclass
 class Section:
-    """A part of a lesson that has its own minutes; `counts` has a number for each key of MINUTES."""
+    """A part of a lesson with minutes of its own; `counts` has a number for each key of MINUTES."""
 
     deeper: bool = False
     counts: Counter = field(default_factory=Counter)
 
 
-@dataclass(frozen=True)
-class TimedScript:
-    """A lesson's script with its minutes filled in.
-
-    cells   tuple of ScriptCell
-    deeper  for each of them, whether it is in a deeper section
-    whole   minutes of the lesson
-    core    minutes of its core
-    """
+class TimedScript(NamedTuple):
+    """A script's cells with their minutes filled in; whether each is deeper; minutes of whole and core."""
 
     cells: tuple
     deeper: tuple
@@ -70,34 +59,23 @@ def timed_script(script, number):
     """The TimedScript of a Script; `number` is the lesson's place in the course, "" for the index."""
     sections, deeper = read_sections(script.cells)
     minutes = [max(1, round(minutes_of(section.counts, number))) for section in sections]
-    core = _in_fives(sum(m for m, section in zip(minutes, sections, strict=True) if not section.deeper))
-    whole = _in_fives(sum(minutes))
-    time = f"about {core} minutes"
-    if any(deeper):
-        time += f" for the core, {whole} with the deeper sections"
+    of_core = (m for m, section in zip(minutes, sections, strict=True) if not section.deeper)
+    core, whole = (max(5, 5 * round(total / 5)) for total in (sum(of_core), sum(minutes)))
+    time = f"about {core} minutes" + f" for the core, {whole} with the deeper sections" * any(deeper)
     headings = iter(minutes[1:])
     cells = tuple(_filled(cell, headings, time) if cell.kind == "markdown" else cell for cell in script.cells)
     return TimedScript(cells, tuple(deeper), whole, core)
 
 
-def _in_fives(minutes):
-    return max(5 * round(minutes / 5), 5)
-
-
 def _filled(cell, minutes, time):
     """A Markdown cell with the next minutes in its headings, and the lesson's time everywhere else."""
-
-    parts = []
-    for part in _PART.split(cell.source):
+    parts = _PART.split(cell.source)
+    for number, part in enumerate(parts):
         heading = _HEADING.match(part)
         if heading and heading["timed"]:
-            part = part.replace(REFERENCE, _label(next(minutes)), 1)
-        parts.append(part)
-    return replace(cell, source="".join(parts).replace(REFERENCE, time))
-
-
-def _label(minutes):
-    return f"{minutes} minute{'s' * (minutes != 1)}"
+            section = next(minutes)
+            parts[number] = part.replace(_REFERENCE, f"{section} minute{'s' * (section != 1)}", 1)
+    return replace(cell, source="".join(parts).replace(_REFERENCE, time))
 
 
 def read_sections(cells):
@@ -110,7 +88,7 @@ def read_sections(cells):
             if heading and len(heading[1]) <= deeper_level:
                 section, deeper_level = core, 0
             if heading and heading["timed"]:
-                if not deeper_level and DEEPER in (heading["words"] or ""):
+                if not deeper_level and "deeper" in (heading["words"] or ""):
                     deeper_level = len(heading[1])
                 section = Section(deeper_level > 0)
                 sections.append(section)
@@ -123,16 +101,17 @@ def read_sections(cells):
 
 
 def _counts_of_code(cell, stub):
-    lines = Counter(_code_lines(cell.source))
+    """What a code cell adds to the counts; of a solution, the lines that its stub does not hold."""
     if cell.role == "predict":
         return {"predictions": 1}
     if cell.role == "answer":
         return {"exercises": 1}
     if cell.role == "solution":
-        return {"solution lines": (lines - Counter(_code_lines(stub))).total()}
+        return {"solution lines": (_code_lines(cell.source) - _code_lines(stub)).total()}
     is_read = cell.role in ("", "given") and not cell.source.startswith(CHECK_LINE)
-    return {"code lines": lines.total()} if is_read else {}
+    return {"code lines": _code_lines(cell.source).total()} if is_read else {}
 
 
 def _code_lines(source):
-    return [line.strip() for line in source.splitlines() if line.strip() and not line.strip().startswith("#")]
+    lines = (line.strip() for line in source.splitlines())
+    return Counter(line for line in lines if line and not line.startswith("#"))
