@@ -39,19 +39,16 @@ def explain_call(result, difference, function):
     if difference is None:
         return ""
     if result.value["type"] == "None":
+        if result.printed:
+            return f"{name} returned None. print only shows a value: write return in place of print."
         if not result.has_return:
             return f"{name} returned None. Did you forget return?"
-        return (
-            f"{name} returned None for this input, although it has a return with a value. Is a case"
-            f" missing, such as the last else? Methods that work in place, such as list.sort(), return"
-            f" None, too."
-        )
     message = difference.message[0].upper() + difference.message[1:] + "."
     return f"In answer{difference.path}: {message}" if difference.path else message
 
 
 def _explain_timeout(name, stuck):
-    text = f"{name} did not finish and was stopped. Is there an endless loop?"
+    text = f"{name} did not finish in time and was stopped."
     return text + (" It could not be stopped: restart the kernel before you go on." if stuck else "")
 
 
@@ -216,23 +213,29 @@ def _advice(result, call):
     if result.mistake is not None:
         yield result.mistake.says
         return
+    yield result.near_miss
     if call.result.timed_out:
-        yield "A loop never ends: does each step change what the loop tests?"
+        yield (
+            "If this function is fast as a rule, the computer was busy: run the check again. If it has a while"
+            " loop: does each step change what the loop tests?"
+        )
         if "overflow" in call.result.warning:
             yield (
                 "A number overflowed: after 255 a uint8 goes on with 0. Count with Python's int, as range()"
                 " does."
             )
-    elif call.result.error:
-        error, exercise = call.result, result.exercise
-        yield advice_on(error.error, error.message, error.line, exercise.names, exercise.function)
+    elif call.result.error and not result.near_miss:
+        error, expected = call.result, (result.exercise.names, result.exercise.function)
+        yield advice_on(error.error, error.message, error.line, *expected, closest=error.closest)
     if call.difference is None or call.result.changed:
         return
     diagnosis = result.diagnosis
     yield diagnosis.text
+    if result.near_miss:
+        return
     if diagnosis.on_border:
         yield result.exercise.border_hint or _BORDER
-    elif not diagnosis.replaces_hint and call.difference.kind in ("value", "dtype") and call.case.hint:
+    elif not diagnosis.replaces_hint and call.case.hint:
         yield f"Hint: {call.case.hint}"
 
 

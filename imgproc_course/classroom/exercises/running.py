@@ -7,6 +7,7 @@ the code of a learner or of a master runs.
 import contextlib
 import copy
 import ctypes
+import difflib
 import dis
 import inspect
 import io
@@ -47,6 +48,7 @@ class CallResult:
     error      type name of the exception, "" for none
     message    the exception's message
     line       the line of the learner's code that raised, with its number
+    closest    the name that is most like one that does not exist, "" for none
     timed_out  the time limit stopped the call
     stuck      the call could not be stopped
     changed    names of the arguments that the function changed
@@ -59,6 +61,7 @@ class CallResult:
     error: str = ""
     message: str = ""
     line: str = ""
+    closest: str = ""
     timed_out: bool = False
     stuck: bool = False
     changed: tuple = ()
@@ -124,6 +127,7 @@ def _call_fields(function, arguments, time_limit):
             "error": type(error).__name__,
             "message": _message(error),
             "line": _own_line(error, function),
+            "closest": _closest(error),
         }
 
 
@@ -231,6 +235,19 @@ def _message(error):
     except Exception:  # noqa: BLE001 - an exception class of the learner's
         text = ""
     return _ADDRESS.sub("0x…", text)[:500]
+
+
+def _closest(error):
+    """The existing name that is most like the one that was not found; "" if none is."""
+    wanted, names = getattr(error, "name", None), []
+    if isinstance(error, AttributeError) and wanted:
+        names = dir(error.obj)
+    elif isinstance(error, NameError) and wanted:
+        frame = list(traceback.walk_tb(error.__traceback__))[-1][0]
+        names = [*frame.f_locals, *frame.f_globals]
+    plain = {name.lower(): name for name in names if not name.startswith("_")}
+    close = difflib.get_close_matches(wanted.lower(), plain, n=1, cutoff=0.75) if plain else []
+    return plain[close[0]] if close and plain[close[0]] != wanted else ""
 
 
 def _own_line(error, function):

@@ -8,30 +8,114 @@ from itertools import pairwise
 
 _ARRAY_MAKERS = ("array", "zeros", "zeros_like", "empty", "empty_like", "ones", "full", "copy", "astype")
 _DISK = ("glob", "rglob", "iterdir", "exists", "is_file", "is_dir", "listdir", "scandir")
-_PRODUCT = "{} is the product of two matrices or vectors; a * b multiplies value by value."
+_IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
-def remarks_on_source(function, errors=(), hints=()):
+def remarks_on_source(function, errors=()):
     """Sentences on what is certain from the source of a function alone; [] if the source is not known.
 
-    `errors` are the types that its calls raised. If the hints use @, an answer with @ needs no remark.
+    `errors` are the types that its calls raised, and "None" if one of them returned None.
     """
     try:
         source = textwrap.dedent(inspect.getsource(function))
         tree = ast.parse(source).body[0]
     except (OSError, TypeError, SyntaxError):
         return []
-    remarks = [text for node in ast.walk(tree) for text in _remarks_on_node(node, source)]
+    helpers = [helper for helper in _helpers(function) if isinstance(helper, ast.FunctionDef)]
+    nodes = [node for part in (tree, *helpers) for node in ast.walk(part)]
+    remarks = [text for part in (tree, *helpers) for text in _repeated_and_ended(part)]
+    remarks += [text for node in nodes for text in _remarks_on_node(node, source)]
     if isinstance(tree, ast.FunctionDef):
         remarks += _remarks_on_function(tree)
         remarks += _axes_of_positions(tree, errors)
+        remarks += _why_none(tree) if "None" in errors else []
     if "IndexError" in errors:
         remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
-    if any(" @ " in hint for hint in hints):
-        product = _PRODUCT.format("")
-        remarks = [remark for remark in remarks if not remark.endswith(product)]
     return list(dict.fromkeys(remarks))
+
+
+def has_done(source, sentence):
+    """Whether all code that a sentence tells to write stands in a source already."""
+    advised = re.findall(r"(?:[Ww]rite|[Uu]se|[Pp]ad with|:) ([\w.]+(?:\[[^\]]+\]|\([^()]+\)))", sentence)
+    source, *advised = ("".join(text.split()).replace("'", '"') for text in (source, *advised))
+    return bool(advised) and all(code in source for code in advised)
+
+
+def _helpers(function):
+    """The trees of the functions that a function calls by name, and that stand in its file."""
+    code = getattr(function, "__code__", None)
+    for name in code.co_names if code else ():
+        helper = function.__globals__.get(name)
+        if inspect.isfunction(helper) and helper.__code__.co_filename == code.co_filename:
+            yield ast.parse(textwrap.dedent(inspect.getsource(helper))).body[0]
+
+
+def _repeated_and_ended(tree):
+    """Loops that end in their first round, and those whose counter gets another value."""
+    for loop in ast.walk(tree):
+        if not isinstance(loop, ast.For):
+            continue
+        line = ast.unparse(loop).splitlines()[0].removesuffix(":")
+        end = _end_of(loop.body)
+        if end and not any(isinstance(node, ast.Continue) for node in ast.walk(loop)):
+            yield (
+                f"The loop {line} ends in its first round, because {end} stands inside it. If every round"
+                f" counts, write {end} below the loop, as far to the left as for."
+            )
+        yield from _counter_written_over(loop, line)
+
+
+def _end_of(body):
+    """ "return" or "break" if each way through a block ends with it; else "" """
+    last = body[-1]
+    if isinstance(last, ast.If) and last.orelse:
+        return _end_of(last.body) and _end_of(last.orelse)
+    return {ast.Return: "return", ast.Break: "break"}.get(type(last), "")
+
+
+def _counter_written_over(loop, line):
+    """for r in range(height): b, g, r = ...; what stands below uses the wrong r."""
+    counters = {node.id for node in ast.walk(loop.target) if isinstance(node, ast.Name)}
+    if not isinstance(loop.iter, ast.Call) or ast.unparse(loop.iter.func) != "range":
+        return
+    names = [node for part in loop.body for node in ast.walk(part) if isinstance(node, ast.Name)]
+    for store in names:
+        if store.id not in counters or not isinstance(store.ctx, ast.Store):
+            continue
+        reads = [name.lineno for name in names if name.id == store.id and isinstance(name.ctx, ast.Load)]
+        if store.lineno not in reads and max(reads, default=0) > store.lineno:
+            yield (
+                f"{store.id} counts the rounds of {line}, and inside this loop it gets another value. Give"
+                " one of the two another name."
+            )
+
+
+def _why_none(tree):
+    """Where None can come from: a path without return, or a method that works in place."""
+    has_return = any(isinstance(node, ast.Return) and node.value for node in ast.walk(tree))
+    if has_return and _reaches_end(tree.body):
+        yield (
+            f"There is a way through {tree.name}() on which no return is reached. Is a case missing, such as"
+            " the last else?"
+        )
+    for node in ast.walk(tree):
+        value = getattr(node, "value", None)
+        name = getattr(getattr(value, "func", None), "attr", "")
+        if name in _IN_PLACE and not isinstance(node, ast.Expr) and ast.unparse(value.func.value) != "np":
+            yield (
+                f"{ast.unparse(value)} works in place and gives None. Write it on a line of its own, and use"
+                f" {ast.unparse(value.func.value)} after it."
+            )
+
+
+def _reaches_end(body):
+    last = body[-1]
+    if isinstance(last, ast.If):
+        return not last.orelse or _reaches_end(last.body) or _reaches_end(last.orelse)
+    if isinstance(last, ast.With):
+        return _reaches_end(last.body)
+    return not isinstance(last, ast.Return | ast.Raise | ast.While | ast.Try | ast.Match)
 
 
 def _remarks_on_node(node, source):
@@ -49,11 +133,6 @@ def _always_true(node, _source):
             f"{ast.unparse(node)} is always true, because {ast.unparse(constants[0])} alone counts as"
             f" True. Compare with each of them, or write: in (..., ...)."
         )
-
-
-def _matrix_product(node, _source):
-    if isinstance(node.op, ast.MatMult):
-        yield _PRODUCT.format("a @ b")
 
 
 def _loop_over_uint8(node, source):
@@ -76,9 +155,6 @@ def _two_names_of_one_array(node, _source):
 
 
 def _remarks_on_call(node, _source):
-    name = ast.unparse(node.func)
-    if name in ("np.dot", "np.matmul"):
-        yield _PRODUCT.format(f"{name}(a, b)")
     if isinstance(node.func, ast.Attribute) and node.func.attr in _DISK:
         yield (
             f".{node.func.attr}() looks on the disk of this computer, where a file or folder of that name"
@@ -144,7 +220,6 @@ def _equality(statement):
 # (kind of node, rule)
 _RULES = (
     (ast.BoolOp, _always_true),
-    (ast.BinOp, _matrix_product),
     (ast.Call, _remarks_on_call),
     (ast.Assign, _width_before_height),
     (ast.While, _loop_over_uint8),
