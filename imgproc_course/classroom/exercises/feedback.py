@@ -224,7 +224,7 @@ def _advice(result, call):
                 "A number overflowed: after 255 a uint8 goes on with 0. Count with Python's int, as range()"
                 " does."
             )
-    elif call.result.error and not result.near_miss:
+    elif call.result.error:
         error, expected = call.result, (result.exercise.names, result.exercise.function)
         yield advice_on(error.error, error.message, error.line, *expected, closest=error.closest)
     if call.difference is None or call.result.changed:

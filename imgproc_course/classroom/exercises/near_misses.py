@@ -4,6 +4,7 @@ The question has evidence: the change was tried. It does not say what to write.
 """
 
 import ast
+import re
 import time
 from dataclasses import replace
 from itertools import combinations, pairwise
@@ -74,10 +75,16 @@ def _changes(definitions):
     """(question, number of a line or 0, [(node, field, value)]) of each change, the likeliest first."""
     nodes = [node for definition in definitions for node in ast.walk(definition)]
     for kind, rule in _RULES:
+        # Equal parts, whatever their names, may have the same mistake: row : row + 2, col : col + 2
+        alike = {}
         for node in nodes:
             if isinstance(node, kind):
-                for question, *change in rule(node):
-                    yield question, node.lineno if isinstance(node, ast.expr) else 0, change
+                alike.setdefault(re.sub(r"id='\w+'", "", ast.dump(node)), []).append(node)
+        for group in alike.values():
+            for same in ([node] for node in group) if len(group) == 1 else (*([node] for node in group), group):
+                line = same[0].lineno if isinstance(same[0], ast.expr) else 0
+                for (question, *change), *others in zip(*map(rule, same), strict=False):
+                    yield question, line, [*change, *(step for _, *more in others for step in more)]
     for definition in definitions:
         yield from _exchanges_everywhere(definition)
         yield from _inputs(definition)
@@ -148,7 +155,8 @@ def _numbers(node):
     """The whole numbers in an expression; one that is compared with == has no neighbours."""
     if isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Eq):
         return
-    for number in ast.iter_child_nodes(node):
+    parts = getattr(node.slice, "elts", [node.slice]) if isinstance(node, ast.Subscript) else None
+    for number in parts or ast.iter_child_nodes(node):
         if isinstance(number, ast.Constant) and type(number.value) is int and number.value < 10_000:
             for step, word in ((1, "small"), (-1, "large")):
                 text = f"Is {number.value} one too {word} in {ast.unparse(node)}?"
@@ -174,7 +182,7 @@ def _ends(node):
 
 def _operators(node):
     if type(node.op) in _OPERATORS:
-        yield f"Is {_SIGNS[type(node.op)]} right here?", (node, "op", _OPERATORS[type(node.op)]())
+        yield f"Is {_SIGNS[type(node.op)]} the right sign?", (node, "op", _OPERATORS[type(node.op)]())
 
 
 def _name(call):
@@ -185,7 +193,7 @@ def _functions(node):
     field = "attr" if isinstance(node, ast.Attribute) else "id"
     for old, new in _FUNCTIONS:
         if getattr(node, field) == old:
-            yield f"Is {old} right here?", (node, field, new)
+            yield f"Is {old} the right one?", (node, field, new)
 
 
 def _left_out(node):
@@ -207,7 +215,7 @@ def _inner(node):
     if isinstance(node, ast.UnaryOp):
         yield node.operand
     elif isinstance(node, ast.Call):
-        if isinstance(node.func, ast.Attribute) and not isinstance(node.func.value, ast.Name):
+        if isinstance(node.func, ast.Attribute):
             yield node.func.value
         yield from node.args[:1]
     elif isinstance(node, ast.Attribute) and node.attr == "T" or isinstance(node, ast.Subscript):
@@ -221,9 +229,10 @@ def _added(node):
     for side in ("left", "right"):
         part = getattr(node, side)
         if isinstance(node.op, ast.MatMult):
-            yield f"Is {ast.unparse(part)} as it is, or transposed?", (node, side, ast.Attribute(part, "T"))
+            transposed = ast.Attribute(part, "T")
+            yield f"Must {ast.unparse(part)} be transposed?", (node, side, transposed)
         square = ast.BinOp(part, ast.Pow(), ast.Constant(2))
-        yield f"Is {ast.unparse(part)} squared?", (node, side, square)
+        yield f"Must {ast.unparse(part)} be squared?", (node, side, square)
 
 
 def _indentation(node):
@@ -237,7 +246,7 @@ def _indentation(node):
             if not inner or isinstance(first, ast.FunctionDef):
                 continue
             before, after = block[: place + 1], block[place + 1 :]
-            if len(inner) > 1:
+            if len(inner) > 1 and not isinstance(inner[-1], ast.Return):
                 change = [(first, "body", inner[:-1]), (node, field, [*before, inner[-1], *after])]
                 yield _belongs(inner[-1]), *change
             if second is not None and not isinstance(second, ast.FunctionDef):

@@ -247,7 +247,9 @@ def _closest(error):
         names = [*frame.f_locals, *frame.f_globals]
     plain = {name.lower(): name for name in names if not name.startswith("_")}
     close = difflib.get_close_matches(wanted.lower(), plain, n=1, cutoff=0.75) if plain else []
-    return plain[close[0]] if close and plain[close[0]] != wanted else ""
+    closest = plain[close[0]] if close else ""
+    module = getattr(getattr(error, "obj", None), "__name__", "").replace("numpy", "np")
+    return f"{module}.{closest}" if closest and module else closest
 
 
 def _own_line(error, function):

@@ -83,8 +83,11 @@ def _counter_written_over(loop, line):
     for store in names:
         if store.id not in counters or not isinstance(store.ctx, ast.Store):
             continue
-        reads = [name.lineno for name in names if name.id == store.id and isinstance(name.ctx, ast.Load)]
-        if store.lineno not in reads and max(reads, default=0) > store.lineno:
+        same_line = [name for name in names if name.lineno == store.lineno and name is not store]
+        is_meant = store.id in {name.id for name in same_line} and not any(
+            isinstance(name.ctx, ast.Store) for name in same_line  # row = row * 2, and not b, g, r = ...
+        )
+        if not is_meant and any(name.id == store.id and name.lineno > store.lineno for name in names):
             yield (
                 f"{store.id} counts the rounds of {line}, and inside this loop it gets another value. Give"
                 " one of the two another name."
