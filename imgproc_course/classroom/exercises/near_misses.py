@@ -7,7 +7,7 @@ import ast
 import re
 import time
 from dataclasses import replace
-from itertools import combinations, pairwise
+from itertools import combinations, islice
 
 from imgproc_course.classroom.exercises.comparison import compare
 
@@ -15,17 +15,26 @@ _MOST_CHANGES, _SECONDS = 600, 1.0  # of processor time, for all changes of an a
 _CALL_SECONDS = 0.25
 # A changed copy of an answer that uses these could do harm.
 _HARMFUL = {"open", "os", "shutil", "subprocess", "pathlib", "Path", "sys", "input", "exec", "eval", "socket"}
-_EQUAL = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt}
-_REVERSED = {ast.Lt: ast.Gt, ast.LtE: ast.GtE, ast.Gt: ast.Lt, ast.GtE: ast.LtE}
-_REVERSED |= {ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}
-_OPERATORS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Div: ast.FloorDiv, ast.FloorDiv: ast.Div}
-_OPERATORS |= {ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd, ast.MatMult: ast.Mult, ast.Mult: ast.Div}
-_SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Div: "/", ast.FloorDiv: "//", ast.Mult: "*", ast.MatMult: "@"}
-_SIGNS |= {ast.BitAnd: "&", ast.BitOr: "|"}
-_FUNCTIONS = ("sum mean", "mean median", "min max", "argmin argmax", "log log10", "minimum maximum")
-_FUNCTIONS += ("int round", "floor ceil", "sin cos", "any all", "sum max", "int8 int16", "uint8 int32")
-_FUNCTIONS += ("uint16 uint32", "int16 int32")
-_FUNCTIONS = [pair for names in _FUNCTIONS for pair in (names.split(), names.split()[::-1])]
+# {operator: (its sign, what may be meant; for a comparison first the one that differs for equal values)}
+_OPERATORS = {
+    **{ast.Lt: ("<", ast.LtE, ast.Gt), ast.LtE: ("<=", ast.Lt, ast.GtE), ast.Eq: ("==", ast.NotEq)},
+    **{ast.Gt: (">", ast.GtE, ast.Lt), ast.GtE: (">=", ast.Gt, ast.LtE), ast.NotEq: ("!=", ast.Eq)},
+    **{
+        ast.Add: ("+", ast.Sub),
+        ast.Sub: ("-", ast.Add),
+        ast.Mult: ("*", ast.Div),
+        ast.MatMult: ("@", ast.Mult),
+    },
+    **{ast.Div: ("/", ast.FloorDiv, ast.Mult), ast.FloorDiv: ("//", ast.Div), ast.And: ("and", ast.Or)},
+    **{ast.Or: ("or", ast.And), ast.BitAnd: ("&", ast.BitOr), ast.BitOr: ("|", ast.BitAnd)},
+}
+_NAMES = "sum mean median, min max, argmin argmax, log log10, minimum maximum, int round, floor ceil, any all"
+_NAMES += ", sin cos tan, int8 int16 int32 uint8, uint16 uint32"
+_NAMES = [set(names.split()) for names in _NAMES.split(",")]
+_WRAPS = (
+    "Values wrap around in the dtype of {0}, because they are too small or too large for it. Widen {0} first."
+)
+_NO_MASK = "{0} holds numbers, and here a mask is needed, True and False. A comparison makes one."
 
 
 def near_miss(exercise, answer):
@@ -35,20 +44,18 @@ def near_miss(exercise, answer):
     except (SyntaxError, ValueError, RecursionError):
         return ""
     definitions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
-    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    names |= {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
+    names = set(re.findall(r"\w+", answer.source))
     if names & _HARMFUL or answer.function not in {definition.name for definition in definitions}:
         return ""
     exercise, lines = replace(exercise, time_limit=_CALL_SECONDS), answer.source.splitlines()
     end = time.thread_time() + _SECONDS
-    for _, (question, line, change) in zip(range(_MOST_CHANGES), _changes(definitions), strict=False):
-        before = [(node, field, getattr(node, field)) for node, field, _ in change]
-        for node, field, value in change:
-            setattr(node, field, value)
+    for question, change in islice(_changes(definitions), _MOST_CHANGES):
+        before = [_put(*place, new) for *place, new in change]
         has_passed = _passes(exercise, ast.unparse(ast.fix_missing_locations(tree)), answer.function)
-        for node, field, value in before:
-            setattr(node, field, value)
+        for (*place, _), old in zip(change, before, strict=True):
+            _put(*place, old)
         if has_passed:
+            line = getattr(before[0], "lineno", 0)
             place = f" Look at the line {lines[line - 1].strip()}" if line else ""
             return f"With one small change all checks here pass.{place}\n{question}"
         if time.thread_time() > end:
@@ -56,248 +63,169 @@ def near_miss(exercise, answer):
     return ""
 
 
+def _put(node, field, position, new):
+    """Put a value at a place of a tree; what stood there before."""
+    values = getattr(node, field)
+    if position is None:
+        setattr(node, field, new)
+        return values
+    old, values[position] = values[position], new
+    return old
+
+
 def _passes(exercise, source, function):
     names, _ = exercise.run_answer(source, function)
-    if not callable(names.get(function)):
-        return False
-    for case in exercise.cases:
-        for expected in case.calls:
-            result = exercise.call(names[function], expected.arguments)
-            if not result.finished or result.changed:
-                return False
-            value, tolerance = expected.result.value, case.tolerance
-            if compare(value, result.value, tolerance, exact_type=exercise.exact_type):
-                return False
-    return True
+    pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
+    return callable(names.get(function)) and all(
+        result.finished
+        and not result.changed
+        and not compare(value, result.value, case.tolerance, exact_type=exercise.exact_type)
+        for case, expected in pairs
+        for result, value in [(exercise.call(names[function], expected.arguments), expected.result.value)]
+    )
 
 
 def _changes(definitions):
-    """(question, number of a line or 0, [(node, field, value)]) of each change, the likeliest first."""
-    nodes = [node for definition in definitions for node in ast.walk(definition)]
-    for kind, rule in _RULES:
-        # Equal parts, whatever their names, may have the same mistake: row : row + 2, col : col + 2
+    """(question, [(node, field, position or None, new value)]) of each change, the likeliest first."""
+    places = [place for definition in definitions for place in _places(definition)]
+    for rule in _RULES:
         alike = {}
-        for node in nodes:
-            if isinstance(node, kind):
-                alike.setdefault(re.sub(r"id='\w+'", "", ast.dump(node)), []).append(node)
+        for place in places:
+            # Parts that are alike but for names may have the same mistake: row : row + 2, col : col + 2
+            alike.setdefault(re.sub(r"id='\w+'", "", ast.dump(place[-1])), []).append(place)
         for group in alike.values():
-            for same in ([node] for node in group) if len(group) == 1 else (*([node] for node in group), group):
-                line = same[0].lineno if isinstance(same[0], ast.expr) else 0
-                for (question, *change), *others in zip(*map(rule, same), strict=False):
-                    yield question, line, [*change, *(step for _, *more in others for step in more)]
+            for same in (*([place] for place in group), *([group] if len(group) > 1 else [])):
+                for variants in zip(*(rule(child, node) for node, *_, child in same), strict=False):
+                    news = [new for _, new in variants]
+                    yield variants[0][0], [(*place[:3], new) for place, new in zip(same, news, strict=True)]
+    numbers = [place for place in places if _is_number(place[-1])]
+    for first, second in combinations({place[-1].value for place in numbers}, 2):
+        other = {first: ast.Constant(second), second: ast.Constant(first)}
+        change = [(*place, other[child.value]) for *place, child in numbers if child.value in other]
+        yield f"Are {first} and {second} exchanged?", change
     for definition in definitions:
-        yield from _exchanges_everywhere(definition)
-        yield from _inputs(definition)
+        for name in (argument.arg for argument in definition.args.args):
+            for text, code in (
+                (_NO_MASK, "{0} > 0"),
+                (_WRAPS, "{0}.astype(float)"),
+                (_WRAPS, "{0}.astype(int)"),
+            ):
+                first = ast.parse(f"{name} = {code.format(name)}").body
+                yield text.format(name), [(definition, "body", None, first + definition.body)]
 
 
-def _equal_values(node):
-    for ops, old, new in _replaced(node.ops, _EQUAL):
-        text = f"{ast.unparse(node)}: does an equal value count in the right way?"
-        yield text, (node, "ops", ops)
+def _places(definition):
+    """(node, field, position in a list or None, expression) of each expression of a function."""
+    for node in ast.walk(definition):
+        for field, value in ast.iter_fields(node):
+            for position, child in enumerate(value) if isinstance(value, list) else [(None, value)]:
+                if isinstance(child, ast.expr):
+                    yield node, field, position, child
 
 
-def _directions(node):
-    for ops, old, new in _replaced(node.ops, _REVERSED):
-        yield f"{ast.unparse(node)}: is this comparison the right way round?", (node, "ops", ops)
+# ---------------------------------------------------------------- (question, new expression) for one expression
 
 
-def _replaced(operators, others):
-    for place, old in enumerate(operators):
-        if type(old) in others:
-            new = others[type(old)]()
-            yield [*operators[:place], new, *operators[place + 1 :]], old, new
-
-
-def _conditions(node):
-    new = ast.Or() if isinstance(node.op, ast.And) else ast.And()
-    yield "Must both conditions hold (and), or is one of them enough (or)?", (node, "op", new)
-
-
-def _parentheses(node):
-    for side in ("left", "right"):
-        inner = getattr(node, side)
-        if not isinstance(inner, ast.BinOp):
-            continue
-        if side == "right":
-            left = ast.BinOp(node.left, node.op, inner.left)
-            change = [(node, "left", left), (node, "op", inner.op), (node, "right", inner.right)]
-        else:
-            right = ast.BinOp(inner.right, node.op, node.right)
-            change = [(node, "left", inner.left), (node, "op", inner.op), (node, "right", right)]
-        yield f"Python computes {ast.unparse(inner)} first. Are parentheses missing?", *change
-
-
-def _exchanges(node):
-    if isinstance(node, ast.BinOp):
-        if isinstance(node.op, ast.Sub | ast.Div | ast.MatMult | ast.FloorDiv):
-            parts, change = (node.left, node.right), [(node, "left", node.right), (node, "right", node.left)]
-            yield _exchanged(*parts), *change
+def _operators(child, _node):
+    field = "ops" if isinstance(child, ast.Compare) else "op"
+    if not hasattr(child, field):
         return
-    field = "args" if isinstance(node, ast.Call) else "elts"
-    values = getattr(node, field)
-    if field == "elts" and all(_is_number(value) for value in values):
-        return
+    code, old = ast.unparse(child), getattr(child, field)
+    sign, *others = _OPERATORS.get(type(old[0] if field == "ops" else old), ("",))
+    for place, new in enumerate(others):
+        is_equal = field == "ops" and place == 0 and sign not in ("==", "!=")
+        text = (
+            f"{code}: does an equal value count in the right way?"
+            if is_equal
+            else f"Is {sign} right in {code}?"
+        )
+        yield text, _with(child, **{field: [new(), *old[1:]] if field == "ops" else new()})
+
+
+def _with(node, **fields):
+    return ast.copy_location(type(node)(**{**dict(ast.iter_fields(node)), **fields}), node)
+
+
+def _parentheses(child, _node):
+    for side in ("left", "right") if isinstance(child, ast.BinOp) else ():
+        inner = getattr(child, side)
+        if isinstance(inner, ast.BinOp):
+            if side == "right":
+                left = ast.BinOp(child.left, child.op, inner.left)
+                new = ast.BinOp(left, inner.op, inner.right)
+            else:
+                new = ast.BinOp(inner.left, inner.op, ast.BinOp(inner.right, child.op, child.right))
+            yield f"Python computes {ast.unparse(inner)} first. Are parentheses missing?", new
+
+
+def _exchanged(child, _node):
+    if isinstance(child, ast.BinOp) and isinstance(child.op, ast.Sub | ast.Div | ast.MatMult | ast.FloorDiv):
+        yield _are_exchanged(child.left, child.right), _with(child, left=child.right, right=child.left)
+    field = {ast.Call: "args", ast.Tuple: "elts", ast.List: "elts"}.get(type(child))
+    values = getattr(child, field) if field else []
+    if field == "elts" and all(isinstance(value, ast.Constant | ast.UnaryOp) for value in values):
+        return  # a table
     for first, second in combinations(range(min(len(values), 4)), 2):
         swapped = list(values)
         swapped[first], swapped[second] = values[second], values[first]
-        yield _exchanged(values[first], values[second]), (node, field, swapped)
+        yield _are_exchanged(values[first], values[second]), _with(child, **{field: swapped})
 
 
-def _is_number(node):
-    return isinstance(node, ast.Constant | ast.UnaryOp)
-
-
-def _exchanged(first, second):
+def _are_exchanged(first, second):
     return f"Are {ast.unparse(first)} and {ast.unparse(second)} exchanged?"
 
 
-def _numbers(node):
-    """The whole numbers in an expression; one that is compared with == has no neighbours."""
-    if isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Eq):
+def _is_number(node):
+    return isinstance(node, ast.Constant) and type(node.value) is int and node.value < 100_000
+
+
+def _numbers(child, node):
+    """A number one larger or smaller; the index of a channel; an axis; not what == compares with."""
+    if not _is_number(child) or isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Eq):
         return
-    parts = getattr(node.slice, "elts", [node.slice]) if isinstance(node, ast.Subscript) else None
-    for number in parts or ast.iter_child_nodes(node):
-        if isinstance(number, ast.Constant) and type(number.value) is int and number.value < 10_000:
-            for step, word in ((1, "small"), (-1, "large")):
-                text = f"Is {number.value} one too {word} in {ast.unparse(node)}?"
-                if isinstance(node, ast.keyword | ast.Subscript):
-                    text = f"Is {ast.unparse(node)} the right one?"
-                yield text, (number, "value", number.value + step)
+    is_step = isinstance(node, ast.BinOp | ast.Slice | ast.Assign) or _is_range(node)
+    for step, word in ((1, "small"), (-1, "large")):
+        text = f"Is {child.value} one too {word} in {ast.unparse(node)}?"
+        text = text if is_step else f"Is {child.value} right in {ast.unparse(node)}?"
+        yield text, ast.copy_location(ast.Constant(child.value + step), child)
 
 
-def _ends(node):
+def _is_range(node):
+    return isinstance(node, ast.Call) and ast.unparse(node.func) == "range"
+
+
+def _ends(child, node):
     """The begin and the end of a slice or a range."""
     if isinstance(node, ast.Slice):
-        parts = [("lower", node.lower), ("upper", node.upper)]
-    else:
-        parts = [("args", argument) for argument in node.args] if _name(node) == "range" else []
-    for field, part in parts:
-        if part is None or isinstance(part, ast.Constant):
-            continue
-        for op, word in ((ast.Add(), "small"), (ast.Sub(), "large")):
-            new = ast.BinOp(part, op, ast.Constant(1))
-            value = [new if argument is part else argument for argument in node.args] if field == "args" else new
-            yield f"Is {ast.unparse(part)} one too {word} in {ast.unparse(node)}?", (node, field, value)
+        yield f"Is {ast.unparse(child)} right in the slice {ast.unparse(node)}?", None
+    if (isinstance(node, ast.Slice) or _is_range(node) and child is not node.func) and not _is_number(child):
+        for operator, word in ((ast.Add(), "small"), (ast.Sub(), "large")):
+            text = f"Is {ast.unparse(child)} one too {word} in {ast.unparse(node)}?"
+            yield text, ast.copy_location(ast.BinOp(child, operator, ast.Constant(1)), child)
 
 
-def _operators(node):
-    if type(node.op) in _OPERATORS:
-        yield f"Is {_SIGNS[type(node.op)]} the right sign?", (node, "op", _OPERATORS[type(node.op)]())
+def _names(child, _node):
+    field = {ast.Attribute: "attr", ast.Name: "id"}.get(type(child))
+    old = getattr(child, field) if field else ""
+    for new in sorted({name for names in _NAMES if old in names for name in names} - {old}):
+        yield f"Is {old} the right one?", _with(child, **{field: new})
 
 
-def _name(call):
-    return getattr(call.func, "attr", getattr(call.func, "id", ""))
-
-
-def _functions(node):
-    field = "attr" if isinstance(node, ast.Attribute) else "id"
-    for old, new in _FUNCTIONS:
-        if getattr(node, field) == old:
-            yield f"Is {old} the right one?", (node, field, new)
-
-
-def _left_out(node):
-    """What stands around a value, or a factor beside it, left out."""
-    for field, child in ast.iter_fields(node):
-        for part in _inner(child):
-            yield _enough(child, part), (node, field, part)
-        if isinstance(child, list):
-            for place, item in enumerate(child):
-                for part in _inner(item):
-                    yield _enough(item, part), (node, field, [*child[:place], part, *child[place + 1 :]])
-
-
-def _enough(whole, part):
-    return f"Is {ast.unparse(whole)} right, or is {ast.unparse(part)} enough?"
-
-
-def _inner(node):
-    if isinstance(node, ast.UnaryOp):
-        yield node.operand
-    elif isinstance(node, ast.Call):
-        if isinstance(node.func, ast.Attribute):
-            yield node.func.value
-        yield from node.args[:1]
-    elif isinstance(node, ast.Attribute) and node.attr == "T" or isinstance(node, ast.Subscript):
-        yield node.value
-    elif isinstance(node, ast.BinOp):
-        yield from (node.left, node.right)
-
-
-def _added(node):
-    """A square or a transposition that is missing."""
-    for side in ("left", "right"):
-        part = getattr(node, side)
+def _added(child, node):
+    if isinstance(node, ast.BinOp):
         if isinstance(node.op, ast.MatMult):
-            transposed = ast.Attribute(part, "T")
-            yield f"Must {ast.unparse(part)} be transposed?", (node, side, transposed)
-        square = ast.BinOp(part, ast.Pow(), ast.Constant(2))
-        yield f"Must {ast.unparse(part)} be squared?", (node, side, square)
+            yield f"Must {ast.unparse(child)} be transposed?", ast.Attribute(child, "T")
+        yield f"Must {ast.unparse(child)} be squared?", ast.BinOp(child, ast.Pow(), ast.Constant(2))
 
 
-def _indentation(node):
-    """The last line of a block behind it, or the line behind it in it."""
-    for field in ("body", "orelse"):
-        block = getattr(node, field, None)
-        if not isinstance(block, list):
-            continue
-        for place, (first, second) in enumerate(pairwise([*block, None])):
-            inner = getattr(first, "body", None)
-            if not inner or isinstance(first, ast.FunctionDef):
-                continue
-            before, after = block[: place + 1], block[place + 1 :]
-            if len(inner) > 1 and not isinstance(inner[-1], ast.Return):
-                change = [(first, "body", inner[:-1]), (node, field, [*before, inner[-1], *after])]
-                yield _belongs(inner[-1]), *change
-            if second is not None and not isinstance(second, ast.FunctionDef):
-                yield _belongs(second), (first, "body", [*inner, second]), (node, field, [*before, *after[1:]])
+def _parts(child, _node):
+    """A part of an expression alone: of ~mask, image.T, abs(a), values[::-1], a + b."""
+    parts = [getattr(child, field, None) for field in ("operand", "value", "left", "right")]
+    if isinstance(child, ast.Call):
+        parts += [getattr(child.func, "value", None), *child.args[:1]]
+    for part in parts:
+        if isinstance(part, ast.expr):
+            yield f"Is {ast.unparse(child)} right, or is {ast.unparse(part)} enough?", part
 
 
-def _belongs(statement):
-    line = ast.unparse(statement).splitlines()[0]
-    return f"Look at how far {line} is indented: does it belong inside the block above it, or below it?"
-
-
-def _exchanges_everywhere(definition):
-    """Two numbers, or two names, exchanged in the whole function."""
-    nodes = list(ast.walk(definition))
-    numbers = [node for node in nodes if isinstance(node, ast.Constant) and type(node.value) in (int, float)]
-    reads = [node for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)]
-    for field, same in (("value", numbers), ("id", reads)):
-        values = list(dict.fromkeys(getattr(node, field) for node in same))
-        for first, second in combinations(values, 2):
-            other = {first: second, second: first}
-            pairs = [(node, getattr(node, field)) for node in same]
-            change = [(node, field, other[value]) for node, value in pairs if value in other]
-            yield f"Are {first} and {second} exchanged?", change[0][0].lineno, change
-
-
-def _inputs(definition):
-    """Each argument as a mask, and as wider numbers."""
-    for argument in definition.args.args:
-        name = argument.arg
-        for text, code in (
-            (f"{name} holds numbers, and here a mask is needed: True and False. A comparison makes one.", f"{name} > 0"),
-            (f"Too small or too large values wrap around in the dtype of {name}. Widen it first.", f"{name}.astype(float)"),
-            (f"Too small or too large values wrap around in the dtype of {name}. Widen it first.", f"{name}.astype(int)"),
-        ):
-            statement = ast.parse(f"{name} = {code}").body
-            yield text, 0, [(definition, "body", [*statement, *definition.body])]
-
-
-# (kind of node, rule), the likeliest changes first
-_RULES = (
-    (ast.Compare, _equal_values),
-    (ast.AST, _indentation),
-    (ast.BinOp, _parentheses),
-    ((ast.Tuple, ast.List, ast.Call, ast.BinOp), _exchanges),
-    ((ast.keyword, ast.expr, ast.Assign, ast.AugAssign, ast.Slice, ast.Return), _numbers),
-    ((ast.Slice, ast.Call), _ends),
-    (ast.Compare, _directions),
-    (ast.BoolOp, _conditions),
-    (ast.BinOp, _operators),
-    (ast.AugAssign, _operators),
-    ((ast.Name, ast.Attribute), _functions),
-    (ast.BinOp, _added),
-    (ast.expr, _left_out),
-)
+_RULES = (_operators, _parentheses, _exchanged, _numbers, _ends, _names, _added, _parts)
