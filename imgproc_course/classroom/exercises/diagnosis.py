@@ -311,33 +311,14 @@ def _shape_rules(expected, actual, given, name):
         "Your result has fewer axes than the input: a function with axis=..., or an index such as"
         " image[0], takes one away.",
     )
-    is_image = any(image_shape[:2] == shape[:2] for image_shape in given)
     if len(shape) == len(actual_shape) >= 2:
-        yield True, _advice_on_size(shape, actual_shape, is_image)
-
-
-def _advice_on_size(shape, actual_shape, is_image):
-    """The same; `is_image` if the expected result has the rows and columns of an argument."""
-    rows, cols = (actual - expected for actual, expected in zip(actual_shape[:2], shape[:2], strict=True))
-    if rows == cols and rows in (-2, -4) and is_image:
-        return (
-            f"Your result is smaller than the image by {-rows} rows and {-cols} columns: the border has no"
-            " values."
-        )
-    if rows == cols and rows in (2, 4):
-        return f"Your result has {rows} rows and {cols} columns too many, as many as a padding has."
-    if rows == 0 and cols > 0:
-        return f"Your result is too wide: {actual_shape[1]} columns instead of {shape[1]}."
-    changes = [_surplus(rows, "row"), _surplus(cols, "column")]
-    if not any(changes):
-        return ""
-    return f"Your result has {' and '.join(text for text in changes if text)}."
+        gaps = (actual - expected for actual, expected in zip(actual_shape, shape, strict=True))
+        changes = [_surplus(gap, noun) for gap, noun in zip(gaps, ("row", "column"), strict=False) if gap]
+        yield changes, f"Your result has {' and '.join(changes)}."
 
 
 def _surplus(count, noun):
-    """`2 rows too many`, `1 column too few`, or "" """
-    if count == 0:
-        return ""
+    """`2 rows too many`, `1 column too few`"""
     return f"{abs(count)} {noun}{'s' * (abs(count) != 1)} too {'many' if count > 0 else 'few'}"
 
 

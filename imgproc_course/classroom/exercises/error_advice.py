@@ -5,7 +5,6 @@ the line that raised: `thinned > high and thinned < 9` needs another sentence th
 """
 
 import ast
-import difflib
 import math
 import re
 
@@ -120,15 +119,8 @@ def _broadcast_rules(shapes, source):
     if len(first) != len(second):
         return
     yield (
-        (3, 3) in shapes and max(*first, *second) == 3,
-        " Here the window is smaller than the kernel. It must be array[row : row + 3,"
-        " col : col + 3], and inside the array: loop over the rows and columns of the image, not of the"
-        " padded array.",
-    )
-    yield (
-        (3, 3) in shapes and min(max(shapes)) > 3,
-        " A kernel is smaller than the image: it slides over it, and each pixel is computed from"
-        " the products with its own 3 × 3 neighbours.",
+        (3, 3) in shapes,
+        " A kernel of 3 × 3 needs a window of 3 × 3, inside the padded image, for each pixel of the image.",
     )
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     text = f" These two differ by {gap}: look where each slice begins and ends, and how wide the padding is."
@@ -145,12 +137,12 @@ def _index_outside(match, source):
     steps = dict.fromkeys(ast.unparse(part) for part in parts if isinstance(part, ast.BinOp))
     if steps:
         return (
-            f"{advice} Here {' or '.join(steps)} goes further. Does the loop end early enough? If pixels at the"
-            " border need their neighbours too, the image must be padded."
+            f"{advice} Here {' or '.join(steps)} goes further. Does the loop end early enough? If pixels at"
+            " the border need their neighbours too, the image must be padded."
         )
     return (
-        f"{advice} Where does the index come from: a loop that ends at another length, a value that was rounded"
-        " up, or rows and columns exchanged? An array is indexed rows first: array[row, col]."
+        f"{advice} Where does the index come from: a loop that ends at another length, or a value that was"
+        " rounded up? An array is indexed rows first: array[row, col]."
     )
 
 
@@ -192,17 +184,10 @@ def _reshape(match, source):
             f"{size} values are too many for {product} = {count}. Is there padding at the end of the rows?"
             f" Crop each row, rows[:, :n], before you reshape; rows[:n] keeps the first rows."
         )
-    return f"{size} values are too few for {product} = {count}. {_why_too_few(size, count, shape, source)}"
-
-
-def _why_too_few(size, count, shape, source):
+    why = " Is this one value for each pixel? A colour pixel has 3 values (bytes), a row width * 3."
     if "step" in source:
-        return "step is the number of bytes of a row; the columns of an image are its pixels, width."
-    if count == 3 * size:
-        return "Is this one value for each pixel? A colour pixel has 3 values (bytes), a row width * 3."
-    if shape == [3, 3]:
-        return "A 3 × 3 matrix has 9 numbers. If a function gave several results, is this the right one?"
-    return "Where do the values come from, and where do the numbers of the shape?"
+        why = " step is the number of bytes of a row; the columns of an image are its pixels, width."
+    return f"{size} values are too few for {product} = {count}.{why if 'step' in source or count == 3 * size else ''}"
 
 
 def _zero_division(_match, source):
@@ -221,8 +206,7 @@ def _not_in_numpy(match, _source):
     for home in ("linalg", "random"):
         if hasattr(getattr(np, home), name):
             return f"{name} is a function of np.{home}: write np.{home}.{name}."
-    similar = difflib.get_close_matches(name, dir(np), n=1)
-    return f"NumPy has no {name}." + (f" Did you mean np.{similar[0]}?" if similar else "")
+    return f"NumPy has no {name}."
 
 
 def _does_not_fit(match, source):
@@ -341,7 +325,7 @@ AttributeError: '(list|tuple)' object has no attribute '(shape|astype|dtype|mean
 AttributeError: '(int|float|bool)' object has no attribute '(?:astype|shape)'
     This is a single number (\1), not an array. For numbers use int() or float().
 AttributeError: '[\w.]*(?:SimpleNamespace|Image)' object has no attribute '(\w+)'
-    A message has no field \1. The number of its rows is height, the number of its columns width; print(message)
+    A message has no field \1. The number of its rows is height, and of its columns width; print(message)
     shows all its fields.
 TypeError: .*'[\w.]*(?:function|method)\w*' object (?:is not subscriptable|does not support item)
     This is a function. Call it with round brackets; square brackets take a part of a value.

@@ -38,7 +38,7 @@ _NO_MASK = "{0} holds numbers, and here a mask is needed, True and False. A comp
 
 
 def near_miss(exercise, answer):
-    """A question about the place where one small change of a ComposedAnswer makes it pass; "" if none does."""
+    """A question about the one small change that makes a ComposedAnswer pass; "" if none does."""
     try:
         tree = ast.parse(answer.source)
     except (SyntaxError, ValueError, RecursionError):
@@ -90,14 +90,15 @@ def _changes(definitions):
     places = [place for definition in definitions for place in _places(definition)]
     for rule in _RULES:
         alike = {}
-        for place in places:
+        for *place, child in places:
+            variants = [(question, (*place, new)) for question, new in rule(child, place[0])]
+            yield from ((question, [change]) for question, change in variants)
             # Parts that are alike but for names may have the same mistake: row : row + 2, col : col + 2
-            alike.setdefault(re.sub(r"id='\w+'", "", ast.dump(place[-1])), []).append(place)
-        for group in alike.values():
-            for same in (*([place] for place in group), *([group] if len(group) > 1 else [])):
-                for variants in zip(*(rule(child, node) for node, *_, child in same), strict=False):
-                    news = [new for _, new in variants]
-                    yield variants[0][0], [(*place[:3], new) for place, new in zip(same, news, strict=True)]
+            key = re.sub(r"id='\w+'", "", ast.dump(child)), len(variants)
+            alike.setdefault(key, []).append(variants)
+        for group in (group for group in alike.values() if len(group) > 1):
+            for same in zip(*group, strict=True):
+                yield same[0][0], [change for _, change in same]
     numbers = [place for place in places if _is_number(place[-1])]
     for first, second in combinations({place[-1].value for place in numbers}, 2):
         other = {first: ast.Constant(second), second: ast.Constant(first)}
@@ -123,7 +124,7 @@ def _places(definition):
                     yield node, field, position, child
 
 
-# ---------------------------------------------------------------- (question, new expression) for one expression
+# ---------------------------------------------------------------- (question, new expression) of a change
 
 
 def _operators(child, _node):
@@ -162,6 +163,8 @@ def _exchanged(child, _node):
     if isinstance(child, ast.BinOp) and isinstance(child.op, ast.Sub | ast.Div | ast.MatMult | ast.FloorDiv):
         yield _are_exchanged(child.left, child.right), _with(child, left=child.right, right=child.left)
     field = {ast.Call: "args", ast.Tuple: "elts", ast.List: "elts"}.get(type(child))
+    if isinstance(child, ast.Slice) and child.lower and child.upper:
+        yield _are_exchanged(child.lower, child.upper), _with(child, lower=child.upper, upper=child.lower)
     values = getattr(child, field) if field else []
     if field == "elts" and all(isinstance(value, ast.Constant | ast.UnaryOp) for value in values):
         return  # a table
@@ -181,7 +184,7 @@ def _is_number(node):
 
 def _numbers(child, node):
     """A number one larger or smaller; the index of a channel; an axis; not what == compares with."""
-    if not _is_number(child) or isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Eq):
+    if not _is_number(child) or (isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Eq)):
         return
     is_step = isinstance(node, ast.BinOp | ast.Slice | ast.Assign) or _is_range(node)
     for step, word in ((1, "small"), (-1, "large")):
@@ -198,7 +201,7 @@ def _ends(child, node):
     """The begin and the end of a slice or a range."""
     if isinstance(node, ast.Slice):
         yield f"Is {ast.unparse(child)} right in the slice {ast.unparse(node)}?", None
-    if (isinstance(node, ast.Slice) or _is_range(node) and child is not node.func) and not _is_number(child):
+    if (isinstance(node, ast.Slice) or (_is_range(node) and child is not node.func)) and not _is_number(child):
         for operator, word in ((ast.Add(), "small"), (ast.Sub(), "large")):
             text = f"Is {ast.unparse(child)} one too {word} in {ast.unparse(node)}?"
             yield text, ast.copy_location(ast.BinOp(child, operator, ast.Constant(1)), child)

@@ -28,7 +28,6 @@ def remarks_on_source(function, errors=()):
     remarks += [text for node in nodes for text in _remarks_on_node(node, source)]
     if isinstance(tree, ast.FunctionDef):
         remarks += _remarks_on_function(tree)
-        remarks += _axes_of_positions(tree, errors)
         remarks += _why_none(tree) if "None" in errors else []
     if "IndexError" in errors:
         remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
@@ -76,21 +75,19 @@ def _end_of(body):
 
 def _counter_written_over(loop, line):
     """for r in range(height): b, g, r = ...; what stands below uses the wrong r."""
-    counters = {node.id for node in ast.walk(loop.target) if isinstance(node, ast.Name)}
-    if not isinstance(loop.iter, ast.Call) or ast.unparse(loop.iter.func) != "range":
+    if not line.partition(" in ")[2].startswith("range("):
         return
     names = [node for part in loop.body for node in ast.walk(part) if isinstance(node, ast.Name)]
-    for store in names:
-        if store.id not in counters or not isinstance(store.ctx, ast.Store):
-            continue
-        same_line = [name for name in names if name.lineno == store.lineno and name is not store]
-        is_meant = store.id in {name.id for name in same_line} and not any(
-            isinstance(name.ctx, ast.Store) for name in same_line  # row = row * 2, and not b, g, r = ...
-        )
-        if not is_meant and any(name.id == store.id and name.lineno > store.lineno for name in names):
+    uses = [(name.lineno, isinstance(name.ctx, ast.Store)) for name in names if name.id == line.split()[1]]
+    for number, is_store in uses:
+        stores = [name for name in names if name.lineno == number and isinstance(name.ctx, ast.Store)]
+        is_meant = (number, False) in uses and len(
+            stores
+        ) == 1  # row = row * 2, and not b, g, r = image[r, c]
+        if is_store and not is_meant and max(uses)[0] > number:
             yield (
-                f"{store.id} counts the rounds of {line}, and inside this loop it gets another value. Give"
-                " one of the two another name."
+                f"{line.split()[1]} counts the rounds of {line}, and inside this loop it gets another value."
+                " Give one of the two another name."
             )
 
 
@@ -165,19 +162,6 @@ def _remarks_on_call(node, _source):
         )
 
 
-def _width_before_height(node, _source):
-    """width, height = image.shape: the shape begins with the rows."""
-    target, value = node.targets[0], ast.unparse(node.value)
-    if not isinstance(target, ast.Tuple) or len(target.elts) < 2 or ".shape" not in value[-10:]:
-        return
-    first, second = (ast.unparse(name) for name in target.elts[:2])
-    if re.match(r"(w|width|cols?|columns?)$", first) and re.match(r"(h|height|rows?)$", second):
-        yield (
-            f"{first} and {second} are exchanged: a shape begins with the number of rows, the height. Write"
-            f" {second}, {first} = {value}."
-        )
-
-
 def _makes_array(node):
     return isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in _ARRAY_MAKERS
 
@@ -224,7 +208,6 @@ def _equality(statement):
 _RULES = (
     (ast.BoolOp, _always_true),
     (ast.Call, _remarks_on_call),
-    (ast.Assign, _width_before_height),
     (ast.While, _loop_over_uint8),
     (ast.Compare, _remarks_on_comparison),
     (ast.Assign, _two_names_of_one_array),
@@ -243,22 +226,6 @@ def _remarks_on_function(tree):
                 f"The loop for {target.id} in ... writes over the argument {target.id}. Give the variable"
                 " of the loop another name."
             )
-
-
-def _axes_of_positions(tree, errors):
-    """argmax and argmin along the wrong axis, or along none, if the positions led to an error."""
-    parameters = {argument.arg for argument in tree.args.args}
-    for call in ast.walk(tree):
-        name = getattr(getattr(call, "func", None), "attr", "")
-        if name not in ("argmax", "argmin"):
-            continue
-        is_numpy = ast.unparse(call.func.value) in ("np", "numpy")
-        given = [*([] if is_numpy else [call.func.value]), *call.args, *(key.value for key in call.keywords)]
-        array, *axes = [ast.unparse(value) for value in given] or [""]
-        if "IndexError" in errors and axes == ["0"]:
-            yield f"{name}(axis=0) gives a row's position for each column. For each row, write axis=1."
-        if "TypeError" in errors and not axes and array in parameters:
-            yield f"{name}() without axis gives one position in all. {name}(axis=1) gives one for each row."
 
 
 def _is_stub_line(statement):
