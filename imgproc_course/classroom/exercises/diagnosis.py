@@ -75,7 +75,7 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
     """The Diagnosis of a wrong answer, from its CaseCalls and the failed one that is shown."""
     expected, actual = shown.expected.value, shown.result.value
     if kind_of(actual) == "None":
-        return Diagnosis(replaces_hint=bool(shown.result.printed) or not shown.result.has_return)
+        return Diagnosis(replaces_hint=bool(shown.result.printed))
     tolerance = shown.case.tolerance
     parts = side_by_side(expected, actual)
     if not exact_type:

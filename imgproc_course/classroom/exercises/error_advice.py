@@ -184,10 +184,10 @@ def _reshape(match, source):
             f"{size} values are too many for {product} = {count}. Is there padding at the end of the rows?"
             f" Crop each row, rows[:, :n], before you reshape; rows[:n] keeps the first rows."
         )
-    why = " Is this one value for each pixel? A colour pixel has 3 values (bytes), a row width * 3."
+    text = f"{size} values are too few for {product} = {count}."
     if "step" in source:
-        why = " step is the number of bytes of a row; the columns of an image are its pixels, width."
-    return f"{size} values are too few for {product} = {count}.{why if 'step' in source or count == 3 * size else ''}"
+        return f"{text} step is the number of bytes of a row; an image has width columns."
+    return f"{text} Is this one value for each pixel? A colour pixel has 3." if count == 3 * size else text
 
 
 def _zero_division(_match, source):
@@ -219,6 +219,26 @@ def _does_not_fit(match, source):
     return text if operands or number in source else f"{text} Widen the array first, with astype."
 
 
+_IMPORTS = dict.fromkeys(("math", "cv2", "os", "sys", "random", "itertools", "struct", "time"), "import {}")
+_IMPORTS |= dict.fromkeys(dir(math), "from math import {}")
+_IMPORTS |= {
+    "np": "import numpy as {}",
+    "plt": "import matplotlib.pyplot as {}",
+    "ndimage": "from scipy import {}",
+}
+_IMPORTS |= {"Path": "from pathlib import {}", "SimpleNamespace": "from types import {}"}
+
+
+def _unknown(match, _source):
+    name = match[1]
+    if name in _IMPORTS:
+        return f"The name {name} is not known in this cell. Write its import line in it: {_IMPORTS[name].format(name)}"
+    return (
+        f"Nothing has the name {name} here. Is it spelled as above? If another cell defines or imports it,"
+        " write its definition or its import line in this cell; if it is a text, put it in quotes."
+    )
+
+
 # {pattern of an error as Python prints it: a function of the match and of the line that raised}
 _RULES = {
     "ValueError: .*truth value of an (?:empty )?array": _ambiguous,
@@ -227,6 +247,7 @@ _RULES = {
     r"ValueError: cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)": _reshape,
     r"AttributeError: module 'numpy' has no attribute '(\w+)'": _not_in_numpy,
     "ZeroDivisionError": _zero_division,
+    r"NameError: name '(\w+)' is not defined": _unknown,
     r"OverflowError: .*Python integer (-?\d+) out of bounds for (u?int\d+)": _does_not_fit,
     r"SyntaxError: invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)": _typographic,
     r"TypeError: .*(?:unhashable type|use): '([\w.]+)'": _unhashable,
@@ -277,25 +298,6 @@ LinAlgError: .*Singular matrix
     The equations have no single solution: a row or a column of the matrix is 0, or follows from others. Is
     each unknown in an equation, and is what must stay fixed left out?
 
-NameError: name '(math|cv2|os|sys|random|itertools|struct|time)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: import \1
-NameError: name '(sqrt|log10|log|floor|ceil|pi|inf|sin|cos|tan|atan2|hypot|radians)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from math import \1
-NameError: name '(np)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: import numpy as \1
-NameError: name '(plt)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: import matplotlib.pyplot as \1
-NameError: name '(Path)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from pathlib import \1
-NameError: name '(SimpleNamespace)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from types import \1
-NameError: name '(ndimage)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from scipy import \1
-NameError: name '(norm)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from numpy.linalg import \1
-NameError: name '(\w+)' is not defined
-    Nothing has the name \1 here. Is it spelled as above? If another cell defines or imports it, write its
-    definition or its import line in this cell; if it is a text, put it in quotes.
 UnboundLocalError: .*local variable '(\w+)'
     \1 gets its value inside an if or a loop, and that did not run for this input. Give \1 a start value
     before it.

@@ -38,11 +38,8 @@ def explain_call(result, difference, function):
         return _explain_change(name, result.changed[0])
     if difference is None:
         return ""
-    if result.value["type"] == "None":
-        if result.printed:
-            return f"{name} returned None. print only shows a value: write return in place of print."
-        if not result.has_return:
-            return f"{name} returned None. Did you forget return?"
+    if result.value["type"] == "None" and result.printed:
+        return f"{name} returned None. print only shows a value: write return in place of print."
     message = difference.message[0].upper() + difference.message[1:] + "."
     return f"In answer{difference.path}: {message}" if difference.path else message
 

@@ -11,7 +11,7 @@ from itertools import combinations, islice
 
 from imgproc_course.classroom.exercises.comparison import compare
 
-_MOST_CHANGES, _SECONDS = 600, 1.0  # of processor time, for all changes of an answer
+_MOST_CHANGES, _SECONDS = 500, 0.7  # of processor time, for all changes of an answer
 _CALL_SECONDS = 0.25
 # A changed copy of an answer that uses these could do harm.
 _HARMFUL = {"open", "os", "shutil", "subprocess", "pathlib", "Path", "sys", "input", "exec", "eval", "socket"}
@@ -35,6 +35,7 @@ _WRAPS = (
     "Values wrap around in the dtype of {0}, because they are too small or too large for it. Widen {0} first."
 )
 _NO_MASK = "{0} holds numbers, and here a mask is needed, True and False. A comparison makes one."
+_CONVERSIONS = (_NO_MASK, "{0} > 0"), (_WRAPS, "{0}.astype(float)"), (_WRAPS, "{0}.astype(int)")
 
 
 def near_miss(exercise, answer):
@@ -56,7 +57,7 @@ def near_miss(exercise, answer):
             _put(*place, old)
         if has_passed:
             line = getattr(before[0], "lineno", 0)
-            place = f" Look at the line {lines[line - 1].strip()}" if line else ""
+            place = f"\nin your line: {lines[line - 1].strip()}" if line else ""
             return f"With one small change all checks here pass.{place}\n{question}"
         if time.thread_time() > end:
             break
@@ -99,20 +100,19 @@ def _changes(definitions):
         for group in (group for group in alike.values() if len(group) > 1):
             for same in zip(*group, strict=True):
                 yield same[0][0], [change for _, change in same]
-    numbers = [place for place in places if _is_number(place[-1])]
+    yield from _exchanged_everywhere([place for place in places if _is_number(place[-1])])
+    for definition in definitions:
+        for name in (argument.arg for argument in definition.args.args):
+            for text, code in _CONVERSIONS:
+                first = ast.parse(f"{name} = {code.format(name)}").body
+                yield text.format(name), [(definition, "body", None, first + definition.body)]
+
+
+def _exchanged_everywhere(numbers):
     for first, second in combinations({place[-1].value for place in numbers}, 2):
         other = {first: ast.Constant(second), second: ast.Constant(first)}
         change = [(*place, other[child.value]) for *place, child in numbers if child.value in other]
         yield f"Are {first} and {second} exchanged?", change
-    for definition in definitions:
-        for name in (argument.arg for argument in definition.args.args):
-            for text, code in (
-                (_NO_MASK, "{0} > 0"),
-                (_WRAPS, "{0}.astype(float)"),
-                (_WRAPS, "{0}.astype(int)"),
-            ):
-                first = ast.parse(f"{name} = {code.format(name)}").body
-                yield text.format(name), [(definition, "body", None, first + definition.body)]
 
 
 def _places(definition):
@@ -201,7 +201,8 @@ def _ends(child, node):
     """The begin and the end of a slice or a range."""
     if isinstance(node, ast.Slice):
         yield f"Is {ast.unparse(child)} right in the slice {ast.unparse(node)}?", None
-    if (isinstance(node, ast.Slice) or (_is_range(node) and child is not node.func)) and not _is_number(child):
+    is_end = isinstance(node, ast.Slice) or (_is_range(node) and child is not node.func)
+    if is_end and not _is_number(child):
         for operator, word in ((ast.Add(), "small"), (ast.Sub(), "large")):
             text = f"Is {ast.unparse(child)} one too {word} in {ast.unparse(node)}?"
             yield text, ast.copy_location(ast.BinOp(child, operator, ast.Constant(1)), child)

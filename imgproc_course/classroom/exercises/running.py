@@ -8,7 +8,6 @@ import contextlib
 import copy
 import ctypes
 import difflib
-import dis
 import inspect
 import io
 import linecache
@@ -22,7 +21,6 @@ import traceback
 import types
 import warnings
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
@@ -54,7 +52,6 @@ class CallResult:
     changed    names of the arguments that the function changed
     printed    the beginning of what it printed
     warning    the first warning, or the first of an overflow, "" for none
-    has_return the function returned None here, although it has a return with a value
     """
 
     value: dict | None = None
@@ -67,7 +64,6 @@ class CallResult:
     changed: tuple = ()
     printed: str = ""
     warning: str = ""
-    has_return: bool = False
 
     @property
     def finished(self):
@@ -118,8 +114,7 @@ def _call_fields(function, arguments, time_limit):
     """The fields of CallResult that the call itself gives, as a dict."""
     try:
         value = call_within(lambda: function(*arguments), time_limit)
-        has_return = value is None and _returns_a_value(code_of(function))
-        return {"value": canonical(value, limit=None), "has_return": has_return}
+        return {"value": canonical(value, limit=None)}
     except TimeUp as ended:
         return {"timed_out": True, "stuck": bool(ended.args)}
     except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's function may raise anything
@@ -129,16 +124,6 @@ def _call_fields(function, arguments, time_limit):
             "line": _own_line(error, function),
             "closest": _closest(error),
         }
-
-
-def _returns_a_value(code):
-    """Whether a function has a return that is not `return None`."""
-    steps = [] if code is None else list(dis.get_instructions(code))
-    return any(
-        step.opname == "RETURN_VALUE"
-        and (step.is_jump_target or before.opname != "LOAD_CONST" or before.argval is not None)
-        for before, step in pairwise(steps)
-    )
 
 
 def overwrite_freed_memory(form):

@@ -93,8 +93,9 @@ def _counter_written_over(loop, line):
 
 def _why_none(tree):
     """Where None can come from: a path without return, or a method that works in place."""
-    has_return = any(isinstance(node, ast.Return) and node.value for node in ast.walk(tree))
-    if has_return and _reaches_end(tree.body):
+    if not any(isinstance(node, ast.Return) and node.value for node in ast.walk(tree)):
+        yield f"{tree.name}() has no return with a value. Did you forget return?"
+    elif _reaches_end(tree.body):
         yield (
             f"There is a way through {tree.name}() on which no return is reached. Is a case missing, such as"
             " the last else?"
