@@ -220,13 +220,17 @@ def _does_not_fit(match, source):
 
 
 _IMPORTS = dict.fromkeys(("math", "cv2", "os", "sys", "random", "itertools", "struct", "time"), "import {}")
-_IMPORTS |= dict.fromkeys(dir(math), "from math import {}")
+_IMPORTS |= dict.fromkeys(
+    ["sqrt", "log10", "log", "floor", "ceil", "pi", "inf", "sin", "cos", "tan", "atan2", "hypot", "radians"],
+    "from math import {}",
+)
 _IMPORTS |= {
     "np": "import numpy as {}",
     "plt": "import matplotlib.pyplot as {}",
     "ndimage": "from scipy import {}",
 }
 _IMPORTS |= {"Path": "from pathlib import {}", "SimpleNamespace": "from types import {}"}
+_IMPORTS |= {"norm": "from numpy.linalg import {}"}
 
 
 def _unknown(match, _source):

@@ -202,7 +202,7 @@ def _ends(result):
     if result.passed:
         yield result.exercise.another_way
     elif result.attempted and not result.why_older and result.exercise.hints:
-        yield f'Stuck? hint("{result.exercise.id}") helps you on, in steps.'
+        yield f'Stuck? hint("{result.exercise.id}") gives help in steps.'
 
 
 def _advice(result, call):

@@ -128,5 +128,5 @@ def _not_yet(exercise_id, function, count):
     return Help(
         f"The solution of {exercise_id} opens after {TRIES} tries of your own: {so_far} so far.",
         f"A try is check({quoted_id}, {function}) with a changed function that runs and does not pass yet."
-        f" hint({quoted_id}) helps you on. solution({quoted_id}, give_up=True) opens it now.",
+        f" hint({quoted_id}) gives help. solution({quoted_id}, give_up=True) opens it now.",
     )
