@@ -314,7 +314,11 @@ def _shape_rules(expected, actual, given, name):
     if len(shape) == len(actual_shape) >= 2:
         gaps = (actual - expected for actual, expected in zip(actual_shape, shape, strict=True))
         changes = [_surplus(gap, noun) for gap, noun in zip(gaps, ("row", "column"), strict=False) if gap]
-        yield changes, f"Your result has {' and '.join(changes)}."
+        is_border = (
+            shape[0] - actual_shape[0] == shape[1] - actual_shape[1] in (2, 4) and shape[:2] == first[:2]
+        )
+        end = ": the border of the image is missing." if is_border else "."
+        yield changes, f"Your result has {' and '.join(changes)}{end}"
 
 
 def _surplus(count, noun):

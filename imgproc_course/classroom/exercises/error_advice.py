@@ -187,7 +187,9 @@ def _reshape(match, source):
     text = f"{size} values are too few for {product} = {count}."
     if "step" in source:
         return f"{text} step is the number of bytes of a row; an image has width columns."
-    return f"{text} Is this one value for each pixel? A colour pixel has 3." if count == 3 * size else text
+    return (
+        f"{text} Is this one value for each pixel? A colour pixel has 3 bytes." if count == 3 * size else text
+    )
 
 
 def _zero_division(_match, source):
@@ -220,23 +222,18 @@ def _does_not_fit(match, source):
 
 
 _IMPORTS = dict.fromkeys(("math", "cv2", "os", "sys", "random", "itertools", "struct", "time"), "import {}")
-_IMPORTS |= dict.fromkeys(
-    ["sqrt", "log10", "log", "floor", "ceil", "pi", "inf", "sin", "cos", "tan", "atan2", "hypot", "radians"],
-    "from math import {}",
-)
-_IMPORTS |= {
-    "np": "import numpy as {}",
-    "plt": "import matplotlib.pyplot as {}",
-    "ndimage": "from scipy import {}",
-}
+_FROM_MATH = "sqrt log10 log floor ceil pi inf sin cos tan atan2 hypot radians"
+_IMPORTS |= dict.fromkeys(_FROM_MATH.split(), "from math import {}")
+_IMPORTS |= {"np": "import numpy as {}", "plt": "import matplotlib.pyplot as {}"}
+_IMPORTS |= {"ndimage": "from scipy import {}", "norm": "from numpy.linalg import {}"}
 _IMPORTS |= {"Path": "from pathlib import {}", "SimpleNamespace": "from types import {}"}
-_IMPORTS |= {"norm": "from numpy.linalg import {}"}
 
 
 def _unknown(match, _source):
     name = match[1]
     if name in _IMPORTS:
-        return f"The name {name} is not known in this cell. Write its import line in it: {_IMPORTS[name].format(name)}"
+        line = _IMPORTS[name].format(name)
+        return f"The name {name} is not known in this cell. Write its import line in it: {line}"
     return (
         f"Nothing has the name {name} here. Is it spelled as above? If another cell defines or imports it,"
         " write its definition or its import line in this cell; if it is a text, put it in quotes."

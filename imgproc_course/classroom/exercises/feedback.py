@@ -228,8 +228,6 @@ def _advice(result, call):
         return
     diagnosis = result.diagnosis
     yield diagnosis.text
-    if result.near_miss:
-        return
     if diagnosis.on_border:
         yield result.exercise.border_hint or _BORDER
     elif not diagnosis.replaces_hint and call.case.hint:

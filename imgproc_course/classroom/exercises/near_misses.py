@@ -95,8 +95,9 @@ def _changes(definitions):
             variants = [(question, (*place, new)) for question, new in rule(child, place[0])]
             yield from ((question, [change]) for question, change in variants)
             # Parts that are alike but for names may have the same mistake: row : row + 2, col : col + 2
-            key = re.sub(r"id='\w+'", "", ast.dump(child)), len(variants)
-            alike.setdefault(key, []).append(variants)
+            kind = re.sub(r"id='\w+'", "", ast.dump(child))
+            key = ast.dump(child.op) if isinstance(child, ast.BinOp) and rule is _operators else kind
+            alike.setdefault((key, len(variants)), []).append(variants)
         for group in (group for group in alike.values() if len(group) > 1):
             for same in zip(*group, strict=True):
                 yield same[0][0], [change for _, change in same]
@@ -135,11 +136,8 @@ def _operators(child, _node):
     sign, *others = _OPERATORS.get(type(old[0] if field == "ops" else old), ("",))
     for place, new in enumerate(others):
         is_equal = field == "ops" and place == 0 and sign not in ("==", "!=")
-        text = (
-            f"{code}: does an equal value count in the right way?"
-            if is_equal
-            else f"Is {sign} right in {code}?"
-        )
+        text = f"Is {sign} right in {code}, or must it be {_OPERATORS[new][0]}?"
+        text += " What about a value that is equal?" if is_equal else ""
         yield text, _with(child, **{field: [new(), *old[1:]] if field == "ops" else new()})
 
 
@@ -184,12 +182,13 @@ def _is_number(node):
 
 def _numbers(child, node):
     """A number one larger or smaller; the index of a channel; an axis; not what == compares with."""
-    if not _is_number(child) or (isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Eq)):
+    is_test = isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Eq)
+    if is_test or isinstance(node, ast.AugAssign) or not _is_number(child):
         return
     is_step = isinstance(node, ast.BinOp | ast.Slice | ast.Assign) or _is_range(node)
     for step, word in ((1, "small"), (-1, "large")):
         text = f"Is {child.value} one too {word} in {ast.unparse(node)}?"
-        text = text if is_step else f"Is {child.value} right in {ast.unparse(node)}?"
+        text = text if is_step else f"Is {child.value} right in {ast.unparse(node)}, or {child.value + step}?"
         yield text, ast.copy_location(ast.Constant(child.value + step), child)
 
 
@@ -212,7 +211,7 @@ def _names(child, _node):
     field = {ast.Attribute: "attr", ast.Name: "id"}.get(type(child))
     old = getattr(child, field) if field else ""
     for new in sorted({name for names in _NAMES if old in names for name in names} - {old}):
-        yield f"Is {old} the right one?", _with(child, **{field: new})
+        yield f"Is {old} right, or must it be {new}?", _with(child, **{field: new})
 
 
 def _added(child, node):

@@ -95,7 +95,11 @@ DTYPES = [
 ]
 SHAPES = [
     (GRAY, GRAY.T, "Rows and columns are exchanged"),
-    (GRAY, GRAY.T + 1, "Rows and columns are exchanged in the shape of your result: the number of rows comes"),
+    (
+        GRAY,
+        GRAY.T + 1,
+        "Rows and columns are exchanged in the shape of your result: the number of rows comes",
+    ),
     (COLOUR, COLOUR[..., 0], "The axis of the channels is missing: each pixel has 3 values."),
     (COLOUR, COLOUR.reshape(4, 15), "reshape to (height, width, 3)"),
     (COLOUR, np.moveaxis(COLOUR, 2, 0), "The channels come first in your result."),
@@ -103,7 +107,11 @@ SHAPES = [
 ]
 # What says nothing of the cause, beside the case's hint
 SIZES = [
-    (GRAY, GRAY[1:-1, 1:-1], "Your result has 2 rows too few and 2 columns too few."),
+    (
+        GRAY,
+        GRAY[1:-1, 1:-1],
+        "Your result has 2 rows too few and 2 columns too few: the border of the image is",
+    ),
     (GRAY[:3], GRAY[:1, :4], "Your result has 2 rows too few and 2 columns too few."),
     (GRAY, np.pad(GRAY, ((0, 0), (0, 1))), "Your result has 1 column too many."),
     (GRAY, GRAY.max(axis=0), "Your result has fewer axes than the input"),

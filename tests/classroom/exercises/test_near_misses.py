@@ -42,28 +42,52 @@ WINDOWS = """result = np.zeros_like(a)
 @pytest.mark.parametrize(
     ("right", "wrong", "question"),
     [
-        ("return a > b", "return a >= b", "a >= b: does an equal value count in the right way?"),
-        ("return a <= b", "return a < b", "a < b: does an equal value count in the right way?"),
-        ("return a > b", "return a < b", "Is < right in a < b?"),
-        ("return (a > 9) & (a < b)", "return (a > 9) | (a < b)", "Is | right in (a > 9) | (a < b)?"),
-        ("return a / 2 / (b + 1)", "return a / 2 / b + 1", "computes a / 2 / b first. Are parentheses missing?"),
+        (
+            "return a > b",
+            "return a >= b",
+            "Is >= right in a >= b, or must it be >? What about a value that is equal?",
+        ),
+        (
+            "return a <= b",
+            "return a < b",
+            "Is < right in a < b, or must it be <=? What about a value that is equal?",
+        ),
+        ("return a > b", "return a < b", "Is < right in a < b, or must it be >?"),
+        ("return (a > 9) & (a < b)", "return (a > 9) | (a < b)", "or must it be &?"),
+        (
+            "return a / 2 / (b + 1)",
+            "return a / 2 / b + 1",
+            "computes a / 2 / b first. Are parentheses missing?",
+        ),
         ("return (a / 3 - b) ** 2", "return a / 3 - b**2", "computes b ** 2 first. Are parentheses missing?"),
         ("return a / (b + 1)", "return (b + 1) / a", "Are b + 1 and a exchanged?"),
         ("return np.where(a > b, 7, 0)", "return np.where(a > b, 0, 7)", "Are 0 and 7 exchanged?"),
-        ("return a.mean(axis=1)", "return a.mean(axis=0)", "Is 0 right in axis=0?"),
-        ("return a.mean(axis=1)", "return a.sum(axis=1)", "Is sum the right one?"),
-        ("return a[1:, 2:]", "return a[1:, 1:]", "Is 1 one too small in 1:?"),
+        ("return a.mean(axis=1)", "return a.mean(axis=0)", "Is 0 right in axis=0, or 1?"),
+        ("return a.mean(axis=1)", "return a.sum(axis=1)", "Is sum right, or must it be mean?"),
+        ("return a[1:, 2:]", "return a[1:, 1:]", "in 1:?"),
         ("return a[: b - 115]", "return a[: b - 116]", "Is 116 one too large in b - 116?"),
         ("return [k for k in range(b)]", "return [k for k in range(b + 1)]", "Is 1 one too large in b + 1?"),
-        ("return [k for k in range(b - 1)]", "return [k for k in range(b)]", "Is b one too large in range(b)?"),
+        (
+            "return [k for k in range(b - 1)]",
+            "return [k for k in range(b)]",
+            "Is b one too large in range(b)?",
+        ),
         ("return (a / 9) @ a.T", "return (a.T / 9) @ a.T", "Must a.T / 9 be transposed?"),
         ("return (a / 9) @ a.T", "return (a / 9) @ a", "Must a be transposed?"),
-        ("return (a / 9) * a", "return (a / 9) @ a", "Is @ right in a / 9 @ a?"),
-        ("return a / 4.0 - b", "return abs(a / 4.0 - b)", "Is abs(a / 4.0 - b) right, or is a / 4.0 - b enough?"),
+        ("return (a / 9) * a", "return (a / 9) @ a", "Is @ right in a / 9 @ a, or must it be *?"),
+        (
+            "return a / 4.0 - b",
+            "return abs(a / 4.0 - b)",
+            "Is abs(a / 4.0 - b) right, or is a / 4.0 - b enough?",
+        ),
         ("return a.astype(int) * 3", "return a * 3", "Values wrap around in the dtype of a,"),
-        ("return np.zeros((7, 9))[a > 0]", "return np.zeros((7, 9))[a]", "a holds numbers, and here a mask is"),
+        (
+            "return np.zeros((7, 9))[a > 0]",
+            "return np.zeros((7, 9))[a]",
+            "a holds numbers, and here a mask is",
+        ),
         (WINDOWS, WINDOWS.replace("+ 3", "+ 2"), "Is 2 one too small in row + 2?"),
-        (WINDOWS, WINDOWS.replace("shape[0]", "shape[1]"), "Is 1 right in a.shape[1]?"),
+        (WINDOWS, WINDOWS.replace("shape[0]", "shape[1]"), "Is 1 right in a.shape[1], or 0?"),
     ],
 )
 def test_the_place_of_one_small_mistake(right, wrong, question):
@@ -79,7 +103,9 @@ def test_the_order_of_the_channels():
 
 
 def test_the_line_is_the_learners_own():
-    text = near_miss_of("x = 1\n    return a > b", "x = 1\n    return a >= b  # brighter", (IMAGE, int(IMAGE[0, 0])))
+    text = near_miss_of(
+        "x = 1\n    return a > b", "x = 1\n    return a >= b  # brighter", (IMAGE, int(IMAGE[0, 0]))
+    )
     assert text.splitlines()[0] == "return a >= b  # brighter"
 
 

@@ -143,7 +143,9 @@ def test_why_a_none_was_returned():
         "f() has no return with a value. Did you forget return?"
     ]
     (remark,) = remarks("def f(a):\n    return a.sort()\n", {"None"})
-    assert remark == "a.sort() works in place and gives None. Write it on a line of its own, and use a after it."
+    assert (
+        remark == "a.sort() works in place and gives None. Write it on a line of its own, and use a after it."
+    )
     assert remarks("def f(a):\n    a.sort()\n    return None or a\n", {"None"}) == []
 
 
