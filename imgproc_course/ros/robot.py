@@ -130,7 +130,7 @@ class Robot:
         Raises
         ------
         ValueError : the room refuses it; the text says why
-        RuntimeError : the robot is none in the room
+        RuntimeError : this robot is not simulated
         """
         if start is not None:
             start = [float(value) for value in start]

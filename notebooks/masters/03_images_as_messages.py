@@ -208,7 +208,7 @@ check("messages-mono8", decode_mono8)
 def inputs(rng):
     return (gray_message(rng, 3, 5),)
 
-# %% role="case" exercise="messages-mono8" title="a bright gray image, taller than wide"
+# %% role="case" exercise="messages-mono8" title="a bright gray image with more rows than columns"
 def inputs(rng):
     return (gray_message(rng, 4, 3, low=128),)
 
@@ -314,7 +314,7 @@ check("messages-rgb8", decode_rgb8)
 def inputs(rng):
     return (colour_message(rng, "rgb8", 2, 4),)
 
-# %% role="case" exercise="messages-rgb8" title="a bgr8 image, taller than wide"
+# %% role="case" exercise="messages-rgb8" title="a bgr8 image with more rows than columns"
 def inputs(rng):
     return (colour_message(rng, "bgr8", 5, 2),)
 

@@ -377,7 +377,7 @@ assert cv2.meanShift(larger, (0, 0, 6, 3), (3, 1, 1))[1] == (2, 0, 6, 3)
 #
 # ### Your turn: one step of mean shift
 #
-# Write `mean_shift_step(weights, box)`: one step, not all of them.
+# Write `mean_shift_step(weights, box)`: one step, not all of them. Use only NumPy: the check refuses `cv2` here, also `cv2.moments`.
 #
 # | Input | Output | Example call |
 # |---|---|---|

@@ -382,6 +382,7 @@ exercise(
     "objects-mean",
     title="The nearest mean",
     function="nearest_mean",
+    allowed=("scipy",),
     hint="One mean for each number in np.unique(classes); all distances; argmin gives positions, and the classes are at these positions.",
     hints=(
         "Of which rows of vectors do you take a mean, and what does the position of the smallest distance say?",

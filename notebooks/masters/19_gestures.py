@@ -983,6 +983,7 @@ exercise(
     "gestures-dtw",
     title="Dynamic time warping",
     function="dtw_cost",
+    allowed=("scipy",),
     tolerance=1e-6,
     hint="A table of np.inf with one row and one column more, 0 at [0, 0]; each number is the distance of two points + the smallest of its three neighbours: above, left, and above left; the result is the last one.",
     hints=(

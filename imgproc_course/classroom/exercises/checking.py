@@ -14,6 +14,7 @@ from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
 from imgproc_course.classroom.exercises.dependencies import Dependencies, dependencies_of, find_refused
 from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
 from imgproc_course.classroom.exercises.expected_results import check_data_of
+from imgproc_course.classroom.exercises.near_misses import near_miss
 from imgproc_course.classroom.exercises.progress import ExerciseProgress, content_of, digest_of, note_progress
 from imgproc_course.classroom.exercises.running import (
     CallResult,
@@ -26,7 +27,7 @@ from imgproc_course.classroom.exercises.running import (
     overwrite_freed_memory,
     source_of,
 )
-from imgproc_course.classroom.exercises.source_remarks import STUB_LINE, remarks_on_source
+from imgproc_course.classroom.exercises.source_remarks import STUB_LINE, has_done, remarks_on_source
 
 _NONE = {"type": "None"}
 _SECONDS = 10  # for the statements beside an answer
@@ -80,6 +81,7 @@ class CheckResult:
     dependencies  refused modules and names of other cells that the answer uses
     diagnosis     what is certain about the values of the shown call
     remarks       what is certain from the source of the function, sentences
+    near_miss     where one small change makes the public cases pass, as a question; "" if none does
     why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
     """
 
@@ -90,6 +92,7 @@ class CheckResult:
     dependencies: Dependencies = field(default_factory=Dependencies)
     diagnosis: Diagnosis = field(default_factory=Diagnosis)
     remarks: tuple = ()
+    near_miss: str = ""
     why_older: str = ""
 
     @property
@@ -207,6 +210,14 @@ def run_check(exercise, function, answer=None):
             is_right = all(call.passed for call in _run_calls(exercise, function))
             remarks = (_ONLY_HERE.format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
+    is_open = result.attempted and not (result.passed or result.mistake or dependencies.refused)
+    if (
+        answer
+        and exercise.subject == "function"
+        and is_open
+        and not any(call.result.changed or call.result.timed_out for call in calls)
+    ):
+        result = replace(result, near_miss=near_miss(exercise, answer))
     return replace(result, remarks=(*remarks, *result.remarks))
 
 
@@ -267,22 +278,25 @@ def check_built(exercise, function, source):
 def _judge_calls(exercise, function, calls, dependencies):
     """The CheckResult of the calls of a function."""
     errors = {case_call.result.error for case_call in calls}
+    errors |= {"None" for call in calls if call.difference is not None and call.result.value == _NONE}
     is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
     if "NotImplementedError" in errors or is_stub:
-        remarks = _remarks(exercise, function)
+        remarks = _remarks(function)
         if isinstance(function, type):
             remarks = () if is_stub else (STUB_LINE,)
         return CheckResult(exercise, attempted=False, remarks=remarks)
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise, calls)
-    remarks = () if has_passed else _remarks(exercise, function, errors)
+    if mistake and has_done(source_of(function), mistake.says):
+        mistake = None  # it does the same for another reason
+    remarks = () if has_passed else _remarks(function, errors)
     result = CheckResult(exercise, True, results, mistake, dependencies, remarks=remarks)
     return replace(result, diagnosis=_diagnosis(result, calls))
 
 
-def _remarks(exercise, function, errors=()):
-    return tuple(remarks_on_source(function, errors, [case.hint for case in exercise.cases]))
+def _remarks(function, errors=()):
+    return tuple(remarks_on_source(function, errors))
 
 
 def _diagnosis(result, calls):

@@ -75,7 +75,7 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
     """The Diagnosis of a wrong answer, from its CaseCalls and the failed one that is shown."""
     expected, actual = shown.expected.value, shown.result.value
     if kind_of(actual) == "None":
-        return Diagnosis()
+        return Diagnosis(replaces_hint=bool(shown.result.printed))
     tolerance = shown.case.tolerance
     parts = side_by_side(expected, actual)
     if not exact_type:
@@ -92,7 +92,8 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         advice = _advice_on_dtypes([pair for difference, pair in differences if difference], tolerance)
         return advice if advice.text or "dtype" in wrong else _diagnose_values(returned, names)
     if "shape" in wrong:
-        return Diagnosis(_advice_on_shape(*wrong["shape"], shown.arguments, names), replaces_hint=True)
+        text = _advice_on_shape(*wrong["shape"], shown.arguments, names)
+        return Diagnosis(text, replaces_hint=not text.startswith("Your result has"))
     other_pair = next(pair for difference, pair in differences if difference and difference.kind != "value")
     return Diagnosis(_advice_on_type(*other_pair, tolerance), replaces_hint=True)
 
@@ -282,6 +283,10 @@ def _shape_rules(expected, actual, given, name):
         actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values),
         "Rows and columns are exchanged: your result is the expected one, transposed.",
     )
+    yield (
+        len(shape) > 1 and actual_shape == (*shape[1::-1], *shape[2:]) != shape,
+        "Rows and columns are exchanged in the shape of your result: the number of rows comes first.",
+    )
     first = given[0] if given and name else ()
     if len(first) > len(shape) and actual_shape == first[1:]:
         text = "Axis 0, the rows, is gone from your result: "
@@ -306,40 +311,18 @@ def _shape_rules(expected, actual, given, name):
         "Your result has fewer axes than the input: a function with axis=..., or an index such as"
         " image[0], takes one away.",
     )
-    is_image = any(image_shape[:2] == shape[:2] for image_shape in given)
     if len(shape) == len(actual_shape) >= 2:
-        yield True, _advice_on_size(shape, actual_shape, is_image)
-
-
-def _advice_on_size(shape, actual_shape, is_image):
-    """The same; `is_image` if the expected result has the rows and columns of an argument."""
-    rows, cols = (actual - expected for actual, expected in zip(actual_shape[:2], shape[:2], strict=True))
-    if rows == cols and rows in (-2, -4) and is_image:
-        return (
-            f"Your result is smaller than the image by {-rows} rows and {-cols} columns, its border. Pad"
-            f" the image (np.pad) before you take the neighbours."
+        gaps = (actual - expected for actual, expected in zip(actual_shape, shape, strict=True))
+        changes = [_surplus(gap, noun) for gap, noun in zip(gaps, ("row", "column"), strict=False) if gap]
+        is_border = (
+            shape[0] - actual_shape[0] == shape[1] - actual_shape[1] in (2, 4) and shape[:2] == first[:2]
         )
-    if rows == cols and rows in (2, 4):
-        advice = "If you padded the image, cut the padding off."
-        return f"Your result has {rows} rows and {cols} columns too many. {advice}"
-    if rows == 0 and cols > 0:
-        return (
-            f"Your result is too wide: {actual_shape[1]} columns instead of {shape[1]}. Is padding left, or"
-            f" does each pixel take several of these values?"
-        )
-    changes = [_surplus(rows, "row"), _surplus(cols, "column")]
-    if not any(changes):
-        return ""
-    return (
-        f"Your result has {' and '.join(text for text in changes if text)}. A slice start:stop begins with"
-        " the index start and ends before stop; both are places, and neither is a length."
-    )
+        end = ": the border of the image is missing." if is_border else "."
+        yield changes, f"Your result has {' and '.join(changes)}{end}"
 
 
 def _surplus(count, noun):
-    """`2 rows too many`, `1 column too few`, or "" """
-    if count == 0:
-        return ""
+    """`2 rows too many`, `1 column too few`"""
     return f"{abs(count)} {noun}{'s' * (abs(count) != 1)} too {'many' if count > 0 else 'few'}"
 
 
@@ -379,11 +362,7 @@ def _advice_on_constant(calls):
     if any(actual != forms[0][1] or actual.get("opaque") for _, actual in forms):
         return ""
     value = forms[0][1].get("value")
-    returned = "the same" if value is None else repr(value)
-    return (
-        f"Your function returns {returned} for every input. Is the value fixed, or never updated? It must be"
-        " computed from the input that the function receives."
-    )
+    return f"Your function returns {'the same' if value is None else repr(value)} for every input."
 
 
 def _are_exchanged(forms, tolerance):
@@ -456,7 +435,7 @@ def _mirrored(axis):
 
 # (what the learner reads, the wrong values computed from the expected ones)
 _RELATIONS = (
-    ("Every value of your result is 0. Is the result never stored in the array?", lambda values: values * 0),
+    ("Every value of your result is 0: where do they become 0?", lambda values: values * 0),
     ("All signs are exchanged: minus should be plus, and plus minus.", lambda values: -values),
     ("The values are right but for the sign: negative values must stay negative, without abs().", np.abs),
     (
@@ -483,7 +462,7 @@ def _place(calls):
     if not wrong:
         return Diagnosis()
     if all(len(values) > 2 and not mask[0].any() and not values[1:].any() for mask, values in wrong):
-        return Diagnosis("Only the first row is right; all others are 0. Does return stand inside the loop?")
+        return Diagnosis("Only the first row is right; all others are 0.")
     line = next((name for name, place in _LINES.items() if _lie_in(pixels, place)), "")
     if line:
         return Diagnosis(f"All wrong values lie in {line}.")

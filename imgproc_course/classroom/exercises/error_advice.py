@@ -5,27 +5,29 @@ the line that raised: `thinned > high and thinned < 9` needs another sentence th
 """
 
 import ast
-import difflib
 import math
 import re
 
 import numpy as np
 
 
-def advice_on(error, message, line="", parameters=None, function=""):
+def advice_on(error, message, line="", parameters=None, function="", closest=""):
     """What an error (its type's name and message) means and what to do; "" if nothing is certain.
 
-    `line` is the line that raised it, with its number: "line 3: return gray[row, col]".
+    `line` is the line that raised it, with its number: "line 3: return gray[row, col]". `closest` is a name
+    that exists, much like the one that was not found.
     """
     source = line.partition(": ")[2]
     call = f"{function}({', '.join(parameters)})" if parameters is not None else ""
     if call and message.startswith(f"{function}()") and "positional argument" in message:
         return f"check calls {call}: begin your function with def {call}: and use these arguments."
+    did_you_mean = f"Did you mean {closest}? Every letter counts, small or capital." if closest else ""
     for pattern, advice in _ADVICE.items():
         match = re.match(pattern, f"{error}: {message}\n{source}")
         if match:
-            return advice(match, source) if callable(advice) else match.expand(advice)
-    return ""
+            text = advice(match, source) if callable(advice) else match.expand(advice)
+            return text if text.startswith("The name") else did_you_mean or text
+    return did_you_mean
 
 
 # ---------------------------------------------------------------- errors that several mistakes can cause
@@ -117,15 +119,8 @@ def _broadcast_rules(shapes, source):
     if len(first) != len(second):
         return
     yield (
-        (3, 3) in shapes and max(*first, *second) == 3,
-        " Here the window is smaller than the kernel. It must be array[row : row + 3,"
-        " col : col + 3], and inside the array: loop over the rows and columns of the image, not of the"
-        " padded array.",
-    )
-    yield (
-        (3, 3) in shapes and min(max(shapes)) > 3,
-        " A kernel is smaller than the image: it slides over it, and each pixel is computed from"
-        " the products with its own 3 × 3 neighbours.",
+        (3, 3) in shapes,
+        " A kernel of 3 × 3 needs a window of 3 × 3, inside the padded image, for each pixel of the image.",
     )
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     text = f" These two differ by {gap}: look where each slice begins and ends, and how wide the padding is."
@@ -138,15 +133,16 @@ def _index_outside(match, source):
     if axis == "2":
         return f"{advice} Axis 2 of a colour image holds its channels."
     indices = [node.slice for node in _nodes(source) if isinstance(node, ast.Subscript)]
-    if indices and all(isinstance(index, ast.Name) for index in indices):
+    parts = [part for index in indices for part in getattr(index, "elts", [index])]
+    steps = dict.fromkeys(ast.unparse(part) for part in parts if isinstance(part, ast.BinOp))
+    if steps:
         return (
-            f"{advice} Where does the index come from: a loop that ends at another length, or a value that"
-            " was rounded up?"
+            f"{advice} Here {' or '.join(steps)} goes further. Does the loop end early enough? If pixels at"
+            " the border need their neighbours too, the image must be padded."
         )
     return (
-        f"{advice} Does the loop end at the shape of this array, or at that of another, such as a padded one?"
-        " If it reads neighbours of a pixel, pad the image (np.pad): then pixels at the border have"
-        " neighbours too. An array is indexed rows first: array[row, col]."
+        f"{advice} Where does the index come from: a loop that ends at another length, or a value that was"
+        " rounded up? An array is indexed rows first: array[row, col]."
     )
 
 
@@ -188,19 +184,12 @@ def _reshape(match, source):
             f"{size} values are too many for {product} = {count}. Is there padding at the end of the rows?"
             f" Crop each row, rows[:, :n], before you reshape; rows[:n] keeps the first rows."
         )
-    return f"{size} values are too few for {product} = {count}. {_why_too_few(size, count, shape, source)}"
-
-
-def _why_too_few(size, count, shape, source):
+    text = f"{size} values are too few for {product} = {count}."
     if "step" in source:
-        return "step is the number of bytes of a row; the columns of an image are its pixels, width."
-    if count == 3 * size:
-        return "Is this one value for each pixel? A colour pixel has 3 values (bytes), a row width * 3."
-    if shape == [3, 3]:
-        return "A 3 × 3 matrix has 9 numbers. If a function gave several results, is this the right one?"
-    if shape[-1] == 3:
-        return "Was too much cropped, or has a pixel not 3 values? In a message, encoding says how many."
-    return "Was too much cropped, or is this the shape of another image?"
+        return f"{text} step is the number of bytes of a row; an image has width columns."
+    return (
+        f"{text} Is this one value for each pixel? A colour pixel has 3 bytes." if count == 3 * size else text
+    )
 
 
 def _zero_division(_match, source):
@@ -219,8 +208,36 @@ def _not_in_numpy(match, _source):
     for home in ("linalg", "random"):
         if hasattr(getattr(np, home), name):
             return f"{name} is a function of np.{home}: write np.{home}.{name}."
-    similar = difflib.get_close_matches(name, dir(np), n=1)
-    return f"NumPy has no {name}." + (f" Did you mean np.{similar[0]}?" if similar else "")
+    return f"NumPy has no {name}."
+
+
+def _does_not_fit(match, source):
+    number, dtype = match[1], match[2]
+    limits = np.iinfo(dtype)
+    text = f"{number} does not fit into {dtype}, which holds {limits.min} to {limits.max}."
+    operands = [part for node in _nodes(source) if isinstance(node, ast.BinOp) for part in ast.walk(node)]
+    if number in [ast.unparse(part) for part in operands]:
+        return f"{text} So the values would overflow: widen the array first, as in astype(np.uint32)."
+    return text if operands or number in source else f"{text} Widen the array first, with astype."
+
+
+_IMPORTS = dict.fromkeys(("math", "cv2", "os", "sys", "random", "itertools", "struct", "time"), "import {}")
+_FROM_MATH = "sqrt log10 log floor ceil pi inf sin cos tan atan2 hypot radians"
+_IMPORTS |= dict.fromkeys(_FROM_MATH.split(), "from math import {}")
+_IMPORTS |= {"np": "import numpy as {}", "plt": "import matplotlib.pyplot as {}"}
+_IMPORTS |= {"ndimage": "from scipy import {}", "norm": "from numpy.linalg import {}"}
+_IMPORTS |= {"Path": "from pathlib import {}", "SimpleNamespace": "from types import {}"}
+
+
+def _unknown(match, _source):
+    name = match[1]
+    if name in _IMPORTS:
+        line = _IMPORTS[name].format(name)
+        return f"The name {name} is not known in this cell. Write its import line in it: {line}"
+    return (
+        f"Nothing has the name {name} here. Is it spelled as above? If another cell defines or imports it,"
+        " write its definition or its import line in this cell; if it is a text, put it in quotes."
+    )
 
 
 # {pattern of an error as Python prints it: a function of the match and of the line that raised}
@@ -231,6 +248,8 @@ _RULES = {
     r"ValueError: cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)": _reshape,
     r"AttributeError: module 'numpy' has no attribute '(\w+)'": _not_in_numpy,
     "ZeroDivisionError": _zero_division,
+    r"NameError: name '(\w+)' is not defined": _unknown,
+    r"OverflowError: .*Python integer (-?\d+) out of bounds for (u?int\d+)": _does_not_fit,
     r"SyntaxError: invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)": _typographic,
     r"TypeError: .*(?:unhashable type|use): '([\w.]+)'": _unhashable,
 }
@@ -280,25 +299,6 @@ LinAlgError: .*Singular matrix
     The equations have no single solution: a row or a column of the matrix is 0, or follows from others. Is
     each unknown in an equation, and is what must stay fixed left out?
 
-NameError: name '(math|cv2|os|sys|random|itertools|struct|time)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: import \1
-NameError: name '(sqrt|log10|log|floor|ceil|pi|inf|sin|cos|tan|atan2|hypot|radians)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from math import \1
-NameError: name '(np)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: import numpy as \1
-NameError: name '(plt)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: import matplotlib.pyplot as \1
-NameError: name '(Path)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from pathlib import \1
-NameError: name '(SimpleNamespace)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from types import \1
-NameError: name '(ndimage)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from scipy import \1
-NameError: name '(norm)' is not defined
-    The name \1 is not known in this cell. Write its import line in it: from numpy.linalg import \1
-NameError: name '(\w+)' is not defined
-    Nothing has the name \1 here. Is it spelled as above? If another cell defines or imports it, write its
-    definition or its import line in this cell; if it is a text, put it in quotes.
 UnboundLocalError: .*local variable '(\w+)'
     \1 gets its value inside an if or a loop, and that did not run for this input. Give \1 a start value
     before it.
@@ -313,8 +313,10 @@ TypeError: .*'([\w.]+)' object is not callable
 TypeError: .*'NoneType'|AttributeError: 'NoneType' object
     A value here is None. Functions without return give None, and so do methods that work in place, such as
     list.sort() and list.append(): call them on a line of their own, or use sorted(values).
-AttributeError: 'numpy\.ndarray' object has no attribute '(height|width)'
-    An array has no .\1: its rows are .shape[0], its columns .shape[1].
+AttributeError: 'numpy\.ndarray' object has no attribute '(height|width|rows|cols|columns)'
+    An array has no .\1: the number of its rows is .shape[0], that of its columns .shape[1].
+AttributeError: 'numpy\.ndarray' object has no attribute '(length|len|count|lenght)'
+    An array has no .\1: the number of its values is .size, that of its rows .shape[0].
 AttributeError: 'numpy\.ndarray' object has no attribute '(?:append|extend|add)'
     An array cannot grow. Make it in its full size, or collect the values in a list.
 AttributeError: 'numpy\.ndarray' object has no attribute 'reverse'
@@ -326,8 +328,9 @@ AttributeError: '(list|tuple)' object has no attribute '(shape|astype|dtype|mean
 AttributeError: '(int|float|bool)' object has no attribute '(?:astype|shape)'
     This is a single number (\1), not an array. For numbers use int() or float().
 AttributeError: '[\w.]*(?:SimpleNamespace|Image)' object has no attribute '(\w+)'
-    A message has no field \1; print(message) shows its fields.
-TypeError: .*'[\w.]*(?:function|method)\w*' object is not subscriptable
+    A message has no field \1. The number of its rows is height, and of its columns width; print(message)
+    shows all its fields.
+TypeError: .*'[\w.]*(?:function|method)\w*' object (?:is not subscriptable|does not support item)
     This is a function. Call it with round brackets; square brackets take a part of a value.
 TypeError: .*'(?:int|float|numpy\.(?:float64|uint8|int64))' object is not subscriptable
     This is a single number, and it has no parts to take with square brackets.
@@ -337,7 +340,7 @@ TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment
     The name before the brackets holds a single number. Was it overwritten before? a = a[mask] = 255 stores
     255 in a, too: write a[mask] = 255 alone.
 KeyError: ([^\n]+)
-    The dictionary has no key \1. Use the keys that it has: a loop over a dictionary gives them.
+    The dictionary has no key \1. Print the dictionary: which keys does it have?
 (?:ValueError|TypeError): .*got <function
     A function stands where its result is needed. Call it, with its argument in round brackets.
 RecursionError
@@ -394,9 +397,6 @@ TypeError: int\(\) argument .* not 'list'
 ValueError: .*setting an array element with a sequence
     One element of an array holds one number, and here a whole list or array is stored in it. Make one number
     of it first, for example with .sum().
-OverflowError: .*Python integer (-?\d+) out of bounds for (\w+)
-    \1 does not fit into \2, the dtype of the array, so the values would overflow: widen the array first, as
-    in astype(np.uint32).
 _?UFunc\w+: Cannot cast ufunc '\w+' output from dtype\('(\w+)'\) to dtype\('(\w+)'\)
     The result is \1, and the array on the left holds \2. Write a = a + b instead of a += b, or widen the
     array first with astype.
@@ -410,8 +410,8 @@ ValueError: .*(?:zero-size array|of an empty sequence)
 ValueError: .*read-only
     This array cannot be written to. Work on a copy: array.copy().
 ValueError: .*buffer size must be a multiple of element size
-    Without dtype np.frombuffer reads float64, eight bytes for each value; uint16 takes two bytes, uint8 one
-    byte. Which dtype have the bytes?
+    The number of bytes is no multiple of the size of a value. Without dtype np.frombuffer reads float64,
+    eight bytes for each value; uint16 takes two bytes, and uint8 takes one.
 error: .*in function 'imread'
     cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor.
 

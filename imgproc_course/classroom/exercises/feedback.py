@@ -43,14 +43,8 @@ def explain_call(result, difference, name):
         return _explain_change(name, result.changed[0])
     if difference is None:
         return ""
-    if result.value["type"] == "None":
-        if not result.has_return:
-            return f"{name} returned None. Did you forget return?"
-        return (
-            f"{name} returned None for this input, although it has a return with a value. Is a case"
-            f" missing, such as the last else? Methods that work in place, such as list.sort(), return"
-            f" None, too."
-        )
+    if result.value["type"] == "None" and result.printed:
+        return f"{name} returned None. print only shows a value: write return in place of print."
     message = difference.message[0].upper() + difference.message[1:] + "."
     return f"In answer{difference.path}: {message}" if difference.path else message
 
@@ -67,7 +61,7 @@ def explain_failure(exercise, call):
 
 
 def _explain_timeout(name, stuck):
-    text = f"{name} did not finish and was stopped. Is there an endless loop?"
+    text = f"{name} did not finish in time and was stopped."
     return text + (" It could not be stopped: restart the kernel before you go on." if stuck else "")
 
 
@@ -229,7 +223,7 @@ def _ends(result):
     if result.passed:
         yield result.exercise.another_way
     elif result.attempted and not result.why_older and result.exercise.hints:
-        yield f'Stuck? hint("{result.exercise.id}") helps you on, in steps.'
+        yield f'Stuck? hint("{result.exercise.id}") gives help in steps.'
 
 
 def _advice(result, call):
@@ -237,8 +231,12 @@ def _advice(result, call):
     if result.mistake is not None:
         yield result.mistake.says
         return
+    yield result.near_miss
     if call.result.timed_out:
-        yield "A loop never ends: does each step change what the loop tests?"
+        yield (
+            "If the function is fast as a rule, the computer was busy: check again. If it has a while loop:"
+            " does each step change what the loop tests?"
+        )
         if "overflow" in call.result.warning:
             yield (
                 "A number overflowed: after 255 a uint8 goes on with 0. Count with Python's int, as range()"
@@ -248,14 +246,17 @@ def _advice(result, call):
         error, exercise = call.result, result.exercise
         names = exercise.names if exercise.subject == "function" else None
         node_advice = advice_on_node_error(error) if exercise.subject != "function" else ""
-        yield node_advice or advice_on(error.error, error.message, error.line, names, exercise.function)
+        expected = (names, exercise.function)
+        yield node_advice or advice_on(
+            error.error, error.message, error.line, *expected, closest=error.closest
+        )
     if call.difference is None or call.result.changed or result.exercise.subject != "function":
         return
     diagnosis = result.diagnosis
     yield diagnosis.text
     if diagnosis.on_border:
         yield result.exercise.border_hint or _BORDER
-    elif not diagnosis.replaces_hint and call.difference.kind in ("value", "dtype") and call.case.hint:
+    elif not diagnosis.replaces_hint and call.case.hint:
         yield f"Hint: {call.case.hint}"
 
 

@@ -129,5 +129,5 @@ def _not_yet(exercise, count):
     return Help(
         f"The solution of {exercise.id} opens after {TRIES} tries of your own: {so_far} so far.",
         f"A try is check({quoted_id}, {exercise.function}) with a changed {exercise.kind} that runs and does"
-        f" not pass yet. hint({quoted_id}) helps you on. solution({quoted_id}, give_up=True) opens it now.",
+        f" not pass yet. hint({quoted_id}) gives help. solution({quoted_id}, give_up=True) opens it now.",
     )

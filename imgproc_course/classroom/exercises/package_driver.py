@@ -143,7 +143,8 @@ def _value(node, names):
         case ast.List() | ast.Tuple():
             return [_value(item, names) for item in node.elts]
         case ast.Dict():
-            return {_value(key, names): _value(item, names) for key, item in zip(node.keys, node.values)}
+            pairs = zip(node.keys, node.values, strict=True)
+            return {_value(key, names): _value(item, names) for key, item in pairs}
         case ast.JoinedStr():
             return "".join(str(_value(part, names)) for part in node.values)
         case ast.FormattedValue():

@@ -8,7 +8,7 @@ import ast
 import contextlib
 import copy
 import ctypes
-import dis
+import difflib
 import inspect
 import io
 import linecache
@@ -22,7 +22,6 @@ import traceback
 import types
 import warnings
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
@@ -50,24 +49,24 @@ class CallResult:
     error      type name of the exception, "" for none
     message    the exception's message
     line       the line of the learner's code that raised, with its number
+    closest    the name that is most like one that does not exist, "" for none
     timed_out  the time limit stopped the call
     stuck      the call could not be stopped
     changed    names of the arguments that the function changed
     printed    the beginning of what it printed
     warning    the first warning, or the first of an overflow, "" for none
-    has_return the function returned None here, although it has a return with a value
     """
 
     value: dict | None = None
     error: str = ""
     message: str = ""
     line: str = ""
+    closest: str = ""
     timed_out: bool = False
     stuck: bool = False
     changed: tuple = ()
     printed: str = ""
     warning: str = ""
-    has_return: bool = False
 
     @property
     def finished(self):
@@ -138,8 +137,7 @@ def _call_fields(function, arguments, time_limit, subject):
     run = {"function": _call, "node": _drive, "package": _drive_package}[subject]
     try:
         value = call_within(lambda: run(function, arguments), time_limit)
-        has_return = value is None and _returns_a_value(code_of(function))
-        return {"value": canonical(value, limit=None), "has_return": has_return}
+        return {"value": canonical(value, limit=None)}
     except TimeUp as ended:
         return {"timed_out": True, "stuck": bool(ended.args)}
     except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's function may raise anything
@@ -147,6 +145,7 @@ def _call_fields(function, arguments, time_limit, subject):
             "error": type(error).__name__,
             "message": _message(error),
             "line": _own_line(error, function),
+            "closest": _closest(error),
         }
 
 
@@ -168,16 +167,6 @@ def _drive_package(function, arguments):
     from imgproc_course.classroom.exercises.package_driver import drive_package
 
     return drive_package(function, *arguments)
-
-
-def _returns_a_value(code):
-    """Whether a function has a return that is not `return None`."""
-    steps = [] if code is None else list(dis.get_instructions(code))
-    return any(
-        step.opname == "RETURN_VALUE"
-        and (step.is_jump_target or before.opname != "LOAD_CONST" or before.argval is not None)
-        for before, step in pairwise(steps)
-    )
 
 
 def overwrite_freed_memory(form):
@@ -274,6 +263,21 @@ def _message(error):
     except Exception:  # noqa: BLE001 - an exception class of the learner's
         text = ""
     return _ADDRESS.sub("0x…", text)[:500]
+
+
+def _closest(error):
+    """The existing name that is most like the one that was not found; "" if none is."""
+    wanted, names = getattr(error, "name", None), []
+    if isinstance(error, AttributeError) and wanted:
+        names = dir(error.obj)
+    elif isinstance(error, NameError) and wanted:
+        frame = list(traceback.walk_tb(error.__traceback__))[-1][0]
+        names = [*frame.f_locals, *frame.f_globals]
+    plain = {name.lower(): name for name in names if not name.startswith("_")}
+    close = difflib.get_close_matches(wanted.lower(), plain, n=1, cutoff=0.75) if plain else []
+    closest = plain[close[0]] if close else ""
+    module = getattr(getattr(error, "obj", None), "__name__", "").replace("numpy", "np")
+    return f"{module}.{closest}" if closest and module else closest
 
 
 def _own_line(error, function):

@@ -2,39 +2,127 @@
 
 import ast
 import re
+import types
 from itertools import pairwise
 
 from imgproc_course.classroom.exercises.running import source_of
 
 _ARRAY_MAKERS = ("array", "zeros", "zeros_like", "empty", "empty_like", "ones", "full", "copy", "astype")
 _DISK = ("glob", "rglob", "iterdir", "exists", "is_file", "is_dir", "listdir", "scandir")
-_PRODUCT = "{} is the product of two matrices or vectors; a * b multiplies value by value."
 STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
+_IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
-def remarks_on_source(function, errors=(), hints=()):
+def remarks_on_source(function, errors=()):
     """Sentences on what is certain from the source of a function or class; [] if the source is not known.
 
-    `errors` are the types that its calls raised. If the hints use @, an answer with @ needs no remark.
+    `errors` are the types that its calls raised, and "None" if one of them returned None.
     """
     try:
         source = source_of(function)
         tree = ast.parse(source).body[0]
     except (IndexError, SyntaxError):
         return []
-    remarks = [text for node in ast.walk(tree) for text in _remarks_on_node(node, source)]
+    helpers = [helper for helper in _helpers(function) if isinstance(helper, ast.FunctionDef)]
+    nodes = [node for part in (tree, *helpers) for node in ast.walk(part)]
+    remarks = [text for part in (tree, *helpers) for text in _repeated_and_ended(part)]
+    remarks += [text for node in nodes for text in _remarks_on_node(node, source)]
     functions = [part for part in getattr(tree, "body", ()) if isinstance(part, ast.FunctionDef)]
     for part in functions if isinstance(tree, ast.ClassDef) else [tree]:
-        if isinstance(part, ast.FunctionDef):
-            remarks += _remarks_on_function(part)
-            remarks += _axes_of_positions(part, errors)
+        remarks += _remarks_on_function(part) if isinstance(part, ast.FunctionDef) else []
+    if isinstance(tree, ast.FunctionDef):
+        remarks += _why_none(tree) if "None" in errors else []
     if "IndexError" in errors:
         remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
-    if any(" @ " in hint for hint in hints):
-        product = _PRODUCT.format("")
-        remarks = [remark for remark in remarks if not remark.endswith(product)]
     return list(dict.fromkeys(remarks))
+
+
+def has_done(source, sentence):
+    """Whether all code that a sentence tells to write stands in a source already."""
+    advised = re.findall(
+        r"(?:[Ww]rite|[Uu]se|[Pp]ad with|:) ([\w.]+(?:\[[^\]]+\]|\((?:[^()]|\([^()]*\))+\)))", sentence
+    )
+    source, *advised = ("".join(text.split()).replace("'", '"') for text in (source, *advised))
+    return bool(advised) and all(code in source for code in advised)
+
+
+def _helpers(function):
+    """The trees of the functions that a function calls by name, and that stand in its file."""
+    code = getattr(function, "__code__", None)
+    for name in code.co_names if code else ():
+        helper = function.__globals__.get(name)
+        if isinstance(helper, types.FunctionType) and helper.__code__.co_filename == code.co_filename:
+            yield ast.parse(source_of(helper)).body[0]
+
+
+def _repeated_and_ended(tree):
+    """Loops that end in their first round, and those whose counter gets another value."""
+    for loop in ast.walk(tree):
+        if not isinstance(loop, ast.For):
+            continue
+        line = ast.unparse(loop).splitlines()[0].removesuffix(":")
+        end = _end_of(loop.body)
+        if end and not any(isinstance(node, ast.Continue) for node in ast.walk(loop)):
+            yield (
+                f"The loop {line} ends in its first round, because {end} stands inside it. If every round"
+                f" counts, write {end} below the loop, as far to the left as for."
+            )
+        yield from _counter_written_over(loop, line)
+
+
+def _end_of(body):
+    """ "return" or "break" if each way through a block ends with it; else "" """
+    last = body[-1]
+    if isinstance(last, ast.If) and last.orelse:
+        return _end_of(last.body) and _end_of(last.orelse)
+    return {ast.Return: "return", ast.Break: "break"}.get(type(last), "")
+
+
+def _counter_written_over(loop, line):
+    """for r in range(height): b, g, r = ...; what stands below uses the wrong r."""
+    if not line.partition(" in ")[2].startswith("range("):
+        return
+    names = [node for part in loop.body for node in ast.walk(part) if isinstance(node, ast.Name)]
+    uses = [(name.lineno, isinstance(name.ctx, ast.Store)) for name in names if name.id == line.split()[1]]
+    for number, is_store in uses:
+        stores = [name for name in names if name.lineno == number and isinstance(name.ctx, ast.Store)]
+        is_meant = (number, False) in uses and len(
+            stores
+        ) == 1  # row = row * 2, and not b, g, r = image[r, c]
+        if is_store and not is_meant and max(uses)[0] > number:
+            yield (
+                f"{line.split()[1]} counts the rounds of {line}, and inside this loop it gets another value."
+                " Give one of the two another name."
+            )
+
+
+def _why_none(tree):
+    """Where None can come from: a path without return, or a method that works in place."""
+    if not any(isinstance(node, ast.Return) and node.value for node in ast.walk(tree)):
+        yield f"{tree.name}() has no return with a value. Did you forget return?"
+    elif _reaches_end(tree.body):
+        yield (
+            f"There is a way through {tree.name}() on which no return is reached. Is a case missing, such as"
+            " the last else?"
+        )
+    for node in ast.walk(tree):
+        value = getattr(node, "value", None)
+        name = getattr(getattr(value, "func", None), "attr", "")
+        if name in _IN_PLACE and not isinstance(node, ast.Expr) and ast.unparse(value.func.value) != "np":
+            yield (
+                f"{ast.unparse(value)} works in place and gives None. Write it on a line of its own, and use"
+                f" {ast.unparse(value.func.value)} after it."
+            )
+
+
+def _reaches_end(body):
+    last = body[-1]
+    if isinstance(last, ast.If):
+        return not last.orelse or _reaches_end(last.body) or _reaches_end(last.orelse)
+    if isinstance(last, ast.With):
+        return _reaches_end(last.body)
+    return not isinstance(last, ast.Return | ast.Raise | ast.While | ast.Try | ast.Match)
 
 
 def _remarks_on_node(node, source):
@@ -52,11 +140,6 @@ def _always_true(node, _source):
             f"{ast.unparse(node)} is always true, because {ast.unparse(constants[0])} alone counts as"
             f" True. Compare with each of them, or write: in (..., ...)."
         )
-
-
-def _matrix_product(node, _source):
-    if isinstance(node.op, ast.MatMult):
-        yield _PRODUCT.format("a @ b")
 
 
 def _loop_over_uint8(node, source):
@@ -79,26 +162,10 @@ def _two_names_of_one_array(node, _source):
 
 
 def _remarks_on_call(node, _source):
-    name = ast.unparse(node.func)
-    if name in ("np.dot", "np.matmul"):
-        yield _PRODUCT.format(f"{name}(a, b)")
     if isinstance(node.func, ast.Attribute) and node.func.attr in _DISK:
         yield (
             f".{node.func.attr}() looks on the disk of this computer, where a file or folder of that name"
             " need not exist. Put the result together from the arguments alone."
-        )
-
-
-def _width_before_height(node, _source):
-    """width, height = image.shape: the shape begins with the rows."""
-    target, value = node.targets[0], ast.unparse(node.value)
-    if not isinstance(target, ast.Tuple) or len(target.elts) < 2 or ".shape" not in value[-10:]:
-        return
-    first, second = (ast.unparse(name) for name in target.elts[:2])
-    if re.match(r"(w|width|cols?|columns?)$", first) and re.match(r"(h|height|rows?)$", second):
-        yield (
-            f"{first} and {second} are exchanged: a shape begins with the number of rows, the height. Write"
-            f" {second}, {first} = {value}."
         )
 
 
@@ -147,9 +214,7 @@ def _equality(statement):
 # (kind of node, rule)
 _RULES = (
     (ast.BoolOp, _always_true),
-    (ast.BinOp, _matrix_product),
     (ast.Call, _remarks_on_call),
-    (ast.Assign, _width_before_height),
     (ast.While, _loop_over_uint8),
     (ast.Compare, _remarks_on_comparison),
     (ast.Assign, _two_names_of_one_array),
@@ -168,22 +233,6 @@ def _remarks_on_function(tree):
                 f"The loop for {target.id} in ... writes over the argument {target.id}. Give the variable"
                 " of the loop another name."
             )
-
-
-def _axes_of_positions(tree, errors):
-    """argmax and argmin along the wrong axis, or along none, if the positions led to an error."""
-    parameters = {argument.arg for argument in tree.args.args}
-    for call in ast.walk(tree):
-        name = getattr(getattr(call, "func", None), "attr", "")
-        if name not in ("argmax", "argmin"):
-            continue
-        is_numpy = ast.unparse(call.func.value) in ("np", "numpy")
-        given = [*([] if is_numpy else [call.func.value]), *call.args, *(key.value for key in call.keywords)]
-        array, *axes = [ast.unparse(value) for value in given] or [""]
-        if "IndexError" in errors and axes == ["0"]:
-            yield f"{name}(axis=0) gives a row's position for each column. For each row, write axis=1."
-        if "TypeError" in errors and not axes and array in parameters:
-            yield f"{name}() without axis gives one position in all. {name}(axis=1) gives one for each row."
 
 
 def _is_stub_line(statement):

@@ -3,6 +3,7 @@
 import linecache
 import re
 import sys
+from dataclasses import replace
 from pathlib import Path
 from textwrap import dedent
 from types import SimpleNamespace
@@ -12,6 +13,7 @@ import pytest
 
 from imgproc_course.classroom.authoring.lesson_files import lesson_files
 from imgproc_course.classroom.exercises import check, checking, read_exercises, run_cases
+from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
 from imgproc_course.classroom.exercises.cell_runs import CellRuns
 from imgproc_course.classroom.exercises.check_files import find_check_data
 from imgproc_course.classroom.exercises.checking import run_check
@@ -125,7 +127,7 @@ def test_a_mistake_is_named_in_another_type_if_the_type_is_free(exact_type, writ
 
 
 def test_after_a_try_that_fails_the_help_in_steps_is_named(write_master):
-    stuck = 'Stuck? hint("test-double") helps you on, in steps.'
+    stuck = 'Stuck? hint("test-double") gives help in steps.'
     assert stuck not in repr(check("test-double", wraps))  # the exercise has no hints
     write_master(
         exercise='# %% role="exercise"\nexercise("test-double", function="double", time_limit=0.5,'
@@ -145,7 +147,11 @@ def test_an_unknown_mistake_gets_the_hint():
 @pytest.mark.parametrize(
     ("function", "text"),
     [
-        (lambda pixels: None, "double() returned None. Did you forget return?"),
+        (lambda pixels: None, "Expected an array of shape (3, 4), uint8, got None."),
+        (
+            lambda pixels: print(right(pixels)),
+            "returned None. print only shows a value: write return in place",
+        ),
         (lambda pixels: 1 / 0, "double() raised ZeroDivisionError: division by zero\n    in your line"),
         (lambda pixels: right(pixels).tolist(), "Expected an array of shape (3, 4), uint8, got a list of 3."),
         (lambda pixels: right(pixels)[:2], "Expected shape (3, 4), got an array of shape (2, 4)."),
@@ -182,7 +188,7 @@ def test_an_endless_loop_is_stopped():
 
     result = check("test-double", endless)
     assert [case_result.passed for case_result in result.results] == [False, False] and result.points == 0
-    assert "double() did not finish and was stopped. Is there an endless loop?" in repr(result)
+    assert "double() did not finish in time and was stopped." in repr(result)
     assert "✗ Dark\n    not run, because the call above did not finish\n" in repr(result)
     assert "not run, because" in result._repr_html_()
 
@@ -565,7 +571,7 @@ def test_an_endless_loop_says_what_overflowed():
             level += np.uint8(1)
 
     text = repr(check("test-double", endless))
-    assert "A loop never ends: does each step change what the loop tests?" in text
+    assert "the computer was busy: check again. If it has a while loop" in text
     assert "after 255 a uint8 goes on with 0." in text
 
 
@@ -632,3 +638,29 @@ def test_a_failing_check_without_points_is_no_full_success(write_master):
     assert "Points here: 1 of 1. But a check fails, and grading takes points for that" in text
     assert "But a check fails" not in repr(check("test-double", right))
     assert "But a check fails" not in repr(check("test-double", lambda pixels: pixels * 3))
+
+
+def run_answer_of(body, **changes):
+    """The CheckResult of an answer cell of the exercise `test-double`."""
+    source = f"def double(pixels):\n    {body}\n"
+    names = {"np": np, "LIMIT": 255}
+    exec(source, names)
+    data = replace(find_check_data("test-double"), **changes)
+    return run_check(data, names["double"], ComposedAnswer("double", source))
+
+
+def test_a_near_miss_is_told_with_the_line_and_a_question():
+    text = repr(run_answer_of("return np.minimum(pixels.astype(int) * 3, 255).astype(np.uint8)"))
+    assert "With one small change all checks here pass." in text
+    assert "in your line: return np.minimum(pixels.astype(int) * 3, 255).astype(np.uint8)" in text
+    assert "Is 3 one too large in pixels.astype(int) * 3?" in text
+
+
+def test_a_known_mistake_that_says_what_the_answer_does_is_not_named():
+    right_and_wrong = "np.minimum(pixels.astype(int), 255)\n    return pixels * 2"
+    says = (("It wraps: write np.minimum(pixels.astype(int), 255).", None), ("It wraps.", "wraps"))
+    for sentence, name in says:
+        exercise = find_check_data("test-double")
+        mistakes = tuple(replace(mistake, says=sentence) for mistake in exercise.mistakes[:1])
+        result = run_answer_of(right_and_wrong, mistakes=mistakes)
+        assert (result.mistake.name if result.mistake else None) == name

@@ -27,7 +27,7 @@ def call_of(expected, actual, argument=GRAY, tolerance=0.0):
         case=SimpleNamespace(tolerance=tolerance),
         arguments=(argument,),
         expected=SimpleNamespace(value=forms[0]),
-        result=SimpleNamespace(value=forms[1], finished=True),
+        result=SimpleNamespace(value=forms[1], finished=True, printed=""),
         difference=compare(*forms, tolerance),
     )
 
@@ -95,15 +95,26 @@ DTYPES = [
 ]
 SHAPES = [
     (GRAY, GRAY.T, "Rows and columns are exchanged"),
-    (GRAY, GRAY[1:-1, 1:-1], "smaller than the image by 2 rows and 2 columns, its border. Pad the image"),
-    (GRAY, np.pad(GRAY, 1), "2 rows and 2 columns too many. If you padded the image, cut the padding off."),
-    (GRAY[:3], GRAY[:1, :4], "Your result has 2 rows too few and 2 columns too few."),
-    (GRAY, np.pad(GRAY, ((0, 0), (0, 1))), "Your result is too wide: 7 columns instead of 6."),
+    (
+        GRAY,
+        GRAY.T + 1,
+        "Rows and columns are exchanged in the shape of your result: the number of rows comes",
+    ),
     (COLOUR, COLOUR[..., 0], "The axis of the channels is missing: each pixel has 3 values."),
     (COLOUR, COLOUR.reshape(4, 15), "reshape to (height, width, 3)"),
     (COLOUR, np.moveaxis(COLOUR, 2, 0), "The channels come first in your result."),
-    (GRAY, GRAY.max(axis=0), "Your result has fewer axes than the input"),
     (GRAY, np.stack([GRAY] * 3, axis=2), "Your result still has a third axis, of length 3."),
+]
+# What says nothing of the cause, beside the case's hint
+SIZES = [
+    (
+        GRAY,
+        GRAY[1:-1, 1:-1],
+        "Your result has 2 rows too few and 2 columns too few: the border of the image is",
+    ),
+    (GRAY[:3], GRAY[:1, :4], "Your result has 2 rows too few and 2 columns too few."),
+    (GRAY, np.pad(GRAY, ((0, 0), (0, 1))), "Your result has 1 column too many."),
+    (GRAY, GRAY.max(axis=0), "Your result has fewer axes than the input"),
 ]
 VALUES = [
     ((SIGNED, GRAY.astype("i4")), (GRAY.astype("i4"), SIGNED), "but in the wrong order: exchange the first"),
@@ -112,7 +123,7 @@ VALUES = [
     (0.25, 25.0, "100 times the expected number (is it in percent?)"),
     ("Gray", "gray", "Only capital and small letters differ."),
     ("a b", "ab ", "Only the spaces or line ends differ."),
-    (GRAY, GRAY * 0, "Every value of your result is 0."),
+    (GRAY, GRAY * 0, "Every value of your result is 0: where do they become 0?"),
     (SIGNED, -SIGNED, "All signs are exchanged"),
     (SIGNED, np.abs(SIGNED), "negative values must stay negative, without abs()"),
     (MASK * np.uint8(255), MASK * np.uint8(1), "You return 1 where 255 was expected."),
@@ -128,7 +139,7 @@ PLACES = [
     (
         GRAY,
         changed(GRAY, np.s_[1:], 0),
-        "Only the first row is right; all others are 0. Does return stand inside",
+        "Only the first row is right; all others are 0.",
     ),
     (GRAY, changed(GRAY, np.s_[:, -1]), "All wrong values lie in the last column."),
     (GRAY, changed(GRAY, np.s_[0]), "All wrong values lie in the first row."),
@@ -148,6 +159,19 @@ def test_a_wrong_form_is_named_without_a_hint_about_values(expected, actual, tex
     assert text in diagnosis.text and diagnosis.replaces_hint and not diagnosis.on_border
 
 
+@pytest.mark.parametrize(("expected", "actual", "text"), SIZES)
+def test_a_wrong_size_alone_says_no_cause_and_leaves_the_hint(expected, actual, text):
+    diagnosis = say(expected, actual)
+    assert diagnosis.text.startswith(text) and not diagnosis.replaces_hint
+
+
+def test_a_none_that_was_printed_needs_no_hint():
+    call = call_of(GRAY, None)
+    assert not diagnose([call], call).replaces_hint
+    call.result.printed = "3"
+    assert diagnose([call], call).replaces_hint
+
+
 def test_a_list_of_another_shape_has_advice_where_lists_are_free():
     call = call_of(GRAY, GRAY.tolist()[:-1])
     diagnosis = diagnose([call], call, ("image",), exact_type=False)
@@ -158,7 +182,7 @@ def test_a_list_of_another_shape_has_advice_where_lists_are_free():
 
 def test_of_two_wrong_parts_the_shape_is_explained():
     call = call_of((GRAY, GRAY), ("gray", GRAY[1:-1, 1:-1]))
-    assert "smaller than the image by 2 rows and 2 columns" in diagnose([call], call).text
+    assert diagnose([call], call).text == "Your result has 2 rows too few and 2 columns too few."
 
 
 def test_of_a_wrong_dtype_beside_wrong_values_nothing_is_certain():

@@ -38,11 +38,17 @@ ADVICE = {
     "set(a)": "set() cannot hold the rows of an array. np.unique(array)",
     "{a: 1}": "Write the key as text, in quotes.",
     "{a}": "Curly brackets without a key and a colon make a set",
-    "a * kernel": "it slides over it, and each pixel",
+    "a * kernel": "needs a window of 3 × 3, inside the padded image",
     "a.sum(axis=0) * np.arange(5)": "after axis=1 one for each row. Are rows and columns",
     "a / a[:, 2]": "array[:, 2:3] keeps it as a column",
     "a * values": "use its length, len(table), or look values up in it: table[index].",
-    "np.zeros(8).reshape(3, 3)": "A 3 × 3 matrix has 9 numbers.",
+    "np.zeros(8).reshape(3, 3)": "8 values are too few for 3 × 3 = 9.",
+    "a[number, number + 1]": "so 4 is the last index of axis 0. Here number + 1 goes further.",
+    "np.zeros(3, np.uint8)[0] = 256": "256 does not fit into uint8, which holds 0 to 255.",
+    "a.rows": "An array has no .rows: the number of its rows is .shape[0]",
+    "a.length": "An array has no .length: the number of its values is .size",
+    "SimpleNamespace(height=3).rows": "The number of its rows is height, and of its columns width",
+    "a.copy[0] = 3": "This is a function. Call it with round brackets",
     "a[1:] - a[:-2]": "These two differ by 1: look where each slice begins and ends,",
     "a[5, 0]": "so 4 is the last index of axis 0.",
     "colour[0, 0, 3]": "so 2 is the last index of axis 2. Axis 2 of a colour image holds its channels.",
@@ -68,11 +74,11 @@ ADVICE = {
     "os.getcwd()": "Write its import line in it: import os",
     "cos(0.5)": "Write its import line in it: from math import cos",
     "np.norm(a)": "norm is a function of np.linalg: write np.linalg.norm.",
-    "np.padd(a, 1)": "NumPy has no padd. Did you mean np.pad?",
+    "np.padd(a, 1)": "NumPy has no padd.",
     "norm(a)": "Write its import line in it: from numpy.linalg import norm",
     "def f(x):\n    if x > 9:\n        best = 1\n    return best\nf(1)": "Give best a start value before it.",
     "a.append(3)": "An array cannot grow.",
-    "a.height": "its rows are .shape[0], its columns .shape[1]",
+    "a.height": "the number of its rows is .shape[0], that of its columns .shape[1]",
     'values.join("/")': '"/".join(parts)',
     "values.shape": "A list has no .shape. Make an array of it first",
     "number.astype(int)": "This is a single number (int), not an array.",
@@ -98,7 +104,7 @@ ADVICE = {
     "a > 3.0 | (a * 0.5)": "put each comparison in parentheses",
     "mask | (a * 0.5)": "for a mask write np.zeros(shape, dtype=bool)",
     '"/".join(text, text)': "join takes one list of the parts, in square brackets",
-    "np.zeros(3, np.uint8) * 3735": "3735 does not fit into uint8, the dtype of the array",
+    "np.zeros(3, np.uint8) * 3735": "So the values would overflow: widen the array first, as in astype",
     "number[0] = 255": "a = a[mask] = 255 stores 255 in a, too",
     "mask - mask": "write a & ~b",
     "-mask": "For the opposite of a mask write ~mask.",
@@ -164,3 +170,17 @@ def test_an_unknown_error_gets_no_advice():
 def test_a_line_that_is_a_part_of_a_statement_gets_the_general_advice():
     advice = advice_on("ValueError", "The truth value of an array with ...", "line 3: (a > 3 and")
     assert advice.startswith("`if` and `while` need one True or False")
+
+
+def test_the_number_256_needs_another_number_and_not_a_wider_array():
+    assert "widen" not in advice_on(*error_of("np.zeros(3, np.uint8)[0] = 256"))
+
+
+def test_what_a_loop_over_the_image_itself_reads_needs_no_padding():
+    assert "pad" not in advice_on(*error_of("a[number, number]"))
+
+
+def test_a_close_name_comes_before_general_advice_but_not_before_a_missing_import():
+    error = error_of("maths.sqrt(2)")
+    assert advice_on(*error, closest="mask") == "Did you mean mask? Every letter counts, small or capital."
+    assert "import os" in advice_on(*error_of("os.getcwd()"), closest="pos")

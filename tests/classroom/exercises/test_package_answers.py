@@ -38,7 +38,7 @@ def test_the_solution_passes_and_so_do_other_styles():
 @pytest.mark.parametrize(
     ("step", "old", "new", "sentence"),
     [
-        (1, "<name>image_negative", "<name>negative", "is called negative. The task asks for image_negative."),
+        (1, "<name>image_negative", "<name>negative", "is called negative. The task asks for image_"),
         (1, "python3-opencv", "opencv-python", "opencv-python is a name of pip. package.xml has rosdep keys"),
         (1, "  <exec_depend>sensor_msgs</exec_depend>\n", "", "package.xml does not name: sensor_msgs."),
         (1, "ament_python", "ament_cmake", "<build_type>ament_python</build_type>"),
@@ -47,7 +47,7 @@ def test_the_solution_passes_and_so_do_other_styles():
         (1, '"package.xml": PACKAGE_XML', '"pakage.xml": PACKAGE_XML', "There is no package.xml. The paths"),
         (2, 'image_negative:main"', 'main"', "executables: image_negative=image_negative.main."),
         (2, 'packages=["image_negative"]', "packages=[]", "name the folder of the node: image_negative."),
-        (2, '["resource/image_negative"]', "[]", "must install package.xml to share/image_negative, resource/"),
+        (2, '["resource/image_negative"]', "[]", "must install package.xml to share/image_negative,"),
         (2, "def main(args=None)", "def start(args=None)", "defines no function main"),
         (2, "setup(\n", "setup(\n    (", "setup.py, line"),
         (3, "255 - gray", "gray", "pixels of the published image are wrong."),

@@ -4,7 +4,7 @@ import linecache
 
 import pytest
 
-from imgproc_course.classroom.exercises.source_remarks import remarks_on_source
+from imgproc_course.classroom.exercises.source_remarks import has_done, remarks_on_source
 
 LOOP = """def f(image, sector):
     for row in range(3):
@@ -34,11 +34,7 @@ def remarks(source, errors=()):
     ("line", "start"),
     [
         ("if m == 'a' or 'b': return 1", "m == 'a' or 'b' is always true, because 'b' alone counts as True."),
-        ("return a @ b", "a @ b is the product of two matrices or vectors;"),
-        ("return np.dot(a, b)", "np.dot(a, b) is the product of two matrices or vectors;"),
         ("return sorted(a.glob('*'))", ".glob() looks on the disk of this computer, where"),
-        ("width, height = a.shape", "width and height are exchanged: a shape begins with the number of rows"),
-        ("w, h, n = a.shape[:2]", "w and h are exchanged"),
         ("t = np.uint8(0)\n    while t <= 255: t += 1", "t <= 255 is always true for a uint8"),
         ("return a.sum() == a.sum()", "a.sum() == a.sum() compares a value with itself."),
         ("return a > b & ~c", "Python computes b & ~c first, before the comparison."),
@@ -66,8 +62,6 @@ def test_a_certain_mistake_is_named(line, start):
         "return a == b",
         "raise NotImplementedError('x')",
         "height, width = a.shape",
-        "(width,) = a.shape",
-        "width, height = b",
         "t = 0\n    while t <= 255: t += 1",
         "t = np.uint8(0)\n    while t < 255: t += 1",
     ],
@@ -92,25 +86,84 @@ def test_values_as_indices_are_named_if_an_index_was_outside():
     assert remarks(source.replace("[col]", "[col[:-1]]"), {"IndexError"}) == []
 
 
-def test_positions_along_the_wrong_axis_or_none_are_named_if_they_led_to_an_error():
-    source = "def f(scores):\n    for i in scores.argmax(axis=0):\n        pass\n"
-    for call in ("scores.argmax(axis=0)", "scores.argmax(0)", "np.argmax(scores, axis=0)"):
-        (remark,) = remarks(source.replace("scores.argmax(axis=0)", call), {"IndexError"})
-        assert remark == "argmax(axis=0) gives a row's position for each column. For each row, write axis=1."
-    for call in ("scores.argmax(axis=1)", "argmax(0)", "np.argmax()"):
-        assert remarks(source.replace("scores.argmax(axis=0)", call), {"IndexError", "TypeError"}) == []
-    for call in ("scores.argmin()", "np.argmin(scores)"):
-        (remark,) = remarks(source.replace("scores.argmax(axis=0)", call), {"TypeError"})
-        assert remark.startswith("argmin() without axis gives one position in all.")
-    assert remarks(source) == remarks(source.replace("axis=0", ""), {"IndexError"}) == []
-    assert remarks(source.replace("scores.argmax(axis=0)", "scores[0].argmax()"), {"TypeError"}) == []
-
-
 def test_a_source_that_is_not_known_gives_no_remark():
     assert remarks_on_source(len) == []
 
 
-def test_the_product_that_a_hint_uses_gets_no_remark():
-    function = function_of("def f(a, b):\n    return a @ b == a\n")
-    assert remarks_on_source(function, hints=["The offset is -(normal @ a)."]) == []
-    assert len(remarks_on_source(function, hints=["Multiply each value."])) == 1
+@pytest.mark.parametrize(
+    ("body", "loop", "end"),
+    [
+        ("for t in a:\n        b += t\n        return b", "for t in a", "return"),
+        ("for t in a:\n        if t: return b\n        else: return t", "for t in a", "return"),
+        ("for t in a:\n        for s in t:\n            b += s\n            break", "for s in t", "break"),
+    ],
+)
+def test_a_loop_that_ends_in_its_first_round(body, loop, end):
+    (remark,) = remarks(f"def f(a, b):\n    {body}\n    return b\n")
+    assert remark.startswith(f"The loop {loop} ends in its first round, because {end} stands inside it.")
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "for t in a:\n        if t: return t",
+        "for t in a:\n        if not t: continue\n        return t",
+        "while a:\n        return b",
+    ],
+)
+def test_a_loop_that_may_go_on_gets_no_remark(body):
+    assert remarks(f"def f(a, b):\n    {body}\n    return b\n") == []
+
+
+def test_a_loop_in_another_function_of_the_cell_gets_the_remark():
+    helper = "def g(a):\n    for t in a:\n        return t\n"
+    (remark,) = remarks(f"{helper}def f(a):\n    return g(a)\n")
+    assert remark.startswith("The loop for t in a ends in its first round")
+
+
+def test_a_counter_that_is_written_over():
+    source = "def f(a):\n    for r in range(3):\n        b, g, r = a[r]\n        a[r] = b + g\n    return a\n"
+    (remark,) = remarks(source)
+    assert remark == (
+        "r counts the rounds of for r in range(3), and inside this loop it gets another value. Give one of"
+        " the two another name."
+    )
+    assert remarks(source.replace("b, g, r =", "b, g, red =")) == []
+    assert remarks(source.replace("b, g, r = a[r]", "r = 2 * r").replace("b + g", "3")) == []
+    assert remarks(source.replace("range(3)", "a")) == []
+
+
+def test_why_a_none_was_returned():
+    source = "def f(a):\n    if a > 3:\n        return a\n"
+    (remark,) = remarks(source, {"None"})
+    assert remark.startswith("There is a way through f() on which no return is reached. Is a case missing")
+    assert remarks(source) == remarks(f"{source}    return None\n", {"None"}) == []
+    assert remarks(f"{source}    else:\n        return 3\n", {"None"}) == []
+    assert remarks(source.replace("return a", "a += 1"), {"None"}) == [
+        "f() has no return with a value. Did you forget return?"
+    ]
+    (remark,) = remarks("def f(a):\n    return a.sort()\n", {"None"})
+    assert (
+        remark == "a.sort() works in place and gives None. Write it on a line of its own, and use a after it."
+    )
+    assert remarks("def f(a):\n    a.sort()\n    return None or a\n", {"None"}) == []
+
+
+def test_a_product_of_matrices_gets_no_remark():
+    assert remarks("def f(a, b):\n    return np.dot(a, b) @ b\n") == []
+
+
+@pytest.mark.parametrize(
+    ("sentence", "is_done"),
+    [
+        ("Rows come first: image[top:bottom, left:right].", True),
+        ("Pad the image: write np.pad(gray, 1, mode='edge').", True),
+        ("Write image[left:right].", False),
+        ("Write image[top:bottom, left:right], and use np.abs(image).", False),
+        ("You wrote np.pad(gray, 1, mode='edge').", False),
+        ("Rows and columns are exchanged.", False),
+    ],
+)
+def test_code_that_stands_there_already(sentence, is_done):
+    source = 'part = image[top : bottom, left:right]\npadded = np.pad(gray, 1, mode="edge")'
+    assert has_done(source, sentence) == is_done

@@ -22,3 +22,54 @@ def crop(image, top, bottom, left, right):
     result = np.zeros_like(image)
     result[top:bottom, left:right] = image[top:bottom, left:right]
     return result
+
+# %% name="length as the stop" origin="fresh" sentence="The stop of a slice is a place, not a length: bottom itself, not bottom - top." must_say=["\\bstop\\b|place|length|ends? (before|at)|bottom"] kind="value"
+def crop(image, top, bottom, left, right):
+    return image[top:bottom - top, left:right - left]
+
+# %% name="return in the loop over the rows" origin="fresh" sentence="return stands inside the loop, so the function ends in the first round." must_say=["return.*(loop|inside)|first (round|pass|row)"] kind="value"
+def crop(image, top, bottom, left, right):
+    rows = []
+    for row in range(top, bottom):
+        rows.append(image[row][left:right])
+        return np.array(rows)
+
+# %% name="both ranges in one bracket each" origin="fresh" sentence="The second slice takes rows again: write both slices in one pair of brackets." must_say=["one pair of brackets|comma|rows again|image\\[top:bottom, left:right\\]"] kind="shape"
+def crop(image, top, bottom, left, right):
+    return image[top:bottom][left:right]
+
+# %% name="columns first" origin="fresh" sentence="Rows come first: image[top:bottom, left:right]." must_say=["rows (come )?first|rows and columns|exchanged"] kind="value"
+def crop(image, top, bottom, left, right):
+    part = image[left:right, top:bottom]
+    return part
+
+# %% name="print at the end" origin="fresh" sentence="print shows the part but returns nothing: write return." must_say=["return"] kind="no-return"
+def crop(image, top, bottom, left, right):
+    part = image[top:bottom, left:right]
+    print(part)
+
+# %% name="one row too many" origin="fresh" sentence="Each side has one too many: the stop is not included already." must_say=["too many|not included|stop"] kind="shape"
+def crop(image, top, bottom, left, right):
+    return image[top:bottom + 1, left:right + 1]
+
+# %% name="loops begin one late" origin="fresh" sentence="The loops begin one too late, at top + 1 and left + 1." must_say=["too few|begin|start"] kind="shape"
+def crop(image, top, bottom, left, right):
+    result = []
+    for r in range(top + 1, bottom):
+        line = []
+        for c in range(left + 1, right):
+            line.append(image[r, c])
+        result.append(line)
+    return np.array(result)
+
+# %% name="misspelled argument" origin="fresh" sentence="The argument is called bottom, and here stands botom." must_say=["bottom"] kind="error"
+def crop(image, top, bottom, left, right):
+    return image[top:botom, left:right]
+
+# %% name="right argument into left" origin="fresh" sentence="The left side begins at right, so the columns are empty." must_say=["empty|no columns|0 columns|columns? too few"] kind="value"
+def crop(image, top, bottom, left, right):
+    return image[top:bottom, right:left]
+
+# %% name="method with brackets of a call" origin="fresh" sentence="An array is not called: write square brackets, image[...]." must_say=["square brackets|not a function"] kind="error"
+def crop(image, top, bottom, left, right):
+    return image(top, bottom)(left, right)

@@ -24,3 +24,59 @@ def paint_white(gray, mask):
 def paint_white(gray, mask):
     painted = gray.copy()
     painted[mask] = 255
+
+# %% name="mask as numbers" origin="fresh" sentence="A mask of integers is a list of row numbers: it must stay bool." must_say=["bool|row|index|integer"] must_not_say=["argument mask itself"] kind="value"
+def paint_white(gray, mask):
+    result = gray.copy()
+    result[mask.astype(int)] = 255
+    return result
+
+# %% name="the input is changed" origin="fresh" sentence="gray itself is changed: begin with a copy." must_say=["copy|changed"] kind="input-changed"
+def paint_white(gray, mask):
+    gray[mask] = 255
+    return gray
+
+# %% name="second name, no copy" origin="fresh" sentence="result is the same array as gray: write gray.copy()." must_say=["copy|changed"] kind="input-changed"
+def paint_white(gray, mask):
+    result = gray
+    result[mask == True] = 255
+    return result
+
+# %% name="equality instead of assignment" origin="fresh" sentence="== compares and changes nothing: write = to store." must_say=["==|compare|no value has changed|equal to the input"] kind="value"
+def paint_white(gray, mask):
+    result = gray.copy()
+    result[mask] == 255
+    return result
+
+# %% name="black elsewhere" origin="fresh" sentence="Elsewhere the gray level must stay, and you write 0." must_say=["unchanged|keeps|stay|gray level"] kind="value"
+def paint_white(gray, mask):
+    return np.where(mask, 255, 0).astype(np.uint8)
+
+# %% name="mask inverted" origin="fresh" sentence="The mask is inverted: paint where it is True." must_say=["where the mask is True|~|invert|opposite|exchanged"] kind="value"
+def paint_white(gray, mask):
+    result = gray.copy()
+    result[~mask] = 255
+    return result
+
+# %% name="chained assignment" origin="fresh" sentence="result becomes the number 255, because = stores it in both names." must_say=["overwritten|both|number"] kind="error"
+def paint_white(gray, mask):
+    result = mask = 255
+    result[mask] = 255
+    return result
+
+# %% name="copy without brackets" origin="fresh" sentence="copy is a method: call it with round brackets, copy()." must_say=["round brackets|copy\\(\\)|call"] kind="error"
+def paint_white(gray, mask):
+    result = gray.copy
+    result[mask] = 255
+    return result
+
+# %% name="256" origin="fresh" sentence="The largest value of uint8 is 255." must_say=["255"] must_not_say=["widen"] kind="error"
+def paint_white(gray, mask):
+    white = gray.copy()
+    white[mask] = 256
+    return white
+
+# %% name="no return" origin="fresh" sentence="The function returns nothing: end with return result." must_say=["return"] kind="no-return"
+def paint_white(gray, mask):
+    result = gray.copy()
+    result[mask] = 255

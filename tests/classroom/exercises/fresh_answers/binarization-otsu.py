@@ -69,3 +69,121 @@ def otsu(gray):
         w1 = class1.size / gray.size
         variances.append(w0 * w1 * (class0.mean() - class1.mean()) ** 2)
     return int(np.argmax(variances))
+
+# %% name="less instead of less or equal" origin="fresh" sentence="A pixel equal to t belongs to class 0: write <=." must_say=["<=|equal to t"] kind="value"
+def otsu(gray):
+    best_t, best_variance = 0, 0.0
+    for t in range(256):
+        below, above = gray[gray < t], gray[gray >= t]
+        if below.size == 0 or above.size == 0:
+            continue
+        w0, w1 = below.size / gray.size, above.size / gray.size
+        variance = w0 * w1 * (below.mean() - above.mean()) ** 2
+        if variance > best_variance:
+            best_t, best_variance = t, variance
+    return best_t
+
+# %% name="greater or equal, the last" origin="fresh" sentence="Of several thresholds the smallest counts: write > and not >=." must_say=["smallest|first|>="] kind="value"
+def otsu(gray):
+    best_t, best_variance = 0, 0.0
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.size == 0 or above.size == 0:
+            continue
+        w0, w1 = below.size / gray.size, above.size / gray.size
+        variance = w0 * w1 * (below.mean() - above.mean()) ** 2
+        if variance >= best_variance:
+            best_t, best_variance = t, variance
+    return best_t
+
+# %% name="the variance is returned" origin="fresh" sentence="Return the threshold t, not its variance." must_say=["not its variance|variance|return this t"] kind="type"
+def otsu(gray):
+    best_t, best_variance = 0, 0.0
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.size == 0 or above.size == 0:
+            continue
+        variance = below.size * above.size * (below.mean() - above.mean()) ** 2
+        if variance > best_variance:
+            best_t, best_variance = t, variance
+    return best_variance
+
+# %% name="return in the loop" origin="fresh" sentence="return stands inside the loop: only t = 0 is tried." must_say=["return.*(loop|inside)"] kind="value"
+def otsu(gray):
+    best_t, best_variance = 0, 0.0
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.size > 0 and above.size > 0:
+            variance = below.size * above.size * (below.mean() - above.mean()) ** 2
+            if variance > best_variance:
+                best_t, best_variance = t, variance
+        return best_t
+
+# %% name="range(255)" origin="fresh" sentence="range(255) ends at 254: t = 255 is never tried, and this changes nothing, but the loop begins at 1." must_say=["every t|range|from 0"] kind="value"
+def otsu(gray):
+    best_t, best_variance = 0, 0.0
+    for t in range(1, 255):
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.size == 0 or above.size == 0:
+            continue
+        variance = below.size * above.size * (below.mean() - above.mean()) ** 2
+        if variance > best_variance:
+            best_t, best_variance = t, variance
+    return best_t
+
+# %% name="not squared" origin="fresh" sentence="The difference of the means is squared." must_say=["square"] kind="value"
+def otsu(gray):
+    best_t, best_variance = 0, 0.0
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.size == 0 or above.size == 0:
+            continue
+        variance = below.size * above.size * abs(below.mean() - above.mean())
+        if variance > best_variance:
+            best_t, best_variance = t, variance
+    return best_t
+
+# %% name="mean of the masks" origin="fresh" sentence="(gray <= t).mean() is the share of the class, not the mean of its pixels." must_say=["mean.*(mask|pixels)|gray\\[|select|share"] kind="value"
+def otsu(gray):
+    best_t, best_variance = 0, 0.0
+    for t in range(256):
+        below, above = gray <= t, gray > t
+        if not below.any() or not above.any():
+            continue
+        w0, w1 = below.mean(), above.mean()
+        variance = w0 * w1 * (below.mean() - above.mean()) ** 2
+        if variance > best_variance:
+            best_t, best_variance = t, variance
+    return best_t
+
+# %% name="empty class" origin="fresh" sentence="An empty class has no mean: nan spoils the comparison; leave it out." must_say=["empty"] kind="value"
+def otsu(gray):
+    variances = []
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        variances.append(below.size * above.size * (below.mean() - above.mean()) ** 2)
+    return int(np.argmax(variances))
+
+# %% name="best never updated" origin="fresh" sentence="best_variance is never updated, so every later t wins." must_say=["update|best|remember|store|largest"] kind="value"
+def otsu(gray):
+    best_t, best_variance = 0, 0.0
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.size == 0 or above.size == 0:
+            continue
+        variance = below.size * above.size * (below.mean() - above.mean()) ** 2
+        if variance > best_variance:
+            best_t = t
+    return best_t
+
+# %% name="gray.lenght" origin="fresh" sentence="An array has .size, the number of its values." must_say=["size"] kind="error"
+def otsu(gray):
+    best_t, best_variance = 0, 0.0
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.length == 0 or above.length == 0:
+            continue
+        variance = below.length * above.length * (below.mean() - above.mean()) ** 2
+        if variance > best_variance:
+            best_t, best_variance = t, variance
+    return best_t

@@ -104,3 +104,154 @@ def suppress(magnitude, sector):
                 if value > padded[row, col + 1] and value >= padded[row + 2, col + 1]:
                     result[row, col] = value
     return result
+
+# %% name="greater or equal for both" origin="fresh" sentence="The pixel must be greater than the first neighbour: > and not >=." must_say=["greater than|>="] kind="value"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    padded = np.pad(magnitude, 1)
+    result = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[row + 1 + dr, col + 1 + dc]
+            second = padded[row + 1 - dr, col + 1 - dc]
+            if value >= first and value >= second:
+                result[row, col] = value
+    return result
+
+# %% name="diagonals exchanged" origin="fresh" sentence="The neighbours of the sectors 1 and 3 are exchanged: look them up in the table." must_say=["sector|table|diagonal"] kind="value"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 1: (-1, 1), 2: (-1, 0), 3: (-1, -1)}
+    padded = np.pad(magnitude, 1)
+    result = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[row + 1 + dr, col + 1 + dc]
+            second = padded[row + 1 - dr, col + 1 - dc]
+            second_ok = value >= second if sector[row, col] in (0, 2) else value > second
+            if value > first and second_ok:
+                result[row, col] = value
+    return result
+
+# %% name="padded one off" origin="fresh" sentence="In padded the pixel is at (row + 1, col + 1); you take its neighbours at (row, col)." must_say=["row \\+ 1|padded|neighbour|shift"] kind="value"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    padded = np.pad(magnitude, 1)
+    result = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[row + dr, col + dc]
+            second = padded[row - dr, col - dc]
+            if value > first and value >= second:
+                result[row, col] = value
+    return result
+
+# %% name="255 instead of the magnitude again" origin="fresh" sentence="Store the magnitude itself, not 255." must_say=["magnitude|255"] kind="value"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    padded = np.pad(magnitude, 1)
+    result = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[row + 1 + dr, col + 1 + dc]
+            second = padded[row + 1 - dr, col + 1 - dc]
+            second_ok = value >= second if sector[row, col] in (0, 2) else value > second
+            if value > first and second_ok:
+                result[row, col] = 255
+    return result
+
+# %% name="no padding" origin="fresh" sentence="At the border a neighbour is outside: pad the magnitude with zeros." must_say=["pad|outside|border"] kind="error"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    result = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = magnitude[row + dr, col + dc]
+            second = magnitude[row - dr, col - dc]
+            if value > first and value >= second:
+                result[row, col] = value
+    return result
+
+# %% name="return inside the loop" origin="fresh" sentence="return stands inside the outer loop: only the first row is computed." must_say=["return.*(loop|inside)"] kind="value"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    padded = np.pad(magnitude, 1)
+    result = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[row + 1 + dr, col + 1 + dc]
+            second = padded[row + 1 - dr, col + 1 - dc]
+            second_ok = value >= second if sector[row, col] in (0, 2) else value > second
+            if value > first and second_ok:
+                result[row, col] = value
+        return result
+
+# %% name="or instead of and" origin="fresh" sentence="A pixel must be greater than both neighbours: and, not or." must_say=["both|and\\b"] kind="value"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    padded = np.pad(magnitude, 1)
+    result = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[row + 1 + dr, col + 1 + dc]
+            second = padded[row + 1 - dr, col + 1 - dc]
+            if value > first or value >= second:
+                result[row, col] = value
+    return result
+
+# %% name="sectors in degrees" origin="fresh" sentence="sector holds 0 to 3, and not degrees." must_say=["sector|KeyError|key"] kind="error"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 45: (-1, -1), 90: (-1, 0), 135: (-1, 1)}
+    padded = np.pad(magnitude, 1)
+    result = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[row + 1 + dr, col + 1 + dc]
+            second = padded[row + 1 - dr, col + 1 - dc]
+            if value > first and value >= second:
+                result[row, col] = value
+    return result
+
+# %% name="magnitude written over" origin="fresh" sentence="magnitude itself is changed while it is read: write into a new array." must_say=["new array|copy|changed"] kind="input-changed"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    padded = np.pad(magnitude, 1)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[row + 1 + dr, col + 1 + dc]
+            second = padded[row + 1 - dr, col + 1 - dc]
+            if not (value > first and value >= second):
+                magnitude[row, col] = 0
+    return magnitude
+
+# %% name="all sectors alike" origin="fresh" sentence="In sectors 1 and 3 the pixel must be greater than both neighbours." must_say=["sectors 1 and 3|greater than both"] kind="value"
+def suppress(magnitude, sector):
+    steps = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    padded = np.pad(magnitude, 1)
+    result = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[1]):
+            dr, dc = steps[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[row + 1 + dr, col + 1 + dc]
+            second = padded[row + 1 - dr, col + 1 - dc]
+            if value > first and value >= second:
+                result[row, col] = value
+    return result

@@ -103,3 +103,189 @@ def f1_score(edges, outlines, tolerance):
     if precision + recall == 0:
         return 0.0
     return 2 * precision * recall / (precision + recall)
+
+# %% name="parentheses of f1" origin="fresh" sentence="Only precision is divided... put the sum in parentheses." must_say=["parenthes"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result | padded[row:row + height, col:col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    precision = (found & near(outlines, tolerance)).sum() / found.sum()
+    recall = (outlines & near(found, tolerance)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / precision + recall
+
+# %% name="mean of both" origin="fresh" sentence="F1 is not the mean of precision and recall: 2 * p * r / (p + r)." must_say=["F1|mean|precision"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result | padded[row:row + height, col:col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    precision = (found & near(outlines, tolerance)).sum() / found.sum()
+    recall = (outlines & near(found, tolerance)).sum() / outlines.sum()
+    return (precision + recall) / 2
+
+# %% name="edges as mask" origin="fresh" sentence="edges holds 0 and 255: make a mask of it first, edges > 0." must_say=["edges > 0|mask|bool|255"] kind="error"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result | padded[row:row + height, col:col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    if not edges.any() or not outlines.any():
+        return 0.0
+    precision = (edges & near(outlines, tolerance)).sum() / edges.sum()
+    recall = (outlines & near(edges, tolerance)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)
+
+# %% name="window without the last" origin="fresh" sentence="The window has 2 * tolerance + 1 rows: the last shift is missing." must_say=["\\+ 1|last|square|each direction|tolerance rows"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance):
+        for col in range(2 * tolerance):
+            result = result | padded[row:row + height, col:col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    precision = (found & near(outlines, tolerance)).sum() / found.sum()
+    recall = (outlines & near(found, tolerance)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)
+
+# %% name="near without tolerance" origin="fresh" sentence="A tolerance is not used: an edge one pixel away counts, too." must_say=["tolerance|near|within"] kind="value"
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    both = (found & outlines).sum()
+    precision = both / found.sum()
+    recall = both / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)
+
+# %% name="divided by zero" origin="fresh" sentence="Without true positives return 0.0 before you divide." must_say=["0\\.0|divide"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result | padded[row:row + height, col:col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    precision = (found & near(outlines, tolerance)).sum() / found.sum()
+    recall = (outlines & near(found, tolerance)).sum() / outlines.sum()
+    return 2 * precision * recall / (precision + recall)
+
+# %% name="near not copied" origin="fresh" sentence="near is not defined in this cell: copy its definition into it." must_say=["copy|definition|near"] kind="error"
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    precision = (found & nearby(outlines, tolerance)).sum() / found.sum()
+    recall = (outlines & nearby(found, tolerance)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)
+
+# %% name="recall as precision" origin="fresh" sentence="Recall is the share of the outline pixels that are near an edge, not the same count." must_say=["recall|outline"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result | padded[row:row + height, col:col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    hits = (found & near(outlines, tolerance)).sum()
+    precision, recall = hits / found.sum(), hits / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)
+
+# %% name="returns inside near's loop" origin="fresh" sentence="return in near stands inside the loop: only one shift is used." must_say=["return.*(loop|inside)"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result | padded[row:row + height, col:col + width]
+        return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    precision = (found & near(outlines, tolerance)).sum() / found.sum()
+    recall = (outlines & near(found, tolerance)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)
+
+# %% name="and for &" origin="fresh" sentence="and needs single truth values: between masks write &." must_say=["&"] kind="error"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result | padded[row:row + height, col:col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    precision = (found and near(outlines, tolerance)).sum() / found.sum()
+    recall = (outlines and near(found, tolerance)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)

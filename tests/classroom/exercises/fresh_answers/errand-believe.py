@@ -36,3 +36,21 @@ def believe(readings, names, votes):
         if count > most:
             best, most = name, count
     return (best, most) if most >= votes else None
+
+# %% name="votes too strict" origin="fresh" sentence="count may equal votes: >= and not >." must_say=["at least|>="] must_not_say=["last else"] kind="value"
+def believe(readings, names, votes):
+    best, most = None, 0
+    for name in names:
+        count = sum(any(edit_distance(text.upper(), name) <= 1 for text in look) for look in readings)
+        if count > most:
+            best, most = name, count
+    return best if most > votes else None
+
+# %% name="exact comparison" origin="fresh" sentence="A text with one wrong letter counts, too: edit_distance <= 1." must_say=["edit_distance"] must_not_say=["last else"] kind="value"
+def believe(readings, names, votes):
+    best, most = None, 0
+    for name in names:
+        count = sum(any(text.upper() == name for text in look) for look in readings)
+        if count > most:
+            best, most = name, count
+    return best if most >= votes else None

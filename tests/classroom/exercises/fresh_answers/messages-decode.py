@@ -66,3 +66,111 @@ def decode(message):
         order = ">u2" if message.is_bigendian else "<u2"
         return np.frombuffer(cut, dtype=order).reshape(message.height, message.width)
     return rows[:, :message.width * 3].reshape(message.height, message.width, 3)
+
+# %% name="message.rows" origin="fresh" sentence="A message has height, and no field rows." must_say=["height"] kind="error"
+def decode(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.rows, message.step)
+    if message.encoding == "mono8":
+        return rows[:, :message.width]
+    if message.encoding in ("rgb8", "bgr8"):
+        return rows[:, :message.width * 3].reshape(message.height, message.width, 3)
+    wide = rows[:, :message.width * 2].astype(np.uint16)
+    if message.is_bigendian:
+        return wide[:, 0::2] * 256 + wide[:, 1::2]
+    return wide[:, 1::2] * 256 + wide[:, 0::2]
+
+# %% name="padding not cut" origin="fresh" sentence="The rows still have their padding: crop at width * 3 before the reshape." must_say=["padding|crop"] kind="error"
+def decode(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "mono8":
+        return rows
+    if message.encoding in ("rgb8", "bgr8"):
+        return rows.reshape(message.height, message.width, 3)
+    pixels = rows[:, :message.width * 2].copy().view(">u2" if message.is_bigendian else "<u2")
+    return pixels.astype(np.uint16)
+
+# %% name="only one colour encoding" origin="fresh" sentence="bgr8 is forgotten: nothing is returned for it." must_say=["bgr8|case missing|None for this"] kind="no-return"
+def decode(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "mono8":
+        return rows[:, :message.width]
+    if message.encoding == "rgb8":
+        return rows[:, :message.width * 3].reshape(message.height, message.width, 3)
+    if message.encoding == "mono16":
+        pixels = rows[:, :message.width * 2].copy().view(">u2" if message.is_bigendian else "<u2")
+        return pixels.astype(np.uint16)
+
+# %% name="bgr turned" origin="fresh" sentence="The channels stay in the order of data: do not turn them." must_say=["order|channels"] kind="value"
+def decode(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "mono8":
+        return rows[:, :message.width]
+    if message.encoding == "mono16":
+        pixels = rows[:, :message.width * 2].copy().view(">u2" if message.is_bigendian else "<u2")
+        return pixels.astype(np.uint16)
+    image = rows[:, :message.width * 3].reshape(message.height, message.width, 3)
+    if message.encoding == "bgr8":
+        image = image[..., ::-1]
+    return image
+
+# %% name="always true or" origin="fresh" sentence="encoding == \"rgb8\" or \"bgr8\" is always true: compare with both." must_say=["always true"] kind="shape"
+def decode(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "rgb8" or "bgr8":
+        return rows[:, :message.width * 3].reshape(message.height, message.width, 3)
+    if message.encoding == "mono8":
+        return rows[:, :message.width]
+    pixels = rows[:, :message.width * 2].copy().view(">u2" if message.is_bigendian else "<u2")
+    return pixels.astype(np.uint16)
+
+# %% name="byte order exchanged" origin="fresh" sentence="The byte order is exchanged: with is_bigendian 1 the more significant byte comes first." must_say=["is_bigendian|byte"] kind="value"
+def decode(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "mono8":
+        return rows[:, :message.width]
+    if message.encoding in ("rgb8", "bgr8"):
+        return rows[:, :message.width * 3].reshape(message.height, message.width, 3)
+    wide = rows[:, :message.width * 2].astype(np.uint16)
+    if message.is_bigendian:
+        return wide[:, 1::2] * 256 + wide[:, 0::2]
+    return wide[:, 0::2] * 256 + wide[:, 1::2]
+
+# %% name="width and height exchanged" origin="fresh" sentence="reshape takes the rows first, height." must_say=["height|rows first|exchanged"] kind="error"
+def decode(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "mono8":
+        return rows[:, :message.width]
+    if message.encoding in ("rgb8", "bgr8"):
+        return rows[:, :message.width * 3].reshape(message.width, message.height, 3)
+    pixels = rows[:, :message.width * 2].copy().view(">u2" if message.is_bigendian else "<u2")
+    return pixels.astype(np.uint16)
+
+# %% name="not widened" origin="fresh" sentence="256 times a uint8 does not fit: widen to uint16 first." must_say=["uint16|widen|fit"] kind="dtype"
+def decode(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "mono8":
+        return rows[:, :message.width]
+    if message.encoding in ("rgb8", "bgr8"):
+        return rows[:, :message.width * 3].reshape(message.height, message.width, 3)
+    pixels = rows[:, :message.width * 2]
+    first, second = pixels[:, 0::2], pixels[:, 1::2]
+    if message.is_bigendian:
+        return first * 256 + second
+    return second * 256 + first
+
+# %% name="step as the width" origin="fresh" sentence="A row has width * 3 bytes of pixels; step counts the padding too." must_say=["step|width"] kind="error"
+def decode(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "mono8":
+        return rows[:, :message.width]
+    if message.encoding in ("rgb8", "bgr8"):
+        return rows.reshape(message.height, message.step, 3)
+    pixels = rows[:, :message.width * 2].copy().view(">u2" if message.is_bigendian else "<u2")
+    return pixels.astype(np.uint16)
+
+# %% name="np.frombuffered" origin="fresh" sentence="NumPy calls it frombuffer." must_say=["frombuffer"] kind="error"
+def decode(message):
+    rows = np.from_buffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "mono8":
+        return rows[:, :message.width]
+    return rows[:, :message.width * 3].reshape(message.height, message.width, 3)

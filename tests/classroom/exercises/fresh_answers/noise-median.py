@@ -48,3 +48,96 @@ def median3(gray):
         for col in range(1, width - 1):
             result[row, col] = np.median(gray[row - 1:row + 2, col - 1:col + 2])
     return result
+
+# %% name="window one off" origin="fresh" sentence="The window must begin at row and col in the padded image." must_say=["window|begin|row \\+ 3|row : row|shift"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            result[row, col] = np.median(padded[row:row + 2, col:col + 2])
+    return result
+
+# %% name="window begins one late" origin="fresh" sentence="The window begins one row and one column too late: padded[row : row + 3]." must_say=["window|begin|row : row|shift"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 2, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            result[row, col] = np.median(padded[row:row + 3, col:col + 3])
+    return result
+
+# %% name="zeros at the border" origin="fresh" sentence="At the border repeat the outermost rows: mode=\"edge\"." must_say=["edge|repeat"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1)
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            result[row, col] = np.median(padded[row:row + 3, col:col + 3])
+    return result
+
+# %% name="mean" origin="fresh" sentence="This is the mean; the task asks for the median, the middle one." must_say=["median|mean|sort|fifth"] kind="value"
+def median3(gray):
+    padded = np.pad(gray.astype(float), 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            result[row, col] = np.mean(padded[row:row + 3, col:col + 3])
+    return result
+
+# %% name="index 5" origin="fresh" sentence="The fifth value has the index 4, because Python counts from 0." must_say=["index 4|counts from 0|fifth"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            values = np.sort(padded[row:row + 3, col:col + 3].ravel())
+            result[row, col] = values[5]
+    return result
+
+# %% name="not sorted again" origin="fresh" sentence="The nine values are not sorted, so the fifth is the pixel itself." must_say=["sort|equal to the input"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            values = padded[row:row + 3, col:col + 3].ravel()
+            result[row, col] = values[4]
+    return result
+
+# %% name="return in the inner loop" origin="fresh" sentence="return stands inside the loops: only the first pixel is computed." must_say=["return.*(loop|inside)"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            result[row, col] = np.median(padded[row:row + 3, col:col + 3])
+            return result
+
+# %% name="sort in place, None" origin="fresh" sentence="values.sort() sorts in place and gives None." must_say=["None|in place"] kind="error"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            values = padded[row:row + 3, col:col + 3].flatten()
+            values = values.sort()
+            result[row, col] = values[4]
+    return result
+
+# %% name="no padding, border left" origin="fresh" sentence="The border is never computed: pad the image first." must_say=["border|pad"] kind="value"
+def median3(gray):
+    result = gray.copy()
+    for row in range(1, gray.shape[0] - 1):
+        for col in range(1, gray.shape[1] - 1):
+            result[row, col] = np.median(gray[row - 1:row + 2, col - 1:col + 2])
+    return result
+
+# %% name="np.medain" origin="fresh" sentence="The function is called np.median." must_say=["np\\.median"] kind="error"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            result[row, col] = np.medain(padded[row:row + 3, col:col + 3])
+    return result

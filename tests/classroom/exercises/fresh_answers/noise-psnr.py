@@ -38,3 +38,71 @@ def my_psnr(clean, other):
     if mse == 0:
         return 0
     return 10 * np.log10(255 ** 2 / mse)
+
+# %% name="uint8 difference" origin="fresh" sentence="The difference is taken in uint8 and wraps around: widen first." must_say=["float|widen|wrap"] kind="value"
+def my_psnr(clean, other):
+    mse = np.mean((clean - other) ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log10(255 ** 2 / mse)
+
+# %% name="parentheses of the square" origin="fresh" sentence="Only other is squared: put the difference in parentheses." must_say=["parenthes|square"] kind="value"
+def my_psnr(clean, other):
+    mse = np.mean(clean.astype(float) - other.astype(float) ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log10(255 ** 2 / mse)
+
+# %% name="natural logarithm" origin="fresh" sentence="np.log is the natural logarithm: use np.log10." must_say=["log10|base 10"] kind="value"
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log(255 ** 2 / mse)
+
+# %% name="20 without root" origin="fresh" sentence="20 belongs to the square root of the mse: write 10, or take the root." must_say=["root|twice|2 times|10"] kind="value"
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
+    if mse == 0:
+        return float("inf")
+    return 20 * np.log10(255 ** 2 / mse)
+
+# %% name="sum for mean" origin="fresh" sentence="np.sum adds all squares; the mse is their mean." must_say=["mean|sum"] kind="value"
+def my_psnr(clean, other):
+    mse = np.sum((clean.astype(float) - other.astype(float)) ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log10(255 ** 2 / mse)
+
+# %% name="no infinity" origin="fresh" sentence="For equal images return float(\"inf\") before you divide." must_say=["inf"] kind="value"
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
+    return 0.0 if mse == 0 else 10 * np.log10(255 ** 2 / mse)
+
+# %% name="print" origin="fresh" sentence="print shows the number; write return." must_say=["return"] kind="no-return"
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
+    if mse == 0:
+        return float("inf")
+    print(10 * np.log10(255 ** 2 / mse))
+
+# %% name="caret" origin="fresh" sentence="^ is not a power: write ** 2." must_say=["\\*\\*"] kind="error"
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other.astype(float)) ^ 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log10(255 ** 2 / mse)
+
+# %% name="255 not squared" origin="fresh" sentence="In the formula 255 is squared." must_say=["255|square"] kind="value"
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log10(255 / mse)
+
+# %% name="fraction upside down again" origin="fresh" sentence="The fraction is upside down: 255**2 divided by the mse." must_say=["sign|upside down|divided by"] kind="value"
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log10(mse / 255 ** 2)

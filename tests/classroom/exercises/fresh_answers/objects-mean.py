@@ -25,3 +25,17 @@ def nearest_mean(vectors, classes, new):
 def nearest_mean(vectors, classes, new):
     numbers, first = np.unique(classes, return_index=True)
     return numbers[((new[:, None] - vectors[first]) ** 2).sum(axis=2).argmin(axis=1)]
+
+# %% name="sum for mean" origin="fresh" sentence="The sum is not the mean: divide by the number of vectors of the class." must_say=["mean"] kind="value"
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    means = np.array([vectors[classes == number].sum(axis=0) for number in numbers])
+    distances = ((new[:, None] - means) ** 2).sum(axis=2)
+    return numbers[distances.argmin(axis=1)]
+
+# %% name="mean of all vectors" origin="fresh" sentence="The mean must be taken of the vectors of one class: vectors[classes == number]." must_say=["class"] kind="value"
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    means = np.array([vectors.mean(axis=0) for number in numbers])
+    distances = ((new[:, None] - means) ** 2).sum(axis=2)
+    return numbers[distances.argmin(axis=1)]

@@ -17,3 +17,11 @@ def predict(state, covariance, F, Q):
 # %% name="rounded" origin="fresh" sentence="Return the exact numbers: leave round out." must_say=["round|exact"] kind="value"
 def predict(state, covariance, F, Q):
     return (F @ state).round(2), (F @ covariance @ F.T + Q).round(2)
+
+# %% name="transposed on the wrong side" origin="fresh" sentence="F stands on the left and F.T on the right of the covariance." must_say=["F\\.T|left"] must_not_say=["value by value"] kind="value"
+def predict(state, covariance, F, Q):
+    return F @ state, F.T @ covariance @ F + Q
+
+# %% name="no transposition" origin="fresh" sentence="The second F is transposed: F @ covariance @ F.T." must_say=["F\\.T"] must_not_say=["value by value"] kind="value"
+def predict(state, covariance, F, Q):
+    return F @ state, F @ covariance @ F + Q
