@@ -23,7 +23,7 @@ def cells_of_ros(sources):
     list of int, the numbers of these cells in order
     """
     names = [names_of(source) for source in sources]
-    differs, chosen = WIDGETS.union(*map(_imported, sources)), set()
+    differs, chosen = WIDGETS.union(*(names_from(PACKAGES, source) for source in sources)), set()
     for number, (read, bound) in enumerate(names):
         if read & differs:
             chosen.add(number)
@@ -34,10 +34,12 @@ def cells_of_ros(sources):
     return needed_cells(names, chosen)
 
 
-def _imported(source):
-    """The names that a cell imports from PACKAGES."""
+def names_from(packages, source):
+    """The names that a cell imports from some packages, or from modules in them."""
+    places = tuple(f"{package}." for package in packages)
     imports = [node for node in ast.walk(tree_of(source)) if isinstance(node, ast.ImportFrom)]
-    return {alias.asname or alias.name for node in imports if node.module in PACKAGES for alias in node.names}
+    imports = [node for node in imports if f"{node.module}.".startswith(places)]
+    return {alias.asname or alias.name for node in imports for alias in node.names}
 
 
 def _without_ros(source):

@@ -4,21 +4,23 @@ import ast
 
 from IPython.core.inputtransformer2 import TransformerManager
 
+from imgproc_course.classroom.exercises.cell_syntax import statements_of
+
 
 def tree_of(source):
     """The syntax tree of a cell, which may hold magics."""
     return ast.parse(TransformerManager().transform_cell(source))
 
 
+def statements(source):
+    """The statements of a cell: of each, what it reads, binds and changes; no local name of a function."""
+    return statements_of(TransformerManager().transform_cell(source))
+
+
 def names_of(source):
     """The names that a cell reads, and those that it binds."""
-    read, bound = set(), set()
-    for node in ast.walk(tree_of(source)):
-        if isinstance(node, ast.Name):
-            (read if isinstance(node.ctx, ast.Load) else bound).add(node.id)
-        elif isinstance(node, ast.FunctionDef | ast.ClassDef):
-            bound.add(node.name)
-    return read, bound | names_imported(source)
+    parts = statements(source)
+    return set().union(*(part.reads for part in parts)), set().union(*(part.binds for part in parts))
 
 
 def names_imported(source):
@@ -36,7 +38,7 @@ def names_changed(source):
             values.add(node.value)
         elif isinstance(node, ast.AugAssign):
             values.add(node.target)
-    return {_root(value) for value in values} - {None}
+    return {_root(value) for value in values} & set().union(*names_of(source))
 
 
 def _root(node):

@@ -7,14 +7,16 @@ something of them, and what these need; nbval executes it once.
 
 import re
 
+from cells_of_ros import names_from
 from IPython.core.formatters import DisplayFormatter
 from nbformat.v4 import new_output
-from needed_cells import names_changed, names_imported, names_of, needed_cells
+from needed_cells import names_changed, names_imported, names_of, needed_cells, statements
 
 from imgproc_course.classroom.authoring.build import lesson_notebook
 from imgproc_course.classroom.exercises.checking import run_cases
 
-STARTS_ROBOT = {"open_camera"}  # other cells use the robot by its topics, not by a name
+STARTS_ROBOT = {"open_camera"}  # other cells of ROS use the robot by its topics, not by a name
+ROS = ("imgproc_course.ros", "rclpy")
 IGNORED = "nbval-ignore-output"
 PASSES = re.compile(r"[\w-]+: (the check passes|both checks pass|all \d+ checks pass)\.\n")
 
@@ -50,15 +52,20 @@ def solved_twin(master, shipped):
             cell.outputs = [passing(exercises[master_cell.exercise], cell.execution_count)]
             chosen.add(number)
         elif master_cell.role == "answer" or read & of_answers:
-            of_answers |= bound
+            of_answers |= bound.union(*(part.changes for part in statements(cell.source)))
             chosen.add(number)
             cell.metadata.tags = list(dict.fromkeys([*cell.metadata.get("tags", ()), IGNORED]))
         else:
             of_answers -= bound
-    chosen |= {number for number, (read, _) in enumerate(names) if read & STARTS_ROBOT}
-    modules = set().union(*(names_imported(cell.source) for cell in twin.cells))
-    changes = [names_changed(cell.source) - modules for cell in twin.cells]
-    twin.cells = [twin.cells[number] for number in needed_cells(names, chosen, changes)]
+    sources = [cell.source for cell in twin.cells]
+    modules = set().union(*map(names_imported, sources))
+    changes = [names_changed(source) - modules for source in sources]
+    needed = needed_cells(names, chosen, changes)
+    uses_robot = set().union(*(names_from(ROS, source) for source in sources)) - {"ros_available"}
+    if any(names[number][0] & uses_robot for number in needed):
+        chosen |= {number for number, (read, _) in enumerate(names) if read & STARTS_ROBOT}
+        needed = needed_cells(names, chosen, changes)
+    twin.cells = [twin.cells[number] for number in needed]
     return twin
 
 
