@@ -1035,7 +1035,7 @@ for name, margin in names:
 right_names = sum(name == seen for (name, _), seen in zip(names, seen_names, strict=True))
 compare_guess(guess_names, right_names)
 
-# %%
+# %% tags=["long"]
 SURE = 0.4  # a name with a smaller margin is not sure
 
 

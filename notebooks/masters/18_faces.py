@@ -1160,8 +1160,8 @@ if ros_available():
         def on_image(self, msg):
             left = 60 + 10 * len(self.sent) % 300
             frame = image_to_array(msg, "bgr8").copy()
-            cv2.ellipse(frame, (left + 70, 380), (110, 135), 0, 0, 360, (100, 70, 50), -1)  # the body
             cv2.rectangle(frame, (left + 48, 215), (left + 92, 262), (85, 105, 135), -1)  # the neck
+            cv2.ellipse(frame, (left + 70, 380), (110, 135), 0, 0, 360, (100, 70, 50), -1)  # the body
             frame, box = put_face(frame, self.identity, left, 100, 140)
             self.sent[msg.header.stamp.sec, msg.header.stamp.nanosec] = frame, box
             self.images.publish(array_to_image(frame, "bgr8", msg.header))
