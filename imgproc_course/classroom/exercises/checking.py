@@ -210,15 +210,16 @@ def run_check(exercise, function, answer=None):
             is_right = all(call.passed for call in _run_calls(exercise, function))
             remarks = (_ONLY_HERE.format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
-    is_open = result.attempted and not (result.passed or result.mistake or dependencies.refused)
-    if (
-        answer
-        and exercise.subject == "function"
-        and is_open
-        and not any(call.result.changed or call.result.timed_out for call in calls)
-    ):
-        result = replace(result, near_miss=near_miss(exercise, answer))
-    return replace(result, remarks=(*remarks, *result.remarks))
+    hint = _near_miss(exercise, result, calls, answer) if answer else ""
+    return replace(result, near_miss=hint, remarks=(*remarks, *result.remarks))
+
+
+def _near_miss(exercise, result, calls, answer):
+    """The question of `near_miss`, for a wrong function of which nothing else is known."""
+    is_open = result.attempted and not (result.passed or result.mistake or result.dependencies.refused)
+    is_tame = not any(call.result.changed or call.result.timed_out for call in calls)
+    is_function = exercise.subject == "function"
+    return near_miss(exercise, answer) if is_open and is_tame and is_function else ""
 
 
 def _as_graded(exercise, function, answer):

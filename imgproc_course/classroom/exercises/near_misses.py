@@ -95,8 +95,7 @@ def _changes(definitions):
             variants = [(question, (*place, new)) for question, new in rule(child, place[0])]
             yield from ((question, [change]) for question, change in variants)
             # Parts that are alike but for names may have the same mistake: row : row + 2, col : col + 2
-            kind = re.sub(r"id='\w+'", "", ast.dump(child))
-            key = ast.dump(child.op) if isinstance(child, ast.BinOp) and rule is _operators else kind
+            key = _kind(child, rule)
             alike.setdefault((key, len(variants)), []).append(variants)
         for group in (group for group in alike.values() if len(group) > 1):
             for same in zip(*group, strict=True):
@@ -107,6 +106,12 @@ def _changes(definitions):
             for text, code in _CONVERSIONS:
                 first = ast.parse(f"{name} = {code.format(name)}").body
                 yield text.format(name), [(definition, "body", None, first + definition.body)]
+
+
+def _kind(child, rule):
+    if isinstance(child, ast.BinOp) and rule is _operators:
+        return ast.dump(child.op)
+    return re.sub(r"id='\w+'", "", ast.dump(child))
 
 
 def _exchanged_everywhere(numbers):

@@ -28,8 +28,8 @@ def remarks_on_source(function, errors=()):
     nodes = [node for part in (tree, *helpers) for node in ast.walk(part)]
     remarks = [text for part in (tree, *helpers) for text in _repeated_and_ended(part)]
     remarks += [text for node in nodes for text in _remarks_on_node(node, source)]
-    functions = [part for part in getattr(tree, "body", ()) if isinstance(part, ast.FunctionDef)]
-    for part in functions if isinstance(tree, ast.ClassDef) else [tree]:
+    functions = tree.body if isinstance(tree, ast.ClassDef) else [tree]
+    for part in functions:
         remarks += _remarks_on_function(part) if isinstance(part, ast.FunctionDef) else []
     if isinstance(tree, ast.FunctionDef):
         remarks += _why_none(tree) if "None" in errors else []
