@@ -539,7 +539,7 @@ exercise(
     subject="node",
     title="The grayscale node",
     function="ImageGrayProcessor",
-    time_limit=5,
+    time_limit=2,
     allowed=("cv2", "imgproc_course.messages", "imgproc_course.imaging"),
     hint="Compare your class with GrayNode in section 3, line by line.",
     hints=(

@@ -303,7 +303,7 @@ exercise(
     subject="node",
     title="The edge-detection node",
     function="EdgeDetector",
-    time_limit=5,
+    time_limit=2,
     allowed=("cv2", "imgproc_course.messages", "imgproc_course.imaging"),
     hint="Compare your class with ImageGrayProcessor: which lines are different?",
     hints=(

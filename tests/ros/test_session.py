@@ -140,6 +140,24 @@ def test_a_node_of_the_learners_is_spun_and_destroyed_with_the_session(session, 
     assert ros_threads() == []
 
 
+def test_a_class_is_created_in_the_sessions_context(session, wait_until):
+    from rclpy.node import Node
+
+    calls = []
+
+    class Counter(Node):
+        def __init__(self):
+            super().__init__("counter")
+            self.create_timer(0.01, lambda: calls.append(self))
+
+    first, second = session.add_node(Counter), session.add_node(Counter)
+    assert second.context is session.context and session.node.get_node_names().count("counter") == 1
+    wait_until(lambda: second in calls)
+    calls.clear()
+    wait_until(lambda: len(calls) >= 5)
+    assert first not in calls
+
+
 def test_adding_a_node_of_the_same_name_replaces_it(session, wait_until, capfd, caplog):
     import numpy as np
 

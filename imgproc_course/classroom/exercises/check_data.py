@@ -11,6 +11,7 @@ import numpy as np
 
 from imgproc_course.classroom.exercises.cell_syntax import cells_of, needed_parts, parts_of
 from imgproc_course.classroom.exercises.dependencies import tree_as_graded
+from imgproc_course.classroom.exercises.ros_double import offer_modules
 from imgproc_course.classroom.exercises.running import CallResult, answer_name, by_itself, call
 
 
@@ -109,7 +110,7 @@ class CheckData:
     def namespace(self):
         """A new namespace as an answer gets it in grading: np, and what the given cells define."""
         if self.subject != "function":
-            _offer_modules()
+            offer_modules()
         names = {"np": np, "__name__": self.id}
         for number, source in enumerate(self.given, 1):
             self.run_part(source, names, f"given cell {number} of {self.id}")
@@ -151,12 +152,6 @@ class CheckData:
         more_names = (f"argument {k + 1}" for k in range(len(self.names), len(arguments)))
         names = [*self.names[: len(arguments)], *more_names]
         return call(function, arguments, names, self.time_limit, self.subject)
-
-
-def _offer_modules():
-    from imgproc_course.classroom.exercises.ros_double import offer_modules  # here: only nodes need it
-
-    offer_modules()
 
 
 def shared_fields(record, kind):

@@ -1,8 +1,10 @@
 """The node exercises of the lessons: verdicts and sentences on many answers, with rclpy and without it."""
 
+import contextlib
 import json
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -11,6 +13,8 @@ from node_answers import ANSWERS
 from imgproc_course.classroom.exercises.checking import run_check
 from imgproc_course.classroom.exercises.declaration import read_exercises
 from imgproc_course.classroom.exercises.expected_results import check_data_of
+from imgproc_course.classroom.exercises.node_driver import drive
+from imgproc_course.classroom.exercises.ros_double import offer_modules
 
 MASTERS = Path(__file__).parents[3] / "notebooks/masters"
 EXERCISES = {
@@ -65,3 +69,31 @@ def test_verdicts_and_sentences_are_the_same_without_ros():
         assert passes == real_passes, answer.name
         if answer.name not in OTHER_TEXTS:
             assert text == real_text, answer.name
+
+
+def test_a_drive_leaves_nothing_behind():
+    offer_modules()
+    names = {"__name__": "answer"}
+    exec("from time import sleep\nimport rclpy\n" + ANSWERS[0].source, names)
+    node_module = sys.modules["rclpy.node"]
+    before = (time.sleep, names["sleep"], node_module.Node.__init__, sys.modules["rclpy"].spin)
+    for look, steps in (("setup", []), ("images", [{"image": None}])):
+        with contextlib.suppress(KeyError):  # of the second one, whose step is no step
+            drive(names["ImageGrayProcessor"], look, steps)
+    after = (time.sleep, names["sleep"], node_module.Node.__init__, sys.modules["rclpy"].spin)
+    assert after == before
+
+
+def test_ros_stays_missing_where_the_double_takes_its_place():
+    program = (
+        "from imgproc_course.exercises import offer_modules\n"
+        "from imgproc_course.classroom.exercises import ros_double\n"
+        "ros_double.offer_modules(even_if_installed=True)\n"
+        "from imgproc_course.ros import ros_available, ros_problem\n"
+        "import rclpy.node, sensor_msgs.msg, cv_bridge\n"
+        "print(ros_available(), ros_problem()[:16], cv_bridge.__name__)"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True, timeout=120
+    )
+    assert run.stdout.split("\n")[0] == "False ROS 2 is missing imgproc_course.messages.cv_bridge"

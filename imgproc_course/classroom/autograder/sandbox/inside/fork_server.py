@@ -56,18 +56,14 @@ def _load():
     def run_cells(requests, descriptor, allowed):
         check_cell.refuse_input()
         if "rclpy" in allowed:
-            _offer_double()
+            # Few exercises need it: a double of ROS, because nothing here can reach a network.
+            from imgproc_course.classroom.exercises.ros_double import offer_modules
+
+            offer_modules(even_if_installed=True)
         refusal.allow_modules(allowed)
         shell.serve(cell_shell, requests, descriptor, check_cell.deliver)
 
     return warm_up, run_cells
-
-
-def _offer_double():
-    """Give an answer the double of ROS: nothing here can reach a network."""
-    from imgproc_course.classroom.exercises.ros_double import offer_modules  # few exercises need it
-
-    offer_modules(even_if_installed=True)
 
 
 def _run_kernel(control, descriptor, kernel_id, settings, warm_up, run_cells):
