@@ -906,6 +906,9 @@ if ros_available():
     from sensor_msgs.msg import Image, LaserScan
 
     class BrakeNode(Node):
+        rays = np.asarray(robot_rays)  # a name that is missing is found here, not in a callback
+        half_angle = math.radians(44.5)  # of the scan
+
         def __init__(self, speed, context=None):
             super().__init__("brake", context=context)
             self.speed = speed
@@ -918,7 +921,7 @@ if ros_available():
                 qos_profile_sensor_data)
 
         def on_depth(self, msg):
-            seen = robot_rays * (image_to_array(msg) / 1000)[:, :, np.newaxis]
+            seen = self.rays * (image_to_array(msg) / 1000)[:, :, np.newaxis]
             forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
             self.publish_scan(msg.header, scan_of(forward, left, height))
             mask = (np.abs(left) <= 0.20) & (height > 0.03) & (height < 0.40)
@@ -932,7 +935,7 @@ if ros_available():
 
         def publish_scan(self, header, ranges):
             scan = LaserScan(header=header, range_min=0.1, range_max=8.0)
-            scan.angle_min, scan.angle_max = math.radians(-44.5), math.radians(44.5)
+            scan.angle_min, scan.angle_max = -self.half_angle, self.half_angle
             scan.angle_increment = math.radians(1)
             scan.ranges = ranges.astype(np.float32).tolist()
             self.scans.publish(scan)

@@ -82,7 +82,7 @@ class HandedOut:
         self.files, texts = {}, set()
         for path in paths:
             if path.is_file():
-                self.files |= dict(files_in(path.read_bytes(), path.name))
+                self.files |= dict(files_in(path.read_bytes(), f"{path.parent.name}/{path.name}"))
         for text in self.files.values():
             try:
                 texts |= set(strings_in(json.loads(text)))

@@ -4,7 +4,7 @@ Each way changes the code cells that run; ways can be joined: "visible+bare".
 
 all        every code cell, from the first to the last
 visible    without the folded cells
-begin      for each "You can begin here": the cells before the first section, and those after it
+begin      for each "You can begin here": the visible cells before the first section, and those after it
 exercises  only imports, what is given, answers and checks
 wrong      every answer returns None
 failing    every answer raises an exception
@@ -66,7 +66,7 @@ def _visible(cells):
 
 def _begin(cells):
     texts = [number for number, cell in enumerate(cells) if cell.cell_type == "markdown"]
-    opening = cells[: texts[1]]
+    (opening,) = _visible(cells[: texts[1]])
     for number in texts:
         if BEGIN_HERE in cells[number].source:
             yield [*opening, *cells[number:]]
