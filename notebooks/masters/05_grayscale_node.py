@@ -341,9 +341,9 @@ assert list(queue) == [3, 4, 5, 6, 7]
 #
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 4 · Planned failure: rclpy.spin in a notebook ([[minutes]], deeper)
+# ## 4 · rclpy.spin in a notebook ([[minutes]], deeper)
 #
-# In a notebook, `rclpy.spin` is not right. We make the node first:
+# What does `rclpy.spin` do in a notebook? We make the node first:
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -380,7 +380,7 @@ compare_guess(guess_other_cells, blocked < 3)
 assert blocked >= 3
 
 # %% [markdown]
-# While the cell runs, it shows `[*]`, and all other cells wait. A cell with `rclpy.spin(node)` never ends by itself; **Kernel → Interrupt Kernel** stops it.
+# This was the **planned failure**. While the cell runs, it shows `[*]`, and all other cells wait. A cell with `rclpy.spin(node)` never ends by itself; **Kernel → Interrupt Kernel** stops it.
 #
 # **Repair it**: spin in a background thread. The course's `RosSession` has such a thread, and its executor spins all nodes of this notebook. The thread stops when the kernel stops.
 
