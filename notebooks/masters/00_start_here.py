@@ -86,11 +86,6 @@ figure_texts = {
 # ## 3 · An image from the recording (4 minutes)
 #
 # We begin without ROS. `open_recording` opens the recording of the drive, and `frame(0)` is its first frame. An image is an *[[term:array]]*: a table of numbers. Its smallest part is a *[[term:pixel]]*: one small square of one colour. The `shape` of an array says how many rows, columns and so on it has. Its `dtype` (data type) says what kind of numbers it contains.
-#
-# **Predict.** The image is 1280 pixels wide and 720 pixels high. Which of these two numbers comes first in its shape? Write your guess instead of `None`, and run the cell. Then run the cell below it, which compares your guess with the result. A wrong guess costs nothing, and you can leave `None`.
-
-# %% role="predict"
-guess_first = None  # your guess: 720 or 1280?
 
 # %%
 from imgproc_course.display import show
@@ -99,6 +94,14 @@ from imgproc_course.recording import open_recording
 
 recording = open_recording("drive")
 frame = recording.frame(0)
+
+# %% [markdown]
+# **Predict.** The image is 1280 pixels wide and 720 pixels high. Which of these two numbers comes first in its shape? Write your guess instead of `None`, and run the cell. (In later guesses, a word stands in quotes: `"yes"`.) Then run the cell below it, which compares your guess with the result. A wrong guess costs nothing, and you can leave `None`.
+
+# %% role="predict"
+guess_first = None  # your guess: 720 or 1280?
+
+# %%
 print("frames in the recording:", len(recording))
 print("shape:", frame.shape, "  dtype:", frame.dtype)
 compare_guess(guess_first, frame.shape[0])

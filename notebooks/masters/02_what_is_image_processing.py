@@ -231,7 +231,7 @@ assert round(depth[toy].min() / 1000, 2) == 1.73 and round(depth[box].min() / 10
 assert np.nonzero(box)[1].min() > 427
 
 # %% [markdown]
-# **Pause.** This is a good place for a break. Part two needs only the first code cell of this lesson.
+# **Pause.** This is a good place for a break. **You can begin here** after it: run the first code cell of this lesson, then go on below.
 #
 # ## Part two: four operations
 #

@@ -766,8 +766,8 @@ def growth(frame, steps=0):
 growing = tune(growth, gray, steps=(0, 60), text="canny_stages/growth")
 
 # %%
-# Check: the slider's image before it is moved
-assert (growing.value == np.where(stages.strong, 255, 0)).all()
+# Check: the image before the slider is moved
+assert (growth(gray) == np.where(stages.strong, 255, 0)).all()
 
 # %%
 early = grow_steps(stages.weak, stages.strong, 3)

@@ -282,14 +282,8 @@ def read_master(path):
     match = LESSON_FILE.fullmatch(path.stem)
     if match and cells and cells[0].kind == "markdown":
         cells[0] = _numbered(cells[0], match["number"])
-    master = Master(
-        path,
-        title,
-        script.front_matter.get("minutes", 0),
-        tuple(cells),
-        exercises,
-        _texts(script, references),
-    )
+    texts, minutes = _texts(script, references), script.front_matter.get("minutes", 0)
+    master = Master(path, title, minutes, tuple(cells), exercises, texts)
     problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
@@ -303,13 +297,13 @@ def _texts(script, references):
         if cell.role == "texts":
             try:
                 texts |= ast.literal_eval(ast.parse(references.in_code(cell.source)).body[0].value)
-                pairs = [isinstance(pair, tuple) and len(pair) == 2 for pair in texts.values()]
-                is_right = all(pairs) and all(text.strip() for pair in texts.values() for text in pair)
-            except (SyntaxError, ValueError, TypeError, AttributeError, IndexError):
+                pairs = [pair for pair in texts.values() if isinstance(pair, tuple) and len(pair) == 2]
+                is_right = len(pairs) == len(texts) and all(all(map(str.strip, pair)) for pair in pairs)
+            except (SyntaxError, ValueError, TypeError, AttributeError):
                 is_right = False
             if not is_right:
                 raise MasterError(
-                    f'{cell.place}: a texts cell is figure_texts = {{"name": ("caption", "alt text"), ...}}'
+                    f'{cell.place}: expected figure_texts = {{"name": ("caption", "alt"), ...}}'
                 )
     return texts
 

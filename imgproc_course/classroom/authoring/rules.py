@@ -3,14 +3,14 @@
 import ast
 import re
 
-from imgproc_course.classroom.exercises.cell_syntax import bound_names
+from imgproc_course.classroom.exercises.cell_syntax import bound_names, statements_of
 
 VARYING_TAG = "nbval-ignore-output"
 RAISING_TAGS = ("nbval-raises-exception", "raises-exception")
 CHECK_LINE = "# Check: "  # JupyterLab shows only this first line of the cell
+BEGIN_HERE = "You can begin here"  # below it, a lesson needs only the cells before its first section
 MOST_LINES = 12  # of code in a cell
 _FIGURES = ("show", "show_figure", "tune")
-_WITH_TEXTS = (*_FIGURES, "live_view", "drive")
 HINTS = 3  # of every exercise
 _MOST_ID_CHARACTERS = 64  # of a cell id in a notebook
 _HIDES_WORK = re.compile(r"\s*(from\s+\S+\s+import\s+\*|%%(capture|script|html|javascript))")
@@ -29,7 +29,7 @@ def master_problems(master):
     for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=False):
         first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
         problems += [f"{cell.id}: {problem}\n    {first_line}" for problem in _cell_problems(cell, next_cell)]
-    problems += [*_prediction_problems(master), *_assert_problems(master)]
+    problems += [*_prediction_problems(master), *_assert_problems(master), *_way_problems(master)]
     for exercise in master.exercises:
         rules = _exercise_rules(exercise)
         problems += [f"exercise {exercise.id} {problem}" for is_broken, problem in rules if is_broken]
@@ -95,14 +95,11 @@ def _id_problems(master):
 
 def _text_problems(master):
     """The names of texts that are not in the master, and the texts that no figure takes."""
-    texts, named = {f"{master.name}/{name}" for name in master.texts}, set()
-    for cell in master.cells:
-        constants = [node for node in _nodes(cell) if isinstance(node, ast.Constant)]
-        strings = {node.value for node in constants if isinstance(node.value, str)}
-        named |= {string for string in strings if string.startswith(f"{master.name}/")}
-        keywords = [keyword for call in _calls(cell, _WITH_TEXTS) for keyword in call.keywords]
-        values = [keyword.value for keyword in keywords if keyword.arg == "text"]
-        named |= {value.value for value in values if isinstance(value, ast.Constant)}
+    texts = {f"{master.name}/{name}" for name in master.texts}
+    nodes = [node for cell in master.cells if cell.kind == "code" for node in _nodes(cell)]
+    values = {getattr(node, "value", None) for node in nodes if getattr(node, "arg", "") == "text"}
+    strings = [node for node in nodes if isinstance(getattr(node, "value", None), str)]
+    named = {node.value for node in strings if node in values or node.value.startswith(f"{master.name}/")}
     for name in sorted(named - texts):
         yield f'text="{name}": no role="texts" cell has it; there are: {", ".join(sorted(texts)) or "none"}'
     yield from (f'no figure takes text="{name}"; delete it' for name in sorted(texts - named))
@@ -170,11 +167,14 @@ def _belongs_to_asserts(node):
 
 
 def _prediction_problems(master):
-    guesses = [_guess_name(cell) for cell in master.cells if cell.role == "predict"]
+    guesses, has_exercises = [_guess_name(cell) for cell in master.cells if cell.role == "predict"], False
     for cell, next_cell in zip(master.cells, [*master.cells[1:], None], strict=True):
         is_prompt = cell.kind == "markdown" and "**Predict" in cell.source
         if is_prompt and (next_cell is None or next_cell.role != "predict"):
             yield f'{cell.id} says **Predict**; the next cell must have role="predict"'
+        has_exercises = has_exercises or "imgproc_course.exercises" in cell.source
+        if cell.role == "predict" and not has_exercises:
+            yield f"{cell.id}: no cell above imports imgproc_course.exercises, which reads guesses"
         if cell.role == "predict" and _guess_name(cell) is None:
             yield f"{cell.id}: write one line, guess_share = None  # your guess: how many percent?"
         elif cell.role == "predict" and guesses.count(_guess_name(cell)) > 1:
@@ -208,6 +208,27 @@ def _assert_problems(master):
     for cell in master.cells:
         if cell.kind == "code" and not cell.folded and _asserts(cell):
             yield f"{cell.id}: move its asserts into a cell that begins with '{CHECK_LINE}'"
+
+
+def _way_problems(master):
+    """The names that are missing if the folded cells are skipped, or if a learner begins where the text says.
+
+    Then only the cells before the second text, the imports, and those below it have run.
+    """
+    texts = [number for number, cell in enumerate(master.cells) if cell.kind == "markdown"]
+    ways = {"folded cells are skipped": [cell for cell in master.cells if not cell.folded]}
+    for number in texts:
+        if BEGIN_HERE in master.cells[number].source:
+            cells = [*master.cells[: texts[1]], *master.cells[number:]]
+            ways[f"a learner begins at {master.cells[number].id}"] = cells
+    for way, cells in ways.items():
+        left_out = [cell for cell in master.cells if cell.kind == "code" and cell not in cells]
+        missing = {name for cell in left_out for name in bound_names(cell.source)}
+        for cell in cells:
+            for statement in statements_of(cell.source) if cell.kind == "code" else ():
+                for name in sorted(statement.reads & missing):
+                    yield f"{cell.id} reads {name}, which no cell has bound if {way}"
+                missing -= statement.binds
 
 
 def _calls(cell, names):

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from imgproc_course.classroom.exercises.cell_syntax import bound_names, function_definitions, plain_python
 from imgproc_course.classroom.exercises.error_advice import advice_on
+from imgproc_course.classroom.exercises.guesses import read_bare_guess
 from imgproc_course.classroom.exercises.running import code_of, source_of
 
 _MOST_RUNS = 500
@@ -141,7 +142,7 @@ RUNS = CellRuns()
 
 
 def watch_cells():
-    """Record the runs of this kernel's cells in RUNS; does nothing outside a kernel."""
+    """Record the runs of this kernel's cells in RUNS, and read guesses; does nothing outside a kernel."""
     shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
     if shell is None or getattr(shell, "imgproc_course_runs", None) is RUNS:
         return
@@ -150,3 +151,4 @@ def watch_cells():
         RUNS.start(source)
     shell.events.register("pre_run_cell", RUNS.begin)
     shell.events.register("post_run_cell", RUNS.end)
+    shell.input_transformers_cleanup.append(lambda lines: read_bare_guess(lines, shell.user_ns))

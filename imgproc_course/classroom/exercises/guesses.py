@@ -1,6 +1,9 @@
 """Compare a learner's guess with the result: no points, no penalty."""
 
+import ast
+import builtins
 import html
+import json
 import numbers
 import re
 from dataclasses import dataclass
@@ -14,6 +17,8 @@ _LONGEST = 60  # characters of a guess that are shown
 _NUMBER = re.compile(r"[-+−]?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?", re.I)
 _NUMBER_IN_A_TUPLE = re.compile(r"[-+−]?\d+(?:\.\d+)?")
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d+)?")
+_PREDICT_CELL = re.compile(r"\s*(?P<name>guess(_\w+)?)\s*=[ \t]*(?P<guess>[^#\n]*?)[ \t]*(#[^\n]*)?\s*")
+_QUOTES = "\"'“”„‘’«»"
 _WORDS = {"yes": True, "true": True, "no": False, "false": False}
 
 
@@ -73,6 +78,33 @@ def compare_guess(guess, value, unit=""):
     except Exception:  # noqa: BLE001 - a guess can be any object of the learner's
         advice = 'A guess is a number, a text in quotes, such as "yes", or a tuple, such as (2, 3).'
         return GuessComparison("", result, advice=advice)
+
+
+def read_bare_guess(lines, names):
+    """The lines of a cell, as IPython runs them: a guess that Python cannot read becomes a text.
+
+    A sentence then says how to write a guess. `names` are those that exist in the kernel; a cell that is no
+    guess, or one that Python can read, stays as it is.
+    """
+    source = "".join(lines)
+    match = _PREDICT_CELL.fullmatch(source)
+    if not match or _is_readable(source, names):
+        return lines
+    guess = json.dumps(match["guess"].strip(_QUOTES), ensure_ascii=False) if match["guess"] else None
+    sentence = (
+        "Your guess is taken as a text. Write a number alone, such as 36, and a text in quotes:"
+        f" {match['name']} = {guess}"
+    )
+    return [f"{match['name']} = {guess}\n", *([f"print({sentence!r})\n"] if guess else [])]
+
+
+def _is_readable(source, names):
+    try:
+        nodes = list(ast.walk(ast.parse(source)))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    read = {node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
+    return all(name in names or hasattr(builtins, name) for name in read)
 
 
 def _plain(value):

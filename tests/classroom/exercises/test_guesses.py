@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from imgproc_course.classroom.exercises.guesses import read_bare_guess
 from imgproc_course.exercises import compare_guess
 
 
@@ -90,3 +91,47 @@ def test_a_guess_beyond_all_numbers_is_shown_short(guess):
 def test_html_is_escaped():
     html = compare_guess("<b>", "left")._repr_html_()
     assert html == "<div>Your guess: <b>&lt;b&gt;</b>. The result: <b>left</b>.</div>"
+
+
+@pytest.mark.parametrize(
+    ("typed", "guess"),
+    [
+        ("yes", "yes"),
+        ("36 %", "36 %"),
+        ("720 x 1280", "720 x 1280"),
+        ("(720, x)", "(720, x)"),
+        ("“left”", "left"),
+        ("'left\"", "left"),
+        ("yes?", "yes?"),
+    ],
+)
+def test_a_guess_that_is_no_python_becomes_a_text_and_a_sentence_says_how_to_write_it(typed, guess, capsys):
+    namespace = {}
+    lines = read_bare_guess([f"guess_share = {typed}  # your guess: how many?\n"], {"frame"})
+    exec("".join(lines), namespace)
+    assert namespace["guess_share"] == guess
+    assert capsys.readouterr().out == (
+        "Your guess is taken as a text. Write a number alone, such as 36, and a text in quotes:"
+        f' guess_share = "{guess}"\n'
+    )
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "guess = None  # your guess: yes or no?\n",
+        'guess = "yes"',
+        'guess = "#1"',
+        "guess = (720, 1280)",
+        "guess = len(frame)",
+        "x = yes",
+        "guess = yes\nprint(guess)",
+        "%time guess = 3",
+    ],
+)
+def test_other_cells_stay_as_they_are(source):
+    assert read_bare_guess([source], {"frame"}) == [source]
+
+
+def test_an_empty_guess_is_no_guess():
+    assert read_bare_guess(["guess_share =  # your guess: how many?\n"], {}) == ["guess_share = None\n"]
