@@ -234,8 +234,8 @@ class _Map:
             "pose": [round(v, 3) for v in (x, y, yaw)],
             "speed": [round(twist.linear.x, 3), round(twist.angular.z, 3)],
             "trace": [[round(u, 3), round(v, 3)] for u, v in self.trace[count:]],
-            "cells": _corners(new_cells),
-            "gone": _corners(gone),
+            "cells": [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(new_cells)],
+            "gone": [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(gone)],
             "begins": begins,
         }
 
@@ -268,10 +268,6 @@ def seconds(stamp):
     return stamp.sec + stamp.nanosec / 1e9
 
 
-def _corners(cells):
-    return [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(cells)]
-
-
 def _rays(scan, x, y, yaw):
     """Place of the scanner and direction of its first ray, in the map; its ranges, 0 where it met nothing."""
     ahead, turned = SCANNER
@@ -296,5 +292,4 @@ def seen_through(cells, scan, x, y, yaw):
     columns, rows = ((cells + 0.5) * CELL - place).T
     numbers = np.round((np.arctan2(rows, columns) - first) % (2 * math.pi) / scan.angle_increment).astype(int)
     around = np.append(ranges, 0)[np.clip(numbers[:, None] + range(-3, 4), -1, len(ranges))]
-    passed = around.min(axis=1) > np.hypot(columns, rows) + BEHIND
-    return set(map(tuple, cells[passed].tolist()))
+    return set(map(tuple, cells[around.min(axis=1) > np.hypot(columns, rows) + BEHIND].tolist()))

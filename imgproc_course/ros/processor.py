@@ -180,8 +180,7 @@ class ImageProcessor(Node):
         statistics = self._statistics
         statistics.failed += 1
         statistics.last_error = text
-        counts = f" (skipped; {statistics.failed} of {statistics.received} failed)"
-        self._log.warn("failure", text, counts)
+        self._log.warn("failure", text, f" (skipped; {statistics.failed} of {statistics.received} failed)")
 
     def _report(self):
         if self._statistics_publisher.get_subscription_count():

@@ -361,8 +361,8 @@ class _Spinner:
             failure = failed_line(error)
             self.last_callback_error = f"a callback failed {failure}"
             if self._may_log(failure):
-                in_cell = notebook_log.in_cell_of(self.executor.name_of_node)
-                in_cell(log.error, "a ROS callback failed; the graph continues", exc_info=error)
+                in_cell_of_node = notebook_log.in_cell_of(self.executor.name_of_node)
+                in_cell_of_node(log.error, "a ROS callback failed; the graph continues", exc_info=error)
 
     def _close(self):
         notebook_spin.uninstall()
