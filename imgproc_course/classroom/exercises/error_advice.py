@@ -79,8 +79,6 @@ def _unhashable(match, source):
             f"Curly brackets without a key and a colon make a set, and a set cannot hold {noun}."
             ' A dictionary needs both: {"key": value}.'
         )
-    if ast.Dict in kinds:
-        return f"The key of a dictionary cannot be {noun}. Write the key as text, in quotes."
     if re.search(r"(?<![\w.])set\(", source):
         return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
     return f"A set or the key of a dictionary cannot hold {noun}."
@@ -111,17 +109,8 @@ def _broadcast_rules(shapes, source):
         " After sum(axis=0) or mean(axis=0) there is one number for each column, after axis=1"
         " one for each row. Are rows and columns, or width and height, exchanged?",
     )
-    yield (
-        len(first) > 1 == len(second),
-        " The second one, with one axis, has no value for each pixel. If it is a table, use its"
-        " length, len(table), or look values up in it: table[index].",
-    )
     if len(first) != len(second):
         return
-    yield (
-        (3, 3) in shapes,
-        " A kernel of 3 × 3 needs a window of 3 × 3, inside the padded image, for each pixel of the image.",
-    )
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     text = f" These two differ by {gap}: look where each slice begins and ends, and how wide the padding is."
     yield gap <= 2, text

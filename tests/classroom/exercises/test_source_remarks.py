@@ -38,7 +38,6 @@ def remarks(source, errors=()):
         ("t = np.uint8(0)\n    while t <= 255: t += 1", "t <= 255 is always true for a uint8"),
         ("return a.sum() == a.sum()", "a.sum() == a.sum() compares a value with itself."),
         ("return a > b & ~c", "Python computes b & ~c first, before the comparison."),
-        ("x = y = np.zeros(3)", "x = y = ... gives two names to one array"),
         ("for a in range(3): pass", "The loop for a in ... writes over the argument a."),
         (
             "raise NotImplementedError('x')\n    return a",
@@ -56,8 +55,6 @@ def test_a_certain_mistake_is_named(line, start):
     [
         "return a > (b & 1)",
         "return (a > b) & (a < c)",
-        "x = y = 0",
-        "best = worst = max(a)",
         "for row in range(3): pass",
         "return a == b",
         "raise NotImplementedError('x')",
@@ -125,8 +122,8 @@ def test_a_counter_that_is_written_over():
     source = "def f(a):\n    for r in range(3):\n        b, g, r = a[r]\n        a[r] = b + g\n    return a\n"
     (remark,) = remarks(source)
     assert remark == (
-        "r counts the rounds of for r in range(3), and inside this loop it gets another value. Give one of the"
-        " two another name."
+        "r counts the rounds of for r in range(3), and inside this loop it gets another value. Give one of"
+        " the two another name."
     )
     assert remarks(source.replace("b, g, r =", "b, g, red =")) == []
     assert remarks(source.replace("b, g, r = a[r]", "r = 2 * r").replace("b + g", "3")) == []
