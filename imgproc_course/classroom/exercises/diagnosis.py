@@ -22,8 +22,6 @@ _FACTORS = {
     0.5: "half the expected number",
     2: "twice the expected number",
     3: "3 times the expected number (are the channels counted, too?)",
-    10: "10 times the expected number",
-    0.1: "a tenth of the expected number",
     100: "100 times the expected number (is it in percent?)",
     0.01: "a hundredth of the expected number",
     255: "255 times the expected number (does white count as 255?)",
