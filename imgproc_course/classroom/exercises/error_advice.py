@@ -79,8 +79,6 @@ def _unhashable(match, source):
             f"Curly brackets without a key and a colon make a set, and a set cannot hold {noun}."
             ' A dictionary needs both: {"key": value}.'
         )
-    if ast.Dict in kinds:
-        return f"The key of a dictionary cannot be {noun}. Write the key as text, in quotes."
     if re.search(r"(?<![\w.])set\(", source):
         return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
     return f"A set or the key of a dictionary cannot hold {noun}."
@@ -111,17 +109,8 @@ def _broadcast_rules(shapes, source):
         " After sum(axis=0) or mean(axis=0) there is one number for each column, after axis=1"
         " one for each row. Are rows and columns, or width and height, exchanged?",
     )
-    yield (
-        len(first) > 1 == len(second),
-        " The second one, with one axis, has no value for each pixel. If it is a table, use its"
-        " length, len(table), or look values up in it: table[index].",
-    )
     if len(first) != len(second):
         return
-    yield (
-        (3, 3) in shapes,
-        " A kernel of 3 × 3 needs a window of 3 × 3, inside the padded image, for each pixel of the image.",
-    )
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     text = f" These two differ by {gap}: look where each slice begins and ends, and how wide the padding is."
     yield gap <= 2, text
@@ -319,14 +308,8 @@ AttributeError: 'numpy\.ndarray' object has no attribute '(length|len|count|leng
     An array has no .\1: the number of its values is .size, that of its rows .shape[0].
 AttributeError: 'numpy\.ndarray' object has no attribute '(?:append|extend|add)'
     An array cannot grow. Make it in its full size, or collect the values in a list.
-AttributeError: 'numpy\.ndarray' object has no attribute 'reverse'
-    An array has no .reverse(). A slice with the step -1 goes backwards: ::-1.
-AttributeError: .* object has no attribute 'join'
-    join is a method of the text that stands between the parts: "/".join(parts).
 AttributeError: '(list|tuple)' object has no attribute '(shape|astype|dtype|mean|sum|max|min)'
     A \1 has no .\2. Make an array of it first: np.array(values).
-AttributeError: '(int|float|bool)' object has no attribute '(?:astype|shape)'
-    This is a single number (\1), not an array. For numbers use int() or float().
 AttributeError: '[\w.]*(?:SimpleNamespace|Image)' object has no attribute '(\w+)'
     A message has no field \1. The number of its rows is height, and of its columns width; print(message)
     shows all its fields.
@@ -341,8 +324,6 @@ TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment
     255 in a, too: write a[mask] = 255 alone.
 KeyError: ([^\n]+)
     The dictionary has no key \1. Print the dictionary: which keys does it have?
-(?:ValueError|TypeError): .*got <function
-    A function stands where its result is needed. Call it, with its argument in round brackets.
 RecursionError
     Your function calls itself and never ends. Mark what it has visited already before it calls itself again,
     or use a loop.
@@ -380,10 +361,6 @@ TypeError: .*unsupported operand type\(s\) for .*'tuple'
     A tuple does no arithmetic. Take its numbers one by one, as in first[0] - second[0].
 TypeError: .*unsupported operand type\(s\) for .*'list'
     A list does no arithmetic. Make an array of it first: np.array(values).
-TypeError: .*join\(\) takes exactly one argument
-    join takes one list of the parts, in square brackets: "/".join([first, second]).
-TypeError: .*boolean subtract
-    Masks cannot be subtracted. For True in a and not in b write a & ~b.
 \w*TypeError: .*(boolean negative|unary -: 'bool')
     For the opposite of a mask write ~mask.
 TypeError: .*only (?:0-dimensional|length-1) arrays can be converted.*\n.*math\.remainder\(
@@ -392,8 +369,6 @@ TypeError: .*only (?:0-dimensional|length-1) arrays can be converted.*\n.*math\.
 TypeError: .*only (?:0-dimensional|length-1) arrays can be converted
     int(), float() and the functions of math take one number, and this is a whole array. array.astype(...)
     changes the dtype of all values; NumPy has functions for arrays, such as np.log10.
-TypeError: int\(\) argument .* not 'list'
-    One number is needed here, and this is a whole list.
 ValueError: .*setting an array element with a sequence
     One element of an array holds one number, and here a whole list or array is stored in it. Make one number
     of it first, for example with .sum().

@@ -256,7 +256,7 @@ def _advice(result, call):
     yield diagnosis.text
     if diagnosis.on_border:
         yield result.exercise.border_hint or _BORDER
-    elif not diagnosis.replaces_hint and call.case.hint:
+    elif call.case.hint and not (diagnosis.replaces_hint or result.near_miss):
         yield f"Hint: {call.case.hint}"
 
 

@@ -90,28 +90,30 @@ def _changes(definitions):
     """(question, [(node, field, position or None, new value)]) of each change, the likeliest first."""
     places = [place for definition in definitions for place in _places(definition)]
     for rule in _RULES:
-        alike = {}
-        for *place, child in places:
-            variants = [(question, (*place, new)) for question, new in rule(child, place[0])]
-            yield from ((question, [change]) for question, change in variants)
-            # Parts that are alike but for names may have the same mistake: row : row + 2, col : col + 2
-            key = _kind(child, rule)
-            alike.setdefault((key, len(variants)), []).append(variants)
-        for group in (group for group in alike.values() if len(group) > 1):
-            for same in zip(*group, strict=True):
-                yield same[0][0], [change for _, change in same]
+        yield from _changes_of(rule, places)
     yield from _exchanged_everywhere([place for place in places if _is_number(place[-1])])
-    for definition in definitions:
-        for name in (argument.arg for argument in definition.args.args):
-            for text, code in _CONVERSIONS:
-                first = ast.parse(f"{name} = {code.format(name)}").body
-                yield text.format(name), [(definition, "body", None, first + definition.body)]
+    yield from (change for definition in definitions for change in _converted(definition))
 
 
-def _kind(child, rule):
-    if isinstance(child, ast.BinOp) and rule is _operators:
-        return ast.dump(child.op)
-    return re.sub(r"id='\w+'", "", ast.dump(child))
+def _changes_of(rule, places):
+    alike = {}
+    for *place, child in places:
+        variants = [(question, (*place, new)) for question, new in rule(child, place[0])]
+        yield from ((question, [change]) for question, change in variants)
+        # Parts that are alike but for names may have the same mistake: row : row + 2, col : col + 2
+        kind = re.sub(r"id='\w+'", "", ast.dump(child))
+        key = ast.dump(child.op) if isinstance(child, ast.BinOp) and rule is _operators else kind
+        alike.setdefault((key, len(variants)), []).append(variants)
+    for group in (group for group in alike.values() if len(group) > 1):
+        for same in zip(*group, strict=True):
+            yield same[0][0], [change for _, change in same]
+
+
+def _converted(definition):
+    for name in (argument.arg for argument in definition.args.args):
+        for text, code in _CONVERSIONS:
+            first = ast.parse(f"{name} = {code.format(name)}").body
+            yield text.format(name), [(definition, "body", None, first + definition.body)]
 
 
 def _exchanged_everywhere(numbers):

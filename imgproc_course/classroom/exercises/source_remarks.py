@@ -7,7 +7,6 @@ from itertools import pairwise
 
 from imgproc_course.classroom.exercises.running import source_of
 
-_ARRAY_MAKERS = ("array", "zeros", "zeros_like", "empty", "empty_like", "ones", "full", "copy", "astype")
 _DISK = ("glob", "rglob", "iterdir", "exists", "is_file", "is_dir", "listdir", "scandir")
 STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
 _IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
@@ -152,25 +151,12 @@ def _loop_over_uint8(node, source):
             )
 
 
-def _two_names_of_one_array(node, _source):
-    if len(node.targets) > 1 and _makes_array(node.value):
-        first, second, *_ = (ast.unparse(target) for target in node.targets)
-        yield (
-            f"{first} = {second} = ... gives two names to one array: what you write into {first} is in"
-            f" {second} too. Make two arrays, each on a line of its own."
-        )
-
-
 def _remarks_on_call(node, _source):
     if isinstance(node.func, ast.Attribute) and node.func.attr in _DISK:
         yield (
             f".{node.func.attr}() looks on the disk of this computer, where a file or folder of that name"
             " need not exist. Put the result together from the arguments alone."
         )
-
-
-def _makes_array(node):
-    return isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in _ARRAY_MAKERS
 
 
 def _remarks_on_comparison(node, source):
@@ -217,7 +203,6 @@ _RULES = (
     (ast.Call, _remarks_on_call),
     (ast.While, _loop_over_uint8),
     (ast.Compare, _remarks_on_comparison),
-    (ast.Assign, _two_names_of_one_array),
     (ast.AST, _else_of_last_if),
 )
 

@@ -651,7 +651,7 @@ def run_answer_of(body, **changes):
 
 def test_a_near_miss_is_told_with_the_line_and_a_question():
     text = repr(run_answer_of("return np.minimum(pixels.astype(int) * 3, 255).astype(np.uint8)"))
-    assert "With one small change all checks here pass." in text
+    assert "With one small change all checks here pass." in text and "Hint" not in text
     assert "in your line: return np.minimum(pixels.astype(int) * 3, 255).astype(np.uint8)" in text
     assert "Is 3 one too large in pixels.astype(int) * 3?" in text
 

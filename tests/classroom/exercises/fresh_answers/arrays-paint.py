@@ -25,7 +25,7 @@ def paint_white(gray, mask):
     painted = gray.copy()
     painted[mask] = 255
 
-# %% name="mask as numbers" origin="fresh" sentence="A mask of integers is a list of row numbers: it must stay bool." must_say=["bool|row|index|integer"] must_not_say=["argument mask itself"] kind="value"
+# %% name="mask as numbers" origin="fresh" sentence="A mask of integers is a list of row numbers: it must stay bool." must_say=["bool|row|index|integer|is mask enough"] must_not_say=["argument mask itself"] kind="value"
 def paint_white(gray, mask):
     result = gray.copy()
     result[mask.astype(int)] = 255

@@ -164,7 +164,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return 2 * precision * recall / (precision + recall)
 
-# %% name="window without the last" origin="fresh" sentence="The window has 2 * tolerance + 1 rows: the last shift is missing." must_say=["\\+ 1|last|square|each direction|tolerance rows"] kind="value"
+# %% name="window without the last" origin="fresh" sentence="The window has 2 * tolerance + 1 rows: the last shift is missing." must_say=["\\+ 1|last|square|each direction|tolerance rows|one too small"] kind="value"
 def near(mask, tolerance):
     height, width = mask.shape
     padded = np.pad(mask, tolerance)

@@ -87,7 +87,7 @@ def luma(bgr):
             result[row, col] = (b * 3735 + g * 19235 + r * 9798 + 16384) >> 15
     return result
 
-# %% name="green twice" origin="fresh" sentence="The red channel is wide[..., 2], and you take channel 1 twice." must_say=["red|channel|\\[\\.\\.\\., 2\\]"] kind="value"
+# %% name="green twice" origin="fresh" sentence="The red channel is wide[..., 2], and you take channel 1 twice." must_say=["red|channel|\\[\\.\\.\\., 2\\]|1 right in .*or 2"] kind="value"
 def luma(bgr):
     wide = bgr.astype(np.uint32)
     total = wide[..., 0] * 3735 + wide[..., 1] * 19235 + wide[..., 1] * 9798
