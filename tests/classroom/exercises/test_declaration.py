@@ -127,7 +127,7 @@ def test_a_fault_in_the_file_of_known_mistakes_is_named(write_master, old, new, 
         ({"mistake": '# %% role="mistake" name="x"\ndef double(pixels): ...'}, 'needs says="..."'),
         (
             {"case": '# %% role="case" title=Bright\ndef inputs(rng): ...'},
-            "line 29: cannot read the header 'role=\"case\" title=Bright'; write each value as JSON",
+            "line 28: cannot read the header 'role=\"case\" title=Bright'; write each value as JSON",
         ),
         ({"case": '# %% role="cases" title="x"\n...'}, "role='cases', expected one of given, exercise"),
         ({"given": '# %% role="given"\nLIMIT = 255'}, "a given cell before any exercise"),
