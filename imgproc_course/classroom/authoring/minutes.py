@@ -28,7 +28,7 @@ _REFERENCE = "[[minutes]]"
 
 _PART = re.compile(r"^(?=#{2,4} )", re.M)  # of a Markdown cell: a heading and the text below it
 _HEADING = re.compile(r"(#{2,4}) .*?(?P<timed> \(\[\[minutes\]\](?P<words>, [a-z, ]+)?\))?$", re.M)
-_NO_WORDS = re.compile(r"\$\$.+?\$\$|```.*?```|\[\[(?:[^|\[\]]*\|)?", re.S)  # of a reference, the label counts
+_NO_WORDS = re.compile(r"\$\$.+?\$\$|```.*?```|\[\[(?:[^|\[\]]*\|)?", re.S)  # a label counts
 _WORD = re.compile(r"\w[\w'’.-]*")
 
 
