@@ -16,14 +16,17 @@ MASTER = """
 
 # %% [markdown]
 # # Sums
+
+# %%
+from imgproc_course.exercises import compare_guess
+
+# %% [markdown]
 # **Predict** the sum of 2 and 3.
 
 # %% role="predict"
 guess_sum = None  # your guess: which number?
 
 # %%
-from imgproc_course.exercises import compare_guess
-
 total = 2 + 3
 compare_guess(guess_sum, total)
 
@@ -52,7 +55,7 @@ def working_copy(lab, tmp_path):
 
 def test_a_guess_comes_before_the_result(working_copy, open_notebook):
     page = open_notebook(working_copy)
-    assert page.prompts() == ["[ ]:", "[ ]:"]  # a folded cell has no prompt
+    assert page.prompts() == ["[ ]:"] * 3  # a folded cell has no prompt
     assert page.page.locator(".jp-OutputArea-output").count() == 0
     placeholders = page.page.locator(".jp-CodeCell .jp-InputPlaceholder")
     assert [text.strip() for text in placeholders.all_text_contents()] == FOLDED
@@ -60,7 +63,7 @@ def test_a_guess_comes_before_the_result(working_copy, open_notebook):
 
     page.run_all()
     assert page.page.locator(".jp-RenderedHTML").all_text_contents() == ["No guess yet. The result is 5."]
-    page.page.locator(".jp-CodeCell .cm-content").nth(0).click()
+    page.page.locator(".jp-CodeCell .cm-content").nth(1).click()
     page.page.keyboard.press("Control+A")
     page.page.keyboard.type("guess_sum = 5")
     page.run_all()
