@@ -81,7 +81,7 @@ def _unhashable(match, source):
         )
     if re.search(r"(?<![\w.])set\(", source):
         return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
-    return f"A set or the key of a dictionary cannot hold {noun}."
+    return f"A set or the key of a dictionary cannot hold {noun}. A key is mostly a text, in quotes."
 
 
 def _broadcast(match, source):
@@ -127,11 +127,11 @@ def _index_outside(match, source):
     if steps:
         return (
             f"{advice} Here {' or '.join(steps)} goes further. Does the loop end early enough? If pixels at"
-            " the border need their neighbours too, the image must be padded."
+            " the border need their neighbours too, the image must be padded. Rows come first: array[row, col]."
         )
     return (
-        f"{advice} Where does the index come from: a loop that ends at another length, or a value that was"
-        " rounded up? An array is indexed rows first: array[row, col]."
+        f"{advice} Where does the index come from: a loop over another shape, such as a padded one, or a value"
+        " that was rounded up? An array is indexed rows first: array[row, col]."
     )
 
 
@@ -324,6 +324,10 @@ TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment
     255 in a, too: write a[mask] = 255 alone.
 KeyError: ([^\n]+)
     The dictionary has no key \1. Print the dictionary: which keys does it have?
+(?:ValueError|TypeError): .*got <function
+    A function stands where its result is needed. Call it, with its argument in round brackets.
+TypeError: .*boolean subtract
+    Masks cannot be subtracted. For True in a and not in b write a & ~b.
 RecursionError
     Your function calls itself and never ends. Mark what it has visited already before it calls itself again,
     or use a loop.

@@ -112,7 +112,7 @@ ADVICE = {
     "a @ a": "as many columns on its left as rows on its right: here 6 and 5. Which shape has each part?",
     "a @ np.diag(values)": "np.diag of n numbers is n × n.",
     "a.T @ a.mean()": "with axis=0 they give one for each column",
-    "np.zeros(1)[number]": "a loop that ends at another length, or a value that was rounded up?",
+    "np.zeros(1)[number]": "or a value that was rounded up?",
     "np.dot(a, a)": "Value by value, arrays are multiplied with *.",
     'round(float("nan"))': "NaN is the result of 0 divided by 0",
     "import sklearns": "No library with the name sklearns is installed here.",
