@@ -127,11 +127,11 @@ def _index_outside(match, source):
     if steps:
         return (
             f"{advice} Here {' or '.join(steps)} goes further. Does the loop end early enough? If pixels at"
-            " the border need their neighbours too, the image must be padded. Rows come first: array[row, col]."
+            " the border have neighbours too, the image must be padded. Rows come first: array[row, col]."
         )
     return (
-        f"{advice} Where does the index come from: a loop over another shape, such as a padded one, or a value"
-        " that was rounded up? An array is indexed rows first: array[row, col]."
+        f"{advice} Where does the index come from: a loop over another shape, such as a padded one, or a"
+        " value that was rounded up? An array is indexed rows first: array[row, col]."
     )
 
 
@@ -278,9 +278,6 @@ ValueError: .*\(size (\d+) is different from (\d+)\).*\n.*(?:diag|\.T)
 ValueError: .*\(size (\d+) is different from (\d+)\)
     @ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each part?
     (Value by value, arrays are multiplied with *.)
-ValueError: .*does not have enough dimensions
-    On one side of @ stands a single number. mean() and sum() without axis give one number for the whole
-    array; with axis=0 they give one for each column.
 ValueError: (?:shapes .* not aligned|.*matmul)
     @ and np.dot need as many columns on the left as rows on the right. Which shape has each part? (Value by
     value, arrays are multiplied with *.)
@@ -391,8 +388,6 @@ ValueError: .*read-only
 ValueError: .*buffer size must be a multiple of element size
     The number of bytes is no multiple of the size of a value. Without dtype np.frombuffer reads float64,
     eight bytes for each value; uint16 takes two bytes, and uint8 takes one.
-error: .*in function 'imread'
-    cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor.
 
 SyntaxError: .*invalid syntax.*\n.*[&|]\s*not\b
     After & and | write ~ for not: a & ~b.
