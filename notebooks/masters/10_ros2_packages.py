@@ -845,6 +845,7 @@ if own_result.passed and ros_available():
     run("python -m colcon build --packages-select image_negative")
     own_node = start(
         sourced + "exec install/image_negative/lib/image_negative/image_negative")
+    print("my node subscribes to", camera.topic)
     own_images = ImageSubscriber("/image_negative/negative", encoding="mono8")
     own_image = own_images.wait(timeout=30)
     own_view = live_view(own_images, encoding="mono8", text="ros2_packages/own")

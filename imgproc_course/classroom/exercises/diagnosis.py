@@ -186,7 +186,8 @@ def _advice_on_items(expected, actual, tolerance):
 
 def _advice_on_single_array(expected):
     count = len(expected["items"])
-    return f"You return one array, and the task asks for {count}: return them with a comma between them."
+    both = "both" if count == 2 else "them"
+    return f"You return one array, and the task asks for {count}: return {both}, with a comma between them."
 
 
 def _advice_on_single_number(expected):
@@ -307,7 +308,14 @@ def _shape_rules(expected, actual, given, name):
         is_border = (
             shape[0] - actual_shape[0] == shape[1] - actual_shape[1] in (2, 4) and shape[:2] == first[:2]
         )
-        end = ": the border of the image is missing." if is_border else "."
+        is_padding = shape[0] - actual_shape[0] == shape[1] - actual_shape[1] in (-2, -4)
+        end = (
+            ": the border of the image is missing."
+            if is_border
+            else ": is it padding?"
+            if is_padding
+            else "."
+        )
         yield changes, f"Your result has {' and '.join(changes)}{end}"
 
 

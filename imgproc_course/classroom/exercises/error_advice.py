@@ -81,7 +81,7 @@ def _unhashable(match, source):
         )
     if re.search(r"(?<![\w.])set\(", source):
         return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
-    return f"A set or the key of a dictionary cannot hold {noun}."
+    return f"A set or the key of a dictionary cannot hold {noun}. A key is mostly a text, in quotes."
 
 
 def _broadcast(match, source):
@@ -127,11 +127,11 @@ def _index_outside(match, source):
     if steps:
         return (
             f"{advice} Here {' or '.join(steps)} goes further. Does the loop end early enough? If pixels at"
-            " the border need their neighbours too, the image must be padded."
+            " the border have neighbours too, the image must be padded. Rows come first: array[row, col]."
         )
     return (
-        f"{advice} Where does the index come from: a loop that ends at another length, or a value that was"
-        " rounded up? An array is indexed rows first: array[row, col]."
+        f"{advice} Where does the index come from: a loop over another shape, such as a padded one, or a"
+        " value that was rounded up? An array is indexed rows first: array[row, col]."
     )
 
 
@@ -278,9 +278,6 @@ ValueError: .*\(size (\d+) is different from (\d+)\).*\n.*(?:diag|\.T)
 ValueError: .*\(size (\d+) is different from (\d+)\)
     @ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each part?
     (Value by value, arrays are multiplied with *.)
-ValueError: .*does not have enough dimensions
-    On one side of @ stands a single number. mean() and sum() without axis give one number for the whole
-    array; with axis=0 they give one for each column.
 ValueError: (?:shapes .* not aligned|.*matmul)
     @ and np.dot need as many columns on the left as rows on the right. Which shape has each part? (Value by
     value, arrays are multiplied with *.)
@@ -324,6 +321,10 @@ TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment
     255 in a, too: write a[mask] = 255 alone.
 KeyError: ([^\n]+)
     The dictionary has no key \1. Print the dictionary: which keys does it have?
+(?:ValueError|TypeError): .*got <function
+    A function stands where its result is needed. Call it, with its argument in round brackets.
+TypeError: .*boolean subtract
+    Masks cannot be subtracted. For True in a and not in b write a & ~b.
 RecursionError
     Your function calls itself and never ends. Mark what it has visited already before it calls itself again,
     or use a loop.
@@ -387,8 +388,6 @@ ValueError: .*read-only
 ValueError: .*buffer size must be a multiple of element size
     The number of bytes is no multiple of the size of a value. Without dtype np.frombuffer reads float64,
     eight bytes for each value; uint16 takes two bytes, and uint8 takes one.
-error: .*in function 'imread'
-    cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor.
 
 SyntaxError: .*invalid syntax.*\n.*[&|]\s*not\b
     After & and | write ~ for not: a & ~b.

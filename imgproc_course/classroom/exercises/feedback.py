@@ -234,8 +234,8 @@ def _advice(result, call):
     yield result.near_miss
     if call.result.timed_out:
         yield (
-            "If the function is fast as a rule, the computer was busy: check again. If it has a while loop:"
-            " does each step change what the loop tests?"
+            "If the function is fast as a rule, the computer was busy: check again. A while loop may be"
+            " endless: does each step change what the loop tests?"
         )
         if "overflow" in call.result.warning:
             yield (

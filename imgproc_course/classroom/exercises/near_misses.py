@@ -52,7 +52,10 @@ def near_miss(exercise, answer):
     end = time.thread_time() + _SECONDS
     for question, change in islice(_changes(definitions), _MOST_CHANGES):
         before = [_put(*place, new) for *place, new in change]
-        has_passed = _passes(exercise, ast.unparse(ast.fix_missing_locations(tree)), answer.function)
+        try:
+            has_passed = _passes(exercise, ast.unparse(ast.fix_missing_locations(tree)), answer.function)
+        except (ValueError, SyntaxError):  # a change that Python cannot write
+            has_passed = False
         for (*place, _), old in zip(change, before, strict=True):
             _put(*place, old)
         if has_passed:
@@ -128,7 +131,7 @@ def _places(definition):
     for node in ast.walk(definition):
         for field, value in ast.iter_fields(node):
             for position, child in enumerate(value) if isinstance(value, list) else [(None, value)]:
-                if isinstance(child, ast.expr):
+                if isinstance(child, ast.expr) and not isinstance(node, ast.JoinedStr):
                     yield node, field, position, child
 
 

@@ -60,11 +60,11 @@ TYPES = [
     (GRAY, GRAY.tolist(), "A list is not an array. Make it one: np.array(..., dtype=np.uint8)."),
     (GRAY, 99, "You return a single number for the whole image."),
     (GRAY, "gray", "You return a text, and the task asks for an array."),
-    ((GRAY, MASK), GRAY, "You return one array, and the task asks for 2: return them with a comma"),
+    ((GRAY, MASK), GRAY, "You return one array, and the task asks for 2: return both, with a comma"),
     (
         (GRAY, GRAY),
         np.stack([GRAY, GRAY]),
-        "You return one array, and the task asks for 2: return them with a comma",
+        "You return one array, and the task asks for 2: return both, with a comma",
     ),
     ((GRAY, MASK), [GRAY, MASK], "only the list around them is not: write them without square brackets"),
     ((GRAY, MASK), {"a": GRAY, "b": MASK}, "You return a dict, and the task asks for 2 values (a tuple)."),

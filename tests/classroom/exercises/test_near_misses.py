@@ -123,6 +123,11 @@ def test_of_other_answers_nothing_is_said(wrong):
     assert near_miss_of("return a > b", wrong, (IMAGE, int(IMAGE[0, 0])), (IMAGE, 3)) == ""
 
 
+def test_a_text_with_values_in_it_is_read_too():
+    right = "return f'{b - 1:03d} and {b}'"
+    assert "Is 2 one too large in b - 2?" in near_miss_of(right, right.replace("- 1", "- 2"), (IMAGE, 5))
+
+
 def test_the_trees_that_are_tried_leave_the_answer_as_it_is():
     source = "def f(a, b):\n    return a * 17 - 3 * b\n"
     answer = ComposedAnswer("f", source)

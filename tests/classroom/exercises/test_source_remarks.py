@@ -34,7 +34,6 @@ def remarks(source, errors=()):
     ("line", "start"),
     [
         ("if m == 'a' or 'b': return 1", "m == 'a' or 'b' is always true, because 'b' alone counts as True."),
-        ("return sorted(a.glob('*'))", ".glob() looks on the disk of this computer, where"),
         ("t = np.uint8(0)\n    while t <= 255: t += 1", "t <= 255 is always true for a uint8"),
         ("return a.sum() == a.sum()", "a.sum() == a.sum() compares a value with itself."),
         ("return a > b & ~c", "Python computes b & ~c first, before the comparison."),
