@@ -319,8 +319,6 @@ TypeError: .*' object is not subscriptable.*\n.*\[["']
 TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment
     The name before the brackets holds a single number. Was it overwritten before? a = a[mask] = 255 stores
     255 in a, too: write a[mask] = 255 alone.
-KeyError: ([^\n]+)
-    The dictionary has no key \1. Print the dictionary: which keys does it have?
 (?:ValueError|TypeError): .*got <function
     A function stands where its result is needed. Call it, with its argument in round brackets.
 TypeError: .*boolean subtract

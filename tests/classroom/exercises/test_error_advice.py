@@ -103,7 +103,6 @@ ADVICE = {
     "np.zeros(3, np.uint8) * 3735": "So the values would overflow: widen the array first, as in astype",
     "number[0] = 255": "a = a[mask] = 255 stores 255 in a, too",
     "-mask": "For the opposite of a mask write ~mask.",
-    'names["gauss"]': "The dictionary has no key 'gauss'.",
     "def f():\n    return f()\nf()": "Mark what it has visited already",
     "1 / 0": "The divisor is 0 for this input.",
     "(a * 0.5)[0, 0] = values": "One element of an array holds one number",
