@@ -246,6 +246,23 @@ _RULES = {
 # A pattern of an error as Python prints it, and of the line that raised where that counts; below it what the
 # error means, a template for the match. The first pattern that matches counts.
 _PHRASES = r"""
+ValueError: .*does not have enough dimensions
+    On one side of @ stands a single number. mean() and sum() without axis give one number for the whole
+    array; with axis=0 they give one for each column.
+AttributeError: 'numpy\.ndarray' object has no attribute 'reverse'
+    An array has no .reverse(). A slice with the step -1 goes backwards: ::-1.
+AttributeError: .* object has no attribute 'join'
+    join is a method of the text that stands between the parts: "/".join(parts).
+TypeError: .*join\(\) takes exactly one argument
+    join takes one list of the parts, in square brackets: "/".join([first, second]).
+KeyError: ([^\n]+)
+    The dictionary has no key \1. Use the keys that it has: a loop over a dictionary gives them.
+TypeError: .*boolean subtract
+    Masks cannot be subtracted. For True in a and not in b write a & ~b.
+TypeError: int\(\) argument .* not 'list'
+    One number is needed here, and this is a whole list.
+error: .*in function 'imread'
+    cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor.
 IndexError: tuple index out of range.*\n.*\.shape\[(?:[3-9]|\d\d)
     The tuple has fewer parts. Python counts from 0: shape[0] is the number of rows, shape[1] of columns, and
     shape[2] of channels, if the image has colours.
