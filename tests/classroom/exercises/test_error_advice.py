@@ -11,12 +11,6 @@ from imgproc_course.classroom.exercises.error_advice import advice_on
 
 GIVEN = {
     "a": np.arange(30).reshape(5, 6),
-    'values.join("/")': '"/".join(parts)',
-    '"/".join(text, text)': "join takes one list of the parts, in square brackets",
-    "mask - mask": "write a & ~b",
-    'names["gauss"]': "The dictionary has no key 'gauss'.",
-    "a[0, 0] = values": "One number is needed here, and this is a whole list.",
-    "a.T @ a.mean()": "with axis=0 they give one for each column",
     "mask": np.ones((5, 6), bool),
     "kernel": np.ones((3, 3)),
     "text": "abc",
@@ -28,6 +22,12 @@ GIVEN = {
 }
 
 ADVICE = {
+    'values.join("/")': '"/".join(parts)',
+    '"/".join(text, text)': "join takes one list of the parts, in square brackets",
+    "mask - mask": "write a & ~b",
+    'names["gauss"]': "The dictionary has no key 'gauss'.",
+    "a[0, 0] = values": "One number is needed here, and this is a whole list.",
+    "a.T @ a.mean()": "with axis=0 they give one for each column",
     "a > 3 and a < 9": "`and` and `or` need a single True or False",
     "3 < a < 9": "A chained comparison such as low < a < high does not work with an array.",
     "a > 3 & a <= 9": "& is computed before > and <=. Put each comparison in parentheses",
