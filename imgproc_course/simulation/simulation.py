@@ -27,7 +27,7 @@ TOF_CAMERA = CameraModel(160, 120, 80.0, 80.0, 79.5, 59.5)
 TOF_MOUNT, TOF_TILT = (0.221, 0.0418), math.pi / 4
 START = (-0.2067, -0.0367, 0.1757)  # its camera stands where the recorded drive begins
 LONGEST_STEP = 0.02  # seconds
-LONGEST_HELD, PLAY = 1.0, 0.01  # seconds, metres per second: see _small_step and _blocked
+LONGEST_HELD, PLAY = 1.0, 0.01  # seconds, metres per second: see _is_held and _blocked
 DEPTH_WIDTH = 640
 OPTICAL = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # columns: the optical frame's axes in the body's
 
@@ -123,7 +123,7 @@ class Simulation:
                     break
             touched = True
         self._note_held(place, linear, angular, dt)
-        if touched and self._held[1] > LONGEST_HELD:
+        if touched and self._is_held:
             self._movers.give_way(dt, place)
         body.place = place
         body.linear, body.angular = speeds
@@ -140,13 +140,18 @@ class Simulation:
             old, seconds, tried = place, 0.0, frozenset()
         self._held = old, round(seconds + dt, 9), tried | {np.sign(linear)}
 
+    @property
+    def _is_held(self):
+        """Whether the body can move neither forwards nor backwards, for a second."""
+        _, seconds, tried = self._held
+        return seconds > LONGEST_HELD and {-1, 1} <= tried
+
     def _blocked(self, place):
         """Whether the body at (x, y, yaw) would be in something, and not merely leave it.
 
-        A body that can move neither forwards nor backwards gets some play, which grows until it moves.
+        A body that is held gets some play, which grows until it moves.
         """
-        _, seconds, tried = self._held
-        limit = -PLAY * seconds if seconds > LONGEST_HELD and {-1, 1} <= tried else 0.0
+        limit = -PLAY * self._held[1] if self._is_held else 0.0
         after = self._distances(place)
         if min(after.values()) >= limit:
             return False

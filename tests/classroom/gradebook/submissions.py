@@ -40,6 +40,7 @@ def answers_of(master, kind):
         if kind == "raising":
             chosen[declared.id] = f"def {declared.function}(*values):\n    raise ValueError('not today')"
         else:
+            wrong = wrong or ["untouched"]  # a node has no known mistakes
             chosen[declared.id] = samples[kind if isinstance(kind, str) else wrong[kind % len(wrong)]]
     return chosen
 

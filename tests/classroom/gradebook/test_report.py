@@ -246,7 +246,7 @@ def alike(light, key_path, tmp_path_factory):
         (
             "overflow",
             "OverflowError: Python integer 300 out of bounds for uint8 (line 2: return",
-            "300 does not fit into uint8, the dtype of the array, so the values would overflow",
+            "300 does not fit into uint8, which holds 0 to 255.",
         ),
         ("ending", "", "no os._exit()"),
         ("deleted", "Its answer cell (answer-light-double) is missing.", "<code>imgproc-course check</code>"),
