@@ -38,7 +38,10 @@ def sentence_on_node(expected, actual, arguments):
 
     `arguments` are those of the drive, look and steps.
     """
-    for path, wanted, given in _differences(_plain(expected), _plain(actual)):
+    differences = list(_differences(_plain(expected), _plain(actual)))
+    # An error that the node logs for a right image explains why it published nothing.
+    differences.sort(key=lambda difference: not (difference[0].endswith("/log") and difference[1] == ""))
+    for path, wanted, given in differences:
         for pattern, sentence in _SENTENCES.items():
             match = re.fullmatch(pattern, path)
             if match:
@@ -146,7 +149,8 @@ def _on_pixels(wanted, given, steps):
             " convert with COLOR_BGR2GRAY."
         )
     text = f"{int((wanted != given).sum())} of {wanted.size} pixels of the published image are wrong."
-    if any("set" in step for step in steps):  # the steps before were right
+    kinds = ["image" if "image" in step else "set" for step in steps if "get" not in step]
+    if "set" in kinds[kinds.index("image") :]:  # the steps before were right
         text += " Before the parameters changed, they were right: read the parameters in the callback."
     return text
 
@@ -246,6 +250,11 @@ InvalidTopicNameException
     A topic name has letters, digits, _ and /, such as ~/gray.
 Parameter(?:NotDeclared|Uninitialized)Exception: .*?(\w+)\W*\n
     Declare the parameter \1 in __init__, with its first value: self.declare_parameter("\1", ...).
+AttributeError: '(\w+)' object has no attribute '(\w+)'\n.*self\.\2
+    The node has no \2. An attribute is made in __init__, as self.\2 = ...; a method stands in the class, as far
+    to the right as __init__.
+(?s:error: .*can not be treated as a double)
+    get_parameter gives a Parameter, and the number is its value: self.get_parameter("low").value.
 TypeError: Expected .*, got .*ndarray
     publish takes a message, and this is an array: convert it with cv2_to_imgmsg first.
 """)

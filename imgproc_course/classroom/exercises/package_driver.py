@@ -149,6 +149,8 @@ def _value(node, names):
             return "".join(str(_value(part, names)) for part in node.values)
         case ast.FormattedValue():
             return _value(node.value, names)
+        case ast.BinOp(op=ast.Add()):  # a sum of texts
+            return f"{_value(node.left, names)}{_value(node.right, names)}"
         case ast.Call() if _called(node) == "find_packages":
             return names["find_packages()"]
     return None

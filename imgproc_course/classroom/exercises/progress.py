@@ -7,6 +7,7 @@ read-only, progress lasts as long as the process.
 
 import ast
 import contextlib
+import dis
 import hashlib
 import itertools
 import json
@@ -24,6 +25,7 @@ PROGRESS, LOCK = ".progress.json", ".progress.lock"
 LEARNERS_FOLDER = ".course.json"  # a folder with this file is a learner's
 _DAMAGED = (ValueError, RecursionError)
 _MOST_TRIES = 50
+_JUMPS = {*dis.hasjrel, *dis.hasjabs}  # their operands depend on where the code stands
 _LAB_VARIABLE = "JPY_SESSION_NAME"  # Jupyter's server sets it for the kernel of a notebook
 _TEST_VARIABLE = "PYTEST_CURRENT_TEST"  # pytest sets it, so nbval and our builds have it
 
@@ -151,8 +153,15 @@ def digest_of(answer):
 
 
 def content_of(code):
-    """What a code object does, as text, wherever it stands; of another constant its repr."""
+    """What a code object does, as text, wherever it stands; of another constant its repr.
+
+    Python compiles cv2.add(a, b) in two ways: it depends on whether the import stands in the same cell.
+    """
     if not isinstance(code, types.CodeType):
         return repr(code)
-    constants = [content_of(constant) for constant in code.co_consts]
-    return repr((code.co_code, code.co_names, constants))
+    steps = (step for step in dis.get_instructions(code) if step.opname not in ("PUSH_NULL", "EXTENDED_ARG"))
+    return repr([(step.opname.replace("LOAD_METHOD", "LOAD_ATTR"), _operand(step)) for step in steps])
+
+
+def _operand(step):
+    return "" if step.opcode in _JUMPS else content_of(step.argval)

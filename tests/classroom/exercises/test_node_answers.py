@@ -17,7 +17,7 @@ from imgproc_course.classroom.exercises.checking import check, run_cases, run_ch
 from imgproc_course.classroom.exercises.declaration import MasterError, exercise, read_exercises
 from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.help_steps import hint, solution
-from imgproc_course.classroom.exercises.progress import digest_of
+from imgproc_course.classroom.exercises.progress import content_of, digest_of
 from imgproc_course.classroom.exercises.running import (
     argument_names,
     call,
@@ -332,3 +332,20 @@ def test_remarks_on_the_source_of_methods(checked):
     assert result.remarks == (
         "The loop for msg in ... writes over the argument msg. Give the variable of the loop another name.",
     )
+
+
+def test_a_class_whose_cell_imports_what_it_calls_is_one_class():
+    source = RIGHT.replace(IMPORTS, f"import cv2\n{IMPORTS}").replace(
+        "np.minimum(wide, 255)", "cv2.min(wide, 255)"
+    )
+    whole, parts = {}, {}
+    exec(source, whole)
+    for part in source.split("\n\n", 1):
+        exec(part, parts)
+    assert content(whole["Doubler"]) == content(parts["Doubler"])
+    exec(source.replace("cv2.min(", "cv2.max("), parts)
+    assert content(whole["Doubler"]) != content(parts["Doubler"])
+
+
+def content(answer):
+    return {name: content_of(code) for name, code in codes_of(answer).items()}

@@ -31,6 +31,9 @@ def test_the_solution_passes_and_so_do_other_styles():
     assert checked(
         ('"share/image_negative"', 'f"share/{NAME}"'), ("\nsetup(", '\nNAME = "image_negative"\nsetup(')
     ).passed
+    assert checked(
+        ('"resource/image_negative"', '"resource/" + NAME'), ("\nsetup(", '\nNAME = "image_negative"\nsetup(')
+    ).passed
     assert checked(("<exec_depend>rclpy</exec_depend>", "<depend>rclpy</depend>")).passed
     assert checked(("255 - gray", "cv2.bitwise_not(gray)")).passed
 
