@@ -251,8 +251,8 @@ InvalidTopicNameException
 Parameter(?:NotDeclared|Uninitialized)Exception: .*?(\w+)\W*\n
     Declare the parameter \1 in __init__, with its first value: self.declare_parameter("\1", ...).
 AttributeError: '(\w+)' object has no attribute '(\w+)'\n.*self\.\2
-    The node has no \2. An attribute is made in __init__, as self.\2 = ...; a method stands in the class, as far
-    to the right as __init__.
+    The node has no \2. An attribute is made in __init__, as self.\2 = ...; a method stands in the class, as
+    far to the right as __init__.
 (?s:error: .*can not be treated as a double)
     get_parameter gives a Parameter, and the number is its value: self.get_parameter("low").value.
 TypeError: Expected .*, got .*ndarray
