@@ -201,7 +201,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 2 · The colours of the ball ([[minutes]])
 #
-# What distinguishes the ball? Its [[term:hue]]: red, in sun and in shade. In OpenCV's HSV images, the hue is from 0 to 179 (see [[canny_stages#5]]), and red is near 0. The white parts of the ball have no colour: their *[[term:saturation]]* is low. So we count the hues inside the box of the first frame, but only where the saturation is above 140:
+# What distinguishes the ball? Its [[term:hue]]: red, in sun and in shade. In OpenCV's HSV images, the hue is from 0 to 179 (see [[canny_stages#4]]), and red is near 0. The white parts of the ball have no colour: their *[[term:saturation]]* is low. So we count the hues inside the box of the first frame, but only where the saturation is above 140:
 
 # %%
 hsv_frames = [cv2.cvtColor(frame, cv2.COLOR_BGR2HSV) for frame in frames]

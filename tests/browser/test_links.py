@@ -39,9 +39,9 @@ SHOW = """async ([path, text]) => {
     const cell = content.widgets.find(cell => cell.model.sharedModel.source.includes(text));
     cell.node.scrollIntoView();
 }"""
-TEXT = "[[canny_stages#8]] | [[term:Otsu's method]] | [[term:zero padding]] | [[term:ROS]] | [[grayscale]]"
+TEXT = "[[canny_stages#9]] | [[term:Otsu's method]] | [[term:zero padding]] | [[term:ROS]] | [[grayscale]]"
 TARGETS = [
-    ("Section 8 of lesson", "Edge tracking by hysteresis"),
+    ("Section 9 of lesson", "Edge tracking by hysteresis"),
     ("Otsu's method", "Otsu's method"),
     ("zero padding", "border handling"),
     ("ROS", "ROS 2"),
