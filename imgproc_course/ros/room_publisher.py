@@ -18,7 +18,7 @@ from imgproc_course.ros.room_images import RoomImages
 from imgproc_course.ros.room_messages import ODOM_FRAME, odometry_message
 from imgproc_course.ros.session import RosSession, Throttle, log
 from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
-from imgproc_course.simulation.simulation import START
+from imgproc_course.simulation.room import recorded_room
 
 QUIET = 10.0  # seconds without a fault until the same fault is reported again
 TOLERANCE = 1.01  # of a limit: π/2 is a command within the limit 1.57
@@ -28,7 +28,7 @@ OPTIONS = ("seed", "lighting", "start")  # the parameters of the node /room
 def open_room(request):
     """The body for a request of `open_camera("room")`."""
     topic, rate, size = request["topic"], request["rate"], tuple(request["size"])
-    start = request["start"] or START
+    start = request["start"] or recorded_room().start
     images = RoomImages(rate, seed=request["seed"], size=size, lighting=request["lighting"], start=start)
     return RoomPublisher(topic, images)
 

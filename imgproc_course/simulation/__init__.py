@@ -8,6 +8,7 @@ from .drive import Odometry
 from .faces import draw_face, put_face, random_identity
 from .hands import GESTURES, Hand, draw_hand, gesture_track, hand_mask, random_hand
 from .laser import LaserScan
+from .room import Room, recorded_room
 from .simulation import CAMERA, TOF_CAMERA, Simulation
 
 __all__ = [
@@ -17,6 +18,7 @@ __all__ = [
     "Hand",
     "LaserScan",
     "Odometry",
+    "Room",
     "Simulation",
     "draw_face",
     "draw_hand",
@@ -25,4 +27,5 @@ __all__ = [
     "put_face",
     "random_hand",
     "random_identity",
+    "recorded_room",
 ]

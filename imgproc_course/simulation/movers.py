@@ -5,6 +5,7 @@ and the car go back and forth; each of them waits while the robot is in its way.
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -12,48 +13,14 @@ import numpy as np
 from ..geometry import Pose
 from ..geometry.poses import product, rotation_about
 from .drive import nearest_on_body
+from .room import MOVERS, ROLL_TIME, BallWay
 
 PERSON_RADIUS, CAR_RADIUS, BALL_RADIUS = 0.25, 0.13, 0.11
-RUG_CENTER, RUG_YAW, RUG_SIZE, RUG_HEIGHT = (2.55, 0.35), 0.06, (1.7, 1.2), 0.012
-WALK_TIME, WALK_LENGTH, STAND_TIME, TURN_TIME = 6.5, 2.35, 4.5, 1.5
-WALK_START = (4.93, -1.72)
-CAR_TIME, CAR_REST = 9.0, 1.0
-ROLL_TIME = 3.5  # seconds in which the ball loses all but 1/e of its speed
+FAR_AWAY = 1000.0  # metres: where those are who do not take part
 BOUNCE = 0.4  # share of its speed that the ball keeps when it meets something
 SLIDE, ESCAPE = 0.12, 0.6  # metres: how far a ball slides that is pushed, and one that holds the robot
 HOLD = 3.0  # seconds in which who gave way does not come back
 DIRECTIONS = [(round(math.cos(a), 12), round(math.sin(a), 12)) for a in np.arange(16) * math.pi / 8]
-
-
-def is_on_rug(x, y):
-    """Whether (x, y) is on the rug."""
-    c, s = math.cos(RUG_YAW), math.sin(RUG_YAW)
-    dx, dy = x - RUG_CENTER[0], y - RUG_CENTER[1]
-    return abs(dx * c + dy * s) <= RUG_SIZE[0] / 2 and abs(-dx * s + dy * c) <= RUG_SIZE[1] / 2
-
-
-def walk(time):
-    """The person at a time: (x, y, yaw), phase of the gait in radians, and its amplitude 0 to 1."""
-    half, within = divmod(time + 0.4, WALK_TIME + STAND_TIME)
-    u = min(within / WALK_TIME, 1.0)
-    way, speed = WALK_LENGTH * u * u * (3 - 2 * u), WALK_LENGTH * 6 * u * (1 - u) / WALK_TIME
-    back = half % 2 == 1
-    x, y = WALK_START[0], WALK_START[1] + (WALK_LENGTH - way if back else way)
-    turn = max(0.0, within - (WALK_TIME + STAND_TIME - TURN_TIME)) / TURN_TIME
-    yaw = math.pi / 2 + math.pi * ((1 if back else 0) + turn * turn * (3 - 2 * turn))
-    return (x, y, yaw), 2 * math.pi * way / 1.05, min(1.0, speed / 0.45)
-
-
-def car_path(time):
-    """The car at a time: (x, y, z, yaw), and the turn of its wheels in radians."""
-    within = time % (2 * (CAR_TIME + CAR_REST))
-    t = min(within, CAR_TIME) if within < CAR_TIME + CAR_REST else max(2 * CAR_TIME + CAR_REST - within, 0.0)
-    x, y = 2.25 + 0.30 * math.sin(0.45 * t), -1.35 + 0.30 * t
-    yaw = math.atan2(0.30, 0.135 * math.cos(0.45 * t))
-    return (x, y, RUG_HEIGHT if y > -0.25 else 0.0, yaw), 0.33 * t / 0.028
-
-
-PATHS = (("person_time", walk, PERSON_RADIUS), ("car_time", car_path, CAR_RADIUS))
 
 
 @dataclass
@@ -67,17 +34,11 @@ class Ball:
     rotation: np.ndarray = field(default_factory=lambda: rotation_about("x", 0.9))
 
     @classmethod
-    def at(cls, time):
-        way = 0.88 * (1 - math.exp(-time / ROLL_TIME))
-        speed = 0.88 / ROLL_TIME * math.exp(-time / ROLL_TIME)
-        ball = cls(2.45, 0.78, 0.45 * speed, -speed)
-        ball.place(2.45 + 0.45 * way, 0.78 - way)
-        ball.vx, ball.vy = round(ball.vx, 9), round(ball.vy, 9)
+    def at(cls, time, way):
+        place, speed = way.at(time)
+        ball = cls(*way.start, *speed)
+        ball.place(*place)
         return ball
-
-    @property
-    def height(self):
-        return BALL_RADIUS + (RUG_HEIGHT if is_on_rug(self.x, self.y) else 0.0)
 
     def place(self, x, y):
         """Rolls the ball to (x, y)."""
@@ -125,30 +86,42 @@ def orthonormal(rotation):
     return np.stack([x, y, np.cross(x, y)], 1)
 
 
-class Movers:
-    """Person, car and ball; each of the first two has a clock of its own, which stands while it waits."""
+@dataclass
+class Walker:
+    """The person or the car; its clock stands while it waits."""
 
-    def __init__(self, time, free_space):
-        self.person_time = self.car_time = time
-        self.ball = Ball.at(time)
-        self._free_space, self._hold = free_space, 0.0
+    time: float
+    radius: float
+    place: Callable[[float], tuple[float, float]]  # of a time
+
+
+class Movers:
+    """Person, car and ball of a room; `present` names those that take part."""
+
+    def __init__(self, time, room, present=MOVERS):
+        self._room, self._free_space, self._hold = room, room.free_space, 0.0
+        self.walkers = {
+            "person": Walker(time, PERSON_RADIUS, lambda time: room.person.at(time)[0][:2]),
+            "toycar": Walker(time, CAR_RADIUS, lambda time: room.car.at(time, room.rug)[0][:2]),
+        }
+        self.walkers = {name: walker for name, walker in self.walkers.items() if name in present}
+        self.ball = Ball.at(time, room.ball if "ball" in present else BallWay((FAR_AWAY, FAR_AWAY)))
 
     def circles(self):
-        """(x, y, radius) of person and car."""
-        (x, y, _), _, _ = walk(self.person_time)
-        (u, v, _, _), _ = car_path(self.car_time)
-        return (x, y, PERSON_RADIUS), (u, v, CAR_RADIUS)
+        """{name: (x, y, radius)} of person and car."""
+        return {name: (*w.place(w.time), w.radius) for name, w in self.walkers.items()}
 
     def step(self, dt, robot):
         """dt seconds of person, car and ball; `robot` is (x, y, yaw)."""
         self._hold = max(0.0, self._hold - dt)
-        for name, path, radius in () if self._hold else PATHS:
-            now, later = getattr(self, name), round(getattr(self, name) + dt, 9)
-            before, after = path(now)[0][:2], path(later)[0][:2]
+        for walker in () if self._hold else self.walkers.values():
+            later = round(walker.time + dt, 9)
+            before, after = walker.place(walker.time), walker.place(later)
             distance = nearest_on_body(robot, *after)[1]
-            if distance >= radius or distance > nearest_on_body(robot, *before)[1]:
-                setattr(self, name, later)
-                self._strike(after, radius, [(b - a) / dt for a, b in zip(before, after, strict=True)])
+            if distance >= walker.radius or distance > nearest_on_body(robot, *before)[1]:
+                walker.time = later
+                velocity = [(b - a) / dt for a, b in zip(before, after, strict=True)]
+                self._strike(after, walker.radius, velocity)
         self.ball.roll(dt, self._free_space, robot)
 
     def _strike(self, center, radius, velocity):
@@ -201,25 +174,31 @@ class Movers:
 
     def give_way(self, dt, robot):
         """Makes room for a robot that is held: person and car go back for dt seconds, the ball rolls away."""
-        for name, path, radius in PATHS:
-            earlier = round(getattr(self, name) - dt, 9)
-            if nearest_on_body(robot, *path(getattr(self, name))[0][:2])[1] < radius + 0.05:
-                setattr(self, name, earlier)
+        for walker in self.walkers.values():
+            if nearest_on_body(robot, *walker.place(walker.time))[1] < walker.radius + 0.05:
+                walker.time = round(walker.time - dt, 9)
                 self._hold = HOLD
         near = nearest_on_body(robot, self.ball.x, self.ball.y)[1] < BALL_RADIUS + 0.01
         spot = self._spot_around(robot, ESCAPE, BALL_RADIUS + 0.05) if near else None
         if spot is not None:
             self.ball.place(*spot)
 
+    def _time_of(self, name):
+        return self.walkers[name].time if name in self.walkers else 0.0
+
     def joint_poses(self, tree):
         """The pose of every joint in the map, {name: Pose}, of a RoomModel's joint_tree."""
-        (x, y, yaw), phase, amplitude = walk(self.person_time)
-        (u, v, z, heading), turn = car_path(self.car_time)
+        room, ball = self._room, self.ball
+        (x, y, yaw), phase, amplitude = room.person.at(self._time_of("person"))
+        (u, v, z, heading), turn = room.car.at(self._time_of("toycar"), room.rug)
+        height = BALL_RADIUS + (room.rug.height if room.rug.holds(ball.x, ball.y) else 0.0)
         poses = {
             "person": rounded(Pose.planar(x, y, yaw)),
             "toycar": rounded(Pose.planar(u, v, heading, z)),
-            "ball": Pose(self.ball.rotation, np.array([self.ball.x, self.ball.y, self.ball.height])),
+            "ball": Pose(ball.rotation, np.array([ball.x, ball.y, height])),
         }
+        absent = {"person", "toycar"} - self.walkers.keys()
+        poses |= dict.fromkeys(absent, Pose.planar(FAR_AWAY, FAR_AWAY, 0.0))
         angles = gait(phase, amplitude) | dict.fromkeys([n for n in tree if n.startswith("wheel")], turn)
         for name in tree:
             if name not in poses:

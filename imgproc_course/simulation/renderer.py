@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from . import sheen
-from .room_model import FACES_OUTWARD, FILES, NO_JOINT
+from .room_model import FACES_OUTWARD, NO_JOINT
 
 try:
     from panda3d import core as p3d
@@ -131,16 +131,6 @@ def numbered(triangles, numbers):
     colors = np.repeat((colors / 255).astype(np.float32), 3, 0)
     columns_format, rows = vertices(None, points, color=colors)
     return geom_node(columns_format, rows, np.arange(len(rows)))
-
-
-def load_texture(name, lighting):
-    pixels = cv2.imread(str(FILES / f"{name}_{lighting}.jpg"))
-    if pixels is None:
-        raise FileNotFoundError(
-            f"the room's texture {name}_{lighting}.jpg is missing or damaged; restore it: "
-            "git checkout -- imgproc_course/simulation/room"
-        )
-    return as_texture(pixels, p3d.Texture.F_rgb)
 
 
 def as_texture(pixels, kind):
@@ -334,14 +324,14 @@ class NumberRenderer(Renderer):
 
 
 class ColorRenderer(Renderer):
-    """Draws the colors, with the shadows of what moves and the floor's sheen."""
+    """Draws the colors of a Room, with the shadows of what moves and the floor's sheen."""
 
     def __init__(self, room, lighting):
         self._lighting, self._chunks = lighting, []
         configure_panda3d()
-        names = [name for name in room.atlas_names if name != "outside"]
-        self._textures = {name: load_texture(name, lighting) for name in names}
-        super().__init__(room)
+        pixels = room.textures(lighting)
+        self._textures = {name: as_texture(image, p3d.Texture.F_rgb) for name, image in pixels.items()}
+        super().__init__(room.model)
         self._shadows = {}
         for number, (name, size) in enumerate(SHADOWS.items()):
             self._shadows[name] = self._add_shadow(size, SHADOW_ORDER + number)

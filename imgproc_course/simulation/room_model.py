@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import cv2
 import numpy as np
 
 from ..geometry import triangle_planes
@@ -36,6 +37,10 @@ class RoomModel:
     markers: dict[str, np.ndarray]
     label_names: dict[int, str]
 
+    @property
+    def textured_atlases(self):
+        return [name for name in self.atlas_names if name != "outside"]
+
 
 def load_room():
     with np.load(FILES / "geometry.npz") as file:
@@ -52,6 +57,17 @@ def load_room():
         markers={name: np.array(pose) for name, pose in description["markers"].items()},
         label_names={int(number): name for number, name in description["labels"].items()},
     )
+
+
+def load_texture(name, lighting):
+    """(H, W, 3) uint8 BGR."""
+    pixels = cv2.imread(str(FILES / f"{name}_{lighting}.jpg"))
+    if pixels is None:
+        raise FileNotFoundError(
+            f"the room's texture {name}_{lighting}.jpg is missing or damaged; restore it: "
+            "git checkout -- imgproc_course/simulation/room"
+        )
+    return pixels
 
 
 class FreeSpace:

@@ -1,7 +1,7 @@
 """The simulated robot in the room of the recorded drive."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import cached_property
 from typing import Any, Self
 
@@ -14,9 +14,9 @@ from ..geometry.poses import product, rotation_about
 from .depth import TriangleDepth
 from .drive import Drive, Odometry, WheelOdometry, clearance, nearest_on_body
 from .laser import Laser, LaserScan
-from .movers import Movers, is_on_rug
+from .movers import Movers
 from .renderer import ColorRenderer, NumberRenderer, configure_panda3d
-from .room_model import FreeSpace, load_room
+from .room import MOVERS, Room, recorded_room
 from .sensor import Sensor
 
 # The recorded drive's camera: 1280×720, and where it stands on the robot.
@@ -25,7 +25,6 @@ CAMERA_MOUNT = (0.21, 0.20)  # x and z in base_link, metres
 # The depth camera below it, tilted up by 45 degrees: at this tilt it does not see the floor.
 TOF_CAMERA = CameraModel(160, 120, 80.0, 80.0, 79.5, 59.5)
 TOF_MOUNT, TOF_TILT = (0.221, 0.0418), math.pi / 4
-START = (-0.2067, -0.0367, 0.1757)  # its camera stands where the recorded drive begins
 LONGEST_STEP = 0.02  # seconds
 LONGEST_HELD, PLAY = 1.0, 0.01  # seconds, metres per second: see _is_held and _blocked
 DEPTH_WIDTH = 640
@@ -42,8 +41,9 @@ class Simulation:
     Parameters
     ----------
     seed : of the wheels' slip and the sensors' noise
-    start : (x, y, yaw) of the axle's center in the map, metres and radians; if omitted, its camera sees what
-        the recorded drive's first image shows
+    room : the `Room`; if omitted, the living room of the recorded drive
+    movers : whether person, car and ball take part; or the names of those that do
+    start : (x, y, yaw) of the axle's center in the map, metres and radians; if omitted, the room's own
     time : seconds after the recorded drive's start, for person, car and ball
     size : (width, height) of the image, of shape 16:9
     lens : with the recorded camera's distortion
@@ -60,6 +60,8 @@ class Simulation:
         self,
         seed: int = 0,
         *,
+        room: Room | None = None,
+        movers: bool | Collection[str] = True,
         start: Sequence[float] | None = None,
         time: float = 0.0,
         size: tuple[int, int] = (640, 360),
@@ -72,10 +74,11 @@ class Simulation:
         if not lens:
             self._model = CameraModel(*size, *self._model.matrix[[0, 1, 0, 1], [0, 1, 2, 2]].tolist())
         self._seed, self._lighting = seed, lighting
-        self._room, self._free_space = load_room(), FreeSpace()
-        self._movers = Movers(round(float(time), 9), self._free_space)
+        self._room = recorded_room() if room is None else room
+        self._present = checked_movers(movers)
+        self._movers = Movers(round(float(time), 9), self._room, self._present)
         self._time, self._steps, self._bumped = round(float(time), 9), 0, False
-        self._drive = Drive(checked_start(START if start is None else start))
+        self._drive = Drive(checked_start(self._room.start if start is None else start))
         for name, distance in self._distances(self._drive.place).items():
             if distance < 0:
                 raise ValueError(
@@ -83,7 +86,7 @@ class Simulation:
                 )
         self._held: tuple[Any, float, frozenset[float]] = self._drive.place, 0.0, frozenset()  # _note_held
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
-        self._laser = Laser(self._room, seed if sensor else None)
+        self._laser = Laser(self._room.model, seed if sensor else None)
         self._sensor = Sensor(self._model, seed, lighting) if sensor else None
         configure_panda3d()  # a missing one is told here, not with the first image
         self._look: Pose | None = None
@@ -127,7 +130,7 @@ class Simulation:
             self._movers.give_way(dt, place)
         body.place = place
         body.linear, body.angular = speeds
-        self._odometry.step(*speeds, dt, is_on_rug(*place[:2]))
+        self._odometry.step(*speeds, dt, self._room.rug.holds(*place[:2]))
         self._movers.step(dt, place)
         return touched
 
@@ -160,9 +163,9 @@ class Simulation:
 
     def _distances(self, place):
         """{name: metres} between the body at (x, y, yaw) and everything; negative inside."""
-        distances = {"a wall or furniture": clearance(self._free_space.distance, *place)}
-        for name, (x, y, radius) in zip(("the person", "the toy car"), self._movers.circles(), strict=True):
-            distances[name] = nearest_on_body(place, x, y)[1] - radius
+        distances = {"a wall or furniture": clearance(self._room.free_space.distance, *place)}
+        for name, (x, y, radius) in self._movers.circles().items():
+            distances[f"the {name.replace('toy', 'toy ')}"] = nearest_on_body(place, x, y)[1] - radius
         return distances
 
     # what it sees
@@ -174,7 +177,7 @@ class Simulation:
 
     @cached_property
     def _number_renderer(self):
-        return NumberRenderer(self._room)
+        return NumberRenderer(self._room.model)
 
     @cached_property
     def _frame_view(self):
@@ -222,7 +225,7 @@ class Simulation:
 
     @property
     def label_names(self) -> dict[int, str]:
-        return dict(self._room.label_names)
+        return dict(self._room.model.label_names)
 
     def depth_camera(self, camera: str = "front") -> CameraModel:
         """The CameraModel of `depth`."""
@@ -237,7 +240,7 @@ class Simulation:
         if camera not in self._views:
             model = self.depth_camera(camera)
             view = self._number_renderer.add_view(model)
-            self._views[camera] = view, TriangleDepth(self._room, model, view.pinhole), [None, None]
+            self._views[camera] = view, TriangleDepth(self._room.model, model, view.pinhole), [None, None]
         view, rays, kept = self._views[camera]
         pose = self._camera_pose(camera)
         key = (self._steps, pose.position.tobytes(), pose.rotation.tobytes())
@@ -281,16 +284,16 @@ class Simulation:
             return self._robot_pose().vector
         if name in ("camera", "tof"):
             return self._camera_pose("front" if name == "camera" else name).vector
-        if name in self._room.markers:
-            return self._room.markers[name].copy()
-        if name not in ("person", "toycar", "ball"):
-            known_names = ["robot", "camera", "tof", "person", "toycar", "ball", *self._room.markers]
+        if name in self._room.poses:
+            return self._room.poses[name].copy()
+        if name not in self._present:
+            known_names = ["robot", "camera", "tof", *self._present, *self._room.poses]
             raise ValueError(f"no pose of {name!r}; there are {', '.join(known_names)}")
         return self._joint_poses()[name].vector
 
     def _joint_poses(self):
         if self._joints[0] != self._steps:
-            self._joints = self._steps, self._movers.joint_poses(self._room.joint_tree)
+            self._joints = self._steps, self._movers.joint_poses(self._room.model.joint_tree)
         return self._joints[1]
 
     def _robot_pose(self):
@@ -329,6 +332,14 @@ def check_arguments(seed, time, size, lighting):
         raise ValueError(
             f"size is (width, height), 16:9, 160 to 1920 pixels wide, such as (640, 360), got {size}"
         )
+
+
+def checked_movers(movers):
+    """The names of those that take part, in the order of MOVERS."""
+    names = MOVERS if movers is True else movers or ()
+    if isinstance(names, str) or not isinstance(names, Collection) or not set(names) <= set(MOVERS):
+        raise ValueError(f"movers is True, False, or names of {', '.join(MOVERS)}, got {movers!r}")
+    return tuple(name for name in MOVERS if name in names)
 
 
 def checked_start(start):

@@ -44,7 +44,7 @@ from imgproc_course.geometry import (
 from imgproc_course.ros import Robot, RosSession, open_camera, ros_available
 from imgproc_course.simulation import Simulation
 from imgproc_course.simulation.laser import cut
-from imgproc_course.simulation.room_model import load_room
+from imgproc_course.simulation.room import recorded_room
 
 # %% role="texts"
 figure_texts = {
@@ -465,8 +465,8 @@ show_figure(figure, text="mapping_and_slam/first map")
 # How good is a map? For the score we need the truth: the cells of all walls and furniture at the height of the scanner. [[edge_detection_node]] had the two numbers for it: *[[term:precision]]*, the share of the occupied cells where there really is something, and *[[term:recall]]*, the share of the real cells that the map has found. A cell beside the right one is good enough.
 
 # %% tags=["long"]
-room = load_room()
-walls = cut(room.triangles[room.joint < 0], 0.105)  # lines (N, 2, 2) of all that stands still
+room = recorded_room()
+walls = cut(room.model.triangles[room.model.joint < 0], 0.105)  # lines (N, 2, 2) of all that stands still
 shares = np.linspace(0, 1, 400)[:, np.newaxis, np.newaxis]
 points = (walls[:, 0] + shares * (walls[:, 1] - walls[:, 0])).reshape(-1, 2)
 rows, cols = cells_of(points).T
@@ -505,11 +505,9 @@ show_figure(figure, text="mapping_and_slam/doubled")
 # One question before that. A toy car drove through the room all the time, and the scanner saw it in 30 of the 33 scans. **Why is it not in the map?** Look at the log-odds of the cells where it was:
 
 # %%
-from imgproc_course.simulation.movers import car_path
-
 levels, seen = [], 0
 for look in range(33):
-    place = np.array([car_path(0.8 * look)[0][:2]])  # the car at the time of the scan
+    place = np.array([room.car.at(0.8 * look, room.rug)[0][:2]])  # the car at the time of the scan
     row, col = cells_of(place)[0]
     levels.append(float(true_map[row, col]))
     seen += bool((np.linalg.norm(to_room(truth[look], scans[look]) - place, axis=1) < 0.25).any())

@@ -15,7 +15,7 @@ import pytest
 from imgproc_course.simulation import CAMERA, GESTURES, Simulation, draw_hand, gesture_track, random_hand
 from imgproc_course.simulation.movers import Movers
 from imgproc_course.simulation.renderer import BALL_LIGHT, ColorRenderer, NumberRenderer, Renderer
-from imgproc_course.simulation.room_model import load_room
+from imgproc_course.simulation.room import recorded_room
 
 # Older instruction sets: of NumPy, of the C library and of OpenCV.
 OLDER = {
@@ -99,9 +99,9 @@ def test_two_rooms_draw_in_two_threads_what_each_draws_alone():
 
 def test_no_two_renderers_share_what_panda3d_converts_vertices_with():
     renderers = [
-        ColorRenderer(load_room(), "day"),
-        ColorRenderer(load_room(), "day"),
-        NumberRenderer(load_room()),
+        ColorRenderer(recorded_room(), "day"),
+        ColorRenderer(recorded_room(), "day"),
+        NumberRenderer(recorded_room().model),
     ]
     formats = []
     for renderer in renderers:
@@ -120,7 +120,7 @@ def test_no_two_renderers_share_what_panda3d_converts_vertices_with():
 
 def test_the_lamps_of_the_ball_are_added_in_a_fixed_order():
     for lighting in ("day", "evening"):
-        renderer = ColorRenderer(load_room(), lighting)
+        renderer = ColorRenderer(recorded_room(), lighting)
         lamps = [path.node() for path in renderer._root.find_all_matches("**/+DirectionalLight")]
         ordered = sorted(lamps, key=lambda lamp: -lamp.get_priority())
         expected = [direction for direction, _ in BALL_LIGHT[lighting][1:]]

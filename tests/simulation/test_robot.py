@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from imgproc_course.geometry import Pose
-from imgproc_course.simulation import Simulation
+from imgproc_course.simulation import Simulation, recorded_room
 from imgproc_course.simulation.drive import ANGULAR_ACCELERATION, LINEAR_ACCELERATION, nearest_on_body
 from imgproc_course.simulation.laser import MOUNT, cast, cut
 from imgproc_course.simulation.movers import BALL_RADIUS, Ball
@@ -150,7 +150,7 @@ def test_from_a_wedged_ball_the_robot_can_move_away():
 def test_the_car_goes_back_for_a_robot_that_it_holds():
     with Simulation(start=(0.4, -0.3, 0), time=60.0) as room:
         room._drive.place = (2.081686465, 0.955950364, 1.411943624)  # between furniture and car
-        room._movers.car_time = 7.6
+        room._movers.walkers["toycar"].time = 7.6
         assert max(way_of(room, linear, 0, 200) for linear in (0.3, -0.3) * 2) > 0.1
 
 
@@ -176,10 +176,10 @@ def test_the_car_waits_for_the_robot():
 
 def test_the_ball_rolls_by_the_recorded_formula_however_the_steps_are_cut():
     free_space, robot = SimpleNamespace(distance=lambda x, y: 9.0), (-9.0, 0.0, 0.0)
-    ball = Ball.at(0.0)
+    ball = Ball.at(0.0, recorded_room().ball)
     for _ in range(450):
         ball.roll(0.02, free_space, robot)
-    assert (ball.x, ball.y) == pytest.approx((Ball.at(9.0).x, Ball.at(9.0).y), abs=1e-6)
+    assert (ball.x, ball.y) == pytest.approx(recorded_room().ball.at(9.0)[0], abs=1e-6)
 
 
 def test_odometry_drifts_by_its_seed():
@@ -220,3 +220,35 @@ def test_scan_against_depth():
     assert near.sum() > 50
     assert np.median(error) < 0.005
     assert np.mean(error < 0.03) > 0.85  # the rest are edges
+
+
+def test_who_does_not_take_part_is_nowhere():
+    before_the_ball = (2.45, 0.0, 1.571)
+    with (
+        Simulation(start=before_the_ball, sensor=False) as everybody,
+        Simulation(start=before_the_ball, movers=False) as alone,
+        Simulation(start=before_the_ball, movers=["ball"]) as with_the_ball,
+    ):
+        numbers = {name: number for number, name in everybody.label_names.items()}
+        counts = [
+            [int((room.labels() == numbers[name]).sum()) for name in ("person", "ball")]
+            for room in (everybody, alone, with_the_ball)
+        ]
+        assert counts[0][1] == counts[2][1] > 1000
+        assert counts[1] == [0, 0] == [counts[2][0], 0]
+        assert everybody.pose("ball").tolist() == with_the_ball.pose("ball").tolist()
+        for _ in range(40):
+            alone.step(0.3, 0.0, 0.05)
+        assert not alone.bumped
+        assert place(alone)[1] > 0.5
+        with pytest.raises(ValueError, match="no pose of 'ball'; there are robot, camera, tof, marker"):
+            alone.pose("ball")
+    with pytest.raises(ValueError, match="the toy car is in its way"):
+        Simulation(start=(2.54, -0.15, 0.0), time=4.0)
+    Simulation(start=(2.54, -0.15, 0.0), time=4.0, movers=["ball", "person"])
+
+
+@pytest.mark.parametrize("movers", ["ball", ["cat"], 3])
+def test_movers_that_there_are_not(movers):
+    with pytest.raises(ValueError, match="movers is True, False, or names of person, toycar, ball, got"):
+        Simulation(movers=movers)
