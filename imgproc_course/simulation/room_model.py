@@ -1,7 +1,7 @@
 """The room as arrays: triangles, labels, joints, and the free floor. environment/room makes the files."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -41,11 +41,17 @@ class RoomModel:
     def textured_atlases(self):
         return [name for name in self.atlas_names if name != "outside"]
 
+    def with_triangles(self, triangles):
+        """A copy with other triangles (N, 3, 3), and their planes."""
+        normals, offsets = triangle_planes(triangles)
+        return replace(self, triangles=triangles, normals=normals, offsets=offsets)
 
-def load_room():
-    with np.load(FILES / "geometry.npz") as file:
-        arrays = dict(file)
-    description = json.loads((FILES / "scene.json").read_text(encoding="utf-8"))
+
+def load_room(folder=FILES):
+    names = ("triangles", "texture", "label", "joint", "atlas")
+    with np.load(folder / "geometry.npz") as file:
+        arrays = {name: file[name] for name in names}
+    description = json.loads((folder / "scene.json").read_text(encoding="utf-8"))
     normals, offsets = triangle_planes(arrays["triangles"])
     return RoomModel(
         **arrays,
@@ -73,11 +79,17 @@ def load_texture(name, lighting):
 class FreeSpace:
     """How far each place on the floor is from the nearest thing that stands still, below the robot's top."""
 
-    def __init__(self):
+    def __init__(self, distance, origin, cell):
+        """distance (H, W) in millimetres, of cells of `cell` metres; origin (x, y) of their corner"""
+        self._millimetres = distance.tolist()  # single numbers are read faster from a list
+        self._origin = [float(v) for v in origin]
+        self._cell = float(cell)
+
+    @classmethod
+    def load(cls):
+        """Of the recorded room."""
         with np.load(FILES / "free_space.npz") as file:
-            self._millimetres = file["distance"].tolist()  # single numbers are read faster from a list
-            self._origin = file["origin"].tolist()
-            self._cell = float(file["cell"])
+            return cls(**file)
 
     def distance(self, x, y):
         """Metres from (x, y) to the nearest obstacle, between the cells' centers; 0 outside of the room."""
