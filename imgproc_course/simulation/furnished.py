@@ -90,6 +90,7 @@ def _drawn(random, name):
         textures=functools.cache(functools.partial(_textures, places)),
         word=WORDS[int(random.integers(len(WORDS)))],
         poses=poses,
+        places=places,
     )
 
 
@@ -151,8 +152,8 @@ class Floor:
     def ways(self, random):
         """The Ways of a room, or None if one of them does not fit."""
         walk = np.stack([np.linspace(0, WALK_LENGTH, 60), np.zeros(60)], 1)
-        wave = CarWay(0.0, 0.0, 0.0, rug_from=math.inf)
-        wave = np.array([wave.at(time, None)[0][:2] for time in np.linspace(0, CAR_TIME, 60)])
+        car_way = CarWay(0.0, 0.0, 0.0, rug_from=math.inf)
+        wave = np.array([car_way.at(time, None)[0][:2] for time in np.linspace(0, CAR_TIME, 60)])
         open_floor = np.minimum(self.millimetres, self.tall)
         robot = np.where(self.turnable, open_floor, 0)
         person, taken = self._fitting(random, walk, open_floor, PERSON_ROOM)

@@ -78,13 +78,13 @@ class Placement:
     """Places of pieces: `draw` puts one after the other, and `places` has those that found theirs."""
 
     def __init__(self, random, pieces):
-        self.places = {}
+        self.places: dict[str, tuple[float, float, float]] = {}
         self._random, self._hulls, self._origins = random, pieces.hulls, pieces.origins
         self._borders = pieces.borders
         self._taken, self._kept, self._rug = (np.zeros(SHAPE, np.uint8) for _ in range(3))
         self._doorway = painted(np.zeros(SHAPE, np.uint8), [self._before_the_door()])
         self._to_taken = self._to_rug = np.full(SHAPE, np.inf)
-        self._spans = [[] for _ in WALLS]
+        self._spans: list[list[tuple[float, float, str]]] = [[] for _ in WALLS]
 
     def draw(self):
         """Whether every piece found a place."""

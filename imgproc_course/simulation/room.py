@@ -105,6 +105,7 @@ class Room:
     textures : of a lighting, {atlas: (H, W, 3) uint8 BGR}, H and W powers of two
     word : what is written large on the sign
     poses : {"sign": ..., "marker": ..., "wall_marker": ...}, each [x, y, z, qx, qy, qz, qw] float64
+    places : of each piece of furniture, (x, y, yaw), the turn against the recorded room; there it is empty
     """
 
     name: str
@@ -118,6 +119,7 @@ class Room:
     textures: Callable[[str], dict[str, NDArray[np.uint8]]]
     word: str = "KITCHEN"
     poses: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    places: dict[str, tuple[float, float, float]] = field(default_factory=dict)
 
 
 @functools.cache

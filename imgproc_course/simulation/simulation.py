@@ -81,10 +81,10 @@ class Simulation:
         self._drive = Drive(checked_start(self._room.start if start is None else start))
         for name, distance in self._distances(self._drive.place).items():
             if distance < 0:
-                own = f"such as {self._room.start}, the room's own"
+                remedy = "time" if start is None else f"start, such as {self._room.start}"
                 raise ValueError(
                     f"the robot cannot start at {self._drive.place}: {name} is in its way; "
-                    f"choose another start, {own if start else 'or another time'}"
+                    f"choose another {remedy}"
                 )
         self._held: tuple[Any, float, frozenset[float]] = self._drive.place, 0.0, frozenset()  # _note_held
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
