@@ -11,12 +11,13 @@ import builtins
 import hashlib
 import json
 import re
-from dataclasses import dataclass, is_dataclass
+from dataclasses import dataclass, is_dataclass, replace
 
 from imgproc_course.classroom.autograder.answer_key import known_mistake
 from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
 from imgproc_course.classroom.autograder.sanitize import sanitize_text
-from imgproc_course.classroom.autograder.verdict import CaseRun
+from imgproc_course.classroom.autograder.verdict import CaseRun, DriveVerdict
+from imgproc_course.classroom.exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
 from imgproc_course.classroom.exercises.node_feedback import sentence_on_node
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
@@ -60,6 +61,8 @@ class GradedCase:
     hint         the master's hint; "" if the case passed
     message      what went wrong, shortened; for a hidden case it contains no text of the learner's
     failed_call  only for a public case that was run and failed
+    drive        only for a drive that began: a dict with `metrics`, [title, value, threshold, whether it is
+                 kept], what `course.DRIVE_MAP` draws (path, bumps, room, goal), and its time in seconds
     """
 
     id: str
@@ -71,6 +74,7 @@ class GradedCase:
     hint: str = ""
     message: str = ""
     failed_call: FailedCall | None = None
+    drive: dict | None = None
 
     @property
     def passed(self):
@@ -201,6 +205,8 @@ def _graded_case(case, outcome, message="", failed_call=None):
 
 
 def _case_of_run(exercise, content, case, run, passed):
+    if exercise.drives:
+        return _case_of_drive(exercise, case, run, passed)
     if passed:
         return _graded_case(case, Outcome.PASSED)
     outcome, message = _outcome_of_run(exercise, run)
@@ -212,6 +218,68 @@ def _case_of_run(exercise, content, case, run, passed):
             case, outcome, _message_on_node(content, case, run.verdict, failed_call) or message
         )
     return _graded_case(case, outcome, message, failed_call)
+
+
+def _case_of_drive(exercise, case, run, passed):
+    """The GradedCase of a drive. Its metrics are the environment's: a hidden case has them, too."""
+    drive = described_drive(run.verdict) if isinstance(run.verdict, DriveVerdict) else None
+    outcome, message = (Outcome.PASSED, "") if passed else _outcome_of_drive(exercise, run)
+    if case.hidden and not passed:
+        message = _message_of_hidden_drive(outcome, message, run)
+    if drive and run.verdict.is_whole:
+        metrics = ", ".join(f"{title} {value}" for title, value, *_ in drive["metrics"])
+        message = f"{message} ({metrics})" if message else metrics
+    return replace(_graded_case(case, outcome, message), drive=drive)
+
+
+def _outcome_of_drive(exercise, run):
+    verdict = run.verdict
+    if not isinstance(verdict, DriveVerdict):
+        return _outcome_of_run(exercise, run)
+    when = f"{verdict.record['looks'] * LOOK:.1f} s after the start"
+    if run.ended or run.check.error[0]:
+        outcome, message = _outcome_of_run(exercise, run)
+        return outcome, f"{message}, {when}" if run.ended else message
+    if verdict.ending and verdict.ending.timed_out:
+        return Outcome.TIME, f"one look took more than {LOOK_SECONDS:g} s of processor time, {when}"
+    if verdict.ending:
+        outcome, message = _outcome_of_exception(verdict.ending)
+        return outcome, f"{message}, {when}" if outcome == Outcome.RAISED else message
+    if verdict.passed:
+        return Outcome.NOT_GRADED, "its drive is right, but nbval did not let it pass: look at it by hand"
+    sentences = " ".join(sentences_of(verdict.record, verdict.scenario))
+    is_unfinished = not verdict.is_whole and not verdict.record["ended"]
+    return Outcome.HOSTILE if is_unfinished else Outcome.WRONG, reproducible_text(sentences)
+
+
+def _message_of_hidden_drive(outcome, message, run):
+    """The message without any text of the learner's, such as a part of a value that was returned."""
+    if outcome == Outcome.WRONG and run.verdict.record["ended"]:
+        return "it returned something else than two numbers"
+    return message if outcome in (Outcome.WRONG, Outcome.HOSTILE) else _message_of_hidden(outcome, message)
+
+
+def described_drive(verdict):
+    """What a page shows of a drive, as plain data; positions to a millimetre."""
+    record, scenario = verdict.record, verdict.scenario
+    missed = {name for name, *_ in record["missed"]}
+    return {
+        "metrics": [
+            [
+                METRICS[name].title,
+                metric_text(name, value),
+                metric_text(name, limit, sign),
+                name not in missed,
+            ]
+            for name, (sign, limit) in scenario["thresholds"].items()
+            for value in [record["metrics"][name]]
+        ],
+        "seconds": round(record["looks"] * LOOK, 1),
+        "path": [[round(number, 3) for number in place] for place in record["path"]],
+        "bumps": record["bumps"],
+        "room": scenario.get("room"),
+        "goal": scenario.get("goal"),
+    }
 
 
 def _message_on_node(content, case, verdict, failed_call):

@@ -144,7 +144,7 @@ def _call_fields(function, arguments, time_limit, subject):
         return {
             "error": type(error).__name__,
             "message": _message(error),
-            "line": _own_line(error, function),
+            "line": own_line(error, function),
             "closest": _closest(error),
         }
 
@@ -280,7 +280,7 @@ def _closest(error):
     return f"{module}.{closest}" if closest and module else closest
 
 
-def _own_line(error, function):
+def own_line(error, function):
     """The innermost line of the learner's own code, `line 3: return a / 0`; "" if it is not known."""
     namespace = globals_of(function)
     own_frames = [

@@ -25,7 +25,7 @@ SOURCE = Path(__file__).resolve().parents[3]  # the folder imgproc_course
 INSIDE = Path(__file__).resolve().parent / "inside"
 # Modules of `exercises` that check cells need; none of them knows an answer.
 EXERCISES_MODULES = (
-    *("canonical", "comparison", "input_encoding", "running"),
+    *("canonical", "comparison", "drive", "input_encoding", "running"),
     *("node_driver", "package_driver", "recording_node", "ros_double"),
 )
 SITE, COURSE, PYTHON = "/course/site", "/course/packages", "/python"  # paths inside the sandbox

@@ -79,7 +79,7 @@ class OutputStream(io.TextIOBase):
         return 1 if self.name == "stdout" else 2
 
 
-def _flush():
+def flush():
     sys.stdout.flush()
     sys.stderr.flush()
 
@@ -132,14 +132,14 @@ class CellShell(InteractiveShell):
     def showtraceback(self, exc_tuple=None, *_arguments, **_options):
         """Send the exception without its traceback: nobody reads it, and IPython takes long to make it."""
         etype, evalue, _ = self._get_exc_info(exc_tuple)
-        _flush()
-        WRITER.send("error", ename=etype.__name__, evalue=_text_of(evalue))
+        flush()
+        WRITER.send("error", ename=etype.__name__, evalue=text_of(evalue))
 
     def showsyntaxerror(self, *_arguments, **_options):
         self.showtraceback()
 
 
-def _text_of(error):
+def text_of(error):
     """The exception's text; a learner's exception class may have a __str__ that fails."""
     try:
         return str(error)
@@ -177,10 +177,10 @@ def serve(shell, requests, descriptor, deliver):
         if "case" in request:
             deliver(request["case"])
         errors = [runner.run(code) for code in request["cells"]]
-        _flush()
+        flush()
         error = next((error for error in errors if error is not None), None)
         name = "" if error is None else type(error).__name__
-        WRITER.send("idle", ename=name, evalue="" if error is None else _text_of(error))
+        WRITER.send("idle", ename=name, evalue="" if error is None else text_of(error))
 
 
 class _CellRunner:
