@@ -244,6 +244,8 @@ def _outcome_of_drive(exercise, run):
         return Outcome.TIME, f"one look took more than {LOOK_SECONDS:g} s of processor time, {when}"
     if verdict.ending:
         outcome, message = _outcome_of_exception(verdict.ending)
+        if outcome == Outcome.NOT_GRADED:  # no controller can know of a fault
+            outcome = Outcome.RAISED
         return outcome, f"{message}, {when}" if outcome == Outcome.RAISED else message
     if verdict.passed:
         return Outcome.NOT_GRADED, "its drive is right, but nbval did not let it pass: look at it by hand"
