@@ -79,7 +79,12 @@ def controller_observation(observation):
     return values
 
 
-def draw_map(path, bumps=(), goal=None, mark=None):
-    image = np.zeros((40, 60, 3), np.uint8)
-    image[0, 0] = len(path) % 250, len(bumps), 0 if mark is None else 1
+def room_of(number):
+    return number or 20
+
+
+def draw_map(path, bumps=(), *, room=None, goal=None, ball=None, mark=None):
+    """Columns: one for each look of the path, white up to the mark, gray from there on."""
+    image = np.full((20, len(path), 3), 128, np.uint8)
+    image[:, : [list(place) for place in path].index(list(mark)) + 1] = 255
     return image

@@ -49,7 +49,7 @@ class GradedDrive:
         return struct.pack("<I", len(data)) + data
 
     def _act(self, action):
-        if "error" in action:
+        if "error" in action or "timed_out" in action:
             self._stop(_call_of(action))
         elif "refused" in action:
             self._drive.stop(str(action["refused"])[:_LONGEST])
@@ -81,7 +81,6 @@ class GradedDrive:
 
 def _call_of(action):
     """What a controller's call did that ended a drive, as a CallResult, from a message."""
-    name, message, line = (str(action.get(key, ""))[:_LONGEST] for key in ("error", "message", "line"))
-    return (
-        CallResult(timed_out=True) if name == "TimeUp" else CallResult(error=name, message=message, line=line)
-    )
+    if "timed_out" in action:
+        return CallResult(timed_out=True)
+    return CallResult(**{key: str(action.get(key, ""))[:_LONGEST] for key in ("error", "message", "line")})

@@ -16,9 +16,11 @@ from imgproc_course.classroom import course
 
 LOOK = 0.1  # seconds from one observation to the next
 LOOK_SECONDS = 0.5  # how long one call of `control` may take
+PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
 SENSORS = ("scan", "depth", "image", "odometry")
 DURATION = 40.0  # seconds, of a scenario that does not say it
 _LONGEST = 120.0  # seconds
+PLACES = ("DRIVE_ENVIRONMENT", "DRIVE_OBSERVATION", "DRIVE_ROOM", "DRIVE_MAP")  # entries of `course`
 _COUNTS = {"<=": ("≤", "at most"), ">=": ("≥", "at least")}
 _EXPECTED = "expected two numbers, (linear, angular)"
 
@@ -33,14 +35,16 @@ class _Metric:
 
 
 METRICS = {
-    "bumps": _Metric("bumps", "{:.0f}", "It bumped {} times"),
-    "clearance": _Metric("clearance", "{:.2f} m", "Its least distance to what stands still was {}"),
-    "distance": _Metric("distance driven", "{:.1f} m", "It drove {}"),
-    "reach": _Metric("reach", "{:.1f} m", "Its greatest distance from the start was {}"),
-    "places": _Metric("places", "{:.0f}", "It came to {} places (cells of 0.5 m)"),
-    "time": _Metric("time", "{:.1f} s", "It drove for {}"),
-    "goal_time": _Metric("time to the goal", "{:.1f} s", "It reached the goal after {}"),
-    "ball_gap": _Metric("error of the distance", "{:.2f} m", "Its distance to the ball was wrong by {}"),
+    "bumps": _Metric("bumps", "{:.0f}", "The robot bumped {} times"),
+    "clearance": _Metric("clearance", "{:.2f} m", "The robot came as near as {} to what stands still"),
+    "distance": _Metric("distance driven", "{:.2f} m", "The robot drove {}"),
+    "reach": _Metric("reach", "{:.2f} m", "The robot got {} away from its start"),
+    "places": _Metric("places", "{:.0f}", "The robot came to {} places (cells of 0.5 m)"),
+    "time": _Metric("time", "{:.1f} s", "The robot drove for {}"),
+    "goal_time": _Metric("time to the goal", "{:.1f} s", "The robot reached the goal after {}"),
+    "ball_gap": _Metric(
+        "error of the distance", "{:.2f} m", "The robot's distance to the ball was wrong by {}"
+    ),
 }
 
 
@@ -51,7 +55,7 @@ def metric_text(name, value, operator=""):
 
 
 def load(place):
-    """What "module:name" names; the entries of `course` that a drive uses are of this form."""
+    """What "module:name" names, as the PLACES do."""
     module, name = place.split(":")
     return getattr(importlib.import_module(module), name)
 
@@ -189,16 +193,21 @@ def sentences_of(record, scenario):
         return [f"The drive ended after {record['looks'] * LOOK:.1f} s: {reason}."]
     if record["looks"] < looks_of(scenario):
         return ["The drive did not come to its end."]
-    return [_sentence(record, *missed) for missed in record["missed"]]
+    names = {name for name, *_ in record["missed"]}
+    return [
+        _sentence(record, *missed)
+        for missed in record["missed"]
+        if missed[0] != "clearance" or "bumps" not in names  # a bump says it
+    ]
 
 
 def _sentence(record, name, value, operator, limit):
     if value is None:
-        return "It did not reach the goal." if name == "goal_time" else "It did not move."
+        return "The robot did not reach the goal." if name == "goal_time" else "The robot did not move."
     asked = f"the task asks for {_COUNTS[operator][1]} {metric_text(name, limit)}."
     if name == "bumps" and record["bumps"]:
         obstacle = record["metrics"].get("bumped_into") or "something"
-        text = f"It bumped into the {obstacle} at {record['bumps'][0][0] * LOOK:.1f} s"
+        text = f"The robot bumped into the {obstacle} at {record['bumps'][0][0] * LOOK:.1f} s"
         text += f", and bumped {value} times in all" if value > 1 else ""
         return f"{text}; {asked}" if limit else f"{text}."
     return f"{METRICS[name].sentence.format(metric_text(name, value))}; {asked}"

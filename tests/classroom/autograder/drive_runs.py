@@ -1,4 +1,4 @@
-"""Drives in the sandbox, in the tiny room, without nbval: for tests and benchmarks."""
+"""Drives in the sandbox, on the plane of `plane_env`, without nbval: for tests and benchmarks."""
 
 from dataclasses import replace
 
@@ -11,14 +11,14 @@ from imgproc_course.classroom.exercises.input_encoding import encode
 STUB = "def control(observation, memory):\n    raise NotImplementedError"
 SCENARIO = {
     "seed": 3,
-    "title": "a square",
-    "start": [0.0, 0.0, 0.3],
+    "title": "a wall",
+    "start": [0.0, 0.0, 0.0],
     "duration": 4.0,
     "thresholds": {"bumps": ["<=", 0], "clearance": [">=", 0.3], "reach": [">=", 0.8]},
 }
 CASES = (
-    KeyCase("case-tiny-1", "a square", "Look ahead.", 2, False, 0.0, 1),
-    KeyCase("hidden-tiny-1", "another square", "Look ahead.", 3, True, 0.0, 1),
+    KeyCase("case-tiny-1", "a wall", "Look ahead.", 2, False, 0.0, 1),
+    KeyCase("hidden-tiny-1", "another wall", "Look ahead.", 3, True, 0.0, 1),
 )
 
 

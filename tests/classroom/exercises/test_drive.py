@@ -60,17 +60,26 @@ def test_a_bump_is_the_decisive_moment():
     record, scenario = driven((0.3, 0.0), room=10)
     assert record["missed"] == [["bumps", 1, "<=", 0], ["clearance", 0.0, ">=", 0.25]]
     assert record["decisive"] == 27 and record["bumps"] == [[27, 0.8, 0.0]] and not passes(record, scenario)
+    assert sentences_of(record, scenario) == ["The robot bumped into the wall at 2.7 s."]
+    some_bumps, _ = driven((0.3, 0.0), room=10, thresholds={"bumps": ["<=", 0], "reach": [">=", 0.85]})
+    assert sentences_of(some_bumps, scenario) == [
+        "The robot bumped into the wall at 2.7 s.",
+        "The robot got 0.80 m away from its start; the task asks for at least 0.85 m.",
+    ]
+
+
+def test_a_robot_that_comes_too_near_is_told():
+    record, scenario = driven((0.19, 0.0), room=10)
     assert sentences_of(record, scenario) == [
-        "It bumped into the wall at 2.7 s.",
-        "Its least distance to what stands still was 0.00 m; the task asks for at least 0.25 m.",
+        "The robot came as near as 0.23 m to what stands still; the task asks for at least 0.25 m."
     ]
 
 
 def test_a_robot_that_stands_has_no_clearance():
     record, scenario = driven((0.0, 0.4))
     assert sentences_of(record, scenario) == [
-        "It did not move.",
-        "Its greatest distance from the start was 0.0 m; the task asks for at least 0.5 m.",
+        "The robot did not move.",
+        "The robot got 0.00 m away from its start; the task asks for at least 0.50 m.",
     ]
 
 

@@ -1,8 +1,8 @@
 """What a drive's check cell calls: it gives the learner's controller one observation after another.
 
-The robot is outside the sandbox. Out goes a message "action" for each look, with two numbers or with what ended
-the drive; in comes an observation: its length in four bytes, then its arrays one after another. A length of 0
-ends the drive. What the controller returns is judged outside.
+The robot is outside the sandbox. Out goes a message "action" for each look, with two numbers or with what
+ended the drive; in comes an observation: its length in four bytes, then its arrays one after another. A length
+of 0 ends the drive. What the controller returns is judged outside.
 """
 
 import math
@@ -31,18 +31,15 @@ def drive(control):
 
 
 def _look(control, observation, memory, seconds):
-    """What the controller does with an observation, as the content of a message; in seconds of processor time."""
+    """What a controller does with an observation, as the content of a message; seconds of processor time."""
     try:
         signal.setitimer(signal.ITIMER_PROF, seconds, 0.1)
         try:
             value = control(observation, memory)
         finally:
             signal.setitimer(signal.ITIMER_PROF, 0)
-    except running.TimeUp:
-        return {"error": "TimeUp"}
     except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
-        line = running.own_line(error, control)
-        return {"error": type(error).__name__, "message": shell.text_of(error), "line": line}
+        return running.failure_fields(error, control)
     try:
         return {"speeds": speeds_of(value)}
     except ValueError as error:

@@ -133,13 +133,13 @@ class CellShell(InteractiveShell):
         """Send the exception without its traceback: nobody reads it, and IPython takes long to make it."""
         etype, evalue, _ = self._get_exc_info(exc_tuple)
         flush()
-        WRITER.send("error", ename=etype.__name__, evalue=text_of(evalue))
+        WRITER.send("error", ename=etype.__name__, evalue=_text_of(evalue))
 
     def showsyntaxerror(self, *_arguments, **_options):
         self.showtraceback()
 
 
-def text_of(error):
+def _text_of(error):
     """The exception's text; a learner's exception class may have a __str__ that fails."""
     try:
         return str(error)
@@ -180,7 +180,7 @@ def serve(shell, requests, descriptor, deliver):
         flush()
         error = next((error for error in errors if error is not None), None)
         name = "" if error is None else type(error).__name__
-        WRITER.send("idle", ename=name, evalue="" if error is None else text_of(error))
+        WRITER.send("idle", ename=name, evalue="" if error is None else _text_of(error))
 
 
 class _CellRunner:
