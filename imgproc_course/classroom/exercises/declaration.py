@@ -194,9 +194,9 @@ class Exercise(CheckData):
             raise MasterError(f"{place} does not define inputs(rng)")
         rng = np.random.default_rng([seed, zlib.crc32(case.id.encode())])
         while True:
-            yield self._draw(names["inputs"], rng, place)
+            yield self._draw(case, names["inputs"], rng, place)
 
-    def _draw(self, inputs_of, rng, place):
+    def _draw(self, case, inputs_of, rng, place):
         try:
             inputs = inputs_of(rng)
         except Exception as error:
