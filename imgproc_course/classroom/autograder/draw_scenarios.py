@@ -5,17 +5,29 @@ each declared mistake must fail.
 """
 
 import itertools
+from dataclasses import dataclass
 
 from imgproc_course.classroom.autograder.drives import environment
 from imgproc_course.classroom.exercises.declaration import MasterError
 from imgproc_course.classroom.exercises.drive import Drive, passes, sentences_of, speeds_of
+from imgproc_course.classroom.exercises.drive_check import form_of
+from imgproc_course.classroom.exercises.running import CallResult, failure_fields
 
 MOST_DRAWS = 20  # of one case
 MARGIN = 0.2  # by which the solution keeps each threshold, as a share of it
 
 
+@dataclass(frozen=True)
+class DrawnScenario:
+    """A scenario that fits, the solution's record of it, and {mistake: CallResult of its drive}."""
+
+    scenario: dict
+    record: dict
+    mistakes: dict
+
+
 def draw_scenario(exercise, case, seed, drive_solution, on_drive=lambda: None):
-    """The first scenario of a case's draws that fits, and the record of the solution's drive through it.
+    """The first DrawnScenario of a case's draws that fits.
 
     `drive_solution` takes a scenario and returns a record; `on_drive` is called after each drive. MasterError:
     no draw fits; it says why.
@@ -24,15 +36,17 @@ def draw_scenario(exercise, case, seed, drive_solution, on_drive=lambda: None):
     for ((scenario,),) in itertools.islice(exercise.draws(case, seed), MOST_DRAWS):
         if scenario == latest:  # it does not depend on the seed
             break
-        latest = scenario
-        record = drive_solution(with_margin(scenario))
+        latest, stricter = scenario, with_margin(scenario)
+        record, mistakes = drive_solution(stricter), {}
         on_drive()
-        problem = _problem_of_solution(record, with_margin(scenario))
-        for mistake in exercise.mistakes if case.hidden and not problem else ():
-            problem = problem or _problem_of_mistake(exercise, mistake, scenario)
+        problem = _problem_of_solution(record, stricter)
+        while not problem and len(mistakes) < len(exercise.mistakes):
+            mistake = exercise.mistakes[len(mistakes)]
+            mistakes[mistake.name], has_passed = _drive_mistake(exercise, mistake, scenario)
+            problem = f"the mistake {mistake.name!r} passes" if has_passed and case.hidden else ""
             on_drive()
         if not problem:
-            return scenario, record
+            return DrawnScenario(scenario, record, mistakes)
     raise MasterError(
         f"{exercise.master.name}, line {case.line}: {case.id}: no scenario of {MOST_DRAWS} draws fits; in the"
         f" last one {problem}. Change inputs(rng), the thresholds, the solution or the mistake"
@@ -56,20 +70,21 @@ def _problem_of_solution(record, scenario):
     return f"the solution does not pass with a margin of {MARGIN:.0%}: {sentences}"
 
 
-def _problem_of_mistake(exercise, mistake, scenario):
+def _drive_mistake(exercise, mistake, scenario):
+    """What a mistake does in a scenario, as a CallResult, and whether it passes."""
     control = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-    record = drive_here(control, exercise.sensors, scenario)
-    return f"the mistake {mistake.name!r} passes" if passes(record, scenario) else ""
+    record, failure = drive_here(control, exercise.sensors, scenario)
+    return CallResult(**failure or {"value": form_of(record)}), passes(record, scenario)
 
 
 def drive_here(control, sensors, scenario):
-    """The record of a drive of a controller of the course, in this process."""
+    """The record of a drive of a controller of the course, in this process; and how a call of it failed, or {}."""
     drive, memory = Drive(environment(tuple(sensors)), scenario), {}
     while not drive.over:
         try:
             speeds = speeds_of(control(drive.observation, memory))
         except Exception as error:  # noqa: BLE001 - a mistake may be to raise anything
             drive.stop(f"{type(error).__name__}: {error}")
-        else:
-            drive.act(*speeds)
-    return drive.record()
+            return drive.record(), failure_fields(error, control)
+        drive.act(*speeds)
+    return drive.record(), {}

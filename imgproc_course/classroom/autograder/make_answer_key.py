@@ -132,20 +132,17 @@ class _ExerciseKeyMaker:
         self._master, self._exercise = master, exercise
         self._seed, self._kernel_factory = seed, kernel_factory
         self._cases = () if exercise.practice else exercise.cases
-        self._records = {}  # of the solution's drives, by case
-        self._inputs = {case.id: [encode((scenario,))] for case, scenario in self._drawn_scenarios()} or {
-            case.id: self._encoded_inputs(case) for case in self._cases
-        }
+        self._drawn = dict(self._drawn_scenarios())
+        self._inputs = {case.id: self._encoded_inputs(case) for case in self._cases}
 
     def _drawn_scenarios(self):
-        """(case, scenario) of each case that drives."""
+        """(id of a case, its DrawnScenario) of an exercise that drives."""
         exercise, cases = self._exercise, self._cases if self._exercise.subject == "drive" else ()
-        least = len(cases) + len(exercise.mistakes) * sum(case.hidden for case in cases)
+        least = len(cases) * (1 + len(exercise.mistakes))
         with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
             for case in cases:
                 drawn = draw_scenario(exercise, case, self._seed, self._drive_solution, bar.update)
-                scenario, self._records[case.id] = drawn
-                yield case, scenario
+                yield case.id, drawn
 
     def _drive_solution(self, scenario):
         """The record of the solution's drive, in a kernel like those that grade."""
@@ -193,6 +190,8 @@ class _ExerciseKeyMaker:
 
     def _encoded_inputs(self, case):
         exercise = self._exercise
+        if case.id in self._drawn:
+            return [encode((self._drawn[case.id].scenario,))]
         try:
             return [encode(arguments) for arguments in exercise.arguments(case, self._seed)]
         except TypeError as error:
@@ -203,8 +202,8 @@ class _ExerciseKeyMaker:
 
     def _solution_payload(self, case):
         """What the solution's check cell shows, in a kernel like those that grade."""
-        if case.id in self._records:
-            return {"calls": [], "metrics": self._records[case.id]["metrics"]}
+        if case.id in self._drawn:
+            return {"calls": [], "metrics": self._drawn[case.id].record["metrics"]}
         subject = f"{self._exercise.master.name}, {case.id}: the solution"
         runs = self._run_solution(case)
         self._require_run(runs, subject)
@@ -240,8 +239,8 @@ class _ExerciseKeyMaker:
 
     def _calls_of(self, mistake, case):
         exercise = self._exercise
-        if exercise.subject == "drive":
-            return []
+        if case.id in self._drawn:
+            return [call_to_json(self._drawn[case.id].mistakes[mistake.name])]
         function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
         calls = []
         for encoded in self._inputs[case.id]:

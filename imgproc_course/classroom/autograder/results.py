@@ -12,6 +12,7 @@ import hashlib
 import json
 import re
 from dataclasses import dataclass, is_dataclass, replace
+from types import SimpleNamespace
 
 from imgproc_course.classroom.autograder.answer_key import known_mistake
 from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
@@ -19,6 +20,7 @@ from imgproc_course.classroom.autograder.sanitize import sanitize_text
 from imgproc_course.classroom.autograder.verdict import CaseRun, DriveVerdict
 from imgproc_course.classroom.exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
 from imgproc_course.classroom.exercises.node_feedback import sentence_on_node
+from imgproc_course.classroom.exercises.running import CallResult
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 # How IPython and ipykernel name a cell, with a number that differs from run to run.
@@ -182,11 +184,32 @@ def graded_exercise(exercise, content, exercise_run):
     )
     mistake = None
     if not all(case.passed for case in cases):
-        calls = {id: run.verdict.calls for id, run in runs.items()}
-        mistake = known_mistake(exercise, content, calls)
+        find = _mistake_in_drives if exercise.drives else _mistake_in_calls
+        mistake = find(exercise, content, runs)
     known = (mistake.name, mistake.explanation) if mistake else ("", "")
     message = _message_about_cell(runs)
     return GradedExercise(exercise.id, exercise.title, exercise.points, cases, *known, message)
+
+
+def _mistake_in_calls(exercise, content, runs):
+    calls = {id: run.verdict.calls for id, run in runs.items()}
+    return known_mistake(exercise, content, calls)
+
+
+def _mistake_in_drives(exercise, content, runs):
+    """The KeyMistake that drives as the answer does where it fails, by the rule of `check`."""
+    from imgproc_course.classroom.exercises.drive_check import form_of, known_mistake
+
+    calls = [
+        SimpleNamespace(case=case, passed=run.passed, record=run.verdict.record, result=result)
+        for case in exercise.cases
+        if isinstance((run := runs.get(case.id, CaseRun())).verdict, DriveVerdict)
+        for result in [run.verdict.ending or CallResult(value=form_of(run.verdict.record))]
+    ]
+    results = content.mistakes
+    mistakes = [SimpleNamespace(key=key, results=results[key.name]) for key in exercise.mistakes]
+    mistake = known_mistake(SimpleNamespace(mistakes=mistakes), calls)
+    return mistake.key if mistake else None
 
 
 def _graded_case(case, outcome, message="", failed_call=None):
