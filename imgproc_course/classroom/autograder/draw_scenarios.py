@@ -1,7 +1,7 @@
 """Draw the scenarios of a driving exercise for a key: those that tell a right controller from a wrong one.
 
-The solution must pass with a margin, else chance could cost a good answer its points; and in a hidden scenario
-each declared mistake must fail.
+The solution must pass with a margin, else chance could cost a good answer its points; and in a hidden
+scenario each declared mistake must fail.
 """
 
 import itertools
@@ -29,8 +29,8 @@ class DrawnScenario:
 def draw_scenario(exercise, case, seed, drive_solution, on_drive=lambda: None):
     """The first DrawnScenario of a case's draws that fits.
 
-    `drive_solution` takes a scenario and returns a record; `on_drive` is called after each drive. MasterError:
-    no draw fits; it says why.
+    `drive_solution` takes a scenario and returns a record; `on_drive` is called after each drive.
+    MasterError: no draw fits; it says why.
     """
     latest, problem = None, ""
     for ((scenario,),) in itertools.islice(exercise.draws(case, seed), MOST_DRAWS):
@@ -78,7 +78,7 @@ def _drive_mistake(exercise, mistake, scenario):
 
 
 def drive_here(control, sensors, scenario):
-    """The record of a drive of a controller of the course, in this process; and how a call of it failed, or {}."""
+    """The record of a drive of the course's own controller, in this process; and how a call failed, or {}."""
     drive, memory = Drive(environment(tuple(sensors)), scenario), {}
     while not drive.over:
         try:

@@ -1,7 +1,7 @@
 """Drives in grading: the environment is in this process, the controller in a kernel of the sandbox.
 
-Between them are observations and two numbers. All that comes from the kernel may be forged: each message can at
-most be the next two numbers, and what is judged is the record that the environment gives.
+Between them are observations and two numbers. All that comes from the kernel may be forged: each message can
+at most be the next two numbers, and what is judged is the record that the environment gives.
 """
 
 import struct

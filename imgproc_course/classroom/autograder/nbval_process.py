@@ -148,7 +148,7 @@ class NbvalProcess:
         return self._receive(self._patience(key.lessons[lesson], key))
 
     def _patience(self, lesson, key):
-        """Seconds after which the process itself must be stuck: twice what its kernels and robots may take."""
+        """Seconds after which the process itself must be stuck: twice what kernels and robots may take."""
         deadlines = [
             self._limits.deadline(exercise.time_limit * case.calls)
             for exercise in lesson.exercises

@@ -63,8 +63,7 @@ class GradedCase:
     hint         the master's hint; "" if the case passed
     message      what went wrong, shortened; for a hidden case it contains no text of the learner's
     failed_call  only for a public case that was run and failed
-    drive        only for a drive that began: a dict with `metrics`, [title, value, threshold, whether it is
-                 kept], what `course.DRIVE_MAP` draws (path, bumps, room, goal), and its time in seconds
+    drive        only for a drive that began: a dict with what `drive_images.draw_map` draws
     """
 
     id: str
@@ -245,14 +244,14 @@ def _case_of_run(exercise, content, case, run, passed):
 
 def _case_of_drive(exercise, case, run, passed):
     """The GradedCase of a drive. Its metrics are the environment's: a hidden case has them, too."""
-    drive = described_drive(run.verdict) if isinstance(run.verdict, DriveVerdict) else None
+    verdict = run.verdict if isinstance(run.verdict, DriveVerdict) else None
     outcome, message = (Outcome.PASSED, "") if passed else _outcome_of_drive(exercise, run)
     if case.hidden and not passed:
         message = _message_of_hidden_drive(outcome, message, run)
-    if drive and run.verdict.is_whole:
-        metrics = ", ".join(f"{title} {value}" for title, value, *_ in drive["metrics"])
+    if verdict and verdict.is_whole:
+        metrics = _metrics_text(verdict)
         message = f"{message} ({metrics})" if message else metrics
-    return replace(_graded_case(case, outcome, message), drive=drive)
+    return replace(_graded_case(case, outcome, message), drive=_drawn(verdict) if verdict else None)
 
 
 def _outcome_of_drive(exercise, run):
@@ -284,27 +283,20 @@ def _message_of_hidden_drive(outcome, message, run):
     return message if outcome in (Outcome.WRONG, Outcome.HOSTILE) else _message_of_hidden(outcome, message)
 
 
-def described_drive(verdict):
-    """What a page shows of a drive, as plain data; positions to a millimetre."""
+def _metrics_text(verdict):
+    """The metrics that have a threshold, with their units."""
+    metrics = verdict.record["metrics"]
+    return ", ".join(
+        f"{METRICS[name].title} {metric_text(name, metrics[name])}" for name in verdict.scenario["thresholds"]
+    )
+
+
+def _drawn(verdict):
+    """What a map shows of a drive, as plain data; positions to a millimetre."""
     record, scenario = verdict.record, verdict.scenario
-    missed = {name for name, *_ in record["missed"]}
-    return {
-        "metrics": [
-            [
-                METRICS[name].title,
-                metric_text(name, value),
-                metric_text(name, limit, sign),
-                name not in missed,
-            ]
-            for name, (sign, limit) in scenario["thresholds"].items()
-            for value in [record["metrics"][name]]
-        ],
-        "seconds": round(record["looks"] * LOOK, 1),
-        "path": [[round(number, 3) for number in place] for place in record["path"]],
-        "bumps": record["bumps"],
-        "room": scenario.get("room"),
-        "goal": scenario.get("goal"),
-    }
+    path = [[round(number, 3) for number in place] for place in record["path"]]
+    drawn = {"path": path, "bumps": record["bumps"], "decisive": record["decisive"]}
+    return drawn | {name: scenario.get(name) for name in ("title", "room", "goal", "ball")}
 
 
 def _message_on_node(content, case, verdict, failed_call):

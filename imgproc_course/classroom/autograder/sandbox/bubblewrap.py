@@ -1,8 +1,8 @@
 """The sandbox around learners' code: bubblewrap's command line, and why there may be no sandbox here.
 
 Inside are, all read-only: the system's programs and libraries, Python, the installed packages, the packages
-of the course that answers may use, without the room's files, and `inside/`. There is no network, no home folder, no environment
-variable of the user, no key, no master and no submission. `inside/confine.py` confines each kernel once more;
+of the course that answers may use, without the room's files, and `inside/`. There is no network, no home
+folder, no environment variable of the user, no key, no master and no submission. `inside/confine.py` confines each kernel once more;
 `inside/refusal.py` refuses by their names the modules that an exercise does not allow.
 """
 

@@ -75,7 +75,7 @@ class ForkedKernel:
         return run
 
     def run_drive(self, code, robot, seconds, look_seconds):
-        """Run a drive's check cell; returns its CellRun. The kernel asks `robot`, a GradedDrive, for each look.
+        """Run a drive's check cell, whose kernel gives speeds to `robot`, a GradedDrive; returns its CellRun.
 
         The processor time of all its processes together is limited for each look, and for the drive. The time
         that the robot takes is its own: the deadline leaves it out.
@@ -105,7 +105,7 @@ class ForkedKernel:
         return run
 
     def _run_until_action(self, run, data):
-        """Send data, and add messages to a CellRun until its cell has ended; the content of an "action" before."""
+        """Send data, and add messages to a CellRun; the content of an "action", None at the cell's end."""
         try:
             self._send(data)
             while True:
