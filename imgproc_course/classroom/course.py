@@ -3,6 +3,8 @@
 NAME = "imgproc_course"
 # Packages that an exercise may allow in its answers.
 PACKAGES = ("messages", "imaging", "geometry", "recording", "simulation", "ros")
+# What nobody's answer may read there: a controller in grading must see the room with its sensors.
+HIDDEN_FOLDERS = ("simulation/room",)
 # Every answer may use these.
 ALWAYS_ALLOWED = (f"{NAME}.display", f"{NAME}.exercises")
 # What these give differs from run to run: they have to do with a running robot or with a screen.

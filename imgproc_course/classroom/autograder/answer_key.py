@@ -29,6 +29,7 @@ import msgspec
 from imgproc_course.classroom.autograder.answer_forms import read_calls
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.classroom.exercises.canonical import canonical
+from imgproc_course.classroom.exercises.drive import LOOK, looks_of
 from imgproc_course.classroom.exercises.input_encoding import decode
 from imgproc_course.classroom.exercises.running import answer_name
 
@@ -70,8 +71,9 @@ class KeyExercise:
     stub        the answer cell's source in the lesson
     arguments   names of the function's arguments
     given       sources of the given cells; () in a key of an earlier version
-    subject     what the answer is: "function", "node" or "package"
+    subject     what the answer is: "function", "node", "package" or "drive"
     exact_type  whether a right value in another type is wrong
+    sensors     what a controller observes
     """
 
     id: str
@@ -88,6 +90,12 @@ class KeyExercise:
     given: tuple[str, ...] = ()
     exact_type: bool = False
     subject: str = "function"
+    sensors: tuple[str, ...] = ()
+
+    @property
+    def drives(self):
+        """Whether its answer is a controller."""
+        return self.subject == "drive"
 
     @property
     def answer_name(self):
@@ -179,6 +187,15 @@ class ExerciseContent:
     def arguments(self, case_id, number):
         """The arguments of one call."""
         return decode(self.inputs[case_id][number])
+
+    def scenario(self, case_id):
+        """What a case of a driving exercise drives through, a dict."""
+        (scenario,) = self.arguments(case_id, 0)
+        return scenario
+
+    def simulated_seconds(self):
+        """How long the drives of all cases are."""
+        return LOOK * sum(looks_of(self.scenario(case_id)) for case_id in self.inputs)
 
 
 @lru_cache(maxsize=64)

@@ -28,6 +28,8 @@ from imgproc_course.classroom.autograder.answer_key import (
     KeyMistake,
     load_key,
 )
+from imgproc_course.classroom.autograder.draw_scenarios import draw_scenario
+from imgproc_course.classroom.autograder.drives import CHECK, GradedDrive
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.classroom.autograder.sandbox.inside.check_cell import call_to_json
@@ -36,6 +38,7 @@ from imgproc_course.classroom.autograder.verdict import verdict_on
 from imgproc_course.classroom.exercises import running
 from imgproc_course.classroom.exercises.check_data import shared_fields
 from imgproc_course.classroom.exercises.declaration import MasterError
+from imgproc_course.classroom.exercises.drive import LOOK_SECONDS
 from imgproc_course.classroom.exercises.input_encoding import decode, encode
 
 _EMIT_IMPORT = "from imgproc_course.classroom.autograder.sandbox.inside.check_cell import emit"
@@ -65,10 +68,11 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
         HANDED_OUT: _dumps({master.name: master.handed_out for master in masters}),
         SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
     }
+    drives = {}
     with KernelFactory(unsafe=unsafe) as kernel_factory:
         for number in range(1, variants + 1):
             about = _about_variant(seed, number, variants)
-            variant_files = _variant_files(masters, _numpy_seed(seed, number), about, kernel_factory)
+            variant_files = _variant_files(masters, _numpy_seed(seed, number), about, kernel_factory, drives)
             prefix = f"{VARIANTS}/{number}/" if number > 1 else ""
             files |= {f"{prefix}{name}": text for name, text in variant_files.items()}
     try:
@@ -84,13 +88,19 @@ def _about_variant(seed, number, count):
     return {"variant": number, "variants": count, "secret": secret} if count > 1 else {}
 
 
-def _variant_files(masters, numpy_seed, about, kernel_factory):
-    """{relative name: text} of one variant of a key."""
+def _variant_files(masters, numpy_seed, about, kernel_factory, drives):
+    """{relative name: text} of one variant of a key.
+
+    `drives` keeps {id: maker} of the exercises that drive: all variants use the first one's scenarios, since
+    scenarios differ in how hard they are.
+    """
     exercises = [(master, exercise) for master in masters for exercise in master.exercises]
     label = f"key, variant {about['variant']} of {about['variants']}" if about else "key"
     entries, files = {}, {}
     for master, exercise in tqdm(exercises, desc=label, unit=" exercises", delay=2, leave=False):
-        maker = _ExerciseKeyMaker(master, exercise, numpy_seed, kernel_factory)
+        maker = drives.get(exercise.id) or _ExerciseKeyMaker(master, exercise, numpy_seed, kernel_factory)
+        if exercise.subject == "drive":
+            drives[exercise.id] = maker
         entries[exercise.id] = maker.entry()
         files |= {} if exercise.practice else maker.files()
     lessons = [_lesson_entry(master, entries) for master in masters]
@@ -122,7 +132,30 @@ class _ExerciseKeyMaker:
         self._master, self._exercise = master, exercise
         self._seed, self._kernel_factory = seed, kernel_factory
         self._cases = () if exercise.practice else exercise.cases
+        self._drawn = dict(self._drawn_scenarios())
         self._inputs = {case.id: self._encoded_inputs(case) for case in self._cases}
+
+    def _drawn_scenarios(self):
+        """(id of a case, its DrawnScenario) of an exercise that drives."""
+        exercise, cases = self._exercise, self._cases if self._exercise.subject == "drive" else ()
+        least = len(cases) * (1 + len(exercise.mistakes))
+        with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
+            for case in cases:
+                drawn = draw_scenario(exercise, case, self._seed, self._drive_solution, bar.update)
+                yield case.id, drawn
+
+    def _drive_solution(self, scenario):
+        """The record of the solution's drive, in a kernel like those that grade."""
+        exercise = self._exercise
+        robot = GradedDrive(exercise.sensors, scenario)
+        kernel = self._kernel_factory.start(exercise.allowed, exercise.time_limit)
+        try:
+            runs = [kernel.run(source) for source in (*exercise.given, exercise.solution)]
+            runs.append(kernel.run_drive(_check_source(exercise), robot, exercise.time_limit, LOOK_SECONDS))
+        finally:
+            kernel.stop()
+        self._require_run(runs, f"{exercise.master.name}: the solution of {exercise.id}")
+        return robot.verdict().record
 
     def entry(self):
         """The exercise's entry in key.json; a practice exercise has no cases there."""
@@ -157,6 +190,8 @@ class _ExerciseKeyMaker:
 
     def _encoded_inputs(self, case):
         exercise = self._exercise
+        if case.id in self._drawn:
+            return [encode((self._drawn[case.id].scenario,))]
         try:
             return [encode(arguments) for arguments in exercise.arguments(case, self._seed)]
         except TypeError as error:
@@ -167,11 +202,11 @@ class _ExerciseKeyMaker:
 
     def _solution_payload(self, case):
         """What the solution's check cell shows, in a kernel like those that grade."""
+        if case.id in self._drawn:
+            return {"calls": [], "metrics": self._drawn[case.id].record["metrics"]}
         subject = f"{self._exercise.master.name}, {case.id}: the solution"
         runs = self._run_solution(case)
-        for run in runs:
-            if run.ended or run.error[0]:
-                raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
+        self._require_run(runs, subject)
         payloads = runs[-1].answers
         calls = read_answer(payloads[0]) if len(payloads) == 1 else None
         if calls is None:
@@ -184,6 +219,12 @@ class _ExerciseKeyMaker:
         if not verdict_on(payloads, expected, case.tolerance, exact_type=True).passed:
             raise MasterError(f"{subject} does not equal itself")
         return {"calls": [call_to_json(call) for call in calls]}
+
+    @staticmethod
+    def _require_run(runs, subject):
+        for run in runs:
+            if run.ended or run.error[0]:
+                raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
 
     def _run_solution(self, case):
         exercise, inputs = self._exercise, self._inputs[case.id]
@@ -198,6 +239,8 @@ class _ExerciseKeyMaker:
 
     def _calls_of(self, mistake, case):
         exercise = self._exercise
+        if case.id in self._drawn:
+            return [call_to_json(self._drawn[case.id].mistakes[mistake.name])]
         function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
         calls = []
         for encoded in self._inputs[case.id]:
@@ -223,6 +266,9 @@ class _ExerciseKeyMaker:
 
 
 def _check_source(exercise):
+    """The source of an exercise's check cells."""
+    if exercise.subject == "drive":
+        return CHECK.format(function=exercise.function)
     subject = "" if exercise.subject == "function" else f', "{exercise.subject}"'
     return f"{_EMIT_IMPORT}\n\nemit({exercise.function}{subject})"
 

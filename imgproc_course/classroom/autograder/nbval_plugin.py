@@ -19,6 +19,7 @@ from pathlib import Path
 
 import pytest
 
+from imgproc_course.classroom.autograder.drives import GradedDrive
 from imgproc_course.classroom.autograder.pool import expected_key
 from imgproc_course.classroom.autograder.results import (
     GradedSubmission,
@@ -29,6 +30,7 @@ from imgproc_course.classroom.autograder.results import (
 from imgproc_course.classroom.autograder.sandbox.cell_run import MIME, CellRun
 from imgproc_course.classroom.autograder.screening import reason_not_to_run
 from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
+from imgproc_course.classroom.exercises.drive import LOOK_SECONDS
 
 # A kernel that ended like this may have been ended by something else than the answer. It is run again, alone:
 # after "memory" once, after "gone" up to twice, after "crashed" up to three times. One pair for each try.
@@ -96,9 +98,9 @@ class ExerciseRun:
 
     Its checks run one after another in one kernel, as in JupyterLab, as long as they pass. A check that fails
     is run again in a new kernel, after the given cells and the answer, and that run counts: a patch, a crash
-    or a thread in one check costs no other check anything.
+    or a thread in one check costs no other check anything. Each drive has a new kernel.
 
-    stop_at  time.monotonic() from which no further case is run
+    stop_at  time.monotonic() from which no further case is run; later by the time that robots took
     runs     {case id: CaseRun}
     passed   ids of the cases that nbval let pass
     faults   {case id: text} of the cases that the autograder itself failed to run
@@ -108,12 +110,12 @@ class ExerciseRun:
         self._exercise, self._content = exercise, content
         self._kernel_factory = kernel_factory
         self._kernel, self._kernel_seconds, self._answer_run = None, 0.0, None
-        self._stop_at = stop_at
+        self.stop_at = stop_at
         self.runs, self.passed, self.faults = {}, set(), {}
 
     def run(self, case, sources_before, source):
         """The CaseRun of one case: its check cell runs after the given cells and the answer."""
-        if time.monotonic() > self._stop_at:
+        if time.monotonic() > self.stop_at:
             run = CaseRun(check=CellRun(ended="budget"))
         else:
             run = self._run_in_same_kernel(case, source)
@@ -133,7 +135,7 @@ class ExerciseRun:
 
     def _run_in_same_kernel(self, case, source):
         """A CaseRun that passed, or None. The kernel must not have more time than a new one would."""
-        if self._kernel is None or self._kernel_seconds > self._seconds_of(case):
+        if self._kernel is None or self._kernel_seconds > self._seconds_of(case) or self._exercise.drives:
             return None
         run = CaseRun(answer=self._answer_run)
         self._run_check(run, case, source)
@@ -159,6 +161,8 @@ class ExerciseRun:
 
     def _run_check(self, run, case, source):
         exercise = self._exercise
+        if exercise.drives:
+            return self._run_drive(run, case, source)
         inputs = self._content.inputs[case.id]
         run.check = self._kernel.run_check(source, inputs, exercise.time_limit)
         if not run.ended:
@@ -166,6 +170,14 @@ class ExerciseRun:
             run.verdict = verdict_on(
                 run.check.answers, expected, case.tolerance, exact_type=exercise.exact_type
             )
+
+    def _run_drive(self, run, case, source):
+        """Drive through a case's scenario. What fails in the environment is raised: no answer causes it."""
+        robot = GradedDrive(self._exercise.sensors, self._content.scenario(case.id))
+        run.check = self._kernel.run_drive(source, robot, self._exercise.time_limit, LOOK_SECONDS)
+        run.check.answers = []  # what the kernel showed is not read
+        self.stop_at += robot.seconds
+        run.verdict = robot.verdict()
 
     def close(self):
         """End its kernel, if it has one."""
@@ -208,7 +220,8 @@ class GradingPlugin:
             source = job["answers"].get(exercise.id)
             reason = reason_not_to_run(exercise, source)
             if reason is None:
-                results.append(self._grade_exercise(key, exercise, source, stop_at))
+                result, stop_at = self._grade_exercise(key, exercise, source, stop_at)
+                results.append(result)
             else:
                 results.append(ungraded_exercise(exercise, *reason))
         return GradedSubmission(job["submission"], lesson.name, tuple(results))
@@ -223,7 +236,7 @@ class GradingPlugin:
             self._run_nbval(path, exercise, exercise_run)
         finally:
             exercise_run.close()
-        return graded_exercise(exercise, content, exercise_run)
+        return graded_exercise(exercise, content, exercise_run), exercise_run.stop_at
 
     def _run_nbval(self, path, exercise, exercise_run):
         cases = {case.id: case for case in exercise.cases}

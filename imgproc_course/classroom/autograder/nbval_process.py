@@ -145,17 +145,21 @@ class NbvalProcess:
             self._socket.sendall((json.dumps(job) + "\n").encode("ascii"))
         except OSError as error:
             raise self._stopped(str(error)) from error
-        return self._receive(self._patience(key.lessons[lesson]))
+        return self._receive(self._patience(key.lessons[lesson], key))
 
-    def _patience(self, lesson):
-        """Seconds after which the process itself must be stuck: twice what its kernels may take."""
+    def _patience(self, lesson, key):
+        """Seconds after which the process itself must be stuck: twice what kernels and robots may take."""
         deadlines = [
             self._limits.deadline(exercise.time_limit * case.calls)
             for exercise in lesson.exercises
             for case in exercise.cases
         ]
         # The last case begins within the submission's time, and it may be run again.
-        return 60 + 2 * (self._limits.submission + 2 * max(deadlines, default=0))
+        kernels = self._limits.submission + 2 * max(deadlines, default=0)
+        # A robot needs less time than the one in the scenario would.
+        drives = [exercise for exercise in lesson.exercises if exercise.drives and not exercise.practice]
+        robots = sum(key.content(exercise.id).simulated_seconds() for exercise in drives)
+        return 60 + 2 * (kernels + robots)
 
     def _receive(self, patience):
         self._socket.settimeout(patience)

@@ -11,13 +11,16 @@ import builtins
 import hashlib
 import json
 import re
-from dataclasses import dataclass, is_dataclass
+from dataclasses import dataclass, is_dataclass, replace
+from types import SimpleNamespace
 
 from imgproc_course.classroom.autograder.answer_key import known_mistake
 from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
 from imgproc_course.classroom.autograder.sanitize import sanitize_text
-from imgproc_course.classroom.autograder.verdict import CaseRun
+from imgproc_course.classroom.autograder.verdict import CaseRun, DriveVerdict
+from imgproc_course.classroom.exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
 from imgproc_course.classroom.exercises.node_feedback import sentence_on_node
+from imgproc_course.classroom.exercises.running import CallResult
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 # How IPython and ipykernel name a cell, with a number that differs from run to run.
@@ -60,6 +63,7 @@ class GradedCase:
     hint         the master's hint; "" if the case passed
     message      what went wrong, shortened; for a hidden case it contains no text of the learner's
     failed_call  only for a public case that was run and failed
+    drive        only for a drive that began: a dict with what `drive_images.draw_map` draws
     """
 
     id: str
@@ -71,6 +75,7 @@ class GradedCase:
     hint: str = ""
     message: str = ""
     failed_call: FailedCall | None = None
+    drive: dict | None = None
 
     @property
     def passed(self):
@@ -178,11 +183,32 @@ def graded_exercise(exercise, content, exercise_run):
     )
     mistake = None
     if not all(case.passed for case in cases):
-        calls = {id: run.verdict.calls for id, run in runs.items()}
-        mistake = known_mistake(exercise, content, calls)
+        find = _mistake_in_drives if exercise.drives else _mistake_in_calls
+        mistake = find(exercise, content, runs)
     known = (mistake.name, mistake.explanation) if mistake else ("", "")
     message = _message_about_cell(runs)
     return GradedExercise(exercise.id, exercise.title, exercise.points, cases, *known, message)
+
+
+def _mistake_in_calls(exercise, content, runs):
+    calls = {id: run.verdict.calls for id, run in runs.items()}
+    return known_mistake(exercise, content, calls)
+
+
+def _mistake_in_drives(exercise, content, runs):
+    """The KeyMistake that drives as the answer does where it fails, by the rule of `check`."""
+    from imgproc_course.classroom.exercises.drive_check import form_of, known_mistake
+
+    calls = [
+        SimpleNamespace(case=case, passed=run.passed, record=run.verdict.record, result=result)
+        for case in exercise.cases
+        if isinstance((run := runs.get(case.id, CaseRun())).verdict, DriveVerdict)
+        for result in [run.verdict.ending or CallResult(value=form_of(run.verdict.record))]
+    ]
+    results = content.mistakes
+    mistakes = [SimpleNamespace(key=key, results=results[key.name]) for key in exercise.mistakes]
+    mistake = known_mistake(SimpleNamespace(mistakes=mistakes), calls)
+    return mistake.key if mistake else None
 
 
 def _graded_case(case, outcome, message="", failed_call=None):
@@ -201,6 +227,8 @@ def _graded_case(case, outcome, message="", failed_call=None):
 
 
 def _case_of_run(exercise, content, case, run, passed):
+    if exercise.drives:
+        return _case_of_drive(exercise, case, run, passed)
     if passed:
         return _graded_case(case, Outcome.PASSED)
     outcome, message = _outcome_of_run(exercise, run)
@@ -212,6 +240,63 @@ def _case_of_run(exercise, content, case, run, passed):
             case, outcome, _message_on_node(content, case, run.verdict, failed_call) or message
         )
     return _graded_case(case, outcome, message, failed_call)
+
+
+def _case_of_drive(exercise, case, run, passed):
+    """The GradedCase of a drive. Its metrics are the environment's: a hidden case has them, too."""
+    verdict = run.verdict if isinstance(run.verdict, DriveVerdict) else None
+    outcome, message = (Outcome.PASSED, "") if passed else _outcome_of_drive(exercise, run)
+    if case.hidden and not passed:
+        message = _message_of_hidden_drive(outcome, message, run)
+    if verdict and verdict.is_whole:
+        metrics = _metrics_text(verdict)
+        message = f"{message} ({metrics})" if message else metrics
+    return replace(_graded_case(case, outcome, message), drive=_drawn(verdict) if verdict else None)
+
+
+def _outcome_of_drive(exercise, run):
+    verdict = run.verdict
+    if not isinstance(verdict, DriveVerdict):
+        return _outcome_of_run(exercise, run)
+    when = f"{verdict.record['looks'] * LOOK:.1f} s after the start"
+    if run.ended or run.check.error[0]:
+        outcome, message = _outcome_of_run(exercise, run)
+        return outcome, f"{message}, {when}" if run.ended else message
+    if verdict.ending and verdict.ending.timed_out:
+        return Outcome.TIME, f"one look took more than {LOOK_SECONDS:g} s of processor time, {when}"
+    if verdict.ending:
+        outcome, message = _outcome_of_exception(verdict.ending)
+        if outcome == Outcome.NOT_GRADED:  # no controller can know of a fault
+            outcome = Outcome.RAISED
+        return outcome, f"{message}, {when}" if outcome == Outcome.RAISED else message
+    if verdict.passed:
+        return Outcome.NOT_GRADED, "its drive is right, but nbval did not let it pass: look at it by hand"
+    sentences = " ".join(sentences_of(verdict.record, verdict.scenario))
+    is_unfinished = not verdict.is_whole and not verdict.record["ended"]
+    return Outcome.HOSTILE if is_unfinished else Outcome.WRONG, reproducible_text(sentences)
+
+
+def _message_of_hidden_drive(outcome, message, run):
+    """The message without any text of the learner's, such as a part of a value that was returned."""
+    if outcome == Outcome.WRONG and run.verdict.record["ended"]:
+        return "it returned something else than two numbers"
+    return message if outcome in (Outcome.WRONG, Outcome.HOSTILE) else _message_of_hidden(outcome, message)
+
+
+def _metrics_text(verdict):
+    """The metrics that have a threshold, with their units."""
+    metrics = verdict.record["metrics"]
+    return ", ".join(
+        f"{METRICS[name].title} {metric_text(name, metrics[name])}" for name in verdict.scenario["thresholds"]
+    )
+
+
+def _drawn(verdict):
+    """What a map shows of a drive, as plain data; positions to a millimetre."""
+    record, scenario = verdict.record, verdict.scenario
+    path = [[round(number, 3) for number in place] for place in record["path"]]
+    drawn = {"path": path, "bumps": record["bumps"], "decisive": record["decisive"]}
+    return drawn | {name: scenario.get(name) for name in ("title", "room", "goal", "ball")}
 
 
 def _message_on_node(content, case, verdict, failed_call):

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 from imgproc_course.classroom.autograder.answer_forms import read_answer
 from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
 from imgproc_course.classroom.exercises.comparison import Difference, compare
+from imgproc_course.classroom.exercises.drive import looks_of, passes
+from imgproc_course.classroom.exercises.running import CallResult
 
 
 @dataclass(frozen=True)
@@ -25,13 +27,36 @@ class Verdict:
         return self.calls is not None and self.failed_call is None
 
 
+@dataclass(frozen=True)
+class DriveVerdict:
+    """The verdict on a drive.
+
+    record    what the robot did, see `drive.Drive.record`
+    ending    CallResult of the controller's call that ended the drive too early, or None
+    """
+
+    record: dict
+    scenario: dict
+    ending: CallResult | None = None
+    calls = None  # a controller's calls are no answers
+
+    @property
+    def is_whole(self):
+        """Whether the robot drove as long as the scenario asks for."""
+        return self.record["looks"] == looks_of(self.scenario)
+
+    @property
+    def passed(self):
+        return passes(self.record, self.scenario)
+
+
 @dataclass
 class CaseRun:
     """One test case in its kernel: how the answer cell and then the check cell ended, and the verdict."""
 
     answer: CellRun = field(default_factory=CellRun)
     check: CellRun = field(default_factory=CellRun)
-    verdict: Verdict = field(default_factory=Verdict)
+    verdict: Verdict | DriveVerdict = field(default_factory=Verdict)
 
     @property
     def ended(self):

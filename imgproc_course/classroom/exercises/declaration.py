@@ -183,14 +183,22 @@ class Exercise(CheckData):
 
     def arguments(self, case, seed=PUBLIC_SEED):
         """A tuple of arguments for each call that a case makes; it depends only on the seed and the case."""
+        return next(self.draws(case, seed))
+
+    def draws(self, case, seed=PUBLIC_SEED):
+        """The arguments of a case again and again, each time drawn on from the same generator."""
         label = f"line {case.line}: {case.id}"
         place, names = f"{self.master.name}, {label}", self._prepared()
         self.run_part(case.source, names, label)
         if "inputs" not in names:
             raise MasterError(f"{place} does not define inputs(rng)")
         rng = np.random.default_rng([seed, zlib.crc32(case.id.encode())])
+        while True:
+            yield self._draw(case, names["inputs"], rng, place)
+
+    def _draw(self, case, inputs_of, rng, place):
         try:
-            inputs = names["inputs"](rng)
+            inputs = inputs_of(rng)
         except Exception as error:
             raise MasterError(f"{place}: inputs(rng) raised {type(error).__name__}: {error}") from error
         calls = inputs if isinstance(inputs, list) else [inputs]

@@ -145,12 +145,16 @@ class _Run:
         return speeds
 
     def result(self):
-        """What it did as a CallResult: the path in short, and which thresholds it missed."""
-        path = np.array(self.record["path"])[::_STEP, :2].astype(np.float32)
-        missed = sorted(metric for metric, *_ in self.record["missed"])
-        value = canonical({"path": path, "missed": missed}, limit=None)
-        fields = self.failure or {"value": value}
+        """What it did as a CallResult."""
+        fields = self.failure or {"value": form_of(self.record)}
         return CallResult(printed=self.output.getvalue(), warning=self.warning, **fields)
+
+
+def form_of(record):
+    """What is compared of a drive: its path in short, and which thresholds it missed."""
+    path = np.array(record["path"])[::_STEP, :2].astype(np.float32)
+    missed = sorted(metric for metric, *_ in record["missed"])
+    return canonical({"path": path, "missed": missed}, limit=None)
 
 
 def _reason(failure, name):

@@ -104,7 +104,7 @@ def grade_submissions(
             similar=similar_entries(groups),
             anonymous=anonymous,
         )
-        write_grades(out, grades, learners, answer_keys.lessons, pages.failed, groups)
+        write_grades(out, grades, learners, answer_keys.lessons, pages.failed, groups, store)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, table_lines, pages.failed)
 

@@ -5,6 +5,7 @@ grades.csv         one row per learner and lesson, for a spreadsheet
 summary.html       the teacher's page
 learners/*.html    one page per learner, to give back
 predictions.html   what learners predicted
+drives.html        maps of the drives, for the teacher: those of hidden scenarios, too
 similar.html       similar submissions, side by side
 changes.html       what changed since the grades that differed last, which are in grades.previous.json
 decisions.csv      the teacher's decisions; only read, once it is there
@@ -18,6 +19,7 @@ from pathlib import Path
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
 from imgproc_course.classroom.gradebook.anonymity import learner_without_name, without_names
 from imgproc_course.classroom.gradebook.changes import PREVIOUS, changes_page, read_grades
+from imgproc_course.classroom.gradebook.drives import drives_page
 from imgproc_course.classroom.gradebook.feedback_zips import feedback_zips
 from imgproc_course.classroom.gradebook.grades_json import grades_text, learner_entry
 from imgproc_course.classroom.gradebook.lms_export import exports, grades_csv
@@ -31,6 +33,7 @@ _GIVEN_BACK = ("learners", "exports")
 _OTHER_PAGES = {
     "predictions.html": "What the learners predicted",
     "changes.html": "What changed since the run before",
+    "drives.html": "The drives, on maps",
     "similar.html": "Similar submissions, side by side",
 }
 
@@ -80,8 +83,8 @@ class LearnerPages:
         write_grades_file(self._out / entry["page"], page)
 
 
-def write_grades(out, grades, learners, lessons, failed_pages, groups):
-    """Write everything but the learners' pages and the results.
+def write_grades(out, grades, learners, lessons, failed_pages, groups, store):
+    """Write everything but the learners' pages and the results, which are in the ResultStore.
 
     `learners` are in the order of grades["learners"]; `groups` are the SimilarGroups.
     """
@@ -96,6 +99,7 @@ def write_grades(out, grades, learners, lessons, failed_pages, groups):
         write_grades_file(out / PREVIOUS, grades_text(before))
         write_grades_file(out / "changes.html", changes_page(before, grades, names))
     _write_or_remove(out / "predictions.html", predictions_page(learners, lessons, names))
+    _write_or_remove(out / "drives.html", drives_page(learners, store, names))
     _write_or_remove(out / "similar.html", similarity_page(groups, names))
     files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():

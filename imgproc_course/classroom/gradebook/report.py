@@ -23,6 +23,7 @@ _LONGEST_DESCRIPTION = 400  # characters of a value
 _CELL_ADVICE = (
     "No check could use your answer: run the cell in the lesson, and fix what Python reports there."
 )
+_DRIVES_WRONG = "does not drive as the task asks"
 _NAME_ADVICE = (
     "The autograder runs the given cell of the exercise and your answer cell, and nothing else of the"
     " notebook: everything that your answer needs must be in one of the two."
@@ -132,14 +133,17 @@ def _exercise_view(exercise, notes, key_exercise):
 
 def _case_view(case, key_exercise, replaced_by_advice, show_values):
     view = {"values": [], "images": [], "printed": ""}
+    if case.drive and not case.hidden:
+        view["images"] = [map_of(case)]
     if case.failed_call and not case.hidden and TEXTS[case.outcome].shows_values and show_values:
         view = _values_view(case, key_exercise)
+    is_wrong_drive = case.drive and case.outcome == Outcome.WRONG
     return (
         view
         | vars(case)
         | {
             "passed": case.passed,
-            "label": TEXTS[case.outcome].label,
+            "label": _DRIVES_WRONG if is_wrong_drive else TEXTS[case.outcome].label,
             "message": "" if replaced_by_advice else _message_of(case),
             "hint": "" if replaced_by_advice else case.hint,
             "open": False,
@@ -147,10 +151,17 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
     )
 
 
+def map_of(case):
+    """The map of a case's drive, an AnswerImage."""
+    from imgproc_course.classroom.exercises.drive_images import draw_map
+
+    return draw_map(case.drive, case.drive)
+
+
 def _message_of(case):
-    """What a page says about a case beside its title; for a hidden one at most the exception's name."""
-    reports_exception = case.outcome in (Outcome.RAISED, Outcome.MEMORY)
-    if case.outcome == Outcome.CRASHED or (case.hidden and not reports_exception):
+    """What a page says about a case beside its title; for a hidden one the exception's name, or metrics."""
+    shown_of_hidden = case.drive or case.outcome in (Outcome.RAISED, Outcome.MEMORY)
+    if case.outcome == Outcome.CRASHED or (case.hidden and not shown_of_hidden):
         return ""
     return case.message
 

@@ -1,8 +1,8 @@
 """The sandbox around learners' code: bubblewrap's command line, and why there may be no sandbox here.
 
 Inside are, all read-only: the system's programs and libraries, Python, the installed packages, the packages
-of the course that answers may use, and `inside/`. There is no network, no home folder, no environment
-variable of the user, no key, no master and no submission. `inside/confine.py` confines each kernel once more;
+of the course that answers may use, without the room's files, and `inside/`. There is no network, no home
+folder, no environment variable of the user, no key, no master and no submission. `inside/confine.py` confines each kernel once more;
 `inside/refusal.py` refuses by their names the modules that an exercise does not allow.
 """
 
@@ -25,7 +25,7 @@ SOURCE = Path(__file__).resolve().parents[3]  # the folder imgproc_course
 INSIDE = Path(__file__).resolve().parent / "inside"
 # Modules of `exercises` that check cells need; none of them knows an answer.
 EXERCISES_MODULES = (
-    *("canonical", "comparison", "input_encoding", "running"),
+    *("canonical", "comparison", "drive", "input_encoding", "running"),
     *("node_driver", "package_driver", "recording_node", "ros_double"),
 )
 SITE, COURSE, PYTHON = "/course/site", "/course/packages", "/python"  # paths inside the sandbox
@@ -224,6 +224,8 @@ def _course_packages():
     for name in ("__init__.py", *course.PACKAGES):
         if (SOURCE / name).exists():
             options += _bind(str(SOURCE / name), f"{root}/{name}")
+    for name in course.HIDDEN_FOLDERS:
+        options += _empty_folder(f"{root}/{name}")
     for package in ("exercises", "display"):
         options += _bind(str(INSIDE / "package_stub.py"), f"{root}/{package}/__init__.py")
     names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in EXERCISES_MODULES)]

@@ -45,7 +45,7 @@ class ForkedKernel:
         self._deadline = time.monotonic() + self._limits.deadline(seconds)
         self._next_look = time.monotonic() + _LOOK_SECONDS
         with suppress(KernelEnded):  # its first cell will find out
-            self._send({"allowed": list(allowed), "cpu": self._cpu_limit})
+            self._send(_line_of({"allowed": list(allowed), "cpu": self._cpu_limit}))
 
     def run(self, code):
         """Run one cell; returns its CellRun."""
@@ -74,28 +74,59 @@ class ForkedKernel:
             run.ended = "time"
         return run
 
+    def run_drive(self, code, robot, seconds, look_seconds):
+        """Run a drive's check cell, whose kernel gives speeds to `robot`, a GradedDrive; returns its CellRun.
+
+        The processor time of all its processes together is limited for each look, and for the drive. The time
+        that the robot takes is its own: the deadline leaves it out.
+        """
+        run, group = CellRun(), self._fork_server.group
+        case = {"layout": robot.layout, "seconds": look_seconds}
+        data = _line_of({"case": case, "cells": [code]})
+        cpu_begin = cpu_before = group.cpu_seconds() or 0.0
+        self._deadline += robot.seconds
+        self._bytes_left = self._limits.output
+        while (action := self._run_until_action(run, data)) is not None:
+            cpu = group.cpu_seconds() or 0.0
+            most = min(cpu_begin + seconds + self._limits.grace, cpu_before + look_seconds)
+            if cpu > most + _OWN_SECONDS:
+                run.ended = "time"
+                break
+            cpu_before, robot_seconds = cpu, robot.seconds
+            data = robot.answer(action)
+            self._deadline += robot.seconds - robot_seconds
+        return run
+
     def _request(self, request):
         run = CellRun()
+        self._bytes_left = self._limits.output
+        if self._run_until_action(run, _line_of(request)) is not None:
+            run.ended = "hostile"
+        return run
+
+    def _run_until_action(self, run, data):
+        """Send data, and add messages to a CellRun; the content of an "action", None at the cell's end."""
         try:
-            self._send(request)
-            bytes_left = self._limits.output
+            self._send(data)
             while True:
-                line = self._read_line(bytes_left)
+                line = self._read_line(self._bytes_left)
                 if not self._is_confined:  # its first line is empty: `fork_server` has confined it
                     self._is_confined = True
                     continue
-                bytes_left -= len(line)
+                self._bytes_left -= len(line)
                 message = json.loads(line)
+                if message["type"] == "action":
+                    return dict(message["content"])
                 if run.add(message["type"], message["content"]):
-                    return run
+                    return None
         except KernelEnded as error:
             run.ended = str(error)
         except (ValueError, KeyError, TypeError, RecursionError):  # anybody may have written the message
             run.ended = "hostile"
-        return run
+        return None
 
-    def _send(self, request):
-        data = memoryview((json.dumps(request) + "\n").encode("ascii"))
+    def _send(self, data):
+        data = memoryview(data)
         while data:
             data = data[self._exchange(self._socket.send, data) :]
 
@@ -157,6 +188,10 @@ class ForkedKernel:
         if self._id is not None:
             self._fork_server.end(self._id)
             self._id = None
+
+
+def _line_of(request):
+    return (json.dumps(request) + "\n").encode("ascii")
 
 
 class ForkServer:

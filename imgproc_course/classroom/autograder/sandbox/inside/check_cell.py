@@ -23,6 +23,11 @@ def deliver(case):
     _case = case
 
 
+def delivered():
+    """What `deliver` took last."""
+    return _case
+
+
 def emit(function, subject="function"):
     """Call a function, or drive a node, with the inputs of this case; show what it did, as data."""
     from IPython.display import display

@@ -79,7 +79,7 @@ class OutputStream(io.TextIOBase):
         return 1 if self.name == "stdout" else 2
 
 
-def _flush():
+def flush():
     sys.stdout.flush()
     sys.stderr.flush()
 
@@ -132,7 +132,7 @@ class CellShell(InteractiveShell):
     def showtraceback(self, exc_tuple=None, *_arguments, **_options):
         """Send the exception without its traceback: nobody reads it, and IPython takes long to make it."""
         etype, evalue, _ = self._get_exc_info(exc_tuple)
-        _flush()
+        flush()
         WRITER.send("error", ename=etype.__name__, evalue=_text_of(evalue))
 
     def showsyntaxerror(self, *_arguments, **_options):
@@ -177,7 +177,7 @@ def serve(shell, requests, descriptor, deliver):
         if "case" in request:
             deliver(request["case"])
         errors = [runner.run(code) for code in request["cells"]]
-        _flush()
+        flush()
         error = next((error for error in errors if error is not None), None)
         name = "" if error is None else type(error).__name__
         WRITER.send("idle", ename=name, evalue="" if error is None else _text_of(error))

@@ -1,0 +1,90 @@
+"""Draw the scenarios of a driving exercise for a key: those that tell a right controller from a wrong one.
+
+The solution must pass with a margin, else chance could cost a good answer its points; and in a hidden
+scenario each declared mistake must fail.
+"""
+
+import itertools
+from dataclasses import dataclass
+
+from imgproc_course.classroom.autograder.drives import environment
+from imgproc_course.classroom.exercises.declaration import MasterError
+from imgproc_course.classroom.exercises.drive import Drive, passes, sentences_of, speeds_of
+from imgproc_course.classroom.exercises.drive_check import form_of
+from imgproc_course.classroom.exercises.running import CallResult, failure_fields
+
+MOST_DRAWS = 20  # of one case
+MARGIN = 0.2  # by which the solution keeps each threshold, as a share of it
+
+
+@dataclass(frozen=True)
+class DrawnScenario:
+    """A scenario that fits, the solution's record of it, and {mistake: CallResult of its drive}."""
+
+    scenario: dict
+    record: dict
+    mistakes: dict
+
+
+def draw_scenario(exercise, case, seed, drive_solution, on_drive=lambda: None):
+    """The first DrawnScenario of a case's draws that fits.
+
+    `drive_solution` takes a scenario and returns a record; `on_drive` is called after each drive.
+    MasterError: no draw fits; it says why.
+    """
+    latest, problem = None, ""
+    for ((scenario,),) in itertools.islice(exercise.draws(case, seed), MOST_DRAWS):
+        if scenario == latest:  # it does not depend on the seed
+            break
+        latest, stricter = scenario, with_margin(scenario)
+        record, mistakes = drive_solution(stricter), {}
+        on_drive()
+        problem = _problem_of_solution(record, stricter)
+        while not problem and len(mistakes) < len(exercise.mistakes):
+            mistake = exercise.mistakes[len(mistakes)]
+            mistakes[mistake.name], has_passed = _drive_mistake(exercise, mistake, scenario)
+            problem = f"the mistake {mistake.name!r} passes" if has_passed and case.hidden else ""
+            on_drive()
+        if not problem:
+            return DrawnScenario(scenario, record, mistakes)
+    raise MasterError(
+        f"{exercise.master.name}, line {case.line}: {case.id}: no scenario of {MOST_DRAWS} draws fits; in the"
+        f" last one {problem}. Change inputs(rng), the thresholds, the solution or the mistake"
+    )
+
+
+def with_margin(scenario):
+    """The scenario with stricter thresholds."""
+    thresholds = {
+        name: [operator, limit + (MARGIN if operator == ">=" else -MARGIN) * abs(limit)]
+        for name, (operator, limit) in scenario["thresholds"].items()
+    }
+    return scenario | {"thresholds": thresholds}
+
+
+def _problem_of_solution(record, scenario):
+    """Why the solution does not pass, "" if it does."""
+    if passes(record, scenario):
+        return ""
+    sentences = " ".join(sentences_of(record, scenario)).rstrip(".")
+    return f"the solution does not pass with a margin of {MARGIN:.0%}: {sentences}"
+
+
+def _drive_mistake(exercise, mistake, scenario):
+    """What a mistake does in a scenario, as a CallResult, and whether it passes."""
+    control = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    record, failure = drive_here(control, exercise.sensors, scenario)
+    return CallResult(**failure or {"value": form_of(record)}), passes(record, scenario)
+
+
+def drive_here(control, sensors, scenario):
+    """The record of a drive of the course's own controller, in this process; and how a call failed, or {}."""
+    drive, memory = Drive(environment(tuple(sensors)), scenario), {}
+    while not drive.over:
+        try:
+            speeds = speeds_of(control(drive.observation, memory))
+        except Exception as error:  # noqa: BLE001 - a mistake may be to raise anything
+            drive.stop(f"{type(error).__name__}: {error}")
+            return drive.record(), failure_fields(error, control)
+        drive.act(*speeds)
+    return drive.record(), {}

@@ -1,0 +1,16 @@
+"""The teacher's page of all drives: a map of each, those of hidden scenarios, too."""
+
+from imgproc_course.classroom.gradebook.report import map_of, render_page
+
+
+def drives_page(learners, store, names):
+    """The page, HTML; "" if nothing drove. `names` are {learner's name: the name to show}."""
+    views = {}
+    for learner in learners:
+        for digest in learner.digests.values():
+            result = store.result(digest)
+            for exercise in result.exercises if result else ():
+                for case in filter(lambda case: case.drive, exercise.cases):
+                    drives = views.setdefault((exercise.title, case.title, case.id), [])
+                    drives.append({"name": names[learner.name], "case": case, "map": map_of(case)})
+    return render_page("drives.html", views=views) if views else ""
