@@ -70,8 +70,15 @@ def clearance(distance, x, y, yaw):
     """
     c, s = math.cos(yaw), math.sin(yaw)
     center = distance(x + BODY_CENTER * c, y + BODY_CENTER * s) - BODY_REACH
-    if center > 0:
-        return center
+    return center if center > 0 else gap(distance, x, y, yaw)
+
+
+def gap(distance, x, y, yaw):
+    """Metres between the body at (x, y, yaw) and what stands still, to 2 mm; negative inside.
+
+    `distance(x, y)` is that of a point.
+    """
+    c, s = math.cos(yaw), math.sin(yaw)
     return min(distance(x + a * c - b * s, y + a * s + b * c) - radius for a, b, radius in DISCS)
 
 

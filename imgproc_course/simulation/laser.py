@@ -21,10 +21,14 @@ class LaserScan(NamedTuple):
     ranges: np.ndarray
 
 
+def crosses(triangles, height):
+    """Which of the triangles (N, 3, 3) cross the plane at this height, (N,) bool."""
+    return ((triangles[..., 2] > height).sum(1) % 3) != 0
+
+
 def cut(triangles, height):
     """Segments (M, 2, 2), x and y, in which triangles (N, 3, 3) cross the plane at this height."""
-    above = triangles[..., 2] > height
-    crossing = triangles[(above.sum(1) % 3) != 0].astype(float)
+    crossing = triangles[crosses(triangles, height)].astype(float)
     above = crossing[..., 2] > height
     alone = np.where(above.sum(1) == 1, above.argmax(1), (~above).argmax(1))  # one corner on its side
     rows = np.arange(len(crossing))
@@ -72,10 +76,9 @@ def candidates(first, second, yaw):
 
 
 class Laser:
-    """The scanner of one simulation; without `seed` it has no noise."""
+    """A scanner in a room; each scan stands alone."""
 
-    def __init__(self, room, seed=None):
-        self._seed = seed
+    def __init__(self, room):
         self._still = cut(room.triangles[room.joint < 0], MOUNT[1])
         self._names = room.joint_names
         moving = room.joint >= 0
@@ -83,14 +86,14 @@ class Laser:
         # Columns: x y z of each corner of each triangle
         self._moving = np.ascontiguousarray(np.moveaxis(room.triangles[moving], 0, -1), float)
 
-    def scan(self, robot, joint_poses, step):
-        """A LaserScan of the robot whose base_link is at (x, y, yaw)."""
+    def scan(self, robot, joint_poses, seed, step):
+        """A LaserScan of the robot whose base_link is at (x, y, yaw); without `seed` it has no noise."""
         moving = cut(self._near(joint_poses, MOUNT[1]), MOUNT[1])
         x, y, yaw = robot
         x, y = x + MOUNT[0] * math.cos(yaw), y + MOUNT[0] * math.sin(yaw)
         distance = cast(np.concatenate([self._still, moving]), round(x, 9), round(y, 9), yaw)
-        if self._seed is not None:
-            distance = distance + NOISE * np.random.default_rng([self._seed, 4, step]).standard_normal(RAYS)
+        if seed is not None:
+            distance = distance + NOISE * np.random.default_rng([seed, 4, step]).standard_normal(RAYS)
         distance[(distance < RANGE_MIN) | (distance > RANGE_MAX)] = np.inf
         ranges = np.round(distance, 6).astype(np.float32)
         return LaserScan(0.0, 2 * math.pi / RAYS, RANGE_MIN, RANGE_MAX, ranges)

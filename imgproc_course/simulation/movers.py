@@ -98,18 +98,31 @@ class Walker:
 class Movers:
     """Person, car and ball of a room; `present` names those that take part."""
 
-    def __init__(self, time, room, present=MOVERS):
+    def __init__(self, time, room, present=MOVERS, ball=None):
+        """ball : (x, y, dx, dy), its BallWay from now on; if omitted, the ball is where the room's is"""
         self._room, self._free_space, self._hold = room, room.free_space, 0.0
         self.walkers = {
             "person": Walker(time, PERSON_RADIUS, lambda time: room.person.at(time)[0][:2]),
             "toycar": Walker(time, CAR_RADIUS, lambda time: room.car.at(time, room.rug)[0][:2]),
         }
         self.walkers = {name: walker for name, walker in self.walkers.items() if name in present}
-        self.ball = Ball.at(time, room.ball if "ball" in present else BallWay((FAR_AWAY, FAR_AWAY)))
+        way = BallWay((FAR_AWAY, FAR_AWAY))
+        if ball is not None:
+            time, way = 0.0, ball_way(ball, self._free_space)
+        elif "ball" in present:
+            way = room.ball
+        self.ball = Ball.at(time, way)
 
     def circles(self):
         """{name: (x, y, radius)} of person and car."""
         return {name: (*w.place(w.time), w.radius) for name, w in self.walkers.items()}
+
+    def gaps(self, robot):
+        """{name: metres} between the body at (x, y, yaw) and everyone who takes part; negative inside."""
+        circles = self.circles()
+        if self.ball.x < FAR_AWAY:
+            circles["ball"] = self.ball.x, self.ball.y, BALL_RADIUS
+        return {name: nearest_on_body(robot, x, y)[1] - radius for name, (x, y, radius) in circles.items()}
 
     def step(self, dt, robot):
         """dt seconds of person, car and ball; `robot` is (x, y, yaw)."""
@@ -227,3 +240,13 @@ def gait(phase, amplitude):
             "fore" + side: -0.35,
         }
     return angles
+
+
+def ball_way(ball, free_space):
+    """The BallWay of (x, y, dx, dy)."""
+    if len(ball) != 4 or not np.isfinite(ball).all():
+        raise ValueError(f"ball is four finite numbers, x, y, dx and dy in metres, got {ball}")
+    x, y, dx, dy = (float(value) for value in ball)
+    if free_space.distance(x, y) < BALL_RADIUS:
+        raise ValueError(f"the ball cannot begin at {(x, y)}: there is no room; choose another place")
+    return BallWay((x, y), (dx, dy))

@@ -77,13 +77,17 @@ def load_texture(name, lighting):
 
 
 class FreeSpace:
-    """How far each place on the floor is from the nearest thing that stands still, below the robot's top."""
+    """How far each place on the floor is from the nearest thing that stands still, below the robot's top.
+
+    metres (rows, columns) of square cells; `origin` (x, y) is the corner of the first one, `cell` their size
+    """
 
     def __init__(self, distance, origin, cell):
         """distance (H, W) in millimetres, of cells of `cell` metres; origin (x, y) of their corner"""
         self._millimetres = distance.tolist()  # single numbers are read faster from a list
-        self._origin = [float(v) for v in origin]
-        self._cell = float(cell)
+        self.metres = distance / 1000
+        self.origin = [float(v) for v in origin]
+        self.cell = float(cell)
 
     @classmethod
     def load(cls):
@@ -93,7 +97,7 @@ class FreeSpace:
 
     def distance(self, x, y):
         """Metres from (x, y) to the nearest obstacle, between the cells' centers; 0 outside of the room."""
-        col, row = (x - self._origin[0]) / self._cell - 0.5, (y - self._origin[1]) / self._cell - 0.5
+        col, row = (x - self.origin[0]) / self.cell - 0.5, (y - self.origin[1]) / self.cell - 0.5
         height, width = len(self._millimetres), len(self._millimetres[0])
         if not (0 <= col < width - 1 and 0 <= row < height - 1):
             return 0.0

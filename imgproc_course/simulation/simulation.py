@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Collection, Sequence
-from functools import cached_property
 from typing import Any, Self
 
 import cv2
@@ -11,12 +10,11 @@ from numpy.typing import NDArray
 
 from ..geometry import CameraModel, Pose
 from ..geometry.poses import product, rotation_about
-from .depth import TriangleDepth
-from .drive import Drive, Odometry, WheelOdometry, clearance, nearest_on_body
-from .laser import Laser, LaserScan
+from .drive import Drive, Odometry, WheelOdometry, clearance, gap, nearest_on_body
+from .laser import LaserScan
 from .movers import Movers
-from .renderer import ColorRenderer, NumberRenderer, configure_panda3d
 from .room import MOVERS, Room, recorded_room
+from .scene import Scene
 from .sensor import Sensor
 
 # The recorded drive's camera: 1280×720, and where it stands on the robot.
@@ -41,11 +39,15 @@ class Simulation:
     Parameters
     ----------
     seed : of the wheels' slip and the sensors' noise
-    room : the `Room`; if omitted, the living room of the recorded drive
+    room : the `Room`; if omitted, the living room of the recorded drive. Or a Scene of a room: simulations
+        that one thread uses, one after the other or in turns, share what their sensors need
     movers : whether person, car and ball take part; or the names of those that do
+    ball : (x, y, dx, dy): it takes part, begins at (x, y) in the map, and rolls along (dx, dy), 0.88 of it in
+        all; if omitted, the room's own
     start : (x, y, yaw) of the axle's center in the map, metres and radians; if omitted, the room's own
     time : seconds after the recorded drive's start, for person, car and ball
     size : (width, height) of the image, of shape 16:9
+    depth_size : (width, height) of depth and labels, of shape 16:9; if omitted, as `depth` says
     lens : with the recorded camera's distortion
     sensor : with blur, vignette and noise, also of the scan
     lighting : "day" or "evening"
@@ -60,23 +62,29 @@ class Simulation:
         self,
         seed: int = 0,
         *,
-        room: Room | None = None,
+        room: Room | Scene | None = None,
         movers: bool | Collection[str] = True,
+        ball: Sequence[float] | None = None,
         start: Sequence[float] | None = None,
         time: float = 0.0,
         size: tuple[int, int] = (640, 360),
+        depth_size: tuple[int, int] | None = None,
         lens: bool = True,
         sensor: bool = True,
         lighting: str = "day",
     ):
         check_arguments(seed, time, size, lighting)
-        self._model = CAMERA.resized(*size)
-        if not lens:
-            self._model = CameraModel(*size, *self._model.matrix[[0, 1, 0, 1], [0, 1, 2, 2]].tolist())
+        self._model = front_camera(size, lens)
+        self._depth_model = self._model.every(max(1, math.ceil(size[0] / DEPTH_WIDTH)))
+        if depth_size is not None:
+            check_size("depth_size", depth_size)
+            self._depth_model = front_camera(depth_size, lens)
         self._seed, self._lighting = seed, lighting
-        self._room = recorded_room() if room is None else room
-        self._present = checked_movers(movers)
-        self._movers = Movers(round(float(time), 9), self._room, self._present)
+        self._shares_scene = isinstance(room, Scene)
+        self._scene = room if isinstance(room, Scene) else Scene(recorded_room() if room is None else room)
+        self._room = self._scene.room
+        self._present = checked_movers(movers, ball)
+        self._movers = Movers(round(float(time), 9), self._room, self._present, ball)
         self._time, self._steps, self._bumped = round(float(time), 9), 0, False
         self._drive = Drive(checked_start(self._room.start if start is None else start))
         for name, distance in self._distances(self._drive.place).items():
@@ -88,11 +96,9 @@ class Simulation:
                 )
         self._held: tuple[Any, float, frozenset[float]] = self._drive.place, 0.0, frozenset()  # _note_held
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
-        self._laser = Laser(self._room.model, seed if sensor else None)
         self._sensor = Sensor(self._model, seed, lighting) if sensor else None
-        configure_panda3d()  # a missing one is told here, not with the first image
         self._look: Pose | None = None
-        self._views: dict[str, Any] = {}
+        self._drawn: dict[str, Any] = {}  # of a depth camera: what `_numbers` keeps
         self._joints: tuple[int, dict[str, Pose]] = (-1, {})  # and the number of their step
 
     # what the robot does
@@ -172,23 +178,6 @@ class Simulation:
 
     # what it sees
 
-    @cached_property
-    def _color_renderer(self):
-        """Made with the first image: half of a simulation's start, which the motion does without."""
-        return ColorRenderer(self._room, self._lighting)
-
-    @cached_property
-    def _number_renderer(self):
-        return NumberRenderer(self._room.model)
-
-    @cached_property
-    def _frame_view(self):
-        """The front camera's view, and the two maps from its drawn image to `frame`."""
-        view = self._color_renderer.add_view(self._model, 1.15 if self._model.width <= 640 else 1.0)
-        pixels = view.pinhole.project(self._model.rays())
-        col, row = pixels[..., 0], view.pinhole.height - 1 - pixels[..., 1]  # the first row is at the bottom
-        return view, *cv2.convertMaps(col.astype(np.float32), row.astype(np.float32), cv2.CV_16SC2)
-
     def look(self, camera_pose: Sequence[float] | np.ndarray | None) -> None:
         """Takes images from a pose of the optical frame, x y z qx qy qz qw; None: the robot's again."""
         self._look = None if camera_pose is None else Pose.from_vector(np.round(camera_pose, 9))
@@ -200,9 +189,9 @@ class Simulation:
 
     def frame(self) -> NDArray[np.uint8]:
         """The front camera's image, (height, width, 3) uint8 BGR."""
-        view, columns, rows = self._frame_view
-        self._color_renderer.place(self._joint_poses())
-        drawn = self._color_renderer.render(view, self._camera_pose("front"))
+        renderer, view, columns, rows = self._scene.color_view(self._model, self._lighting)
+        renderer.place(self._joint_poses())
+        drawn = renderer.render(view, self._camera_pose("front"))
         drawn = cv2.remap(drawn, columns, rows, cv2.INTER_LINEAR)
         image = np.asarray(cv2.cvtColor(drawn, cv2.COLOR_BGRA2BGR), np.uint8)
         if self._sensor is None:
@@ -212,7 +201,8 @@ class Simulation:
     def depth(self, camera: str = "front") -> NDArray[np.uint16]:
         """Depth along the optical axis in millimetres, (height, width) uint16, 0 where there is none.
 
-        "front": of pixels (0, 0), (0, k), … of `frame`, 640 columns at most; "tof": the depth camera's.
+        "front": of pixels (0, 0), (0, k), … of `frame`, 640 columns at most, or of the whole of a `frame` of
+        size `depth_size`; "tof": the depth camera's.
         """
         numbers, rays = self._numbers(camera)
         metres = rays.depth(numbers, self._camera_pose(camera), self._joint_poses())
@@ -235,25 +225,23 @@ class Simulation:
             return TOF_CAMERA
         if camera != "front":
             raise ValueError(f'camera is "front" or "tof", got {camera!r}')
-        return self._model.every(max(1, math.ceil(self._model.width / DEPTH_WIDTH)))
+        return self._depth_model
 
     def _numbers(self, camera):
         """The triangle number of each pixel of a depth camera; kept until something moves."""
-        if camera not in self._views:
-            model = self.depth_camera(camera)
-            view = self._number_renderer.add_view(model)
-            self._views[camera] = view, TriangleDepth(self._room.model, model, view.pinhole), [None, None]
-        view, rays, kept = self._views[camera]
+        view, rays = self._scene.number_view(self.depth_camera(camera))
         pose = self._camera_pose(camera)
         key = (self._steps, pose.position.tobytes(), pose.rotation.tobytes())
-        if kept[0] != key:
-            self._number_renderer.place(self._joint_poses())
-            kept[:] = key, rays.numbers(self._number_renderer.render(view, pose))
-        return kept[1], rays
+        if self._drawn.get(camera, [None])[0] != key:
+            renderer = self._scene.number_renderer
+            renderer.place(self._joint_poses())
+            self._drawn[camera] = key, rays.numbers(renderer.render(view, pose))
+        return self._drawn[camera][1], rays
 
     def scan(self) -> LaserScan:
         """One turn of the laser scanner."""
-        return self._laser.scan(self._drive.place, self._joint_poses(), self._steps)
+        seed = None if self._sensor is None else self._seed
+        return self._scene.laser.scan(self._drive.place, self._joint_poses(), seed, self._steps)
 
     def odometry(self) -> Odometry:
         """Where the wheels say that the robot is, since the start: with slip."""
@@ -280,6 +268,27 @@ class Simulation:
     def speeds(self) -> tuple[float, float]:
         """(linear, angular) in m/s and rad/s: the true ones."""
         return self._drive.linear, self._drive.angular
+
+    @property
+    def movers(self) -> tuple[str, ...]:
+        """Names of those who take part."""
+        return self._present
+
+    @property
+    def place(self) -> tuple[float, float, float]:
+        """The true (x, y, yaw) of the robot in the map, metres and radians."""
+        return self._drive.place
+
+    def gaps(self) -> dict[str, float]:
+        """Metres between the body and what stands still, by the name "", and each mover; negative inside."""
+        still = gap(self._room.free_space.distance, *self.place)
+        return {"": still, **self._movers.gaps(self.place)}
+
+    def nearest_thing(self) -> str:
+        """The name of what is nearest to the body: "wall", "sofa", "person", "toy car" …"""
+        gaps = self.gaps()
+        name = min(gaps, key=gaps.__getitem__)
+        return name.replace("toycar", "toy car") or self._scene.thing_at(self.place)
 
     def pose(self, name: str) -> NDArray[np.float64]:
         """The true pose in the map, [x, y, z, qx, qy, qz, qw], float64.
@@ -316,15 +325,20 @@ class Simulation:
 
     def close(self) -> None:
         """Frees the images; the simulation cannot be used any more."""
-        for name in ("_color_renderer", "_number_renderer"):
-            if name in vars(self):
-                getattr(self, name).close()
+        if not self._shares_scene:
+            self._scene.close()
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *exception):
         self.close()
+
+
+def front_camera(size, lens=True):
+    """The recorded drive's CameraModel for images of a size (width, height)."""
+    model = CAMERA.resized(*size)
+    return model if lens else CameraModel(*size, *model.matrix[[0, 1, 0, 1], [0, 1, 2, 2]].tolist())
 
 
 def check_arguments(seed, time, size, lighting):
@@ -334,19 +348,23 @@ def check_arguments(seed, time, size, lighting):
         raise ValueError(f"time is between 0 and 86400 seconds, got {time}")
     if lighting not in ("day", "evening"):
         raise ValueError(f'lighting is "day" or "evening", got {lighting!r}')
+    check_size("size", size)
+
+
+def check_size(name, size):
     width, height = size
     if not (160 <= width <= 1920 and width * 9 == height * 16):
         raise ValueError(
-            f"size is (width, height), 16:9, 160 to 1920 pixels wide, such as (640, 360), got {size}"
+            f"{name} is (width, height), 16:9, 160 to 1920 pixels wide, such as (640, 360), got {size}"
         )
 
 
-def checked_movers(movers):
-    """The names of those that take part, in the order of MOVERS."""
+def checked_movers(movers, ball=None):
+    """The names of those that take part, in the order of MOVERS; who gives a ball's way wants it to."""
     names = MOVERS if movers is True else movers or ()
     if isinstance(names, str) or not isinstance(names, Collection) or not set(names) <= set(MOVERS):
         raise ValueError(f"movers is True, False, or names of {', '.join(MOVERS)}, got {movers!r}")
-    return tuple(name for name in MOVERS if name in names)
+    return tuple(name for name in MOVERS if name in names or (name == "ball" and ball is not None))
 
 
 def checked_start(start):

@@ -1,0 +1,76 @@
+"""What a robot's drive is judged by: bumps, clearance, ways and times, from the truth."""
+
+import math
+from typing import Any
+
+BALL_DISTANCE, BALL_AFTER = 0.6, 5.0  # metres from the camera to the ball's center, seconds
+PLACE = 0.5  # metres: the size of the cells that `places` counts
+MOVING = 0.02  # m/s: who is slower stands, and is not judged by what is near
+
+
+class Metrics:
+    """Counts, look after look, what the robot of a Simulation does."""
+
+    def __init__(self, simulation, goal=None):
+        self._simulation, self._goal = simulation, goal
+        self._place, self._touching = simulation.place, False
+        self._start, self._places = self._place, {cell_of(self._place)}
+        self._ball_errors: list[float] = []
+        self._values: dict[str, Any] = {
+            "bumps": 0,
+            "clearance": None,
+            "distance": 0.0,
+            "reach": 0.0,
+            "places": 1,
+            "time": 0.0,
+            "goal_time": None,
+            "ball_gap": None,
+            "bumped_into": "",
+        }
+
+    def update(self, time):
+        """After a look, `time` seconds after the start: (metres driven in it, whether a bump began)."""
+        before, place = self._place, self._simulation.place
+        self._place, values = place, self._values
+        metres = math.dist(before[:2], place[:2])
+        self._places.add(cell_of(place))
+        values["time"], values["places"] = time, len(self._places)
+        values["distance"] += metres
+        values["reach"] = max(values["reach"], math.dist(self._start[:2], place[:2]))
+        if values["goal_time"] is None and self._is_in_goal:
+            values["goal_time"] = time
+        self._note_ball(time)
+        return metres, self._note_contact()
+
+    @property
+    def _is_in_goal(self):
+        return self._goal is not None and math.dist(self._place[:2], self._goal[:2]) < self._goal[2]
+
+    def _note_contact(self):
+        bumped = self._simulation.bumped
+        began, self._touching = bumped and not self._touching, bumped
+        if began:
+            self._values["bumps"] += 1
+            self._values["bumped_into"] = self._values["bumped_into"] or self._simulation.nearest_thing()
+        if bumped or abs(self._simulation.speeds[0]) > MOVING:
+            clearance = max(0.0, self._simulation.gaps()[""])
+            known = self._values["clearance"]
+            self._values["clearance"] = clearance if known is None else min(known, clearance)
+        return began
+
+    def _note_ball(self, time):
+        if "ball" in self._simulation.movers and time > BALL_AFTER:
+            camera, ball = self._simulation.pose("camera"), self._simulation.pose("ball")
+            self._ball_errors.append(abs(math.dist(camera[:2], ball[:2]) - BALL_DISTANCE))
+            self._values["ball_gap"] = math.fsum(self._ball_errors) / len(self._ball_errors)
+
+    def info(self):
+        """All metrics, rounded to 1e-4, as RoomEnv names them."""
+        return {
+            name: round(value, 4) if isinstance(value, float) else value
+            for name, value in self._values.items()
+        }
+
+
+def cell_of(place):
+    return math.floor(place[0] / PLACE), math.floor(place[1] / PLACE)
