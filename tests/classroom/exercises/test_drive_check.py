@@ -8,13 +8,11 @@ import signal
 import subprocess
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
-from plane_env import PlaneEnv
+from plane_env import BLIND, LATE, ON_A_PLANE, PARTS, RIGHT, STOPS, PlaneEnv, driving_on_a_plane
 
-from imgproc_course.classroom import course
 from imgproc_course.classroom.authoring.lesson_files import lesson_files
 from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.classroom.authoring.validation import validate_exercise
@@ -28,52 +26,14 @@ from imgproc_course.classroom.exercises.drive_images import look_back
 from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.simulation import room_env
 
-TESTS = str(Path(__file__).parents[2])
-ON_A_PLANE = [f"plane_env:{name}" for name in ("PlaneEnv", "controller_observation", "room_of", "draw_map")]
-BLIND = "def control(observation, memory):\n    return 0.3, 0.0\n"
-STOPS = """def control(observation, memory):
-    return (0.3 if observation["scan"][0] > {} else 0.0), 0.0
-"""
-RIGHT, LATE = STOPS.format(0.6), STOPS.format(0.3)
 MIDDLE = STOPS.format(0.36)  # it stops within 0.1 m of LATE, and is wrong too
-HINTS = 'hints=("a", "b", "c"), explanation="e", another_way="w"'
-PARTS = {
-    "given": "# %%\nimport numpy as np",
-    "exercise": (
-        '# %% role="exercise"\nexercise("test-drive", function="control", subject="drive",'
-        f' sensors=("scan", "odometry"), hint="Look ahead.", {HINTS})\n'
-        'LIMITS = {"bumps": ["<=", 0], "clearance": [">=", 0.25], "reach": [">=", 0.5]}\n'
-        "def scenario(room):\n"
-        '    return {"seed": 1, "room": room, "duration": 6.0, "thresholds": LIMITS}'
-    ),
-    "answer": f'# %% role="answer"\n{BLIND}',
-    "solution": f'# %% role="solution"\n{RIGHT}',
-    "check": '# %% role="check"\ncheck("test-drive", control)',
-    "case": '# %% role="case" title="near" points=2\ndef inputs(rng):\n    return (scenario(12),)',
-    "second": '# %% role="case" title="far"\ndef inputs(rng):\n    return [(scenario(16),)]',
-    "third": '# %% role="case" title="nearest"\ndef inputs(rng):\n    return (scenario(11),)',
-    "hidden": (
-        '# %% role="hidden" title="any" points=3\ndef inputs(rng):\n'
-        "    return (scenario(rng.integers(9, 99)),)"
-    ),
-    "mistake": f'# %% role="mistake" name="late" says="It brakes too late."\n{LATE}',
-    "second mistake": (
-        '# %% role="mistake" name="slow" says="It is too slow."\n'
-        "def control(observation, memory):\n    return 0.05, 0.0"
-    ),
-}
 
 
 @pytest.fixture(scope="module", autouse=True)
 def on_a_plane():
     """Simulators with the environment of this folder."""
-    with pytest.MonkeyPatch.context() as patch:
-        for name, place in zip(PLACES, ON_A_PLANE, strict=True):
-            patch.setattr(course, name, place)
-        patch.setenv("PYTHONPATH", TESTS)
-        drive_check.close_simulators()
+    with driving_on_a_plane():
         yield
-        drive_check.close_simulators()
 
 
 @pytest.fixture
