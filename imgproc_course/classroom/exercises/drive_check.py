@@ -103,9 +103,9 @@ def close_simulators():
 @contextlib.contextmanager
 def _all_simulators():
     """The simulators, started if there are none; what interrupts a drive ends them."""
-    while len(_simulators) < _SIMULATORS:
-        _simulators.append(_Simulator())
     try:
+        while len(_simulators) < _SIMULATORS:
+            _simulators.append(_Simulator())
         yield tuple(_simulators)
     except BaseException:
         close_simulators()
@@ -145,11 +145,10 @@ class _Run:
         return speeds
 
     def result(self):
-        """What it did as a CallResult: the path in short, and which thresholds it missed."""
+        """What it did as a CallResult: which thresholds it missed, and the path in short."""
         path = np.array(self.record["path"])[::_STEP, :2].astype(np.float32)
         missed = sorted(metric for metric, *_ in self.record["missed"])
-        value = canonical({"path": path, "missed": missed}, limit=None)
-        fields = self.failure or {"value": value}
+        fields = self.failure or {"value": canonical((missed, path), limit=None)}
         return CallResult(printed=self.output.getvalue(), warning=self.warning, **fields)
 
 
@@ -236,16 +235,11 @@ def _distance(mistake, call):
     """How far the paths of a mistake and of a drive part, metres; infinite if they fail in other ways."""
     (predicted,) = mistake.results[call.case.id]
     if not (predicted.finished and call.result.finished):
-        return 0.0 if predicted.error and predicted.matches(call.result, 0.0) else np.inf
-    missed, path = (dict_of(predicted.value)[name] for name in ("missed", "path"))
-    own = dict_of(call.result.value)
-    end = (call.record["decisive"] + round(1 / LOOK)) // _STEP + 1
-    paths = array_of(path)[:end], array_of(own["path"])[:end]
-    if missed != own["missed"] or paths[0].shape != paths[1].shape:
         return np.inf
-    return float(np.abs(paths[0] - paths[1]).max())
-
-
-def dict_of(form):
-    """The values of the canonical form of a dict, as forms, by its keys."""
-    return {key["value"]: value for key, value in form["items"]}
+    end = (call.record["decisive"] + round(1 / LOOK)) // _STEP + 1
+    (missed, path), (own_missed, own_path) = (
+        (form["items"][0], array_of(form["items"][1])[:end]) for form in (predicted.value, call.result.value)
+    )
+    if missed != own_missed or path.shape != own_path.shape:
+        return np.inf
+    return float(np.abs(path - own_path).max())
