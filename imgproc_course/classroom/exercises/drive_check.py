@@ -145,11 +145,16 @@ class _Run:
         return speeds
 
     def result(self):
-        """What it did as a CallResult: which thresholds it missed, and the path in short."""
-        path = np.array(self.record["path"])[::_STEP, :2].astype(np.float32)
-        missed = sorted(metric for metric, *_ in self.record["missed"])
-        fields = self.failure or {"value": canonical((missed, path), limit=None)}
+        """What it did as a CallResult."""
+        fields = self.failure or {"value": form_of(self.record)}
         return CallResult(printed=self.output.getvalue(), warning=self.warning, **fields)
+
+
+def form_of(record):
+    """What is compared of a drive: its path in short, and which thresholds it missed."""
+    path = np.array(record["path"])[::_STEP, :2].astype(np.float32)
+    missed = sorted(metric for metric, *_ in record["missed"])
+    return canonical({"path": path, "missed": missed}, limit=None)
 
 
 def _reason(failure, name):
@@ -237,9 +242,10 @@ def _distance(mistake, call):
     if not (predicted.finished and call.result.finished):
         return np.inf
     end = (call.record["decisive"] + round(1 / LOOK)) // _STEP + 1
-    (missed, path), (own_missed, own_path) = (
-        (form["items"][0], array_of(form["items"][1])[:end]) for form in (predicted.value, call.result.value)
+    ((_, missed), (_, path)), ((_, own_missed), (_, own_path)) = (
+        result.value["items"] for result in (predicted, call.result)
     )
-    if missed != own_missed or path.shape != own_path.shape:
+    paths = array_of(path)[:end], array_of(own_path)[:end]
+    if missed != own_missed or paths[0].shape != paths[1].shape:
         return np.inf
-    return float(np.abs(path - own_path).max())
+    return float(np.abs(paths[0] - paths[1]).max())
