@@ -11,6 +11,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from .drive import MAX_ANGULAR, MAX_LINEAR, gap
+from .furnished import furnished
 from .laser import RAYS
 from .metrics import Metrics
 from .movers import Movers
@@ -243,9 +244,7 @@ def controller_observation(observation):
 
 def room_of(number):
     """The Room of a scenario: None is the recorded one, a whole number a furnished one."""
-    if number is None:
-        return recorded_room()
-    raise ValueError(f"there is no room {number!r}; room is None, the recorded room")
+    return recorded_room() if number is None else furnished(number)
 
 
 def reachable_cells(room: Room) -> NDArray[np.float64]:
