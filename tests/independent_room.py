@@ -24,6 +24,8 @@ class IndependentRoom:
             rows = still & (arrays["piece"] == number)
             self.groups.append((place, arrays["triangles"][rows].astype(float), arrays["label"][rows]))
         self.segments = [self._body_segments(*group) for group in self.groups]
+        share = np.linspace(0, 1, 40)[:, None, None]
+        self.points = [(s[:, 0] + share * (s[:, 1] - s[:, 0])).reshape(-1, 2) for s in self.segments]
 
     @staticmethod
     def _into(place, points):
@@ -53,12 +55,24 @@ class IndependentRoom:
                 edges.append(np.stack([flat, np.roll(flat, -1, 0)], 1))
         return np.concatenate(edges)
 
-    def body_distance(self, place, step=0.01):
-        """Metres from the border of the robot's body at (x, y, yaw) to the nearest edge in its way."""
-        u, v = np.arange(-0.15, 0.2371, step), np.arange(-0.12, 0.1201, step)
-        border = [(a, b) for a in u for b in (-0.12, 0.12)] + [(a, b) for a in (-0.15, 0.237) for b in v]
+    def body_distance(self, place):
+        """Metres between the robot's body at (x, y, yaw) and what is in its way; negative inside."""
         c, s = math.cos(place[2]), math.sin(place[2])
-        return min(self.distance((place[0] + a * c - b * s, place[1] + a * s + b * c)) for a, b in border)
+        middle, half = np.array([0.0435, 0.0]), np.array([0.1935, 0.12])
+        distances = [math.inf]
+        for own, points in zip(self.groups, self.points, strict=True):
+            x, y = (self._out_of(own[0], points) - place[:2]).T
+            q = np.abs(np.stack([x * c + y * s, y * c - x * s], 1) - middle) - half
+            outside = np.hypot(*np.maximum(q, 0).T)
+            distances.append((outside + np.minimum(q.max(1), 0)).min(initial=math.inf))
+        return min(distances)
+
+    @staticmethod
+    def _out_of(place, points):
+        """Points (N, 2) of a piece in the map."""
+        c, s = math.cos(place[2]), math.sin(place[2])
+        x, y = points.T
+        return np.stack([place[0] + x * c - y * s, place[1] + x * s + y * c], 1)
 
     def distance(self, point):
         """Metres from (x, y) to the nearest edge of what is in the robot's way."""
