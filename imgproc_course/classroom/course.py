@@ -11,3 +11,9 @@ LIVE_MODULES = ("rclpy", f"{NAME}.ros", f"{NAME}.display")
 ROS_MESSAGES = ("builtin_interfaces", "rcl_interfaces", "sensor_msgs", "std_msgs")
 NODE_MODULES = ("rclpy", *ROS_MESSAGES, "cv_bridge")
 CV_BRIDGE = f"{NAME}.messages.cv_bridge"
+# What a driving exercise drives in: a Gymnasium environment, what of its observation a controller gets, the
+# room of a scenario, and a map of it with the path. They are imported when a drive begins.
+DRIVE_ENVIRONMENT = f"{NAME}.simulation.room_env:RoomEnv"
+DRIVE_OBSERVATION = f"{NAME}.simulation.room_env:controller_observation"
+DRIVE_ROOM = f"{NAME}.simulation.room_env:room_of"
+DRIVE_MAP = f"{NAME}.simulation.room_map:draw_map"

@@ -80,6 +80,8 @@ def _exercise_entry(exercise, values):
     del entry["id"], entry["mistakes"]  # the mistakes come last
     if entry["subject"] == "function":
         del entry["subject"]
+    if not entry["sensors"]:
+        del entry["sensors"]
     entry["cases"] = [_case_entry(case) for case in data.cases]
     if any("inputs" in case for case in entry["cases"]):
         entry["preparation"] = exercise.preparation

@@ -4,6 +4,7 @@ import ast
 import re
 
 from imgproc_course.classroom.exercises.cell_syntax import bound_names, statements_of
+from imgproc_course.classroom.exercises.running import NODES
 
 VARYING_TAG = "nbval-ignore-output"
 RAISING_TAGS = ("nbval-raises-exception", "raises-exception")
@@ -42,8 +43,8 @@ def _exercise_rules(exercise):
     yield not exercise.public, 'has no role="case"; without one, `check` has nothing to run'
     yield not exercise.hidden, 'has no role="hidden"; an answer could copy the public values'
     is_node = exercise.subject == "node"
-    is_driven = exercise.subject != "function"  # `node_feedback` has the sentences for its mistakes
-    yield not (exercise.mistakes or is_driven), 'has no role="mistake"; which wrong answer do learners give?'
+    has_node = exercise.subject in NODES  # `node_feedback` has the sentences for its mistakes
+    yield not (exercise.mistakes or has_node), 'has no role="mistake"; which wrong answer do learners give?'
     yield (
         len(hints) != HINTS or not all(map(_is_text, hints)),
         f"needs hints=(...) with {HINTS} texts: a question that points to the idea, the steps in words,"
@@ -148,7 +149,7 @@ def _cell_rules(cell, lines, next_cell):
         f'write instructions for nbval as a tag (tags=["{VARYING_TAG}"]), not as a comment',
     )
     yield (
-        cell.varies and not (next_cell and _asserts(next_cell)),
+        cell.varies and cell.role != "check" and not (next_cell and _asserts(next_cell)),
         f"tagged {VARYING_TAG}: the next code cell must begin with '{CHECK_LINE}' and hold its asserts",
     )
     is_python = _parse(cell.source) is not None

@@ -7,6 +7,7 @@ from imgproc_course.classroom.exercises.checking import run_cases
 from imgproc_course.classroom.exercises.comparison import compare, describe
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
 from imgproc_course.classroom.exercises.dependencies import find_refused
+from imgproc_course.classroom.exercises.feedback import explain_failure
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
 _MOST_BYTES = 65_536  # of an answer that is compared with a tolerance
@@ -16,18 +17,15 @@ _SEEDS = (PUBLIC_SEED, _ANOTHER_SEED, 2, 3)
 def validate_exercise(exercise):
     """Problems: a solution that fails, a stub or mistake that is not recognized, a mistake without costs."""
     solution = exercise.function_of(exercise.solution, "solution")
+    if exercise.subject == "drive":
+        return [*_refusals(exercise), *_drive_problems(exercise, solution)]
     problems = [
         f"{case_result.case.id}: the solution does not pass it a second time; is the solution random?"
         for seed in (PUBLIC_SEED, _ANOTHER_SEED)
         for case_result in run_cases(exercise, solution, cases=exercise.cases, seed=seed).results
         if not case_result.passed
     ]
-    problems += [
-        f"{exercise.id}: the solution uses {module}; name it in allowed=(...), or solve it without"
-        for module in find_refused(
-            exercise.solution, exercise.function, exercise.allowed, set(exercise.namespace()), {}
-        )
-    ]
+    problems += _refusals(exercise)
     if not _is_empty_stub(exercise):
         problems.append(
             f'{exercise.id}: the stub returns a value; let it raise NotImplementedError("your turn")'
@@ -40,7 +38,31 @@ def validate_exercise(exercise):
     return problems
 
 
-def _mistake_problems(exercise, mistake):
+def _refusals(exercise):
+    given = set(exercise.namespace())
+    return [
+        f"{exercise.id}: the solution uses {module}; name it in allowed=(...), or solve it without"
+        for module in find_refused(exercise.solution, exercise.function, exercise.allowed, given, {})
+    ]
+
+
+def _drive_problems(exercise, solution):
+    """Problems of an exercise that drives, in its public scenarios; the key proves those that it draws."""
+    for case_result in run_cases(exercise, solution).results:
+        if not case_result.passed:
+            text = explain_failure(exercise, case_result.failed_call)
+            yield f"{case_result.case.id}: the solution does not pass it. {text}"
+    stub = run_cases(exercise, exercise.function_of(exercise.stub, "stub"))
+    if any(case_result.passed for case_result in stub.results):
+        yield f"{exercise.id}: the stub passes a public case; let it drive, but badly"
+    for mistake in exercise.mistakes:
+        yield from _recognition_problems(exercise, mistake)
+    for case in exercise.hidden:
+        if exercise.arguments(case, _SEEDS[0]) == exercise.arguments(case, _SEEDS[1]):
+            yield f"{case.id}: inputs(rng) ignores rng; draw the scenario from it"
+
+
+def _recognition_problems(exercise, mistake):
     wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
     result = run_cases(exercise, wrong_function)
     if all(case_result.passed for case_result in result.results):
@@ -51,6 +73,11 @@ def _mistake_problems(exercise, mistake):
             f"{exercise.id}: the mistake {mistake.name!r} {confusion};"
             " add a public case that tells the two apart"
         )
+
+
+def _mistake_problems(exercise, mistake):
+    yield from _recognition_problems(exercise, mistake)
+    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
     graded = tuple(case for case in exercise.cases if case.points)
     results = [
         run_cases(exercise, wrong_function, cases=graded, seed=seed) for seed in (PUBLIC_SEED, _ANOTHER_SEED)

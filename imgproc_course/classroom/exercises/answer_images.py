@@ -23,18 +23,19 @@ _RING_RADIUS = 8  # pixels on the page, beside the enlarged pixel
 
 @dataclass(frozen=True)
 class AnswerImage:
-    """An image of a value: a caption, an alternative text, the PNG file, width and height in pixels."""
+    """An image of a value: a caption, an alternative text, its file, width and height in pixels."""
 
     caption: str
     alt: str
     png: bytes
     width: int
     height: int
+    type: str = "image/png"
 
     @property
     def url(self):
         """The image as a data: URL."""
-        return f"data:image/png;base64,{base64.b64encode(self.png).decode('ascii')}"
+        return f"data:{self.type};base64,{base64.b64encode(self.png).decode('ascii')}"
 
 
 def answer_images(argument, name, expected, actual, wrong):

@@ -12,7 +12,7 @@ import numpy as np
 from imgproc_course.classroom.exercises.cell_syntax import cells_of, needed_parts, parts_of
 from imgproc_course.classroom.exercises.dependencies import tree_as_graded
 from imgproc_course.classroom.exercises.ros_double import offer_modules
-from imgproc_course.classroom.exercises.running import CallResult, answer_name, by_itself, call
+from imgproc_course.classroom.exercises.running import NODES, CallResult, answer_name, by_itself, call
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +60,7 @@ class Mistake:
 class CheckData:
     """An exercise as a check needs it; `declaration.exercise` documents the other fields.
 
+    sensors        what `control` observes in an exercise that drives
     names          argument names of the function
     stub           source of the answer cell as it was handed out
     given          sources of the given cells
@@ -72,6 +73,7 @@ class CheckData:
     title: str
     function: str
     subject: str = "function"
+    sensors: tuple[str, ...] = ()
     names: tuple[str, ...] = ()
     stub: str
     given: tuple[str, ...]
@@ -109,7 +111,7 @@ class CheckData:
 
     def namespace(self):
         """A new namespace as an answer gets it in grading: np, and what the given cells define."""
-        if self.subject != "function":
+        if self.subject in NODES:
             offer_modules()
         names = {"np": np, "__name__": self.id}
         for number, source in enumerate(self.given, 1):

@@ -13,6 +13,8 @@ from imgproc_course.classroom.exercises.comparison import Difference, compare
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
 from imgproc_course.classroom.exercises.dependencies import Dependencies, dependencies_of, find_refused
 from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
+from imgproc_course.classroom.exercises.drive import passes, sentences_of
+from imgproc_course.classroom.exercises.drive_check import drive_scenarios, known_mistake, progress_bar
 from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.near_misses import near_miss
 from imgproc_course.classroom.exercises.progress import ExerciseProgress, content_of, digest_of, note_progress
@@ -44,13 +46,17 @@ _ONLY_HERE = (
 
 @dataclass(frozen=True)
 class CaseCall:
-    """One call of a case: its arguments, the expected result, the answer's result, and their difference."""
+    """One call of a case: its arguments, the expected result, the answer's result, and their difference.
+
+    record  what the robot did if the call was a drive, see `drive.Drive.record`
+    """
 
     case: Case
     arguments: tuple
     expected: CallResult
     result: CallResult
     difference: Difference | None
+    record: dict | None = None
 
     @property
     def passed(self):
@@ -83,6 +89,7 @@ class CheckResult:
     remarks       what is certain from the source of the function, sentences
     near_miss     where one small change makes the public cases pass, as a question; "" if none does
     why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
+    drives        the calls if they are drives, those that passed too
     """
 
     exercise: CheckData
@@ -94,6 +101,7 @@ class CheckResult:
     remarks: tuple = ()
     near_miss: str = ""
     why_older: str = ""
+    drives: tuple = ()
 
     @property
     def passed(self):
@@ -151,7 +159,12 @@ def check(exercise_id, function):
     why_older = RUNS.why_older(exercise_id, exercise.function, function)
     if why_older:
         return CheckResult(exercise, attempted=True, why_older=why_older)
-    result = run_check(exercise, function, _answer_in_notebook(file, exercise, function))
+    answer = _answer_in_notebook(file, exercise, function)
+    if exercise.subject == "drive":
+        with progress_bar(f"Driving {len(exercise.cases)} scenarios") as progress:
+            result = run_check(exercise, function, answer, progress)
+    else:
+        result = run_check(exercise, function, answer)
     _note(result, function)
     return result
 
@@ -192,21 +205,24 @@ def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
     return run_check(check_data_of(exercise, None if cases is None else tuple(cases), seed), function)
 
 
-def run_check(exercise, function, answer=None):
+def run_check(exercise, function, answer=None, progress=None):
     """The CheckResult of an answer on the cases of a CheckData, run as in grading.
 
-    `function` is as the notebook has it; without a ComposedAnswer it is run itself.
+    `function` is as the notebook has it; without a ComposedAnswer it is run itself. `progress` takes the
+    share of the drives that is done.
     """
     graded, dependencies = _as_graded(exercise, function, answer)
     judged = graded or function
-    calls, remarks = _run_calls(exercise, judged), ()
+    calls, remarks = _run_calls(exercise, judged, answer if graded else None, progress), ()
     if dependencies.foreign and not any(call.passed for call in calls):
         calls, judged = _run_calls(exercise, function), function  # they tell more than a NameError
     else:
         dependencies = replace(dependencies, foreign={})
         if _are_same(codes_of(judged), codes_of(function)) is False:
             remarks = (_ANOTHER.format(name=exercise.answer_name),)
-        elif judged is not function and not all(call.passed for call in calls):
+        elif (
+            judged is not function and not all(call.passed for call in calls) and exercise.subject != "drive"
+        ):
             is_right = all(call.passed for call in _run_calls(exercise, function))
             remarks = (_ONLY_HERE.format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
@@ -251,8 +267,10 @@ def _are_same(codes, other_codes):
     return contents[0] == contents[1]
 
 
-def _run_calls(exercise, function):
+def _run_calls(exercise, function, answer=None, progress=None):
     """Run a function on the cases of an exercise, until a call does not end in time; a list of CaseCall."""
+    if exercise.subject == "drive":
+        return _drive_cases(exercise, function, answer, progress)
     calls = []
     pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
     for case, expected in pairs:
@@ -269,11 +287,29 @@ def _run_calls(exercise, function):
     return calls
 
 
+def _drive_cases(exercise, function, answer, progress):
+    """Let `control` drive in each case; of a ComposedAnswer each time with globals of its own."""
+
+    def make_control():
+        return exercise.run_answer(answer.source, answer.function)[0][answer.function] if answer else function
+
+    pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
+    scenarios = [expected.arguments[0] for _, expected in pairs]
+    calls, drives = [], drive_scenarios(exercise, scenarios, make_control, progress)
+    for (case, expected), scenario, (record, result) in zip(pairs, scenarios, drives, strict=True):
+        difference = None
+        if result.finished and not passes(record, scenario):
+            difference = Difference("drive", "", " ".join(sentences_of(record, scenario)))
+        calls.append(CaseCall(case, expected.arguments, expected.result, result, difference, record))
+    return calls
+
+
 def check_built(exercise, function, source):
     """The CheckResult of a function that was built from a source, as in grading."""
     namespace = globals_of(function)
     refused = find_refused(source, exercise.function, exercise.allowed, set(exercise.provided), namespace)
-    return _judge_calls(exercise, function, _run_calls(exercise, function), Dependencies(refused))
+    calls = _run_calls(exercise, function, ComposedAnswer(exercise.function, source))
+    return _judge_calls(exercise, function, calls, Dependencies(refused))
 
 
 def _judge_calls(exercise, function, calls, dependencies):
@@ -281,7 +317,8 @@ def _judge_calls(exercise, function, calls, dependencies):
     errors = {case_call.result.error for case_call in calls}
     errors |= {"None" for call in calls if call.difference is not None and call.result.value == _NONE}
     is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
-    if "NotImplementedError" in errors or is_stub:
+    is_drive = exercise.subject == "drive"
+    if "NotImplementedError" in errors or (is_stub and not is_drive):
         remarks = _remarks(function)
         if isinstance(function, type):
             remarks = () if is_stub else (STUB_LINE,)
@@ -292,7 +329,8 @@ def _judge_calls(exercise, function, calls, dependencies):
     if mistake and has_done(source_of(function), mistake.says):
         mistake = None  # it does the same for another reason
     remarks = () if has_passed else _remarks(function, errors)
-    result = CheckResult(exercise, True, results, mistake, dependencies, remarks=remarks)
+    parts = {"remarks": remarks, "drives": tuple(calls) if is_drive else ()}
+    result = CheckResult(exercise, not is_stub, results, mistake, dependencies, **parts)
     return replace(result, diagnosis=_diagnosis(result, calls))
 
 
@@ -337,6 +375,8 @@ def _known_mistake(exercise, calls):
     the same in every call in which the answer returned a value. If the type of a right value is free, it is
     free here too: first a mistake with the same types is looked for, then one with the same values.
     """
+    if exercise.subject == "drive":
+        return known_mistake(exercise, calls)
     returned = [case_call for case_call in calls if case_call.result.value not in (None, _NONE)]
     is_right = all(case_call.passed for case_call in returned)
     for exact_type in (True,) if exercise.exact_type else (True, False):

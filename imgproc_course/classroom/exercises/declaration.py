@@ -14,8 +14,9 @@ import numpy as np
 
 from imgproc_course.classroom import course
 from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
+from imgproc_course.classroom.exercises.drive import PATH_TOLERANCE, SENSORS
 from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
-from imgproc_course.classroom.exercises.running import SUBJECTS
+from imgproc_course.classroom.exercises.running import NODES, SUBJECTS
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
 
@@ -28,6 +29,7 @@ def exercise(
     *,
     function,
     subject="function",
+    sensors=(),
     title="",
     time_limit=5.0,
     allowed=(),
@@ -53,7 +55,9 @@ def exercise(
     function : str, the name of the function or of the class that the learner writes
     subject : str, what the answer is: "function", or "node", the class of a ROS 2 node, which is driven as
         each case says with its arguments (look, steps), see `node_driver`, or "package", a function that
-        returns the files of a ROS 2 package, see `package_driver`
+        returns the files of a ROS 2 package, see `package_driver`, or "drive", a function
+        control(observation, memory) that returns two speeds; each case gives one scenario, see `drive`
+    sensors : tuple of str, what `control` observes: some of `drive.SENSORS`
     time_limit : float, seconds, for one call of the function
     allowed : tuple of str, modules that the answer may use beside NumPy and the standard library: ("scipy",
         "imgproc_course.imaging"). A node may use those of `course.NODE_MODULES`, too. matplotlib,
@@ -85,6 +89,7 @@ def exercise(
     if subject not in SUBJECTS:
         expected = " or ".join(map(repr, SUBJECTS))
         raise MasterError(f"exercise {id}: subject={subject!r}, expected {expected}")
+    _check_sensors(id, subject, sensors)
     if not time_limit > 0 or not tolerance >= 0:
         raise MasterError(
             f"exercise {id}: time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
@@ -102,10 +107,11 @@ def exercise(
         "id": id,
         "function": function,
         "subject": subject,
+        "sensors": tuple(sensors),
         "title": title or id,
         "time_limit": float(time_limit),
-        "allowed": (*allowed, *(course.NODE_MODULES if subject != "function" else ())),
-        "tolerance": float(tolerance),
+        "allowed": (*allowed, *(course.NODE_MODULES if subject in NODES else ())),
+        "tolerance": PATH_TOLERANCE if subject == "drive" else float(tolerance),
         "exact_type": bool(exact_type),
         "practice": bool(practice),
         "hint": hint,
@@ -114,6 +120,14 @@ def exercise(
         "explanation": explanation,
         "another_way": another_way,
     }
+
+
+def _check_sensors(id, subject, sensors):
+    if isinstance(sensors, str) or not {*sensors} <= {*SENSORS} or bool(sensors) != (subject == "drive"):
+        raise MasterError(
+            f"exercise {id}: sensors={sensors!r}, expected a tuple with some of {', '.join(SENSORS)} if"
+            ' subject="drive", else none'
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -184,7 +198,19 @@ class Exercise(CheckData):
             raise MasterError(
                 f"{place}: inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
             )
-        return calls
+        return [(_scenario(case, calls, place),)] if self.subject == "drive" else calls
+
+
+def _scenario(case, calls, place):
+    # Here, because the kernels that grade import this module too.
+    from imgproc_course.classroom.exercises.scenario import read_scenario
+
+    if len(calls) != 1 or len(calls[0]) != 1 or not isinstance(calls[0][0], dict):
+        raise MasterError(f"{place}: inputs(rng) of a drive returns one scenario, a dict: return (scenario,)")
+    try:
+        return read_scenario({"title": case.title} | calls[0][0])
+    except ValueError as error:
+        raise MasterError(f"{place}: {error}") from error
 
 
 def read_exercises(path):

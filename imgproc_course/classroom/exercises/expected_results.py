@@ -6,7 +6,8 @@ from functools import lru_cache
 from imgproc_course.classroom.exercises import feedback
 from imgproc_course.classroom.exercises.check_data import ExpectedCall
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
-from imgproc_course.classroom.exercises.running import argument_names
+from imgproc_course.classroom.exercises.drive_check import drive_scenarios
+from imgproc_course.classroom.exercises.running import CallResult, argument_names
 
 
 class _MistakeResults(dict):
@@ -17,6 +18,11 @@ class _MistakeResults(dict):
         self._cases = {case.id: case for case in cases}
 
     def __missing__(self, case_id):
+        if self._exercise.subject == "drive":
+            self.update(
+                _drive_mistake(self._exercise, self._mistake, tuple(self._cases.values()), self._seed)
+            )
+            return self[case_id]
         return _results_of_mistake(self._exercise, self._mistake, self._cases[case_id], self._seed)
 
 
@@ -46,6 +52,8 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
 
 @lru_cache(maxsize=256)
 def _solve(exercise, case, seed):
+    if exercise.subject == "drive":  # thresholds judge it
+        return tuple(ExpectedCall(arguments, CallResult()) for arguments in exercise.arguments(case, seed))
     solution = exercise.function_of(exercise.solution, "solution")
     calls = []
     for arguments in exercise.arguments(case, seed):
@@ -55,6 +63,18 @@ def _solve(exercise, case, seed):
             raise MasterError(f"{exercise.master.name}, {case.id}: the solution fails. {explanation}")
         calls.append(ExpectedCall(arguments, result))
     return tuple(calls)
+
+
+@lru_cache(maxsize=256)
+def _drive_mistake(exercise, mistake, cases, seed):
+    """{id of a case: what a mistake did in it} for an exercise that drives."""
+
+    def make_control():
+        return exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+
+    scenarios = [exercise.arguments(case, seed)[0][0] for case in cases]
+    drives = drive_scenarios(exercise, scenarios, make_control)
+    return {case.id: (result,) for case, (_, result) in zip(cases, drives, strict=True)}
 
 
 @lru_cache(maxsize=1024)

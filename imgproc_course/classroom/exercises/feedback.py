@@ -5,8 +5,10 @@ for byte.
 """
 
 import html
+from itertools import chain, repeat
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
+from imgproc_course.classroom.exercises.drive import METRICS, metric_text, sentences_of
 from imgproc_course.classroom.exercises.error_advice import advice_on
 from imgproc_course.classroom.exercises.node_feedback import (
     NODE_ERRORS,
@@ -14,6 +16,7 @@ from imgproc_course.classroom.exercises.node_feedback import (
     differing_images,
     sentence_on_node,
 )
+from imgproc_course.classroom.exercises.running import NODES
 from imgproc_course.classroom.exercises.values import (
     answer_parts,
     describe_value,
@@ -24,6 +27,11 @@ from imgproc_course.classroom.exercises.values import (
 _MOST_LINES = 12  # of the function's own prints
 
 _BORDER = "Pixels there have neighbours outside the image: how does the task treat those?"
+
+_MAP = (
+    "The room from above. Green dot: start; blue: the path, and the robot at its end; red crosses: bumps;"
+    " orange ring: the first bump, or where the robot was nearest to something that stands still."
+)
 
 # JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
 _COLOURS = {
@@ -51,6 +59,8 @@ def explain_call(result, difference, name):
 
 def explain_failure(exercise, call):
     """What went wrong in a CaseCall of an answer, in a sentence or two."""
+    if exercise.subject == "drive":
+        return "\n".join(sentences_of(call.record, *call.arguments))
     if exercise.subject != "function":
         if call.result.error in NODE_ERRORS:
             return "\nin your ".join(filter(None, (call.result.message, call.result.line)))
@@ -90,6 +100,22 @@ def _values(result, call, marks):
         rows = table_rows(form, wrong)
         has_marks = any(is_wrong for row in rows for _, is_wrong in row)
         yield f"{label.strip()}: {describe_value(form)}{marks if has_marks else ''}", rows
+
+
+def _drive_rows(result):
+    """The rows of a table of drives: (text, whether it is marked as missed) of each cell."""
+    thresholds = [drive.arguments[0]["thresholds"] for drive in result.drives]
+    metrics = [name for name in METRICS if any(name in own for own in thresholds)]
+    if result.drives:
+        yield [(text, False) for text in ("scenario", *(METRICS[name].title for name in metrics), "points")]
+    for drive, own in zip(result.drives, thresholds, strict=True):
+        cells = [(f"{'✓' if drive.passed else '✗'} {drive.arguments[0]['title']}", False)]
+        missed = {name for name, *_ in drive.record["missed"]}
+        for name in metrics:
+            limit = f" ({metric_text(name, own[name][1], own[name][0])})" if name in own else ""
+            cells.append((metric_text(name, drive.record["metrics"][name]) + limit, name in missed))
+        points = drive.case.points
+        yield [*cells, (f"{points if drive.passed else 0} of {points}", False)]
 
 
 def _labelled_forms(result, call):
@@ -182,7 +208,9 @@ def _headline(result):
     if result.why_older:
         return f"this is an older {result.exercise.kind}"
     if not result.attempted:
-        return "not attempted yet"
+        return (
+            "not attempted yet; the function drives as you got it" if result.drives else "not attempted yet"
+        )
     passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
     is_practice = result.exercise.practice
     refused = (
@@ -244,13 +272,13 @@ def _advice(result, call):
             )
     elif call.result.error:
         error, exercise = call.result, result.exercise
-        names = exercise.names if exercise.subject == "function" else None
+        names = exercise.names if exercise.subject not in NODES else None
         node_advice = advice_on_node_error(error) if exercise.subject != "function" else ""
         expected = (names, exercise.function)
         yield node_advice or advice_on(
             error.error, error.message, error.line, *expected, closest=error.closest
         )
-    if call.difference is None or call.result.changed or result.exercise.subject != "function":
+    if call.difference is None or call.result.changed or result.exercise.subject in NODES:
         return
     diagnosis = result.diagnosis
     yield diagnosis.text
@@ -275,6 +303,7 @@ def _warning_and_output(call, kind):
 def as_text(result):
     """A CheckResult as plain text."""
     lines = [f"{result.exercise.id}: {_headline(result)}.", *_remarks(result)]
+    lines += _rows_as_text(list(_drive_rows(result)))
     for case_result, explanation, call in _cases(result):
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
         lines += map(_indent, (explanation, *_details_as_text(result, call)))
@@ -286,11 +315,15 @@ def _details_as_text(result, call):
         return
     for caption, rows in _values(result, call, ", * differs"):
         yield caption
-        width = max((len(text) for row in rows for text, _ in row), default=0) + 1
-        for row in rows:
-            yield "".join(f"{text:>{width}}{'*' if mark else ' '}" for text, mark in row).rstrip()
+        yield from _rows_as_text(rows)
     yield from _advice(result, call)
     yield from _warning_and_output(call, result.exercise.kind)
+
+
+def _rows_as_text(rows):
+    width = max((len(text) for row in rows for text, _ in row), default=0) + 1
+    for row in rows:
+        yield "".join(f"{text:>{width}}{'*' if mark else ' '}" for text, mark in row).rstrip()
 
 
 def _indent(text):
@@ -306,6 +339,7 @@ def as_html(result):
     headline = html.escape(f"{result.exercise.id}: {_headline(result)}")
     body = [f'<div style="font-weight: 600; color: {colour}">{headline}</div>']
     body += map(_paragraph, _remarks(result))
+    body += _drives_as_html(result)
     for case_result, explanation, call in _cases(result):
         mark, mark_colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
         title = html.escape(case_result.case.title)
@@ -316,6 +350,17 @@ def as_html(result):
     body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
     body += map(_paragraph, _ends(result))
     return f'<div style="border-left: 4px solid {colour}; padding: 4px 10px">{"".join(body)}</div>'
+
+
+def _drives_as_html(result):
+    """The table of drives, and their maps."""
+    if result.drives:
+        from imgproc_course.classroom.exercises.drive_check import images_of_drive  # here, as in `_figures`
+
+        yield _table(_drive_rows(result), 'th scope="col"')
+        images = [image for drive in result.drives for image in images_of_drive("draw_map", drive)]
+        yield _row_of_figures(images)
+        yield _paragraph(_MAP)
 
 
 def _paragraph(text):
@@ -334,15 +379,19 @@ def _details_as_html(result, call):
     yield from map(_paragraph, _warning_and_output(call, result.exercise.kind))
 
 
-def _table(rows):
+def _table(rows, first="td"):
+    """A table of (text, whether it is marked) of each cell; `first` is the tag of the first row's cells."""
     plain = "padding: 1px 6px; text-align: right; white-space: nowrap; font-family: monospace"
     plain += "; border: 1px solid #9e9e9e"
     framed = f"{plain}; border: 2px solid {_COLOURS['failed']}; font-weight: 700"
     lines = (
         "<tr>"
-        + "".join(f'<td style="{framed if mark else plain}">{html.escape(text)}</td>' for text, mark in row)
+        + "".join(
+            f'<{tag} style="{framed if mark else plain}">{html.escape(text)}</{tag[:2]}>'
+            for text, mark in row
+        )
         + "</tr>"
-        for row in rows
+        for tag, row in zip(chain([first], repeat("td")), rows, strict=False)
     )
     table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{"".join(lines)}</table>'
     return f'<div style="overflow-x: auto" tabindex="0">{table}</div>'
@@ -353,6 +402,8 @@ def _figures(result, call):
     # Here, because it imports Pillow: the processes that grade import this package, and draw nothing.
     from imgproc_course.classroom.exercises.answer_images import answer_images, given_images, is_image
 
+    if result.exercise.subject == "drive":
+        return _images_before(call)
     if not call.result.finished:
         return ""
     if result.exercise.subject != "function":
@@ -365,6 +416,14 @@ def _figures(result, call):
             images = answer_images(argument_form, part_name, expected, actual, wrong)
             break
     return _row_of_figures(images)
+
+
+def _images_before(drive):
+    """What the camera saw before the bump, or before the place nearest to something."""
+    from imgproc_course.classroom.exercises.drive_check import images_of_drive
+
+    has_moment = drive.record["decisive"] and not drive.record["ended"]
+    return _row_of_figures(images_of_drive("look_back", drive)) if has_moment else ""
 
 
 def _images_of_node(call):

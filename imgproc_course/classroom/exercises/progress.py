@@ -27,7 +27,7 @@ _DAMAGED = (ValueError, RecursionError)
 _MOST_TRIES = 50
 _JUMPS = {*dis.hasjrel, *dis.hasjabs}  # their operands depend on where the code stands
 _LAB_VARIABLE = "JPY_SESSION_NAME"  # Jupyter's server sets it for the kernel of a notebook
-_TEST_VARIABLE = "PYTEST_CURRENT_TEST"  # pytest sets it, so nbval and our builds have it
+TEST_VARIABLE = "PYTEST_CURRENT_TEST"  # pytest sets it, so nbval and our builds have it
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ _of_this_process = {}  # {exercise id: ExerciseProgress}
 
 def learners_folder():
     """The folder in which this process keeps progress, or None."""
-    is_learners_run = _LAB_VARIABLE in os.environ and _TEST_VARIABLE not in os.environ
+    is_learners_run = _LAB_VARIABLE in os.environ and TEST_VARIABLE not in os.environ
     folder = Path.cwd()
     return folder if is_learners_run and (folder / LEARNERS_FOLDER).is_file() else None
 

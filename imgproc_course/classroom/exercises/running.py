@@ -33,7 +33,8 @@ _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
 _PATIENCE = 2  # time limits that a function may wait in addition, for the processor or in a sleep
-SUBJECTS = ("function", "node", "package")  # what an answer may be
+SUBJECTS = ("function", "node", "package", "drive")  # what an answer may be
+NODES = ("node", "package")  # those whose answer has a node, which `node_driver` drives
 _NODE_ARGUMENTS = ["look", "steps"]  # of a call in an exercise that drives, see `node_driver`
 
 
@@ -94,7 +95,7 @@ def call(function, arguments, names, time_limit, subject="function"):
     """
     copies = copy.deepcopy(arguments)
     before = [canonical(value, limit=None) for value in copies]
-    output = _LimitedOutput()
+    output = LimitedOutput()
     with warnings.catch_warnings(record=True) as caught_warnings:
         warnings.simplefilter("always")
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
@@ -111,7 +112,7 @@ def call(function, arguments, names, time_limit, subject="function"):
 @contextlib.contextmanager
 def by_itself():
     """Run code without a reader and without anybody who answers it: as in grading, input() fails."""
-    output, stdin = _LimitedOutput(), sys.stdin
+    output, stdin = LimitedOutput(), sys.stdin
     sys.stdin = io.StringIO()
     try:
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
@@ -123,8 +124,7 @@ def by_itself():
 def argument_names(function, arguments=(), subject="function"):
     """The names of an answer's arguments; arguments without a name are numbered."""
     try:
-        driven = subject != "function"
-        names = _NODE_ARGUMENTS if driven else list(inspect.signature(function).parameters)
+        names = _NODE_ARGUMENTS if subject in NODES else list(inspect.signature(function).parameters)
     except (TypeError, ValueError):
         names = []
     if not arguments:
@@ -138,15 +138,20 @@ def _call_fields(function, arguments, time_limit, subject):
     try:
         value = call_within(lambda: run(function, arguments), time_limit)
         return {"value": canonical(value, limit=None)}
-    except TimeUp as ended:
-        return {"timed_out": True, "stuck": bool(ended.args)}
-    except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's function may raise anything
-        return {
-            "error": type(error).__name__,
-            "message": _message(error),
-            "line": _own_line(error, function),
-            "closest": _closest(error),
-        }
+    except (Exception, SystemExit, TimeUp) as error:  # noqa: BLE001 - a learner's function may raise anything
+        return failure_fields(error, function)
+
+
+def failure_fields(error, function):
+    """The fields of CallResult that say why a call did not finish, as a dict."""
+    if isinstance(error, TimeUp):
+        return {"timed_out": True, "stuck": bool(error.args)}
+    return {
+        "error": type(error).__name__,
+        "message": _message(error),
+        "line": _own_line(error, function),
+        "closest": _closest(error),
+    }
 
 
 def _call(function, arguments):
@@ -187,7 +192,7 @@ def _arrays(form):
         yield from _arrays(part)
 
 
-class _LimitedOutput(io.StringIO):
+class LimitedOutput(io.StringIO):
     """Keeps the first part of the output: a loop that prints must not fill the memory."""
 
     def write(self, text):

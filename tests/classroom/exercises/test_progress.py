@@ -24,7 +24,7 @@ def learner(tmp_path, monkeypatch):
     (tmp_path / ".course.json").write_text("{}")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("JPY_SESSION_NAME", str(tmp_path / "04_grayscale.ipynb"))
-    monkeypatch.setattr(progress, "_TEST_VARIABLE", "NOT_SET_BY_PYTEST")
+    monkeypatch.setattr(progress, "TEST_VARIABLE", "NOT_SET_BY_PYTEST")
     monkeypatch.setattr(progress, "_of_this_process", {})
     return tmp_path
 
@@ -52,7 +52,7 @@ def test_nothing_is_written_elsewhere(learner, monkeypatch, missing):
     if missing == "marker":
         (learner / ".course.json").unlink()
     elif missing == "not pytest":
-        monkeypatch.setattr(progress, "_TEST_VARIABLE", "PYTEST_CURRENT_TEST")
+        monkeypatch.setattr(progress, "TEST_VARIABLE", "PYTEST_CURRENT_TEST")
     else:
         monkeypatch.delenv(missing)
     assert note_progress("a-one", ONE) == ONE

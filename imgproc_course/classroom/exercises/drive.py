@@ -1,0 +1,213 @@
+"""A drive: a scenario in which a learner's `control` drives the robot, and what the robot did, as plain data.
+
+`check` and grading use it. It runs where the environment is, never where the learner's code is. A scenario is
+a dict, see `scenario`; what a drive gives is the dict of `Drive.record`.
+"""
+
+import importlib
+import math
+import numbers
+import re
+import reprlib
+from dataclasses import dataclass
+
+import numpy as np
+
+from imgproc_course.classroom import course
+
+LOOK = 0.1  # seconds from one observation to the next
+LOOK_SECONDS = 0.5  # how long one call of `control` may take
+PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
+SENSORS = ("scan", "depth", "image", "odometry")
+# The keys of a scenario that the environment's `reset` takes.
+OPTIONS = ("room", "start", "time", "lighting", "movers", "duration", "ball", "goal")
+DURATION = 40.0  # seconds, of a scenario that does not say it
+PLACES = ("DRIVE_ENVIRONMENT", "DRIVE_OBSERVATION", "DRIVE_ROOM", "DRIVE_MAP")  # entries of `course`
+_ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
+_REPR = reprlib.Repr()
+_REPR.maxother = 80  # characters: an address is not cut
+_COUNTS = {"<=": ("≤", "at most"), ">=": ("≥", "at least")}
+_EXPECTED = "expected two numbers, (linear, angular)"
+
+
+@dataclass(frozen=True)
+class _Metric:
+    """How texts name a metric, its format, and a sentence about its value."""
+
+    title: str
+    format: str
+    sentence: str
+
+
+METRICS = {
+    "bumps": _Metric("bumps", "{:.0f}", "The robot bumped {} times"),
+    "clearance": _Metric("clearance", "{:.2f} m", "The robot came as near as {} to what stands still"),
+    "distance": _Metric("distance driven", "{:.2f} m", "The robot drove {}"),
+    "reach": _Metric("reach", "{:.2f} m", "The robot got {} away from its start"),
+    "places": _Metric("places", "{:.0f}", "The robot came to {} places (cells of 0.5 m)"),
+    "time": _Metric("time", "{:.1f} s", "The robot drove for {}"),
+    "goal_time": _Metric("time to the goal", "{:.1f} s", "The robot reached the goal after {}"),
+    "ball_gap": _Metric(
+        "error of the distance", "{:.2f} m", "The robot's distance to the ball was wrong by {}"
+    ),
+}
+
+
+def metric_text(name, value, operator=""):
+    """The value of a metric with its unit, "–" if nothing was measured; with an operator its threshold."""
+    sign = f"{_COUNTS[operator][0]} " if operator else ""
+    return sign + ("–" if value is None else METRICS[name].format.format(value))
+
+
+def load(place):
+    """What "module:name" names, as the PLACES do."""
+    module, name = place.split(":")
+    return getattr(importlib.import_module(module), name)
+
+
+class Drive:
+    """One drive, look after look, in an environment as `course.DRIVE_ENVIRONMENT` makes it.
+
+    scenario     the dict
+    observation  what `control` gets next, {name: array, or float for "time"}
+    layout       [name, dtype, shape] of each of its values
+    over         whether the drive is at its end; then `act` and `stop` do nothing
+    """
+
+    def __init__(self, env, scenario):
+        self._env, self.scenario = env, scenario
+        self._ended, self._actions, self._decisive = "", [], 0
+        options = {key: value for key, value in scenario.items() if key in OPTIONS}
+        self._read(*env.reset(seed=scenario["seed"], options=options))
+        arrays = {name: np.asarray(value) for name, value in self.observation.items()}
+        self.layout = [[name, array.dtype.str, list(array.shape)] for name, array in arrays.items()]
+
+    @property
+    def looks(self):
+        return len(self._actions)
+
+    @property
+    def over(self):
+        return bool(self._ended) or self.looks >= looks_of(self.scenario)
+
+    def act(self, linear, angular):
+        """Drive with a linear (m/s) and an angular speed (rad/s) until the next look."""
+        if self.over:
+            return
+        try:
+            speeds = speeds_of((linear, angular))
+        except ValueError as error:
+            self.stop(str(error))
+            return
+        limits = self._env.action_space
+        action = np.clip(np.array(speeds), limits.low.astype(float), limits.high.astype(float))
+        self._actions.append(speeds)
+        observation, _, _, _, info = self._env.step(action)
+        self._read(observation, info)
+
+    def stop(self, reason):
+        """End the drive before its time, for a reason in one sentence."""
+        if not self.over:
+            self._ended = reason
+
+    def record(self):
+        """What the robot did, as data of JSON.
+
+        metrics   the environment's `info`
+        ended     why the drive ended before its time, "" if it did not
+        looks     how many actions were driven
+        path      [x, y, yaw] at the start and after each action, metres and radians
+        bumps     [look, x, y] of each bump
+        missed    [metric, value, operator, limit] of each threshold that is not kept
+        decisive  the look of the first bump, else that of the least clearance
+        actions   [linear, angular] of each look
+        """
+        env = self._env.unwrapped
+        return {
+            "metrics": dict(self._info),
+            "ended": self._ended,
+            "looks": self.looks,
+            "path": [[round(float(value), 4) for value in place] for place in env.path],
+            "bumps": [
+                [int(look), round(float(x), 4), round(float(y), 4)] for look, (x, y, *_) in env.bump_places
+            ],
+            "missed": [
+                [name, self._info[name], *limit]
+                for name, limit in self.scenario["thresholds"].items()
+                if not _is_kept(self._info[name], *limit)
+            ],
+            "decisive": int(env.bump_places[0][0]) if env.bump_places else self._decisive,
+            "actions": [list(speeds) for speeds in self._actions],
+        }
+
+    def _read(self, observation, info):
+        is_nearer = self._actions and info["clearance"] != self._info["clearance"]
+        self._decisive = self.looks if is_nearer else self._decisive
+        self._info = info
+        self.observation = load(course.DRIVE_OBSERVATION)(observation)
+
+
+def looks_of(scenario):
+    """How many looks a whole drive has."""
+    return round(scenario.get("duration", DURATION) / LOOK)
+
+
+def passes(record, scenario):
+    """Whether a drive gives the points of its case."""
+    return not record["ended"] and not record["missed"] and record["looks"] == looks_of(scenario)
+
+
+def _is_kept(value, operator, limit):
+    if value is None:
+        return False
+    return value <= limit if operator == "<=" else value >= limit
+
+
+def speeds_of(value):
+    """The two speeds that `control` returned, as floats; ValueError: it returned something else."""
+    is_sequence = isinstance(value, (tuple, list, np.ndarray)) and np.ndim(value) != 0
+    numbers_only = is_sequence and all(isinstance(speed, numbers.Real) for speed in value)
+    if not numbers_only or len(value) != 2:
+        raise ValueError(f"control returned {_text_of(value)}: {_EXPECTED}")
+    try:
+        speeds = tuple(map(float, value))
+    except OverflowError:
+        speeds = (math.inf, math.inf)
+    if not all(map(math.isfinite, speeds)):
+        raise ValueError(f"control returned {_text_of(value)}: {_EXPECTED}, both finite")
+    return speeds
+
+
+def _text_of(value):
+    """A returned value in a line, without addresses, which differ from run to run."""
+    return _ADDRESS.sub("0x…", " ".join(_REPR.repr(value).split()))
+
+
+# ---------------------------------------------------------------- sentences
+
+
+def sentences_of(record, scenario):
+    """What went wrong in a drive, as a list of sentences; empty if it passes."""
+    if record["ended"]:
+        reason = record["ended"].rstrip(".")
+        return [f"The drive ended after {record['looks'] * LOOK:.1f} s: {reason}."]
+    if record["looks"] < looks_of(scenario):
+        return ["The drive did not come to its end."]
+    names = {name for name, *_ in record["missed"]}
+    return [
+        _sentence(record, *missed)
+        for missed in record["missed"]
+        if missed[0] != "clearance" or "bumps" not in names  # a bump says it
+    ]
+
+
+def _sentence(record, name, value, operator, limit):
+    if value is None:
+        return "The robot did not reach the goal." if name == "goal_time" else "The robot did not move."
+    asked = f"the task asks for {_COUNTS[operator][1]} {metric_text(name, limit)}."
+    if name == "bumps" and record["bumps"]:
+        obstacle = record["metrics"].get("bumped_into") or "something"
+        text = f"The robot bumped into the {obstacle} at {record['bumps'][0][0] * LOOK:.1f} s"
+        text += f", and bumped {value} times in all" if value > 1 else ""
+        return f"{text}; {asked}" if limit else f"{text}."
+    return f"{METRICS[name].sentence.format(metric_text(name, value))}; {asked}"

@@ -1,0 +1,197 @@
+"""A drive in a scenario: what a learner's two numbers do, what it gives, and what is said about it."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from plane_env import PlaneEnv
+
+from imgproc_course.classroom import course
+from imgproc_course.classroom.exercises.drive import Drive, passes, sentences_of, speeds_of
+from imgproc_course.classroom.exercises.scenario import read_scenario
+
+SCENARIO = {
+    "seed": 3,
+    "title": "a wall",
+    "duration": 3.0,
+    "thresholds": {"bumps": ["<=", 0], "clearance": [">=", 0.25], "reach": [">=", 0.5]},
+}
+
+
+@pytest.fixture(autouse=True)
+def on_a_plane(monkeypatch):
+    monkeypatch.setattr(course, "DRIVE_OBSERVATION", "plane_env:controller_observation")
+
+
+def driven(speeds, **changes):
+    """The record of a drive at constant speeds, and its scenario."""
+    scenario = SCENARIO | changes
+    drive = Drive(PlaneEnv(("scan", "odometry")), scenario)
+    while not drive.over:
+        drive.act(*speeds)
+    return drive.record(), scenario
+
+
+def test_a_drive_gives_observations_until_its_end():
+    drive = Drive(PlaneEnv(("scan", "odometry")), SCENARIO)
+    assert drive.layout == [["scan", "<f4", [360]], ["odometry", "<f8", [3]], ["time", "<f8", []]]
+    assert drive.observation["scan"][0] == 2.0 and drive.observation["time"] == 0.0
+    drive.act(0.2, 0.0)
+    assert drive.observation["odometry"].tolist() == pytest.approx([0.02, 0, 0]) and drive.looks == 1
+    for _ in range(40):
+        drive.act(0.2, 0.0)
+    assert drive.over and drive.looks == 30
+
+
+def test_the_environment_gets_the_options_of_the_scenario_alone():
+    env = PlaneEnv()
+    Drive(env, SCENARIO | {"room": 17, "lighting": "evening"})
+    assert (env.seed, env.options) == (3, {"duration": 3.0, "room": 17, "lighting": "evening"})
+
+
+def test_a_record_is_data_and_says_what_was_kept():
+    record, scenario = driven((0.2, 0.0))
+    assert json.loads(json.dumps(record)) == record
+    assert passes(record, scenario) and sentences_of(record, scenario) == []
+    assert record["looks"] == 30 and record["path"][-1] == [0.6, 0, 0] and record["actions"][7] == [0.2, 0.0]
+    assert record["metrics"]["reach"] == 0.6 and record["decisive"] == 30
+
+
+def test_a_bump_is_the_decisive_moment():
+    record, scenario = driven((0.3, 0.0), room=10)
+    assert record["missed"] == [["bumps", 1, "<=", 0], ["clearance", 0.0, ">=", 0.25]]
+    assert record["decisive"] == 27 and record["bumps"] == [[27, 0.8, 0.0]] and not passes(record, scenario)
+    assert sentences_of(record, scenario) == ["The robot bumped into the wall at 2.7 s."]
+    some_bumps, _ = driven((0.3, 0.0), room=10, thresholds={"bumps": ["<=", 0], "reach": [">=", 0.85]})
+    assert sentences_of(some_bumps, scenario) == [
+        "The robot bumped into the wall at 2.7 s.",
+        "The robot got 0.80 m away from its start; the task asks for at least 0.85 m.",
+    ]
+
+
+def test_a_robot_that_comes_too_near_is_told():
+    record, scenario = driven((0.19, 0.0), room=10)
+    assert sentences_of(record, scenario) == [
+        "The robot came as near as 0.23 m to what stands still; the task asks for at least 0.25 m."
+    ]
+
+
+def test_a_robot_that_stands_has_no_clearance():
+    record, scenario = driven((0.0, 0.4))
+    assert sentences_of(record, scenario) == [
+        "The robot did not move.",
+        "The robot got 0.00 m away from its start; the task asks for at least 0.50 m.",
+    ]
+
+
+def test_speeds_beyond_the_robots_limits_are_cut():
+    record, _ = driven((1e308, 0.0))
+    assert record["path"][-1] == [0.9, 0, 0] and record["actions"][0] == [1e308, 0.0]
+
+
+def test_a_drive_that_was_stopped_does_not_pass():
+    drive = Drive(PlaneEnv(), SCENARIO)
+    drive.act(0.2, 0.0)
+    drive.stop("control() raised ZeroDivisionError: division by zero")
+    drive.act(0.2, 0.0)
+    record = drive.record()
+    assert record["looks"] == 1 and not passes(record, SCENARIO)
+    assert sentences_of(record, SCENARIO) == [
+        "The drive ended after 0.1 s: control() raised ZeroDivisionError: division by zero."
+    ]
+
+
+def test_a_drive_that_nobody_drove_to_its_end_does_not_pass():
+    drive = Drive(PlaneEnv(), SCENARIO | {"thresholds": {"bumps": ["<=", 0]}})
+    drive.act(0.2, 0.0)
+    assert not drive.record()["missed"] and not passes(drive.record(), drive.scenario)
+    assert sentences_of(drive.record(), drive.scenario) == ["The drive did not come to its end."]
+
+
+@pytest.mark.parametrize("value", [(1, 2), [1.0, 2], np.array([1.0, 2.0]), (np.float32(1), np.int64(2))])
+def test_two_numbers_are_speeds(value):
+    speeds = speeds_of(value)
+    assert speeds == (1.0, 2.0) and {*map(type, speeds)} == {float}
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (None, "None"),
+        (0.3, "0.3"),
+        ("ab", "'ab'"),
+        ((0.1, "x"), "(0.1, 'x')"),
+        ((0.1, None), "(0.1, None)"),
+        ((1, 2, 3), "(1, 2, 3)"),
+        ({1, 2}, "{1, 2}"),
+        (np.zeros((2, 2)), "array([[0., 0.], [0., 0.]])"),
+        (np.array(1.0), "array(1.)"),
+        ((0.1, object()), "(0.1, <object object at 0x…>)"),
+        (Path, "<class 'pathlib.Path'>"),
+    ],
+)
+def test_anything_else_is_named(value, text):
+    with pytest.raises(ValueError) as raised:
+        speeds_of(value)
+    assert str(raised.value) == f"control returned {text}: expected two numbers, (linear, angular)"
+
+
+@pytest.mark.parametrize("value", [(float("nan"), 0), (0, float("inf")), (10**400, 0)])
+def test_speeds_are_finite(value):
+    with pytest.raises(ValueError, match=r"expected two numbers, \(linear, angular\), both finite$"):
+        speeds_of(value)
+
+
+def test_speeds_that_are_none_end_a_drive():
+    drive = Drive(PlaneEnv(), SCENARIO)
+    drive.act(float("nan"), 0.0)
+    assert drive.over and drive.record()["ended"].startswith("control returned (nan, 0.0)")
+
+
+# ---------------------------------------------------------------- scenarios
+
+
+def test_a_scenario_becomes_plain_data():
+    drawn = SCENARIO | {
+        "seed": np.int64(5),
+        "start": (np.float64(1), 2, 0),
+        "goal": np.array([1.0, 2.0, 0.5]),
+    }
+    scenario = read_scenario(drawn)
+    assert SCENARIO.items() <= (scenario | {"seed": 3}).items()
+    parts = [scenario[key] for key in ("seed", "start", "goal", "room")]
+    assert parts == [5, [1.0, 2, 0], [1.0, 2.0, 0.5], None] and type(scenario["seed"]) is int
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"rooms": 3}, "Object contains unknown field `rooms`; got {'seed'"),
+        ({"room": "17"}, r"Expected `int \| null`, got `str` - at `\$.room`"),
+        ({"room": -1}, r"Expected `int` >= 0 - at `\$.room`"),
+        ({"seed": 1.5}, r"Expected `int`, got `float` - at `\$.seed`"),
+        ({"start": [1, 2]}, r"Expected `array` of length 3, got 2 - at `\$.start`"),
+        ({"duration": 0}, r"Expected `float` >= 0.1 - at `\$.duration`"),
+        ({"duration": 200}, r"Expected `float` <= 120.0 - at `\$.duration`"),
+        ({"lighting": "night"}, r"Invalid enum value 'night' - at `\$.lighting`"),
+        ({"movers": ["cat"]}, r"Invalid enum value 'cat' - at `\$.movers\[0\]`"),
+        ({"title": " "}, r"Expected `str` matching regex .* - at `\$.title`"),
+        ({"thresholds": {}}, r"Expected `object` of length >= 1 - at `\$.thresholds`"),
+        ({"thresholds": {"speed": ["<=", 1]}}, "Invalid enum value 'speed' - at .*key.* in `.*thresholds`"),
+        ({"thresholds": {"bumps": ["<", 1]}}, r"Invalid enum value '<' - at `\$.thresholds\[...\]\[0\]`"),
+        ({"thresholds": {"bumps": 0}}, "Expected `array`, got `int`"),
+        ({"thresholds": {"goal_time": ["<=", 9]}}, "a threshold of goal_time needs a goal in the scenario"),
+        ({"time": float("nan")}, "Out of range float values are not JSON compliant"),
+        ({"goal": object()}, "no attribute 'tolist'"),
+    ],
+)
+def test_what_is_wrong_with_a_scenario_is_said(change, message):
+    with pytest.raises(ValueError, match=message):
+        read_scenario(SCENARIO | change)
+
+
+@pytest.mark.parametrize("key", ["seed", "title", "thresholds"])
+def test_a_scenario_needs_these_keys(key):
+    with pytest.raises(ValueError, match=f"missing required field `{key}`"):
+        read_scenario({name: value for name, value in SCENARIO.items() if name != key})
