@@ -36,7 +36,7 @@ OPTIONS: dict[str, Any] = {
 }
 START_CLEARANCE = 0.45  # metres around the body at a start that is drawn
 TURNING = 0.28  # metres from the axle's center: who has so much room can turn on the spot
-KEPT_ROOMS = 4  # so many rooms stay ready for the next drive
+KEPT_ROOMS = 2  # so many rooms stay ready for the next drive: up to 220 MB each, if images are drawn
 
 
 class RoomEnv(gymnasium.Env):

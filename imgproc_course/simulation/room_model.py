@@ -83,7 +83,7 @@ class FreeSpace:
     """
 
     def __init__(self, distance, origin, cell):
-        """distance (H, W) in millimetres, of cells of `cell` metres; origin (x, y) of their corner"""
+        """distance (rows, columns) in millimetres"""
         self._millimetres = distance.tolist()  # single numbers are read faster from a list
         self.metres = distance / 1000
         self.origin = [float(v) for v in origin]
