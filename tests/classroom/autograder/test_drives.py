@@ -219,12 +219,12 @@ def key_of(tmp_path):
     return made
 
 
-@pytest.mark.parametrize(("seed", "fits"), [("a", 19), ("b", 16)])  # the fifth draw of b
+@pytest.mark.parametrize(("seed", "fits"), [("a", 19), ("b", 16)])  # the fourth draw of b
 def test_a_hidden_scenario_is_drawn_until_the_solution_passes_and_each_mistake_fails(key_of, seed, fits):
     content = key_of(seed=seed).content("plane-drive")
     wall = content.scenario("hidden-plane-drive-1")["room"]
-    # The solution stops 0.6 m before a wall: less than 1.2 m away, it does not get 0.5 m far with a margin. The
-    # blind one drives 2 m: it passes a wall that is more than 2.2 m away.
+    # The solution stops 0.6 m before a wall: one less than 1.2 m away leaves it no margin to 0.5 m. The blind
+    # one drives 2 m: it passes where the wall is more than 2.2 m away.
     assert wall == fits
     assert content.scenario("case-plane-drive-1")["room"] == 30  # the blind one passes
 
@@ -239,7 +239,7 @@ def test_the_margin_makes_each_threshold_stricter():
 def test_a_key_names_the_case_that_no_draw_fits(key_of):
     with pytest.raises(MasterError) as error:
         key_of(hidden=FIXED)
-    assert "10_plane.py, line 34: hidden-plane-drive-1: none of 1 drawn scenarios fits" in str(error.value)
+    assert "10_plane.py, line 34: hidden-plane-drive-1: none of 20 drawn scenarios fits" in str(error.value)
     assert "the mistake 'it is blind' passes. Change inputs(rng)" in str(error.value)
     near = DRAWN.replace("5, 30", "4, 9")
     with pytest.raises(
