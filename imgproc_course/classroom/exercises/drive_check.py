@@ -19,6 +19,7 @@ import numpy as np
 from imgproc_course.classroom import course
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.drive import (
+    LOOK,
     LOOK_SECONDS,
     PATH_TOLERANCE,
     PLACES,
@@ -224,8 +225,8 @@ def _bar(text, share):
 def known_mistake(exercise, calls):
     """The declared mistake that drives as a learner's `control` does in each scenario in which that fails.
 
-    It misses the same thresholds, and its path stays within PATH_TOLERANCE of the learner's until the
-    decisive moment. If several do, the nearest one counts. None if there is none.
+    It misses the same thresholds, and its path stays within PATH_TOLERANCE of the learner's until a second
+    after the decisive moment. If several do, the nearest one counts. None if there is none.
     """
     failed = [call for call in calls if not call.passed]
     distances = [
@@ -242,10 +243,11 @@ def _distance(mistake, call):
         return 0.0 if predicted.error and predicted.matches(call.result, 0.0) else np.inf
     missed, path = (dict_of(predicted.value)[name] for name in ("missed", "path"))
     own = dict_of(call.result.value)
-    end = call.record["decisive"] // _STEP + 1
-    if missed != own["missed"] or len(array_of(path)) < end:
+    end = (call.record["decisive"] + round(1 / LOOK)) // _STEP + 1
+    paths = array_of(path)[:end], array_of(own["path"])[:end]
+    if missed != own["missed"] or paths[0].shape != paths[1].shape:
         return np.inf
-    return float(np.abs(array_of(path)[:end] - array_of(own["path"])[:end]).max())
+    return float(np.abs(paths[0] - paths[1]).max())
 
 
 def dict_of(form):

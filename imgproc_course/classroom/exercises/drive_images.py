@@ -40,12 +40,13 @@ def look_back(env, record, scenario):
             again.act(*record["actions"][look])
     if again.record()["path"] != record["path"][: record["decisive"] + 1]:
         raise ValueError(f"the drive in the scenario {scenario['title']!r} takes another path if repeated")
-    return [_frame_image(frame, looks * LOOK) for looks, frame in frames.items()]
+    moment = "the bump" if record["bumps"] else "the nearest place"
+    return [_frame_image(frame, looks * LOOK, moment) for looks, frame in frames.items()]
 
 
-def _frame_image(frame, seconds):
-    caption = f"{seconds:.1f} s before" if seconds else "the decisive moment"
-    alt = f"What the camera of the robot sees, {seconds:.1f} s before the decisive moment of the drive"
+def _frame_image(frame, seconds, moment):
+    caption = f"{seconds:.1f} s before" if seconds else moment
+    alt = f"What the camera of the robot sees {seconds:.1f} s before {moment}"
     return _encode(caption, alt, frame, _FRAME_WIDTH)
 
 

@@ -5,6 +5,7 @@ for byte.
 """
 
 import html
+from itertools import chain, repeat
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.drive import METRICS, metric_text, sentences_of
@@ -356,7 +357,7 @@ def _drives_as_html(result):
     if result.drives:
         from imgproc_course.classroom.exercises.drive_check import images_of_drive  # here, as in `_figures`
 
-        yield _table(_drive_rows(result))
+        yield _table(_drive_rows(result), 'th scope="col"')
         images = [image for drive in result.drives for image in images_of_drive("draw_map", drive)]
         yield _row_of_figures(images)
         yield _paragraph(_MAP)
@@ -378,15 +379,19 @@ def _details_as_html(result, call):
     yield from map(_paragraph, _warning_and_output(call, result.exercise.kind))
 
 
-def _table(rows):
+def _table(rows, first="td"):
+    """A table of (text, whether it is marked) of each cell; `first` is the tag of the first row's cells."""
     plain = "padding: 1px 6px; text-align: right; white-space: nowrap; font-family: monospace"
     plain += "; border: 1px solid #9e9e9e"
     framed = f"{plain}; border: 2px solid {_COLOURS['failed']}; font-weight: 700"
     lines = (
         "<tr>"
-        + "".join(f'<td style="{framed if mark else plain}">{html.escape(text)}</td>' for text, mark in row)
+        + "".join(
+            f'<{tag} style="{framed if mark else plain}">{html.escape(text)}</{tag[:2]}>'
+            for text, mark in row
+        )
         + "</tr>"
-        for row in rows
+        for tag, row in zip(chain([first], repeat("td")), rows, strict=False)
     )
     table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{"".join(lines)}</table>'
     return f'<div style="overflow-x: auto" tabindex="0">{table}</div>'

@@ -1,0 +1,445 @@
+"""What `check` does with a controller: it drives, and says and shows what the robot did."""
+
+import linecache
+import os
+import re
+import select
+import signal
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from plane_env import PlaneEnv
+
+from imgproc_course.classroom import course
+from imgproc_course.classroom.authoring.lesson_files import lesson_files
+from imgproc_course.classroom.authoring.masters import read_master
+from imgproc_course.classroom.authoring.validation import validate_exercise
+from imgproc_course.classroom.exercises import drive_check, progress
+from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
+from imgproc_course.classroom.exercises.check_files import read_check_file
+from imgproc_course.classroom.exercises.checking import check, check_built, run_cases, run_check
+from imgproc_course.classroom.exercises.declaration import MasterError, exercise, read_exercises
+from imgproc_course.classroom.exercises.drive import LOOK, METRICS, PLACES, SENSORS, Drive, read_scenario
+from imgproc_course.classroom.exercises.drive_images import look_back
+from imgproc_course.classroom.exercises.expected_results import check_data_of
+from imgproc_course.simulation import room_env
+
+TESTS = str(Path(__file__).parents[2])
+ON_A_PLANE = [f"plane_env:{name}" for name in ("PlaneEnv", "controller_observation", "room_of", "draw_map")]
+BLIND = "def control(observation, memory):\n    return 0.3, 0.0\n"
+STOPS = """def control(observation, memory):
+    return (0.3 if observation["scan"][0] > {} else 0.0), 0.0
+"""
+RIGHT, LATE = STOPS.format(0.6), STOPS.format(0.3)
+MIDDLE = STOPS.format(0.36)  # it stops within 0.1 m of LATE, and is wrong too
+HINTS = 'hints=("a", "b", "c"), explanation="e", another_way="w"'
+PARTS = {
+    "given": "# %%\nimport numpy as np",
+    "exercise": (
+        '# %% role="exercise"\nexercise("test-drive", function="control", subject="drive",'
+        f' sensors=("scan", "odometry"), hint="Look ahead.", {HINTS})\n'
+        'LIMITS = {"bumps": ["<=", 0], "clearance": [">=", 0.25], "reach": [">=", 0.5]}\n'
+        "def scenario(room):\n"
+        '    return {"seed": 1, "room": room, "duration": 6.0, "thresholds": LIMITS}'
+    ),
+    "answer": f'# %% role="answer"\n{BLIND}',
+    "solution": f'# %% role="solution"\n{RIGHT}',
+    "check": '# %% role="check"\ncheck("test-drive", control)',
+    "case": '# %% role="case" title="near" points=2\ndef inputs(rng):\n    return (scenario(12),)',
+    "second": '# %% role="case" title="far"\ndef inputs(rng):\n    return [(scenario(16),)]',
+    "third": '# %% role="case" title="nearest"\ndef inputs(rng):\n    return (scenario(11),)',
+    "hidden": (
+        '# %% role="hidden" title="any" points=3\ndef inputs(rng):\n'
+        "    return (scenario(rng.integers(9, 99)),)"
+    ),
+    "mistake": f'# %% role="mistake" name="late" says="It brakes too late."\n{LATE}',
+    "second mistake": (
+        '# %% role="mistake" name="slow" says="It is too slow."\n'
+        "def control(observation, memory):\n    return 0.05, 0.0"
+    ),
+}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def on_a_plane():
+    """Simulators with the environment of this folder."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name, place in zip(PLACES, ON_A_PLANE, strict=True):
+            patch.setattr(course, name, place)
+        patch.setenv("PYTHONPATH", TESTS)
+        drive_check.close_simulators()
+        yield
+        drive_check.close_simulators()
+
+
+@pytest.fixture
+def master(write_master):
+    return lambda **changed: write_master("80_driving", **(PARTS | changed))
+
+
+@pytest.fixture
+def data(master):
+    (declared,) = read_exercises(master())
+    return check_data_of(declared)
+
+
+def control_in(source):
+    names = {"np": np}
+    exec(source, names)
+    return names["control"]
+
+
+def checked(data, source):
+    return run_check(data, control_in(source), ComposedAnswer("control", source))
+
+
+# ---------------------------------------------------------------- declaration
+
+
+def test_the_environment_of_the_room_is_as_a_drive_expects():
+    assert (room_env.SENSORS, room_env.LOOK) == (SENSORS, LOOK)
+    env = room_env.RoomEnv(())
+    scenario = {"seed": 1, "title": "t", "thresholds": {"bumps": ["<=", 0]}} | room_env.OPTIONS
+    _, info = env.reset(seed=1, options={"duration": 1.0})
+    assert read_scenario(scenario) == scenario and {*METRICS, "bumped_into"} == {*info}
+
+
+@pytest.mark.parametrize(
+    ("subject", "sensors"), [("drive", ()), ("drive", "scan"), ("drive", ("radar",)), ("function", ("scan",))]
+)
+def test_an_exercise_that_drives_names_its_sensors(subject, sensors):
+    message = "exercise a-drive: sensors=.*, expected a tuple with some of scan, depth, image, odometry if"
+    with pytest.raises(MasterError, match=message):
+        exercise("a-drive", function="control", subject=subject, sensors=sensors)
+
+
+@pytest.mark.parametrize(
+    ("returned", "message"),
+    [
+        ("(1, 2)", r"inputs\(rng\) of a drive returns one scenario, a dict: return \(scenario,\)"),
+        ("[(scenario(9),), (scenario(9),)]", r"inputs\(rng\) of a drive returns one scenario"),
+        ("(LIMITS,)", "unknown key 'bumps' in a scenario"),
+        ('(scenario("17"),)', "room='17' in a scenario, expected None, the recorded room, or a whole number"),
+    ],
+)
+def test_a_case_that_is_no_scenario_is_refused(master, returned, message):
+    (declared,) = read_exercises(
+        master(case=f'# %% role="case" title="near"\ndef inputs(rng):\n    return {returned}')
+    )
+    with pytest.raises(MasterError, match=rf"^80_driving.py, line \d+: case-test-drive-1: {message}"):
+        check_data_of(declared)
+
+
+def test_a_scenario_has_the_title_of_its_case(data):
+    (call,) = data.cases[0].calls
+    assert call.arguments[0]["title"] == "near" and data.names == ("observation", "memory")
+
+
+def test_the_check_cell_of_a_drive_is_not_compared(master):
+    cells = {cell.id: cell for cell in read_master(master()).cells}
+    assert cells["check-test-drive-1"].varies and not cells["answer-test-drive"].varies
+
+
+def test_the_files_of_a_lesson_hold_scenarios_and_mistakes(master, tmp_path):
+    path = tmp_path / "driving.json"
+    path.write_text(lesson_files(read_master(master()))["checks/driving.json"])
+    stored = read_check_file(path).exercise("test-drive")
+    assert (stored.subject, stored.sensors) == ("drive", ("scan", "odometry"))
+    assert stored.cases[1].calls[0].arguments[0]["room"] == 16
+    assert checked(stored, RIGHT).passed and checked(stored, LATE).mistake.says == "It brakes too late."
+
+
+@pytest.mark.parametrize(
+    ("changes", "problem"),
+    [
+        ({}, None),
+        (
+            {"solution": f'# %% role="solution"\n{LATE}'},
+            "case-test-drive-1: the solution does not pass it. The robot came as near as 0.10 m",
+        ),
+        (
+            {"answer": f'# %% role="answer"\n{RIGHT}'},
+            "test-drive: the stub passes a public case; let it drive",
+        ),
+        (
+            {"second mistake": f'# %% role="mistake" name="right" says="No."\n{RIGHT}'},
+            "test-drive: the mistake 'right' passes every public case",
+        ),
+        (
+            {"second mistake": f'# %% role="mistake" name="same" says="No."\n{LATE}'},
+            "test-drive: the mistake 'same' is taken for 'late'",
+        ),
+        (
+            {"hidden": '# %% role="hidden" title="any"\ndef inputs(rng):\n    return (scenario(9),)'},
+            "hidden-test-drive-1: inputs(rng) ignores rng",
+        ),
+    ],
+)
+def test_an_exercise_that_drives_is_validated(master, changes, problem):
+    (declared,) = read_exercises(master(**changes))
+    problems = validate_exercise(declared)
+    assert [text.startswith(problem) for text in problems[:1]] == ([True] if problem else [])
+
+
+# ---------------------------------------------------------------- driving
+
+
+def test_a_right_controller_earns_its_points(data):
+    result = checked(data, RIGHT)
+    assert result.passed and result.points == 4
+    assert [drive.record["path"][-1][0] for drive in result.drives] == pytest.approx([0.6, 1.02, 0.51])
+
+
+def test_a_drive_that_fails_costs_its_case_alone(data):
+    result = checked(data, RIGHT.replace("0.6", 'observation["odometry"][0] + 0.1'))
+    assert [case.passed for case in result.results] == [True, True, True]
+    result = checked(
+        data, "def control(observation, memory):\n    return min(0.3, observation['scan'][0] - 0.85), 0"
+    )
+    assert [case.passed for case in result.results] == [False, True, False] and result.points == 1
+
+
+def test_each_scenario_has_memory_and_globals_of_its_own(data):
+    source = (
+        "COUNT = [0]\ndef control(observation, memory):\n"
+        "    COUNT[0] += 1\n    memory['count'] = memory.get('count', 0) + 1\n"
+        "    assert memory['count'] == COUNT[0] == round(observation['time'] * 10) + 1\n    return 0.0, 0.0\n"
+    )
+    assert [drive.record["ended"] for drive in checked(data, source).drives] == [""] * 3
+
+
+def test_a_controller_cannot_change_what_the_robot_does(data):
+    source = RIGHT.replace(
+        "    return", "    ahead = observation['scan'][0]\n    observation['odometry'][:] = 9\n    return"
+    )
+    assert checked(data, source).passed
+
+
+@pytest.mark.parametrize(
+    ("body", "sentence", "advice"),
+    [
+        (
+            "return 1 / (observation['time'] - 1), 0",
+            "1.0 s: control() raised ZeroDivisionError: float division by zero"
+            " (your line 2: return 1 / (observation['time'] - 1), 0).",
+            "is 0 for this input",
+        ),
+        ("return None", "0.0 s: control returned None: expected two numbers, (linear, angular).", "Hint:"),
+        ("return 0.1, float('nan')", "0.0 s: control returned (0.1, nan): expected two numbers", "Hint:"),
+        (
+            "while observation['time'] > 1: pass\n    return 0, 0",
+            "1.1 s: control() took longer than 0.5 s for one look.",
+            "A while loop may be endless",
+        ),
+        ("raise SystemExit", "0.0 s: control() raised SystemExit (your line 2: raise SystemExit).", "Stuck?"),
+        ("return observation['sonar']", "0.0 s: control() raised KeyError: 'sonar'", "sonar"),
+    ],
+)
+def test_what_ends_a_drive_is_said(data, body, sentence, advice):
+    source = f"def control(observation, memory):\n    {body}\n"
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    result = checked(data, source)
+    assert [case.passed for case in result.results] == [False] * 3
+    text = repr(result)
+    assert text.count(f"The drive ended after {sentence}") == 3 and advice in text
+
+
+def test_a_controller_with_other_arguments_is_told_which(data):
+    text = repr(checked(data, "def control(scan):\n    return 0, 0\n"))
+    assert "begin your function with def control(observation, memory): and use these arguments." in text
+
+
+def test_what_a_controller_prints_and_what_numpy_warns_is_shown(data):
+    source = BLIND.replace(
+        "    return", "    print('now', round(observation['time'], 1))\n    np.float64(1) / 0\n    return"
+    )
+    text = repr(checked(data, source))
+    assert "Your function printed:\n    now 0.0\n    now 0.1" in text
+    assert "NumPy or Python warned: divide by zero" in text
+
+
+def test_a_name_of_another_cell_is_named(data):
+    source = "def control(observation, memory):\n    return SPEED, 0.0\n"
+    names = {"SPEED": 0.0}
+    exec(source, names)
+    result = run_check(data, names["control"], ComposedAnswer("control", source))
+    assert "uses SPEED, which another cell defines." in repr(result)
+    assert [drive.record["ended"] for drive in result.drives] == [""] * 3
+
+
+def test_a_controller_that_waits_for_its_author_is_not_attempted(data):
+    result = checked(data, "def control(observation, memory):\n    raise NotImplementedError\n")
+    assert not result.attempted and result.results == ()
+
+
+def test_the_stub_drives_and_is_no_try(data):
+    result = checked(data, BLIND)
+    assert not result.attempted and not result.passed
+    text = repr(result)
+    assert text.startswith("test-drive: not attempted yet; the function drives as you got it.")
+    assert "The robot bumped into the wall at 3.4 s." in text and "Write control() in its cell" in text
+
+
+def test_check_in_a_notebook_drives_and_notes_a_try(master, tmp_path, monkeypatch):
+    folder = tmp_path / "checks"
+    folder.mkdir()
+    (folder / "driving.json").write_text(lesson_files(read_master(master()))["checks/driving.json"])
+    monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(folder))
+    monkeypatch.setattr(progress, "_of_this_process", {})
+    assert check("test-drive", control_in(RIGHT)).passed
+    assert progress.progress_of("test-drive").passed
+    with pytest.raises(TypeError, match="needs your function control itself"):
+        check("test-drive", (0.3, 0.0))
+
+
+def test_an_answer_is_driven_from_the_command_line(data):
+    assert check_built(data, control_in(RIGHT), RIGHT).passed
+    assert not check_built(data, control_in(LATE), LATE).passed
+
+
+# ---------------------------------------------------------------- known mistakes
+
+
+def test_a_mistake_is_known_by_its_path(data):
+    result = checked(data, LATE.replace("0.3 if", "0.30 if"))
+    assert result.mistake.says == "It brakes too late." and "It brakes too late." in repr(result)
+    other = checked(data, STOPS.format(0.42))
+    assert other.points == 0 and other.mistake is None
+
+
+def test_the_nearest_mistake_counts(master):
+    (declared,) = read_exercises(
+        master(**{"second mistake": f'# %% role="mistake" name="middle" says="A bit too late."\n{MIDDLE}'})
+    )
+    names = [run_cases(declared, control_in(source)).mistake.name for source in (LATE, MIDDLE)]
+    assert names == ["late", "middle"]
+
+
+def test_a_mistake_that_misses_other_thresholds_explains_nothing(data):
+    mistakes = tuple(replace(mistake, says="No.") for mistake in data.mistakes if mistake.name == "late")
+    never_far = LATE.replace('scan"][0] > 0.3', 'odometry"][0] < 0.4')
+    assert checked(replace(data, mistakes=mistakes), never_far).mistake is None
+
+
+def test_an_error_is_a_mistake_with_the_same_error(master):
+    raises = "def control(observation, memory):\n    return observation['sonar'], 0.0"
+    (declared,) = read_exercises(
+        master(**{"second mistake": f'# %% role="mistake" name="sonar" says="It has no sonar."\n{raises}'})
+    )
+    assert run_cases(declared, control_in(raises)).mistake.name == "sonar"
+    assert run_cases(declared, control_in(raises.replace("sonar", "radar"))).mistake is None
+
+
+# ---------------------------------------------------------------- how it looks
+
+
+def test_the_table_has_metrics_thresholds_and_points(data):
+    lines = [re.sub(r" +", " ", line).strip() for line in repr(checked(data, LATE)).splitlines()]
+    assert lines[1:5] == [
+        "scenario bumps clearance reach points",
+        "✗ near 0 (≤ 0) 0.10 m (≥ 0.25 m)* 0.90 m (≥ 0.50 m) 0 of 2",
+        "✗ far 0 (≤ 0) 0.08 m (≥ 0.25 m)* 1.32 m (≥ 0.50 m) 0 of 1",
+        "✗ nearest 0 (≤ 0) 0.09 m (≥ 0.25 m)* 0.81 m (≥ 0.50 m) 0 of 1",
+    ]
+
+
+def test_the_page_shows_each_map_and_what_the_camera_saw_before(data):
+    page = checked(data, BLIND)._repr_html_()
+    captions = re.findall("<figcaption>(.*?)</figcaption>", page)
+    assert captions == ["near", "far", "nearest", "1.5 s before", "1.0 s before", "0.5 s before", "the bump"]
+    alts = re.findall('alt="(.*?)"', page)
+    assert alts[0].startswith("The room from above: the path begins at x 0.0 m, y 0.0 m and ends at x 1.0 m")
+    assert alts[3] == "What the camera of the robot sees 1.5 s before the bump"
+    assert page.count("data:image/webp;base64,") == 7 and page.count('<th scope="col"') == 5
+    assert page == checked(data, BLIND)._repr_html_()
+
+
+def test_the_page_of_a_right_controller_has_maps_alone(data):
+    page = checked(data, RIGHT)._repr_html_()
+    assert re.findall("<figcaption>(.*?)</figcaption>", page) == ["near", "far", "nearest"]
+
+
+def test_a_drive_that_ended_early_has_no_images_before(data):
+    page = checked(data, "def control(observation, memory):\n    return None\n")._repr_html_()
+    assert page.count("<figcaption>") == 3
+
+
+def test_a_repeated_drive_must_take_the_same_path():
+    env, scenario = PlaneEnv(()), {"seed": 1, "title": "near", "room": 9, "duration": 6.0, "thresholds": {}}
+    drive = Drive(PlaneEnv(()), scenario)
+    while not drive.over:
+        drive.act(0.3, 0.0)
+    record = drive.record()
+    assert [image.caption for image in look_back(env, record, scenario)][-1] == "the bump"
+    record["actions"][4] = [0.0, 0.0]
+    with pytest.raises(ValueError, match="the drive in the scenario 'near' takes another path if repeated"):
+        look_back(env, record, scenario)
+
+
+# ---------------------------------------------------------------- simulators
+
+
+def pids():
+    return [simulator._process.pid for simulator in drive_check._simulators]
+
+
+def test_the_simulators_are_kept_for_the_next_check(data):
+    checked(data, RIGHT)
+    first = pids()
+    checked(data, LATE)
+    assert len(first) == 2 and pids() == first
+
+
+def test_an_interrupt_ends_the_drives_and_leaves_no_process(data):
+    checked(data, RIGHT)
+    processes = [simulator._process for simulator in drive_check._simulators]
+    with pytest.raises(KeyboardInterrupt):
+        checked(data, "def control(observation, memory):\n    raise KeyboardInterrupt\n")
+    assert [process.returncode for process in processes] == [-signal.SIGKILL] * 2 and pids() == []
+    assert checked(data, RIGHT).passed
+
+
+def test_a_simulator_that_ends_is_said_and_replaced(data):
+    checked(data, RIGHT)
+    for pid in pids():
+        os.kill(pid, signal.SIGKILL)
+    with pytest.raises(drive_check.SimulatorError, match="a simulator ended unexpectedly; check again"):
+        checked(data, RIGHT)
+    assert checked(data, RIGHT).passed
+
+
+def test_an_error_of_the_environment_is_not_the_learners(data):
+    (call,) = data.cases[0].calls
+    scenario = call.arguments[0] | {"start": ["left"]}
+    with pytest.raises(drive_check.SimulatorError, match="Traceback"):
+        drive_check.drive_scenarios(data, [scenario], lambda: control_in(RIGHT))
+    assert checked(data, RIGHT).passed
+
+
+KILLED = """
+import os, signal
+from imgproc_course.classroom import course
+from imgproc_course.classroom.exercises import drive_check
+for name, place in zip({names}, {places}):
+    setattr(course, name, place)
+with drive_check._all_simulators() as simulators:
+    print(*(simulator._process.pid for simulator in simulators), flush=True)
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_the_simulators_end_with_a_kernel_that_is_killed():
+    code = KILLED.format(names=PLACES, places=ON_A_PLANE)
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    for pid in map(int, ended.stdout.split()):
+        try:
+            handle = os.pidfd_open(pid)
+        except ProcessLookupError:
+            continue
+        assert select.select([handle], [], [], 60)[0], "a simulator runs on"
+        os.close(handle)
+    assert ended.returncode == -signal.SIGKILL and len(ended.stdout.split()) == 2
