@@ -108,7 +108,7 @@ class Movers:
         self.walkers = {name: walker for name, walker in self.walkers.items() if name in present}
         way = BallWay((FAR_AWAY, FAR_AWAY))
         if ball is not None:
-            time, way = 0.0, BallWay(tuple(ball[:2]), tuple(ball[2:]))
+            time, way = 0.0, ball_way(ball, self._free_space)
         elif "ball" in present:
             way = room.ball
         self.ball = Ball.at(time, way)
@@ -240,3 +240,13 @@ def gait(phase, amplitude):
             "fore" + side: -0.35,
         }
     return angles
+
+
+def ball_way(ball, free_space):
+    """The BallWay of (x, y, dx, dy)."""
+    if len(ball) != 4 or not np.isfinite(ball).all():
+        raise ValueError(f"ball is four finite numbers, x, y, dx and dy in metres, got {ball}")
+    x, y, dx, dy = (float(value) for value in ball)
+    if free_space.distance(x, y) < BALL_RADIUS:
+        raise ValueError(f"the ball cannot begin at {(x, y)}: there is no room; choose another place")
+    return BallWay((x, y), (dx, dy))

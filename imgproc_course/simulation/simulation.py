@@ -12,7 +12,7 @@ from ..geometry import CameraModel, Pose
 from ..geometry.poses import product, rotation_about
 from .drive import Drive, Odometry, WheelOdometry, clearance, gap, nearest_on_body
 from .laser import LaserScan
-from .movers import BALL_RADIUS, Movers
+from .movers import Movers
 from .room import MOVERS, Room, recorded_room
 from .scene import Scene
 from .sensor import Sensor
@@ -84,7 +84,6 @@ class Simulation:
         self._scene = room if isinstance(room, Scene) else Scene(recorded_room() if room is None else room)
         self._room = self._scene.room
         self._present = checked_movers(movers, ball)
-        check_ball(ball, self._room.free_space)
         self._movers = Movers(round(float(time), 9), self._room, self._present, ball)
         self._time, self._steps, self._bumped = round(float(time), 9), 0, False
         self._drive = Drive(checked_start(self._room.start if start is None else start))
@@ -359,15 +358,6 @@ def checked_movers(movers, ball=None):
     if isinstance(names, str) or not isinstance(names, Collection) or not set(names) <= set(MOVERS):
         raise ValueError(f"movers is True, False, or names of {', '.join(MOVERS)}, got {movers!r}")
     return tuple(name for name in MOVERS if name in names or (name == "ball" and ball is not None))
-
-
-def check_ball(ball, free_space):
-    if ball is None:
-        return
-    if len(ball) != 4 or not np.isfinite(ball).all():
-        raise ValueError(f"ball is four finite numbers, x, y, dx and dy in metres, got {ball}")
-    if free_space.distance(*ball[:2]) < BALL_RADIUS:
-        raise ValueError(f"the ball cannot begin at {ball[:2]}: there is no room; choose another place")
 
 
 def checked_start(start):
