@@ -25,8 +25,8 @@ SCENARIO = {
     "duration": 4.0,
     "thresholds": {"bumps": ["<=", 0], "clearance": [">=", 0.3], "reach": [">=", 0.8]},
 }
-PUBLIC = KeyCase("case-plane-drive-1", "a wall", "Look ahead.", 2, False, 0.1, 1)
-HIDDEN = KeyCase("hidden-plane-drive-1", "another wall", "Look ahead.", 3, True, 0.1, 1)
+PUBLIC = KeyCase("case-plane-drive-1", "a wall", "Look ahead.", 2, False, 0.1, 40)
+HIDDEN = KeyCase("hidden-plane-drive-1", "another wall", "Look ahead.", 3, True, 0.1, 40)
 GOOD = "def control(observation, memory):\n    return 0.25, 0.0"
 
 
@@ -62,7 +62,7 @@ def on_the_plane(kind="plane_env:PlaneEnv"):
     environment.cache_clear()
 
 
-def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, sensors=("scan",), time_limit=1.0):
+def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, sensors=("scan",)):
     """(ExerciseRun, GradedExercise) of a controller; `scenario` changes that of each case."""
     exercise = KeyExercise(
         id="plane-drive",
@@ -70,7 +70,7 @@ def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, sensor
         function="control",
         points=sum(case.points for case in cases),
         allowed=(),
-        time_limit=time_limit,
+        time_limit=5.0,
         practice=False,
         stub="def control(observation, memory):\n    raise NotImplementedError",
         arguments=("observation", "memory"),

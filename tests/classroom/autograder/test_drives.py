@@ -257,7 +257,7 @@ def test_all_variants_have_the_same_scenarios_as_data(key_of):
         json.loads(inputs[0])["hidden-plane-drive-1"]
         == key.content("plane-drive").inputs["hidden-plane-drive-1"]
     )
-    assert key.content("plane-drive").simulated_seconds() == pytest.approx(16.0)
+    assert [case.calls for case in key.exercise("plane-drive").cases] == [80, 80]  # looks
 
 
 # ---------------------------------------------------------------- nbval, and the room
