@@ -1,6 +1,8 @@
 """An environment like the room's, and quick: a robot on a plane with a wall across its way."""
 
+import contextlib
 import math
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -88,3 +90,59 @@ def draw_map(path, bumps=(), *, room=None, goal=None, ball=None, mark=None):
     image = np.full((20, len(path), 3), 128, np.uint8)
     image[:, : [list(place) for place in path].index(list(mark)) + 1] = 255
     return image
+
+
+# ---------------------------------------------------------------- an exercise that drives there
+
+
+@contextlib.contextmanager
+def driving_on_a_plane():
+    """Exercises that drive use this environment."""
+    import pytest  # here, because simulators import this module
+
+    from imgproc_course.classroom import course
+    from imgproc_course.classroom.exercises import drive_check
+    from imgproc_course.classroom.exercises.drive import PLACES
+
+    with pytest.MonkeyPatch.context() as patch:
+        for name, place in zip(PLACES, ON_A_PLANE, strict=True):
+            patch.setattr(course, name, place)
+        patch.setenv("PYTHONPATH", TESTS)
+        drive_check.close_simulators()
+        yield
+        drive_check.close_simulators()
+
+
+TESTS = str(Path(__file__).parent)
+ON_A_PLANE = [f"plane_env:{name}" for name in ("PlaneEnv", "controller_observation", "room_of", "draw_map")]
+BLIND = "def control(observation, memory):\n    return 0.3, 0.0\n"
+STOPS = """def control(observation, memory):
+    return (0.3 if observation["scan"][0] > {} else 0.0), 0.0
+"""
+RIGHT, LATE = STOPS.format(0.6), STOPS.format(0.3)
+HINTS = 'hints=("a", "b", "c"), explanation="e", another_way="w"'
+PARTS = {
+    "given": "# %%\nimport numpy as np",
+    "exercise": (
+        '# %% role="exercise"\nexercise("test-drive", function="control", subject="drive",'
+        f' sensors=("scan", "odometry"), hint="Look ahead.", {HINTS})\n'
+        'LIMITS = {"bumps": ["<=", 0], "clearance": [">=", 0.25], "reach": [">=", 0.5]}\n'
+        "def scenario(room):\n"
+        '    return {"seed": 1, "room": room, "duration": 6.0, "thresholds": LIMITS}'
+    ),
+    "answer": f'# %% role="answer"\n{BLIND}',
+    "solution": f'# %% role="solution"\n{RIGHT}',
+    "check": '# %% role="check"\ncheck("test-drive", control)',
+    "case": '# %% role="case" title="near" points=2\ndef inputs(rng):\n    return (scenario(12),)',
+    "second": '# %% role="case" title="far"\ndef inputs(rng):\n    return [(scenario(16),)]',
+    "third": '# %% role="case" title="nearest"\ndef inputs(rng):\n    return (scenario(11),)',
+    "hidden": (
+        '# %% role="hidden" title="any" points=3\ndef inputs(rng):\n'
+        "    return (scenario(rng.integers(9, 99)),)"
+    ),
+    "mistake": f'# %% role="mistake" name="late" says="It brakes too late."\n{LATE}',
+    "second mistake": (
+        '# %% role="mistake" name="slow" says="It is too slow."\n'
+        "def control(observation, memory):\n    return 0.05, 0.0"
+    ),
+}

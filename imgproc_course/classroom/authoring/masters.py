@@ -86,14 +86,16 @@ Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 
                `imgproc_course.classroom.exercises.exercise`); three hints, an explanation and another way are
                required. The rest of the cell (imports, functions that make inputs) runs before each case and
                mistake of this exercise.
-    answer     the stub: it raises NotImplementedError, or its body is `...`. The learner edits this cell. It
-               is graded with what it reads of other cells. Its id in the lesson is `answer-<exercise>`, and
-               its metadata name the exercise.
+    answer     the stub: it raises NotImplementedError, or its body is `...`, or, in an exercise that drives,
+               it drives badly. The learner edits this cell. It is graded with what it reads of other cells.
+               Its id in the lesson is `answer-<exercise>`, and its metadata name the exercise.
     solution   replaces the answer in the solved twin.
-    check      visible: `check("<exercise>", function)`. Its id is `check-<exercise>-<n>`.
+    check      visible: `check("<exercise>", function)`. Its id is `check-<exercise>-<n>`. Of an exercise that
+               drives, nbval does not compare the output: a path depends on the processor.
     case       a public check; `inputs(rng)` draws the arguments of one call (a tuple), or a list of such
                tuples, from a NumPy Generator. `title`, `points` (1 if omitted), `hint`, `tolerance` in the
-               header. The solution gives the expected values; nobody writes them down. Dropped.
+               header. The solution gives the expected values; nobody writes them down. In an exercise that
+               drives, the argument is one scenario, and its thresholds judge. Dropped.
     hidden     the same, run only in grading. Dropped.
     mistake    a wrong answer that learners give, with `name` and what it `says` to the learner. It may call
                the right answer, `solution(...)`, and change its result. Dropped. See Known mistakes.

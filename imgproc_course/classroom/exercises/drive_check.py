@@ -103,9 +103,9 @@ def close_simulators():
 @contextlib.contextmanager
 def _all_simulators():
     """The simulators, started if there are none; what interrupts a drive ends them."""
-    while len(_simulators) < _SIMULATORS:
-        _simulators.append(_Simulator())
     try:
+        while len(_simulators) < _SIMULATORS:
+            _simulators.append(_Simulator())
         yield tuple(_simulators)
     except BaseException:
         close_simulators()
@@ -240,16 +240,12 @@ def _distance(mistake, call):
     """How far the paths of a mistake and of a drive part, metres; infinite if they fail in other ways."""
     (predicted,) = mistake.results[call.case.id]
     if not (predicted.finished and call.result.finished):
-        return 0.0 if predicted.error and predicted.matches(call.result, 0.0) else np.inf
-    missed, path = (dict_of(predicted.value)[name] for name in ("missed", "path"))
-    own = dict_of(call.result.value)
+        return np.inf
     end = (call.record["decisive"] + round(1 / LOOK)) // _STEP + 1
-    paths = array_of(path)[:end], array_of(own["path"])[:end]
-    if missed != own["missed"] or paths[0].shape != paths[1].shape:
+    ((_, missed), (_, path)), ((_, own_missed), (_, own_path)) = (
+        result.value["items"] for result in (predicted, call.result)
+    )
+    paths = array_of(path)[:end], array_of(own_path)[:end]
+    if missed != own_missed or paths[0].shape != paths[1].shape:
         return np.inf
     return float(np.abs(paths[0] - paths[1]).max())
-
-
-def dict_of(form):
-    """The values of the canonical form of a dict, as forms, by its keys."""
-    return {key["value"]: value for key, value in form["items"]}

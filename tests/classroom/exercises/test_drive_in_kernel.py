@@ -1,0 +1,84 @@
+"""`check` of a controller in a kernel as in JupyterLab: its progress, an interrupt, and the kernel's end."""
+
+import os
+import select
+
+import pytest
+from jupyter_client.manager import KernelManager
+from plane_env import ON_A_PLANE, PARTS, RIGHT, TESTS, driving_on_a_plane
+
+from imgproc_course.classroom.authoring.lesson_files import lesson_files
+from imgproc_course.classroom.authoring.masters import read_master
+from imgproc_course.classroom.exercises.drive import PLACES
+
+SET_UP = f"""
+from imgproc_course.classroom import course
+from imgproc_course.classroom.exercises import drive_check
+from imgproc_course.exercises import check
+vars(course).update(zip({PLACES}, {ON_A_PLANE}))
+"""
+PIDS = "print(*(simulator._process.pid for simulator in drive_check._simulators))"
+
+
+@pytest.fixture
+def kernel(write_master, tmp_path):
+    """A kernel that finds the check of an exercise, and takes itself for a learner's."""
+    (tmp_path / "checks").mkdir()
+    with driving_on_a_plane():
+        text = lesson_files(read_master(write_master("80_driving", **PARTS)))["checks/driving.json"]
+    (tmp_path / "checks" / "driving.json").write_text(text)
+    environment = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
+    manager = KernelManager(kernel_name="python3")
+    manager.start_kernel(env=environment | {"PYTHONPATH": TESTS}, cwd=tmp_path)
+    client = manager.client()
+    client.start_channels()
+    client.wait_for_ready(timeout=150)
+    yield manager, client
+    client.stop_channels()
+    manager.shutdown_kernel(now=True)
+
+
+def run(client, source, hook=lambda message: None):
+    """(the reply to a cell, {type of a message: the contents of those that it sent})."""
+    messages = {}
+
+    def collect(message):
+        messages.setdefault(message["msg_type"], []).append(message["content"])
+        hook(message)
+
+    reply = client.execute_interactive(
+        source, timeout=150, output_hook=collect, allow_stdin=False, stop_on_error=False
+    )
+    return reply["content"], messages
+
+
+def test_a_kernel_shows_progress_is_interrupted_and_ends_with_its_simulators(kernel):
+    manager, client = kernel
+    assert run(client, SET_UP)[0]["status"] == "ok"
+    _, messages = run(client, f"{RIGHT}\ncheck('test-drive', control)")
+    (bar,) = messages["display_data"]
+    shown = [update["data"] for update in messages["update_display_data"]]
+    assert "Driving 3 scenarios" in bar["data"]["text/html"] and len(shown) == 180 // 20 + 1
+    assert 'value="0.56"' in shown[4]["text/html"] and shown[-1] == {"text/plain": "", "text/html": ""}
+    (result,) = messages["execute_result"]
+    assert result["data"]["text/plain"].startswith("test-drive: all 3 checks pass.")
+
+    first = run(client, PIDS)[1]["stream"][0]["text"]
+    slow = RIGHT.replace("    return", "    __import__('time').sleep(0.05)\n    return")
+
+    def interrupt(message):
+        if message["msg_type"] == "update_display_data":
+            manager.interrupt_kernel()
+
+    reply, messages = run(client, f"{slow}\ncheck('test-drive', control)", interrupt)
+    assert reply["ename"] == "KeyboardInterrupt" and "execute_result" not in messages
+    assert run(client, PIDS)[1]["stream"][0]["text"] == "\n"
+
+    _, messages = run(client, f"{RIGHT}\nprint(check('test-drive', control).passed)\n{PIDS}")
+    passed, *pids = "".join(stream["text"] for stream in messages["stream"]).split()
+    assert passed == "True" and len(pids) == 2 and not {*pids} & {*first.split()}
+    handles = [os.pidfd_open(int(pid)) for pid in pids]
+    manager.shutdown_kernel(now=True)
+    for handle in handles:
+        assert select.select([handle], [], [], 60)[0], "a simulator runs on"
+        os.close(handle)
