@@ -29,7 +29,6 @@ import msgspec
 from imgproc_course.classroom.autograder.answer_forms import read_calls
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.drive import LOOK, looks_of
 from imgproc_course.classroom.exercises.input_encoding import decode
 from imgproc_course.classroom.exercises.running import answer_name
 
@@ -37,6 +36,7 @@ FORMAT = 4
 HANDED_OUT = "handed_out.json"
 SOLUTIONS = "solutions.json"
 VARIANTS = "variants"
+MEAN_LOOK_SECONDS = 0.05  # of processor time, for a controller's look, on average of a drive
 
 
 class KeyFolderError(ValueError):
@@ -45,7 +45,7 @@ class KeyFolderError(ValueError):
 
 @dataclass(frozen=True)
 class KeyCase:
-    """One test case in the key; `calls` is the number of calls that it makes."""
+    """One test case in the key; `calls` is the number of calls that it makes, of a drive that of its looks."""
 
     id: str
     title: str
@@ -96,6 +96,10 @@ class KeyExercise:
     def drives(self):
         """Whether its answer is a controller."""
         return self.subject == "drive"
+
+    def seconds_of(self, case):
+        """Processor time of a case: the time limit for each of its calls; a drive has its own."""
+        return case.calls * (MEAN_LOOK_SECONDS if self.drives else self.time_limit)
 
     @property
     def answer_name(self):
@@ -192,10 +196,6 @@ class ExerciseContent:
         """What a case of a driving exercise drives through, a dict."""
         (scenario,) = self.arguments(case_id, 0)
         return scenario
-
-    def simulated_seconds(self):
-        """How long the drives of all cases are."""
-        return LOOK * sum(looks_of(self.scenario(case_id)) for case_id in self.inputs)
 
 
 @lru_cache(maxsize=64)

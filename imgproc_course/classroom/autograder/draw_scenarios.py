@@ -32,12 +32,13 @@ def draw_scenario(exercise, case, seed, drive_solution, on_drive=lambda: None):
     `drive_solution` takes a scenario and returns a record; `on_drive` is called after each drive.
     MasterError: no draw fits; it says why.
     """
-    latest, problem = None, ""
+    tried, problem = [], ""
     for ((scenario,),) in itertools.islice(exercise.draws(case, seed), MOST_DRAWS):
-        if scenario == latest:  # it does not depend on the seed
-            break
-        latest, stricter = scenario, with_margin(scenario)
-        record, mistakes = drive_solution(stricter), {}
+        if scenario in tried:  # perhaps it does not depend on the seed
+            continue
+        tried.append(scenario)
+        stricter, mistakes = with_margin(scenario), {}
+        record = drive_solution(stricter)
         on_drive()
         problem = _problem_of_solution(record, stricter)
         while not problem and len(mistakes) < len(exercise.mistakes):
@@ -48,8 +49,8 @@ def draw_scenario(exercise, case, seed, drive_solution, on_drive=lambda: None):
         if not problem:
             return DrawnScenario(scenario, record, mistakes)
     raise MasterError(
-        f"{exercise.master.name}, line {case.line}: {case.id}: no scenario of {MOST_DRAWS} draws fits; in the"
-        f" last one {problem}. Change inputs(rng), the thresholds, the solution or the mistake"
+        f"{exercise.master.name}, line {case.line}: {case.id}: none of {MOST_DRAWS} drawn scenarios fits;"
+        f" in the last one {problem}. Change inputs(rng), the thresholds, the solution or the mistake"
     )
 
 

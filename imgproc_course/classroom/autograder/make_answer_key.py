@@ -19,6 +19,7 @@ from imgproc_course.classroom.autograder.answer_forms import read_answer
 from imgproc_course.classroom.autograder.answer_key import (
     FORMAT,
     HANDED_OUT,
+    MEAN_LOOK_SECONDS,
     SOLUTIONS,
     VARIANTS,
     KeyCase,
@@ -38,7 +39,7 @@ from imgproc_course.classroom.autograder.verdict import verdict_on
 from imgproc_course.classroom.exercises import running
 from imgproc_course.classroom.exercises.check_data import shared_fields
 from imgproc_course.classroom.exercises.declaration import MasterError
-from imgproc_course.classroom.exercises.drive import LOOK_SECONDS
+from imgproc_course.classroom.exercises.drive import LOOK_SECONDS, looks_of
 from imgproc_course.classroom.exercises.input_encoding import decode, encode
 
 _EMIT_IMPORT = "from imgproc_course.classroom.autograder.sandbox.inside.check_cell import emit"
@@ -148,10 +149,11 @@ class _ExerciseKeyMaker:
         """The record of the solution's drive, in a kernel like those that grade."""
         exercise = self._exercise
         robot = GradedDrive(exercise.sensors, scenario)
-        kernel = self._kernel_factory.start(exercise.allowed, exercise.time_limit)
+        seconds = MEAN_LOOK_SECONDS * looks_of(scenario)
+        kernel = self._kernel_factory.start(exercise.allowed, seconds)
         try:
             runs = [kernel.run(source) for source in (*exercise.given, exercise.solution)]
-            runs.append(kernel.run_drive(_check_source(exercise), robot, exercise.time_limit, LOOK_SECONDS))
+            runs.append(kernel.run_drive(_check_source(exercise), robot, seconds, LOOK_SECONDS))
         finally:
             kernel.stop()
         self._require_run(runs, f"{exercise.master.name}: the solution of {exercise.id}")
@@ -186,7 +188,9 @@ class _ExerciseKeyMaker:
         }
 
     def _key_case(self, case):
-        return KeyCase(**shared_fields(case, KeyCase) | {"calls": len(self._inputs[case.id])})
+        drawn = self._drawn.get(case.id)
+        calls = looks_of(drawn.scenario) if drawn else len(self._inputs[case.id])
+        return KeyCase(**shared_fields(case, KeyCase) | {"calls": calls})
 
     def _encoded_inputs(self, case):
         exercise = self._exercise

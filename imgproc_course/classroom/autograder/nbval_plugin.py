@@ -135,7 +135,11 @@ class ExerciseRun:
 
     def _run_in_same_kernel(self, case, source):
         """A CaseRun that passed, or None. The kernel must not have more time than a new one would."""
-        if self._kernel is None or self._kernel_seconds > self._seconds_of(case) or self._exercise.drives:
+        if (
+            self._kernel is None
+            or self._kernel_seconds > self._exercise.seconds_of(case)
+            or self._exercise.drives
+        ):
             return None
         run = CaseRun(answer=self._answer_run)
         self._run_check(run, case, source)
@@ -144,7 +148,7 @@ class ExerciseRun:
     def _run_in_new_kernel(self, case, sources_before, source, *, alone=False):
         """A CaseRun; `alone`: while no other kernel waits, which could use memory that this one needs."""
         self.close()
-        self._kernel_seconds = self._seconds_of(case)
+        self._kernel_seconds = self._exercise.seconds_of(case)
         allowed = self._exercise.allowed
         self._kernel = self._kernel_factory.start(allowed, self._kernel_seconds, alone=alone)
         self._answer_run = self._kernel.run_statements(sources_before)
@@ -154,10 +158,6 @@ class ExerciseRun:
         if not run.passed:
             self.close()
         return run
-
-    def _seconds_of(self, case):
-        """Processor time of a case: the exercise's time limit for each of its calls."""
-        return self._exercise.time_limit * case.calls
 
     def _run_check(self, run, case, source):
         exercise = self._exercise
@@ -174,7 +174,7 @@ class ExerciseRun:
     def _run_drive(self, run, case, source):
         """Drive through a case's scenario. What fails in the environment is raised: no answer causes it."""
         robot = GradedDrive(self._exercise.sensors, self._content.scenario(case.id))
-        run.check = self._kernel.run_drive(source, robot, self._exercise.time_limit, LOOK_SECONDS)
+        run.check = self._kernel.run_drive(source, robot, self._exercise.seconds_of(case), LOOK_SECONDS)
         run.check.answers = []  # what the kernel showed is not read
         self.stop_at += robot.seconds
         run.verdict = robot.verdict()

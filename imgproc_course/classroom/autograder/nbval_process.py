@@ -145,20 +145,20 @@ class NbvalProcess:
             self._socket.sendall((json.dumps(job) + "\n").encode("ascii"))
         except OSError as error:
             raise self._stopped(str(error)) from error
-        return self._receive(self._patience(key.lessons[lesson], key))
+        return self._receive(self._patience(key.lessons[lesson]))
 
-    def _patience(self, lesson, key):
+    def _patience(self, lesson):
         """Seconds after which the process itself must be stuck: twice what kernels and robots may take."""
         deadlines = [
-            self._limits.deadline(exercise.time_limit * case.calls)
+            self._limits.deadline(exercise.seconds_of(case))
             for exercise in lesson.exercises
             for case in exercise.cases
         ]
         # The last case begins within the submission's time, and it may be run again.
         kernels = self._limits.submission + 2 * max(deadlines, default=0)
         # A robot needs less time than the one in the scenario would.
-        drives = [exercise for exercise in lesson.exercises if exercise.drives and not exercise.practice]
-        robots = sum(key.content(exercise.id).simulated_seconds() for exercise in drives)
+        drives = (exercise for exercise in lesson.exercises if exercise.drives)
+        robots = LOOK * sum(case.calls for exercise in drives for case in exercise.cases)
         return 60 + 2 * (kernels + robots)
 
     def _receive(self, patience):

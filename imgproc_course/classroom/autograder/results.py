@@ -250,7 +250,7 @@ def _case_of_drive(exercise, case, run, passed):
         message = _message_of_hidden_drive(outcome, message, run)
     if verdict and verdict.is_whole:
         metrics = _metrics_text(verdict)
-        message = f"{message} ({metrics})" if message else metrics
+        message = f"{message.rstrip('.')} ({metrics})" if message else metrics
     return replace(_graded_case(case, outcome, message), drive=_drawn(verdict) if verdict else None)
 
 
@@ -296,7 +296,7 @@ def _drawn(verdict):
     record, scenario = verdict.record, verdict.scenario
     path = [[round(number, 3) for number in place] for place in record["path"]]
     drawn = {"path": path, "bumps": record["bumps"], "decisive": record["decisive"]}
-    return drawn | {name: scenario.get(name) for name in ("title", "room", "goal", "ball")}
+    return drawn | {name: scenario.get(name) for name in ("room", "goal", "ball")}
 
 
 def _message_on_node(content, case, verdict, failed_call):

@@ -58,7 +58,7 @@ def exercise(
         returns the files of a ROS 2 package, see `package_driver`, or "drive", a function
         control(observation, memory) that returns two speeds; each case gives one scenario, see `drive`
     sensors : tuple of str, what `control` observes: some of `drive.SENSORS`
-    time_limit : float, seconds, for one call of the function
+    time_limit : float, seconds, for one call of the function; for that of a controller, see `drive`
     allowed : tuple of str, modules that the answer may use beside NumPy and the standard library: ("scipy",
         "imgproc_course.imaging"). A node may use those of `course.NODE_MODULES`, too. matplotlib,
         IPython.display and imgproc_course.display are there for looking

@@ -23,6 +23,7 @@ _LONGEST_DESCRIPTION = 400  # characters of a value
 _CELL_ADVICE = (
     "No check could use your answer: run the cell in the lesson, and fix what Python reports there."
 )
+_MAP_CAPTION = "The drive: a green dot is its start, a cross a bump, a ring the decisive moment."
 _DRIVES_WRONG = "does not drive as the task asks"
 _NAME_ADVICE = (
     "The autograder runs the given cell of the exercise and your answer cell, and nothing else of the"
@@ -155,7 +156,7 @@ def map_of(case):
     """The map of a case's drive, an AnswerImage."""
     from imgproc_course.classroom.exercises.drive_images import draw_map
 
-    return draw_map(case.drive, case.drive)
+    return draw_map(case.drive, case.drive | {"title": _MAP_CAPTION})
 
 
 def _message_of(case):

@@ -1,14 +1,23 @@
 """Drives in the sandbox, on the plane of `plane_env`, without nbval: for tests and benchmarks."""
 
-from dataclasses import replace
+import time
+from contextlib import contextmanager
+from pathlib import Path
+from unittest.mock import patch
 
+from plane_env import PlaneEnv
+
+from imgproc_course.classroom import course
 from imgproc_course.classroom.autograder.answer_key import ExerciseContent, KeyCase, KeyExercise
-from imgproc_course.classroom.autograder.drives import CHECK
+from imgproc_course.classroom.autograder.drives import CHECK, environment
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.results import graded_exercise
+from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.classroom.exercises.input_encoding import encode
 
-STUB = "def control(observation, memory):\n    raise NotImplementedError"
+MASTERS = Path(__file__).parent / "driving/masters"
+# Short, so that endless drives end soon; long enough for two kernels on a busy machine.
+SHORT = Limits(grace=0.5, wall_factor=4, wall_grace=2.0, memory=1 << 30, output=2 << 20)
 SCENARIO = {
     "seed": 3,
     "title": "a wall",
@@ -16,42 +25,67 @@ SCENARIO = {
     "duration": 4.0,
     "thresholds": {"bumps": ["<=", 0], "clearance": [">=", 0.3], "reach": [">=", 0.8]},
 }
-CASES = (
-    KeyCase("case-tiny-1", "a wall", "Look ahead.", 2, False, 0.0, 1),
-    KeyCase("hidden-tiny-1", "another wall", "Look ahead.", 3, True, 0.0, 1),
-)
+PUBLIC = KeyCase("case-plane-drive-1", "a wall", "Look ahead.", 2, False, 0.1, 40)
+HIDDEN = KeyCase("hidden-plane-drive-1", "another wall", "Look ahead.", 3, True, 0.1, 40)
+GOOD = "def control(observation, memory):\n    return 0.25, 0.0"
 
 
-def exercise_of(cases=CASES, **fields):
-    fields = {"time_limit": 2.0, "allowed": (), "sensors": ("scan",)} | fields
-    return KeyExercise(
-        id="tiny-drive",
-        title="Tiny",
+class BrokenEnv(PlaneEnv):
+    """It fails in the middle of a drive, as no controller can make it fail."""
+
+    def step(self, action):
+        if len(self.path) > 5:
+            raise ValueError("the plane is broken")
+        return super().step(action)
+
+
+class SlowEnv(PlaneEnv):
+    """Each of its steps takes so long that a drive takes longer than a kernel may."""
+
+    def step(self, action):
+        time.sleep(0.1)
+        return super().step(action)
+
+
+@contextmanager
+def on_the_plane(kind="plane_env:PlaneEnv"):
+    """Drives inside of this process are in this environment."""
+    places = {
+        "DRIVE_ENVIRONMENT": kind,
+        "DRIVE_OBSERVATION": "plane_env:controller_observation",
+        "DRIVE_ROOM": "plane_env:room_of",
+        "DRIVE_MAP": "plane_env:draw_map",
+    }
+    environment.cache_clear()
+    with patch.multiple(course, **places):
+        yield
+    environment.cache_clear()
+
+
+def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, sensors=("scan",)):
+    """(ExerciseRun, GradedExercise) of a controller; `scenario` changes that of each case."""
+    exercise = KeyExercise(
+        id="plane-drive",
+        title="Drive",
         function="control",
         points=sum(case.points for case in cases),
+        allowed=(),
+        time_limit=5.0,
         practice=False,
-        stub=STUB,
+        stub="def control(observation, memory):\n    raise NotImplementedError",
         arguments=("observation", "memory"),
         cases=cases,
         mistakes=(),
         subject="drive",
-        **fields,
+        sensors=sensors,
     )
-
-
-def run_drive(factory, source, *, scenario=None, cases=CASES, **fields):
-    """(ExerciseRun, GradedExercise) of a controller; the scenario changes that of each case."""
-    exercise = exercise_of(cases, **fields)
     inputs = {case.id: [encode((SCENARIO | (scenario or {}),))] for case in cases}
     content = ExerciseContent({}, inputs, {}, {})
-    exercise_run = ExerciseRun(exercise, content, factory)
-    for case in cases:
-        run = exercise_run.run(case, [source], CHECK.format(function="control"))
-        exercise_run.passed |= {case.id} if run.passed else set()
-    exercise_run.close()
+    exercise_run = ExerciseRun(exercise, content, factory, stop_at=time.monotonic() + 1000)
+    try:
+        for case in cases:
+            run = exercise_run.run(case, [source], CHECK.format(function="control"))
+            exercise_run.passed |= {case.id} if run.passed else set()
+    finally:
+        exercise_run.close()
     return exercise_run, graded_exercise(exercise, content, exercise_run)
-
-
-def one_case(hidden=False):
-    """One case only: a drive and not two."""
-    return (replace(CASES[hidden]),)

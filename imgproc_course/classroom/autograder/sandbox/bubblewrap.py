@@ -2,8 +2,8 @@
 
 Inside are, all read-only: the system's programs and libraries, Python, the installed packages, the packages
 of the course that answers may use, without the room's files, and `inside/`. There is no network, no home
-folder, no environment variable of the user, no key, no master and no submission. `inside/confine.py` confines each kernel once more;
-`inside/refusal.py` refuses by their names the modules that an exercise does not allow.
+folder, no environment variable of the user, no key, no master and no submission. `inside/confine.py` confines
+each kernel once more; `inside/refusal.py` refuses by their names the modules that an exercise does not allow.
 """
 
 import math

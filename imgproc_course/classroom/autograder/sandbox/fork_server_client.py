@@ -5,6 +5,7 @@ extends, and all of it may be forged.
 """
 
 import json
+import math
 import os
 import signal
 import socket
@@ -16,7 +17,7 @@ from contextlib import suppress
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
 
-_LOOK_SECONDS = 0.05  # between two looks at the memory of all processes together
+_LOOK_SECONDS = 0.05  # between two looks at what all processes together use
 _OWN_SECONDS = 0.5  # of processor time, that the fork server and a waiting kernel use beside a check, at most
 _STARTS = 3  # of a fork server that ends before it forks
 _NOT_CONFINED = 70  # exit code of a fork that could not be confined, see `inside.fork_server`
@@ -43,7 +44,7 @@ class ForkedKernel:
         self._fork_server.group.reset()
         self._cpu_limit = self._limits.cpu(seconds)
         self._deadline = time.monotonic() + self._limits.deadline(seconds)
-        self._next_look = time.monotonic() + _LOOK_SECONDS
+        self._next_look, self._most_cpu = time.monotonic() + _LOOK_SECONDS, math.inf
         with suppress(KernelEnded):  # its first cell will find out
             self._send(_line_of({"allowed": list(allowed), "cpu": self._cpu_limit}))
 
@@ -83,16 +84,12 @@ class ForkedKernel:
         run, group = CellRun(), self._fork_server.group
         case = {"layout": robot.layout, "seconds": look_seconds}
         data = _line_of({"case": case, "cells": [code]})
-        cpu_begin = cpu_before = group.cpu_seconds() or 0.0
+        cpu_end = (group.cpu_seconds() or 0.0) + seconds + self._limits.grace
         self._deadline += robot.seconds
         self._bytes_left = self._limits.output
         while (action := self._run_until_action(run, data)) is not None:
-            cpu = group.cpu_seconds() or 0.0
-            most = min(cpu_begin + seconds + self._limits.grace, cpu_before + look_seconds)
-            if cpu > most + _OWN_SECONDS:
-                run.ended = "time"
-                break
-            cpu_before, robot_seconds = cpu, robot.seconds
+            self._most_cpu = min(cpu_end, (group.cpu_seconds() or 0.0) + look_seconds) + _OWN_SECONDS
+            robot_seconds = robot.seconds
             data = robot.answer(action)
             self._deadline += robot.seconds - robot_seconds
         return run
@@ -147,7 +144,7 @@ class ForkedKernel:
             seconds_left = self._deadline - time.monotonic()
             if seconds_left <= 0:
                 raise KernelEnded("time")
-            self._check_memory()
+            self._check_use()
             self._socket.settimeout(min(seconds_left, _LOOK_SECONDS))
             try:
                 return send_or_receive(argument)
@@ -156,12 +153,14 @@ class ForkedKernel:
             except OSError as error:
                 raise KernelEnded(self._how_it_ended()) from error
 
-    def _check_memory(self):
-        """End the kernel if it and all that it started use too much memory together."""
+    def _check_use(self):
+        """End the kernel if it and all that it started use too much memory together, or time in a drive."""
         if time.monotonic() < self._next_look:
             return
         if self._fork_server.ran_out_of_memory():
             raise KernelEnded("memory")
+        if self._most_cpu < math.inf and (self._fork_server.group.cpu_seconds() or 0.0) > self._most_cpu:
+            raise KernelEnded("time")
         self._next_look = time.monotonic() + _LOOK_SECONDS
 
     def _how_it_ended(self):

@@ -23,7 +23,6 @@ exercise(
     function="control",
     subject="drive",
     sensors=("scan",),
-    time_limit=2.0,
     hints=("What?", "How?", "The code."),
     explanation="Because.",
     another_way="Otherwise.",

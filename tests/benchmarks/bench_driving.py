@@ -1,0 +1,95 @@
+"""Graded drives: every attack in one table, and what grading a class costs.
+
+A class hands in one exercise with a public and four hidden scenarios of 40 s, with scan and depth: right
+answers, slow ones, ones that raise, in turn.
+
+    .venv/bin/python tests/benchmarks/bench_driving.py [--learners 30] [--no-attacks]
+
+Budgets: 15 s of processor time for a submission, and so 8 minutes for 30 on two cores; 5 minutes of processor
+time for the key. No attack gains a point, or harms the drive after it. The exit code is 1 otherwise.
+"""
+
+import resource
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import click
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom/autograder"))
+
+from drive_attacks import DRIVE_ATTACKS
+from drive_runs import GOOD, SHORT, on_the_plane, run_drives
+
+from imgproc_course.classroom.authoring.masters import read_master
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.pool import autograde
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+
+MOST_CPU, MOST_KEY, MOST_MINUTES, CORES = 15.0, 300.0, 8.0, 2
+MASTER = Path(__file__).resolve().parent / "driving/masters/10_long_drives.py"
+ANSWERS = (
+    None,  # the solution
+    "def control(observation, memory):\n    return 0.05, 0.3",
+    "def control(observation, memory):\n    return 1 / (30 - observation['time']), 0.5",
+)
+
+
+def cpu_seconds():
+    """Processor seconds of this process and of all its children that have ended."""
+    usages = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
+
+
+def measured(work):
+    """(what it returns, processor seconds, wall seconds) of a piece of work."""
+    cpu, began = cpu_seconds(), time.monotonic()
+    return work(), cpu_seconds() - cpu, time.monotonic() - began
+
+
+def attack_problems():
+    """Prints a line for each attack; what went wrong."""
+    with KernelFactory(limits=SHORT) as factory, on_the_plane():
+        for attack in DRIVE_ATTACKS:
+            _, exercise = run_drives(factory, attack.source)
+            _, next_exercise = run_drives(factory, GOOD)
+            outcomes = {case.outcome.value for case in exercise.cases}
+            print(f"  {attack.name:48} {exercise.points} points, {', '.join(sorted(outcomes))}", flush=True)
+            if exercise.points or next_exercise.points != 5 or not outcomes <= attack.outcomes:
+                yield attack.name
+
+
+@click.command()
+@click.option("--learners", default=30, show_default=True)
+@click.option("--attacks/--no-attacks", default=True)
+def main(learners, attacks):
+    problems = list(attack_problems()) if attacks else []
+    (exercise,) = read_master(MASTER).exercises
+    with tempfile.TemporaryDirectory() as folder:
+        key, cpu, wall = measured(lambda: make_key(MASTER.parent, 8_675_309, Path(folder) / "key"))
+        print(f"key: {cpu:.0f} s of processor time, {wall:.0f} s")
+        problems += ["the key is slow"] if cpu > MOST_KEY else []
+        submissions = [
+            (f"{n}", "long_drives", {exercise.id: f"# {n}\n{ANSWERS[n % 3] or exercise.solution}"})
+            for n in range(learners)
+        ]
+        results, cpu, wall = measured(lambda: list(autograde(submissions, key, workers=CORES)))
+    for result in results[:3]:
+        print(
+            f"  {result.points} of {result.max_points}: {[c.message for c in result.exercises[0].cases][:1]}"
+        )
+    minutes = 30 * cpu / learners / CORES / 60
+    print(
+        f"{learners} submissions: {cpu / learners:.1f} s of processor time each, {wall:.0f} s in all;", end=""
+    )
+    print(f" a class of 30 takes {minutes:.1f} minutes of {CORES} cores")
+    if cpu / learners > MOST_CPU or minutes > MOST_MINUTES:
+        problems.append("grading is slow")
+    print(f"not as it should be: {', '.join(problems)}" if problems else "all as it should be")
+    sys.exit(1 if problems else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,57 @@
+"""What the pages and grades.json show of drives."""
+
+import json
+from pathlib import Path
+
+import pytest
+from submissions import notebook, write
+
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.gradebook.grade import grade_submissions
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(300)]
+
+MASTERS = Path(__file__).parents[1] / "autograder/driving/masters"
+SLOW = "def control(observation, memory):\n    return 0.1, 0.0"
+DROVE = "bumps 0, distance driven 0.14 m"
+SENTENCE = f"The robot drove 0.14 m; the task asks for at least 0.20 m ({DROVE})"
+
+
+@pytest.fixture(scope="module")
+def grades(tmp_path_factory):
+    """The folder of grades of two learners."""
+    folder = tmp_path_factory.mktemp("drives")
+    make_key(MASTERS, "a-secret-of-the-tests", folder / "key")
+    master = read_master(find_masters(MASTERS)[0])
+    for name, source in {"ada": master.exercises[0].solution, "bo": SLOW}.items():
+        write(folder / "submissions" / name / "10_driven.ipynb", notebook(master, {"driven-control": source}))
+    grade_submissions(folder / "submissions", [folder / "key"], folder / "grades", workers=1, quiet=True)
+    return folder / "grades"
+
+
+def test_grades_json_has_metrics_in_the_messages_and_no_path(grades):
+    learners = json.loads((grades / "grades.json").read_text(encoding="utf-8"))["learners"]
+    assert [learner["points"] for learner in learners] == [5, 0]
+    cases = [learner["lessons"][0]["exercises"][0]["cases"] for learner in learners]
+    assert cases[0][1]["message"] == "bumps 0, distance driven 0.33 m"
+    assert {case["message"] for case in cases[1]} == {SENTENCE}
+    assert set(cases[1][0]) == {
+        *("id", "title", "hidden", "points", "max_points", "outcome", "hint", "message")
+    }
+
+
+def test_a_learner_sees_the_map_of_a_public_drive_and_the_metrics_of_all(grades):
+    (page,) = (path.read_text(encoding="utf-8") for path in (grades / "learners").glob("bo-*.html"))
+    assert page.count("data:image/webp;base64,") == 1
+    assert page.index("a free way") < page.index("data:image/webp") < page.index("another way")
+    assert page.count(SENTENCE) == 3
+    assert "does not drive as the task asks" in page and "returns another value" not in page
+    assert "A known mistake: it is slow." in page
+
+
+def test_the_teacher_sees_the_maps_of_hidden_drives_too(grades):
+    page = (grades / "drives.html").read_text(encoding="utf-8")
+    assert page.count("data:image/webp;base64,") == 6
+    assert page.count("<bdi>ada</bdi>") == 3
+    assert 'href="drives.html"' in (grades / "summary.html").read_text(encoding="utf-8")
