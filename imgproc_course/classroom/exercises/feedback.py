@@ -5,6 +5,7 @@ for byte.
 """
 
 import html
+import re
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.error_advice import advice_on
@@ -165,10 +166,15 @@ def _taken_along(result):
 
 def _cases(result):
     """(CaseResult, what went wrong, the call whose values are shown or None) of each case."""
+    steps = {}
     for case_result in result.results:
         call, explanation = case_result.failed_call, ""
         if call is not None:
             explanation = explain_failure(result.exercise, call)
+            step = case_result.case.title.partition(":")[0]
+            first = steps.setdefault(re.sub(r"\d+", "", explanation), step)
+            if result.exercise.subject != "function" and first != step:
+                explanation = f"as in {first} above"
         elif not case_result.passed:
             explanation = "not run, because the call above did not finish"
         yield case_result, explanation, call if call is result.shown else None
