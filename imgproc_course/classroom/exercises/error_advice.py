@@ -168,6 +168,12 @@ def _reshape(match, source):
             " one number: np.frombuffer with a 16-bit dtype, such as '<u2'. If not, is there padding at the"
             " end of the rows?"
         )
+    written = [part for part in shape if part > 4 and re.search(rf"\b{part}\b", source)]
+    if written:
+        return (
+            f"{size} values do not fit into {product}. Your line says {written[0]}, for every input: does"
+            " another one have this size too?"
+        )
     if size > count:
         return (
             f"{size} values are too many for {product} = {count}. Is there padding at the end of the rows?"
@@ -403,6 +409,8 @@ ValueError: .*read-only
 ValueError: .*buffer size must be a multiple of element size
     The number of bytes is no multiple of the size of a value. Without dtype np.frombuffer reads float64,
     eight bytes for each value; uint16 takes two bytes, and uint8 takes one.
+TypeError: a bytes-like object is required, not '(?:\w+\.)?(\w+)'
+    This needs bytes, and it got a \1. Of a message take the field that holds the bytes: message.data.
 
 SyntaxError: .*invalid syntax.*\n.*[&|]\s*not\b
     After & and | write ~ for not: a & ~b.

@@ -269,6 +269,8 @@ def _advice(result, call):
 def _warning_and_output(call, kind):
     if call.result.warning:
         yield f"NumPy or Python warned: {call.result.warning}"
+        if "empty slice" in call.result.warning:
+            yield "A slice holds no values. Does it begin below 0? -1 is the last element."
     if call.result.printed.strip():
         lines = call.result.printed.rstrip().splitlines()
         ellipsis = ["…"] if len(lines) > _MOST_LINES else []
