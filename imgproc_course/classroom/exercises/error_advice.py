@@ -112,6 +112,11 @@ def _broadcast_rules(shapes, source):
     if len(first) != len(second):
         return
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
+    yield (
+        any(shape in ((3, 3), (5, 5)) for shape in shapes),
+        " A kernel needs a window of its own size for each pixel. A slice ends before its stop; and at the"
+        " border a window is smaller if a loop goes beyond the rows and columns of the image that was padded.",
+    )
     text = f" These two differ by {gap}: look where each slice begins and ends, and how wide the padding is."
     yield gap <= 2, text
 

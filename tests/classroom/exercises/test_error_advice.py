@@ -44,7 +44,7 @@ ADVICE = {
     "set(a)": "set() cannot hold the rows of an array. np.unique(array)",
     "{a: 1}": "A set or the key of a dictionary cannot hold an array.",
     "{a}": "Curly brackets without a key and a colon make a set",
-    "a * kernel": "Arithmetic with two arrays works value by value, and needs equal shapes.",
+    "a * kernel": "equal shapes. A kernel needs a window of its own size for each pixel.",
     "a.sum(axis=0) * np.arange(5)": "after axis=1 one for each row. Are rows and columns",
     "a / a[:, 2]": "array[:, 2:3] keeps it as a column",
     "np.zeros(8).reshape(3, 3)": "8 values are too few for 3 × 3 = 9.",
