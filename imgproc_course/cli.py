@@ -410,7 +410,7 @@ def _would_be_committed(path):
 @option(
     "--roster",
     type=_FILE,
-    help="Table of all learners, as Moodle or Canvas exports it: who has not handed in is reported.",
+    help="Table of all learners, as Moodle or Canvas exports it: who has not submitted is reported.",
 )
 @option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
 def grade(submissions, keys, out, **options):

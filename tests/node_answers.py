@@ -6,6 +6,7 @@
 
 # ruff: noqa: E501 - the long lines are learners'
 
+import textwrap
 from dataclasses import dataclass
 
 
@@ -82,6 +83,7 @@ def changed(*changes, source=ORIGINAL):
     return source
 
 
+INSIDE_INIT = ORIGINAL.index("    def image_callback")
 SHORT_FORM = '''import cv2
 from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
@@ -234,6 +236,42 @@ RIGHT = (
         ),
     ),
     ("a depth for the publisher", changed(('"~/gray", qos', '"~/gray", 10'))),
+    (
+        "policies set afterwards, super with its arguments, % in the log",
+        changed(
+            ("super()", "super(ImageGrayProcessor, self)"),
+            ("        self.subscription", "        qos.depth = 5\n        self.subscription"),
+            ("            depth=5,\n", "            depth=1,\n"),
+            ('f"cannot convert: {error}"', '"cannot convert: %s" % error'),
+        ),
+    ),
+    (
+        "keywords everywhere",
+        changed(
+            ('Image, "~/gray", qos', 'msg_type=Image, topic="~/gray", qos_profile=qos'),
+            ('msg, "bgr8"', 'img_msg=msg, desired_encoding="bgr8"'),
+            ("(frame, cv2", "(src=frame, code=cv2"),
+            ('gray, "mono8"', 'cvim=gray, encoding="mono8", header=msg.header'),
+            ("        gray_msg.header = msg.header\n", ""),
+        ),
+    ),
+    (
+        "whole modules",
+        changed(("(Node)", "(rclpy.node.Node)"), ("(Image,", "(sensor_msgs.msg.Image,"))
+        .replace("from rclpy.node import Node\n", "import rclpy.node\n")
+        .replace("from sensor_msgs.msg import Image\n", "import sensor_msgs.msg\n")
+        .replace("            Image,", "            sensor_msgs.msg.Image,"),
+    ),
+    (
+        "constants, type hints and a helper",
+        'TOPIC: str = "/kachaka/front_camera/image_raw"\n'
+        + changed(
+            ('"/kachaka/front_camera/image_raw"', "TOPIC"),
+            ("self, msg)", "self, msg: Image) -> None"),
+            ("cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)", "self.gray_of(frame)"),
+        )
+        + "\n    @staticmethod\n    def gray_of(frame):\n        return cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)\n",
+    ),
 )
 WRONG = (
     ("reliable", changed(("ReliabilityPolicy.BEST_EFFORT", "ReliabilityPolicy.RELIABLE")), "", "camera offers best effort"),
@@ -253,6 +291,11 @@ WRONG = (
     ("no super", changed(('        super().__init__("image_gray_processor")\n', "")), "", "super().__init__"),
     ("no node", changed(("ImageGrayProcessor(Node)", "ImageGrayProcessor")), "", "inherit from Node"),
     ("Image in quotes", changed(('Image, "/k', '"Image", "/k')), "", "is the class of the messages: Image"),
+    ("no self", changed(("def image_callback(self, msg)", "def image_callback(msg)")), "", "def image_callback(self, msg)"),
+    ("a local publisher", changed(("        self.publisher = self", "        publisher = self")), "1", "The node has no publisher"),
+    ("returned", changed((PUBLISH, "        return gray_msg\n")), "1", "published nothing"),
+    ("the callback in __init__", ORIGINAL[:INSIDE_INIT] + textwrap.indent(ORIGINAL[INSIDE_INIT:], "    "), "", "a method stands in the class"),
+    ("try around publish", changed((TRY, '        frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")\n'), (PUBLISH, "        try:\n    " + PUBLISH + "        except CvBridgeError as error:\n            self.get_logger().error(str(error))\n")), "12", "Put try: around the conversion"),
     ("no argument", changed(("def image_callback(self, msg)", "def image_callback(self)")), "", "def image_callback(self, msg)"),
     ("red and blue exchanged", changed(("COLOR_BGR2GRAY", "COLOR_RGB2GRAY")), "1", "Red and blue are exchanged"),
     ("rgb8", changed(('(msg, "bgr8")', '(msg, "rgb8")')), "1", "Red and blue are exchanged"),
@@ -270,7 +313,7 @@ WRONG = (
     ("a name misspelled", changed(("publish(gray_msg)", "publish(grey_msg)")), "1", "grey_msg"),
     ("the exception escapes", changed((TRY, '        frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")\n')), "12", "ends your node with ConversionError"),
     ("another exception is caught", changed(("except CvBridgeError", "except KeyError")), "12", "ends your node"),
-    ("no return in except", changed(("            return\n", "")), "12", "ends your node with UnboundLocalError"),
+    ("no return in except", changed(("            return\n", "")), "12", "Write return at the end of except"),
     ("an exception for a logger", changed(('f"cannot convert: {error}"', "error")), "12", "a logger takes a text"),
     ("silent", changed(('            self.get_logger().error(f"cannot convert: {error}")\n', "")), "12", "it logs nothing"),
     ("print", changed(("self.get_logger().error(", "print(")), "12", "it logs nothing"),
@@ -311,7 +354,7 @@ EDGE_ANSWERS = (
         "123h",
         "",
     ),
-    ("read once", changed(*READ_ONCE, source=EDGES), "1", "read the parameters in the callback"),
+    ("read once", changed(*READ_ONCE, source=EDGES), "1", "does the callback read the new values?"),
     (
         "high is not declared",
         changed(('        self.declare_parameter("high", 150)\n', ""), source=EDGES),
@@ -322,8 +365,70 @@ EDGE_ANSWERS = (
         "other first values",
         changed(('("low", 50)', '("low", 100)'), source=EDGES),
         "3",
-        "have the parameters of the task",
+        "The first value of the parameter low is 100. The task asks for 50",
     ),
+    (
+        "properties, read together",
+        changed(
+            ('        low = self.get_parameter("low").value\n', "        low, high = self.limits\n"),
+            ('        high = self.get_parameter("high").value\n', ""),
+            source=EDGES,
+        )
+        + "\n    @property\n    def limits(self):\n"
+        '        return [parameter.value for parameter in self.get_parameters(["low", "high"])]\n',
+        "123h",
+        "",
+    ),
+    (
+        "other names",
+        changed(('"low"', '"low_threshold"'), ('"high"', '"high_threshold"'), source=EDGES),
+        "",
+        "does not have the parameters high, low: __init__ declares each",
+    ),
+    (
+        "texts as first values",
+        changed(('"low", 50', '"low", "50"'), ('"high", 150', '"high", "150"'), source=EDGES),
+        "",
+        'declared with a number (50, not "50")',
+    ),
+    (
+        "first values exchanged",
+        changed(('"low", 50', '"low", 150'), ('"high", 150', '"high", 50'), source=EDGES),
+        "3h",
+        "The first value of the parameter high is 50. The task asks for 150",
+    ),
+    (
+        "parameters, not their values",
+        changed((".value", ""), source=EDGES),
+        "",
+        'This argument must be a number: self.get_parameter("low").value',
+    ),
+    (
+        "edges of the colour frame",
+        changed(("Canny(gray,", "Canny(frame,"), source=EDGES),
+        "",
+        "Compute the edges of the gray image itself",
+    ),
+    (
+        "edges of a blurred image",
+        changed(("Canny(gray,", "Canny(cv2.GaussianBlur(gray, (5, 5), 0),"), source=EDGES),
+        "",
+        "Compute the edges of the gray image itself",
+    ),
+    (
+        "declared in the callback",
+        changed(
+            ('        self.declare_parameter("low", 50)\n        self.declare_parameter("high", 150)\n', ""),
+            (
+                "        low =",
+                '        self.declare_parameter("low", 50)\n        self.declare_parameter("high", 150)\n        low =',
+            ),
+            source=EDGES,
+        ),
+        "",
+        "does not have the parameters high, low: __init__ declares each",
+    ),
+    ("a warning", changed(("().error(", "().warning("), source=EDGES), "12", "the level warn"),
     (
         "floats",
         changed(('("low", 50)', '("low", 50.0)'), source=EDGES),
@@ -340,7 +445,7 @@ EDGE_ANSWERS = (
         "gray published",
         changed(('(edges, "mono8")', '(gray, "mono8")'), source=EDGES),
         "",
-        "pixels of the published",
+        "has only the values 0 and 255",
     ),
     (
         "a read-only parameter",

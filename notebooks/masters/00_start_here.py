@@ -178,7 +178,7 @@ assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 #
 # | cell | what it does |
 # |---|---|
-# | `check("start-count", count_pixels)` | runs your function on some images, as often as you like. It says what is right, and what to look at. |
+# | `check("start-count", count_pixels)` | runs your function on some images, and says what is right and what to look at. |
 # | `hint("start-count")` | shows a hint. Run it again for the next one; there are three. |
 # | `solution("start-count")` | shows a solution and explains it, after three honest tries. `solution("start-count", give_up=True)` shows it at once. |
 #
@@ -231,7 +231,7 @@ def inputs(rng):
     return (rng.integers(0, 256, size=(rows, columns + 30, 3), dtype=np.uint8),)
 
 # %% [markdown]
-# Here is the first hint of this exercise. In other exercises you call `hint` and `solution` yourself, in a cell that you add: press **Esc**, then `b`. (Every lesson imports both, together with `check`.)
+# Here is the first hint of this exercise. In other exercises you call `hint` and `solution` yourself, in a cell that you add: press **Esc**, then `b`.
 
 # %%
 hint("start-count", step=1)
@@ -245,8 +245,8 @@ hint("start-count", step=1)
 # |---|---|---|---|---|
 # | *frame*, from the recording or the topic | (720, 1280, 3) | uint8 | 0 to 255 | intensity of blue, green, red |
 #
-# The [glossary](glossary.md) explains the words of the course. Many words in the lessons are links to it.
+# Many words in the lessons are links to the [glossary](glossary.md).
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.
 #
-# **Only one day?** *The original lesson in one day* is a route of about 8 hours through the cores of nine lessons; the [list of all lessons](index.ipynb) names them, and two other routes.
+# **Only one day?** *The original lesson in one day* is a route of about 7 hours through the cores of nine lessons. Their minutes: [[start_here]] 30, [[arrays]] 50, [[what_is_image_processing]] 45, [[images_as_messages]] 55, [[grayscale]] 45, [[grayscale_node]] 70, [[canny_stages]] 60, [[edge_detection_node]] 40, [[ros2_packages]] 50. The [list of all lessons](index.ipynb) names two other routes.

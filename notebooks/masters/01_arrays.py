@@ -436,7 +436,7 @@ assert bright.sum() == 5 and bright.mean() == 0.2 and tiny[bright].tolist() == [
 assert middle.sum() == 4 and (~bright).sum() == 20
 
 # %% [markdown]
-# ### Your turn: how many percent are bright?
+# ### Your turn: how many percent are bright? ([[minutes]], deeper)
 #
 # Write `bright_percent(gray, level)`.
 #

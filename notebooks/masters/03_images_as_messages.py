@@ -368,7 +368,7 @@ assert len(padded.data) == 40 and cut_by_width[1, 0] == 99
 assert (cut_by_step == tiny).all() and (image_to_array(padded) == tiny).all()
 
 # %% [markdown]
-# ### Your turn: remove the padding ([[minutes]], practice)
+# ### Your turn: remove the padding ([[minutes]], practice, deeper)
 #
 # Write `decode_padded(message)`. Put the two things together that you have seen: crop the padding, as in `cut_by_step`, and form the pixels of a colour image.
 #

@@ -78,7 +78,7 @@ def otsu(gray):
 
     return best_of(gray, score)
 
-# %% role="mistake" name="means over all pixels" says="The means were taken over all pixels of the image, with 0 for the pixels of the other class. Take each mean over the pixels of its class only: gray[mask].mean()."
+# %% role="mistake" name="means over all pixels" says="Your means are sums: divided by nothing, or both by the same number, such as that of all pixels. A mean is the sum of a class, divided by the number of pixels of this class: gray[mask].mean()."
 def otsu(gray):
     return best_of(gray, lambda below, above: below.size * above.size * (below.sum() - above.sum()) ** 2)
 

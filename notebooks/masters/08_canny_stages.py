@@ -11,9 +11,9 @@
 #
 # **You will be able to**
 # - name the input and the output of each stage, with their units,
-# - write the double threshold, and explain what 50 and 150 mean,
+# - explain what the two thresholds 50 and 150 mean,
 # - explain why a noisy image must be smoothed before edge detection,
-# - deeper: write the Sobel filter, non-maximum suppression and hysteresis by hand.
+# - deeper: write the Sobel filter, non-maximum suppression, the double threshold and hysteresis by hand.
 #
 # **Time** [[minutes]], best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices and padding), [[grayscale]] and [[noise_removal]].
 
@@ -642,7 +642,7 @@ assert (stages.strong == strong).all() and (stages.weak == weak).all()
 assert not (weak & strong).any()  # no pixel is both
 
 # %% [markdown]
-# ### Your turn: the double threshold ([[minutes]])
+# ### Your turn: the double threshold ([[minutes]], deeper)
 #
 # Write `double_threshold(thinned, low, high)`. Strong means strictly above `high`. Weak means strictly above `low` and not strong.
 #

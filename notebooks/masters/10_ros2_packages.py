@@ -10,12 +10,11 @@
 # A node in a notebook stops when the notebook stops. A *script* is a program of its own. On a robot, nodes belong to *[[term:package|packages]]*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes outside this notebook.
 #
 # **You will be able to**
-# - read a node that is a complete script, from `rclpy.init` to `shutdown`, and run it in a terminal,
+# - read a node that is a complete script, from `rclpy.init` to `shutdown`,
 # - explain each file of an `ament_python` package (a ROS 2 package in Python; *[[term:ament]]* is the build system of ROS 2),
 # - build a *[[term:workspace]]* (a folder with packages) with `colcon`, source it, and start its nodes in a terminal,
 # - recognise two common mistakes with packages, and repair them,
-# - deeper: write the files of a package of your own, build it, and run its node,
-# - explain what changes on the real robot, and go on with a robot and a node of your own.
+# - deeper: write the files of a package of your own, build it, run its node, and explain what changes on the real robot.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
 
@@ -94,27 +93,15 @@ for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "signal.signa
     assert name in source
 
 # %% [markdown]
-# Now run it. First, this notebook starts the camera (or joins it) and subscribes to the script's topic:
-
-# %%
-script_node = None
-if ros_available():
-    camera = open_camera("recording")
-    script_topic = "/image_gray_processor/view"
-    script_images = ImageSubscriber(script_topic, encoding="mono8")
-
-# %% [markdown]
 # Open a terminal: **File → New → Terminal**. Drag its tab to the right edge, so that you see the terminal and this notebook side by side. Type these lines, one after the other, and press Enter after each line:
 #
 # ```sh
 # cd "$JUPYTER_SERVER_ROOT/ros2_ws"
 # source ../../.venv/bin/activate
-# python scripts/image_gray_processor.py
 # ```
 #
 # 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *[[term:environment variable]]*: a named text that a program receives when it starts.
 # 2. The second line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
-# 3. The third line runs the script. The terminal is busy now, because the node spins. The node prints its log there.
 #
 # In this lesson, each command also has a cell, for those who cannot use a terminal. These cells call the three functions below, which give a line to bash as a terminal does. You do not need to write such code. If the node runs in your terminal already, the cell does not start it again.
 
@@ -147,6 +134,27 @@ def stop(process):
     """Stops a program, as Ctrl-C in its terminal does."""
     process.send_signal(signal.SIGINT)
     process.wait(timeout=20)
+
+# %% [markdown]
+# ### Run the script ([[minutes]], deeper)
+#
+# This notebook starts the camera (or joins it) and subscribes to the script's topic:
+
+# %%
+script_node = None
+if ros_available():
+    camera = open_camera("recording")
+    script_topic = "/image_gray_processor/view"
+    script_images = ImageSubscriber(script_topic, encoding="mono8")
+
+# %% [markdown]
+# Then run the script in your terminal:
+#
+# ```sh
+# python scripts/image_gray_processor.py
+# ```
+#
+# The terminal is busy now, because the node spins. The node prints its log there. If the script does not run, the next cell starts it.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -319,7 +327,7 @@ assert printed.count("Finished") == 2 and new_folders == ["build", "install", "l
 #
 # ## 5 · Ask ROS for the package ([[minutes]])
 #
-# The packages are built. Now you open a *second* terminal with **File → New → Terminal**, and ask ROS for the package. **Predict**: can ROS find it?
+# The packages are built. Open a *second* terminal with **File → New → Terminal**, and ask ROS for the package. **Predict**: can ROS find it?
 
 # %% role="predict"
 guess_found = None  # your guess: "yes" or "no"?
@@ -369,11 +377,12 @@ assert not ros_available() or where == str(workspace / "install" / "image_gray_p
 # %% [markdown]
 # ## 6 · Run ([[minutes]])
 #
-# `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, as you just did. Then it starts the file `lib/PACKAGE/EXECUTABLE` in this folder. Without the command `ros2`, start the file itself. First this notebook subscribes to the node's topic:
+# `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, as you just did. Then it starts the file `lib/PACKAGE/EXECUTABLE` in this folder. Without the command `ros2`, start the file itself. First this notebook starts the camera (or joins it), and subscribes to the node's topic:
 
 # %%
 node = None
 if ros_available():
+    camera = open_camera("recording")
     gray_topic = "/image_gray_processor/gray"
     gray_images = ImageSubscriber(gray_topic, encoding="mono8")
 

@@ -77,9 +77,9 @@ class RealDrive:
             publish(publisher, msg)
             self.sent += publisher.topic_name not in (TOPIC, *OF_ROS)
 
-        def noting(severity, *arguments):
-            log(severity, *arguments)
-            self.logged.append(severity.name.lower())
+        def noting(severity, name, text, *arguments):
+            log(severity, name, text, *arguments)
+            self.logged.append((severity.name.lower(), text))
 
         monkeypatch.setattr(publisher_class, "publish", counting)
         monkeypatch.setattr(_rclpy, "rclpy_logging_rcutils_log", noting)

@@ -110,6 +110,15 @@ def test_starting_from_a_callback_of_a_stopping_session_is_refused(session, wait
     assert errors == ["the ROS session is stopping; start it from outside its callbacks"]
 
 
+def test_a_name_of_a_cell_that_was_left_out_is_named_in_one_sentence(session, wait_until, caplog):
+    session.node.create_timer(0.01, lambda: missing_module.sqrt(2))  # noqa: F821
+    wait_until(lambda: caplog.records)
+    assert caplog.records[0].exc_info is None
+    message = caplog.records[0].message
+    assert message.endswith("Run the cell that imports or defines missing_module.")
+    assert "name 'missing_module' is not defined" in message
+
+
 def test_a_callback_that_raises_is_logged_and_the_graph_continues(session, wait_until, caplog):
     calls = []
 

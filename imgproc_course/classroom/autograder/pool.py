@@ -210,7 +210,7 @@ def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
             attempts += 1
             result = _not_graded(key, *submission, f"the nbval process ended: {error}")
         else:
-            if not result.exercises_with(Outcome.NOT_GRADED):
+            if not result.has_fault:
                 return result
             attempts += 1
             process.stop()

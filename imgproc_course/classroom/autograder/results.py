@@ -20,6 +20,7 @@ from imgproc_course.classroom.autograder.sanitize import sanitize_text
 from imgproc_course.classroom.autograder.verdict import CaseRun, DriveVerdict
 from imgproc_course.classroom.exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
 from imgproc_course.classroom.exercises.node_feedback import sentence_on_node
+from imgproc_course.classroom.exercises.recording_node import UNKNOWN_PART
 from imgproc_course.classroom.exercises.running import CallResult
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
@@ -126,6 +127,15 @@ class GradedSubmission:
     @property
     def max_points(self):
         return sum(exercise.max_points for exercise in self.exercises)
+
+    @property
+    def has_fault(self):
+        """Whether an exercise was not graded, and not because its node uses what the check does not know."""
+        return any(
+            any(case.outcome == Outcome.NOT_GRADED for case in exercise.cases)
+            and not any(case.message.startswith(UNKNOWN_PART) for case in exercise.cases)
+            for exercise in self.exercises
+        )
 
     def exercises_with(self, outcome):
         """The ids of the exercises of which at least one case has that outcome."""

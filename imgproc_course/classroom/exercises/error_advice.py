@@ -112,6 +112,11 @@ def _broadcast_rules(shapes, source):
     if len(first) != len(second):
         return
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
+    yield (
+        any(shape in ((3, 3), (5, 5)) for shape in shapes),
+        " A kernel needs a window of its own size for each pixel. A slice ends before its stop; and at the"
+        " border a window is smaller if a loop goes beyond the rows and columns of the image.",
+    )
     text = f" These two differ by {gap}: look where each slice begins and ends, and how wide the padding is."
     yield gap <= 2, text
 
@@ -167,6 +172,12 @@ def _reshape(match, source):
             f"{size} values are twice as many as {product}. If a pixel has two bytes (16 bits), read both as"
             " one number: np.frombuffer with a 16-bit dtype, such as '<u2'. If not, is there padding at the"
             " end of the rows?"
+        )
+    written = [part for part in shape if part > 4 and re.search(rf"\b{part}\b", source)]
+    if written:
+        return (
+            f"{size} values do not fit into {product}. Your line says {written[0]}, for every input: does"
+            " another one have this size too?"
         )
     if size > count:
         return (
@@ -403,6 +414,8 @@ ValueError: .*read-only
 ValueError: .*buffer size must be a multiple of element size
     The number of bytes is no multiple of the size of a value. Without dtype np.frombuffer reads float64,
     eight bytes for each value; uint16 takes two bytes, and uint8 takes one.
+TypeError: a bytes-like object is required, not '(?:\w+\.)?(\w+)'
+    This needs bytes, and it got a \1. Of a message take the field that holds the bytes: message.data.
 
 SyntaxError: .*invalid syntax.*\n.*[&|]\s*not\b
     After & and | write ~ for not: a & ~b.

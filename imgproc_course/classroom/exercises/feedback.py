@@ -5,6 +5,7 @@ for byte.
 """
 
 import html
+import re
 from itertools import chain, repeat
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
@@ -191,10 +192,15 @@ def _taken_along(result):
 
 def _cases(result):
     """(CaseResult, what went wrong, the call whose values are shown or None) of each case."""
+    steps = {}
     for case_result in result.results:
         call, explanation = case_result.failed_call, ""
         if call is not None:
             explanation = explain_failure(result.exercise, call)
+            step = case_result.case.title.partition(":")[0]
+            first = steps.setdefault(re.sub(r"\d+", "", explanation), step)
+            if result.exercise.subject != "function" and first != step:
+                explanation = f"as in {first} above"
         elif not case_result.passed:
             explanation = "not run, because the call above did not finish"
         yield case_result, explanation, call if call is result.shown else None
@@ -291,6 +297,8 @@ def _advice(result, call):
 def _warning_and_output(call, kind):
     if call.result.warning:
         yield f"NumPy or Python warned: {call.result.warning}"
+        if "empty slice" in call.result.warning:
+            yield "A slice holds no values. Does it begin below 0? -1 is the last element."
     if call.result.printed.strip():
         lines = call.result.printed.rstrip().splitlines()
         ellipsis = ["…"] if len(lines) > _MOST_LINES else []

@@ -213,8 +213,7 @@ def _take_step(node, record, step):
     for timer in () if ended else record.timers:
         if timer.is_on:
             timer.callback()
-    levels = [level for level, _ in record.logged[logged:]]
-    return describe_answer(step, delivered, ended, levels, record.published[published:])
+    return describe_answer(step, delivered, ended, record.logged[logged:], record.published[published:])
 
 
 def ask_parameters(node, step):
@@ -231,20 +230,20 @@ def ask_parameters(node, step):
     return {"accepted": accepted}
 
 
-def describe_answer(step, delivered, ended, levels, published):
+def describe_answer(step, delivered, ended, logged, published):
     """What came of a step that sent an image, as plain values.
 
     delivered  how many subscriptions got it
     ended      the type of the exception that ended the node, ""
-    levels     of what the node logged; only an error counts if the message was right
+    logged     (level, text) of each message; of a right image only the text of an error counts
     published  (topic, fields) of each message
     """
-    level = max(levels, key=LEVELS.index, default="")
+    level, text = max(logged, key=lambda entry: LEVELS.index(entry[0]), default=("", ""))
     level = "error" if level == "fatal" else level
     return {
         "delivered": delivered,
         "ended": ended,
-        "log": level if step.get("bad") or level == "error" else "",
+        "log": level if step.get("bad") else text if level == "error" else "",
         "published": [_with_pixels(topic, fields) for topic, fields in published],
     }
 

@@ -112,7 +112,7 @@ def _on_reliability(_wanted, given, _steps):
 
 def _on_log(wanted, given, _steps):
     if wanted != "error":
-        return "Your node logs an error for an image that is right."
+        return "Your node logs an error for an image that is right: {actual}"
     if given == "":
         return (
             "Your node skips the message that cannot be converted, but it logs nothing. In except, call"
@@ -128,6 +128,11 @@ _TRY = (
 
 
 def _on_end(_wanted, given, _steps):
+    if given == "UnboundLocalError":
+        return (
+            "After a message that cannot be converted, your callback goes on without a frame, and ends with"
+            " UnboundLocalError. Write return at the end of except."
+        )
     reason = " (a logger takes a text: str(error))" if given == "TypeError" else ""
     return "A message that cannot be converted ends your node with {actual}" + f"{reason}.{_TRY}"
 
@@ -151,8 +156,27 @@ def _on_pixels(wanted, given, steps):
     text = f"{int((wanted != given).sum())} of {wanted.size} pixels of the published image are wrong."
     kinds = ["image" if "image" in step else "set" for step in steps if "get" not in step]
     if "set" in kinds[kinds.index("image") :]:  # the steps before were right
-        text += " Before the parameters changed, they were right: read the parameters in the callback."
-    return text
+        return (
+            f"{text} Before the parameters changed, they were right: does the callback read the new values?"
+        )
+    if not _is_of_edges(wanted):
+        return text
+    if _is_of_edges(given):
+        return f"{text} Compute the edges of the gray image itself, with the values of the parameters."
+    return "An image of edges has only the values 0 and 255. Yours has more: publish what cv2.Canny returns."
+
+
+def _is_of_edges(image):
+    return set(np.unique(image)) == {0, 255}
+
+
+def _on_parameters(wanted, _given, _steps):
+    first, value = next(iter(wanted.items()))
+    names = ", ".join(wanted)
+    return (
+        f"Your node does not have the parameters {names}: __init__ declares each, as in"
+        f' self.declare_parameter("{first}", {value!r}).'
+    )
 
 
 def _is_exchanged(gray, step):
@@ -174,6 +198,7 @@ _SENTENCES = {
     f"{_STEP}/ended": _on_end,
     f"{_STEP}/published": _on_published,
     f"{_STEP}/log": _on_log,
+    f"{_STEP}/parameters": _on_parameters,
     f"{_IMAGE}/pixels": _on_pixels,
 } | read_phrases(
     r"""
@@ -219,9 +244,9 @@ _SENTENCES = {
 STEP/delivered
     The image did not reach your node: ROS connects none of its subscriptions with the camera. Repair step 1
     first.
-STEP/parameters(/\w+)?
-    Your node does not have the parameters of the task, with their first values: __init__ declares each, as in
-    self.declare_parameter("low", 50).
+STEP/parameters/(?P<name>\w+)
+    The first value of the parameter {name} is {actual!r}. The task asks for {expected!r}:
+    self.declare_parameter("{name}", {expected!r}).
 STEP/accepted/(?P<name>\w+)
     Your node does not take a new value for the parameter {name}: it is not declared, or with another type
     (50.0 is no whole number), or a callback refuses it.
@@ -254,7 +279,8 @@ AttributeError: '(\w+)' object has no attribute '(\w+)'\n.*self\.\2
     The node has no \2. An attribute is made in __init__, as self.\2 = ...; a method stands in the class, as
     far to the right as __init__.
 (?s:error: .*can not be treated as a double)
-    get_parameter gives a Parameter, and the number is its value: self.get_parameter("low").value.
+    This argument must be a number: self.get_parameter("low").value, of a parameter that is declared with a
+    number (50, not "50").
 TypeError: Expected .*, got .*ndarray
     publish takes a message, and this is an array: convert it with cv2_to_imgmsg first.
 """)

@@ -27,6 +27,7 @@ class NodeStopped(BaseException):
         self.error = error
 
 
+UNKNOWN_PART = "This check does not know"  # how the messages of NotGradedError begin
 LEVELS = ("debug", "info", "warn", "error", "fatal")
 
 
@@ -38,7 +39,7 @@ def stop(error):
 def refuse(name):
     stop(
         NotGradedError(
-            f"This check does not know {name} (is it spelled right?). Write the node without it, or ask your"
+            f"{UNKNOWN_PART} {name} (is it spelled right?). Write the node without it, or ask your"
             " teacher to look at it."
         )
     )

@@ -31,6 +31,7 @@ def remarks_on_source(function, errors=()):
         remarks += _remarks_on_function(part) if isinstance(part, ast.FunctionDef) else []
     if isinstance(tree, ast.FunctionDef):
         remarks += _why_none(tree) if "None" in errors else []
+        remarks += _unused(tree) if errors else []
     if "IndexError" in errors:
         remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
     return list(dict.fromkeys(remarks))
@@ -114,6 +115,13 @@ def _why_none(tree):
             )
 
 
+def _unused(tree):
+    read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    unused = [argument.arg for argument in tree.args.args if argument.arg not in read]
+    if unused:
+        yield f"{tree.name}() does not use what it gets: {', '.join(unused)}."
+
+
 def _reaches_end(body):
     last = body[-1]
     if isinstance(last, ast.If):
@@ -163,6 +171,12 @@ def _remarks_on_comparison(node, source):
             )
 
 
+def _without_effect(node, _source):
+    """A statement that only compares; Python allows it."""
+    if isinstance(node.value, ast.Compare) and isinstance(node.value.ops[0], ast.Eq):
+        yield f"{ast.unparse(node)} only compares, and changes nothing. To give a value, write = for ==."
+
+
 def _else_of_last_if(node, _source):
     """An else after several ifs about one value belongs to the last of them only."""
     bodies = (getattr(node, name, None) for name in ("body", "orelse"))
@@ -193,6 +207,7 @@ _RULES = (
     (ast.BoolOp, _always_true),
     (ast.While, _loop_over_uint8),
     (ast.Compare, _remarks_on_comparison),
+    (ast.Expr, _without_effect),
     (ast.AST, _else_of_last_if),
 )
 

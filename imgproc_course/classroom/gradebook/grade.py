@@ -160,7 +160,7 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
         f" {not_graded} could not be graded."
     ]
     if roster := grades["roster"]:
-        lines[0] += f" Of {roster['count']} in the roster, {len(roster['missing'])} have not handed in."
+        lines[0] += f" Of {roster['count']} in the roster, {len(roster['missing'])} have not submitted."
         if roster["unknown"]:
             lines[0] += (
                 f" Not in it: {count_of(len(roster['unknown']), 'learner')} (summary.html names them)."

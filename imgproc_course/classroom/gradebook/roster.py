@@ -140,7 +140,7 @@ def _certainty(entry, learner):
 def names_in_roster(roster, learners):
     """Whom the names of a roster mean, for the teacher's tables, without names of two people.
 
-    {name: the learner's name, or None if this person handed in nothing}
+    {name: the learner's name, or None if this person submitted nothing}
     """
     names, count = {}, Counter(name for entry in roster for name in {entry.name, *entry.names})
     for entry, found in _people(roster, learners).items():
@@ -152,7 +152,7 @@ def names_in_roster(roster, learners):
 
 
 def roster_report(roster, learners):
-    """The roster's `count`, who handed in nothing (`missing`), and who is not in it (`unknown`): names."""
+    """The roster's `count`, who submitted nothing (`missing`), and who is not in it (`unknown`): names."""
     people = _people(roster, learners)
     known = _names_of(people)
     return {

@@ -202,7 +202,7 @@ class TeacherRules:
     def assign(self, learners, roster=()):
         """Assign extensions and decisions to learners, who are read but not yet graded.
 
-        A row about a person of the roster who handed in nothing waits for the submission. TableError:
+        A row about a person of the roster who submitted nothing waits for the submission. TableError:
         nobody has a name, or a decision is on an exercise that cannot be graded.
         """
         self.names = {anonymous_id(learner.name, self._answer_keys): learner.name for learner in learners}

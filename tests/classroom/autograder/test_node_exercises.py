@@ -7,7 +7,9 @@ from node_answers import ANSWERS
 from node_attacks import NODE_ATTACKS
 
 from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.pool import autograde
+from imgproc_course.classroom.autograder.nbval_process import nbval_process_of_thread, stop_nbval_processes
+from imgproc_course.classroom.autograder.outcomes import Outcome
+from imgproc_course.classroom.autograder.pool import autograde, grade_one
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("node exercises"), pytest.mark.timeout(600)]
 
@@ -24,9 +26,13 @@ SAMPLE = [
 
 
 @pytest.fixture(scope="module")
-def exercises(tmp_path_factory):
+def key(tmp_path_factory):
+    return make_key(MASTERS, 8_675_309, tmp_path_factory.mktemp("key") / "key", LESSONS.values())
+
+
+@pytest.fixture(scope="module")
+def exercises(key):
     """{name of an answer or an attack: its GradedExercise}."""
-    key = make_key(MASTERS, 8_675_309, tmp_path_factory.mktemp("key") / "key", LESSONS.values())
     submissions = [
         (f"{answer.exercise}: {answer.name}", LESSONS[answer.exercise], {answer.exercise: answer.source})
         for answer in SAMPLE
@@ -60,6 +66,16 @@ def test_a_message_is_the_sentence_of_check(exercises):
     assert reliable[-1].hidden and reliable[-1].message == "" and reliable[-1].failed_call is None
     service = exercises["node-class: a service"].cases[0]
     assert service.message.startswith("This check does not know create_service of a node")
+
+
+def test_what_the_check_does_not_know_is_graded_once(key):
+    source = next(answer.source for answer in ANSWERS if answer.name == "a service")
+    process = nbval_process_of_thread(False, None)
+    result = grade_one(("a", "grayscale_node", {"node-class": source}), key.path, key.digest)
+    is_same = nbval_process_of_thread(False, None) is process  # each attempt has a process of its own
+    stop_nbval_processes()
+    assert "node-class" in result.exercises_with(Outcome.NOT_GRADED)
+    assert not result.has_fault and is_same
 
 
 @pytest.mark.parametrize("name", ATTACKS)

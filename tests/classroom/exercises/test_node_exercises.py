@@ -71,6 +71,13 @@ def test_verdicts_and_sentences_are_the_same_without_ros():
             assert text == real_text, answer.name
 
 
+def test_the_same_reason_is_said_once():
+    reliable = next(answer for answer in ANSWERS if answer.name == "reliable")
+    text = str(result_of(reliable))
+    assert text.count("The image did not reach your node") == 1
+    assert text.count("as in step 2 above") == 2  # step 3 and the hidden case
+
+
 def test_a_drive_leaves_nothing_behind():
     offer_modules()
     names = {"__name__": "answer"}

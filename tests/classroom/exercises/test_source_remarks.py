@@ -37,6 +37,7 @@ def remarks(source, errors=()):
         ("t = np.uint8(0)\n    while t <= 255: t += 1", "t <= 255 is always true for a uint8"),
         ("return a.sum() == a.sum()", "a.sum() == a.sum() compares a value with itself."),
         ("return a > b & ~c", "Python computes b & ~c first, before the comparison."),
+        ("a[b] == 1", "a[b] == 1 only compares, and changes nothing."),
         ("for a in range(3): pass", "The loop for a in ... writes over the argument a."),
         (
             "raise NotImplementedError('x')\n    return a",
@@ -163,3 +164,9 @@ def test_a_product_of_matrices_gets_no_remark():
 def test_code_that_stands_there_already(sentence, is_done):
     source = 'part = image[top : bottom, left:right]\npadded = np.pad(gray, 1, mode="edge")'
     assert has_done(source, sentence) == is_done
+
+
+def test_an_argument_that_a_wrong_answer_does_not_use_is_named():
+    source = "def f(image, mask):\n    return image > 100\n"
+    assert remarks(source, {""}) == ["f() does not use what it gets: mask."]
+    assert remarks(source) == []

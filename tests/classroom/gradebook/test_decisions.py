@@ -157,7 +157,7 @@ def test_a_row_about_somebody_of_the_roster_who_handed_in_nothing_waits(grade, t
     lessons, _, summary = grade(decisions, roster=tmp_path / "roster.csv", **options)
     assert "Illi" not in lessons
     assert not lessons["Bob"]["light"]["late"]  # by the address in the roster
-    assert "Of 3 in the roster, 1 have not handed in. Not in it: 2 learners" in summary.text
+    assert "Of 3 in the roster, 1 have not submitted. Not in it: 2 learners" in summary.text
     with pytest.raises(TableError, match=r"row 2: there is no learner 'Illi'; .* give the --roster"):
         grade(decisions, **options)
 
