@@ -374,8 +374,8 @@ NODE_STUB = "class Doubler(Node):\n    def __init__(self):\n        f = 2\n     
             NODE_STUB,
             [],
             "not attempted",
-            "Doubler still has the line `raise NotImplementedError(...)`: nothing below it runs; delete this"
-            " line",
+            "Doubler: The line with raise NotImplementedError is still there, and ends the function: delete"
+            " it.",
         ),
         (
             NODE.format(2).replace("Doubler", "Doublr"),
