@@ -14,7 +14,6 @@ from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
 from imgproc_course.classroom.exercises.dependencies import Dependencies, dependencies_of, find_refused
 from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
 from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.near_misses import near_miss
 from imgproc_course.classroom.exercises.progress import ExerciseProgress, content_of, digest_of, note_progress
 from imgproc_course.classroom.exercises.running import (
     CallResult,
@@ -81,7 +80,6 @@ class CheckResult:
     dependencies  refused modules and names of other cells that the answer uses
     diagnosis     what is certain about the values of the shown call
     remarks       what is certain from the source of the function, sentences
-    near_miss     where one small change makes the public cases pass, as a question; "" if none does
     why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
     """
 
@@ -92,7 +90,6 @@ class CheckResult:
     dependencies: Dependencies = field(default_factory=Dependencies)
     diagnosis: Diagnosis = field(default_factory=Diagnosis)
     remarks: tuple = ()
-    near_miss: str = ""
     why_older: str = ""
 
     @property
@@ -210,16 +207,7 @@ def run_check(exercise, function, answer=None):
             is_right = all(call.passed for call in _run_calls(exercise, function))
             remarks = (_ONLY_HERE.format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
-    hint = _near_miss(exercise, result, calls, answer) if answer else ""
-    return replace(result, near_miss=hint, remarks=(*remarks, *result.remarks))
-
-
-def _near_miss(exercise, result, calls, answer):
-    """The question of `near_miss`, for a wrong function of which nothing else is known."""
-    is_open = result.attempted and not (result.passed or result.mistake or result.dependencies.refused)
-    is_tame = not any(call.result.changed or call.result.timed_out for call in calls)
-    is_function = exercise.subject == "function"
-    return near_miss(exercise, answer) if is_open and is_tame and is_function else ""
+    return replace(result, remarks=(*remarks, *result.remarks))
 
 
 def _as_graded(exercise, function, answer):
