@@ -320,8 +320,9 @@ def _shape_rules(expected, actual, given, name):
 
 
 def _surplus(count, noun):
-    """`2 rows too many`, `1 column too few`"""
-    return f"{abs(count)} {noun}{'s' * (abs(count) != 1)} too {'many' if count > 0 else 'few'}"
+    """`2 rows too many`, `one column too few`"""
+    number = f"one {noun}" if abs(count) == 1 else f"{abs(count)} {noun}s"
+    return f"{number} too {'many' if count > 0 else 'few'}"
 
 
 # ---------------------------------------------------------------- values

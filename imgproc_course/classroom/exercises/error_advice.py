@@ -112,7 +112,7 @@ def _broadcast_rules(shapes, source):
     if len(first) != len(second):
         return
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
-    text = f" These two differ by {gap}: look where each slice begins and ends, and how wide the padding is."
+    text = f" These two differ by {gap}: look where each slice begins and ends, and at any padding."
     yield gap <= 2, text
 
 
