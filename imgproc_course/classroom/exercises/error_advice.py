@@ -338,8 +338,6 @@ TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment
     255 in a, too: write a[mask] = 255 alone.
 (?:ValueError|TypeError): .*got <function
     A function stands where its result is needed. Call it, with its argument in round brackets.
-TypeError: .*boolean subtract
-    Masks cannot be subtracted. For True in a and not in b write a & ~b.
 RecursionError
     Your function calls itself and never ends. Mark what it has visited already before it calls itself again,
     or use a loop.
