@@ -118,6 +118,7 @@ SIZES = [
 ]
 VALUES = [
     ((SIGNED, GRAY.astype("i4")), (GRAY.astype("i4"), SIGNED), "but in the wrong order: exchange the first"),
+    ((1.5, 2.5, 0.1), (0.1, 1.5, 2.5), "Your results are right, but in the wrong order."),
     (0.5, 1.0, "Your number is twice the expected number, in every check."),
     (81, 80, "Your number is one too small, in every check."),
     (0.25, 25.0, "100 times the expected number (is it in percent?)"),
