@@ -34,12 +34,8 @@ def canny(
     ----------
     gray : (H, W) uint8
     low, high : numbers, low <= high, in the unit of the gradient's norm: with aperture 3 and L1 a straight
-        step of h gray levels has magnitude 4 h. A threshold below 0 counts as 0; above 32767 there are no
-        edges.
-    sigma : pixels, standard deviation of the Gaussian filter before the gradient, as cv2.GaussianBlur(gray,
-        (0, 0), sigma); 0: no smoothing, as cv2.Canny
-    aperture : 3, 5 or 7, side of Sobel's kernel
-    l2_gradient : compare the L2 norm of the gradient instead of the L1 norm |grad_row| + |grad_col|
+        step of h gray levels has magnitude 4 h
+    sigma, aperture, l2_gradient : as in `canny_stages`
 
     Returns
     -------

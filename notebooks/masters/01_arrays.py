@@ -155,7 +155,7 @@ exercise(
     title="Crop an image",
     function="crop",
     time_limit=5,
-    hint="Rows come first, then columns, in one pair of brackets; the stop of a slice is not included.",
+    hint="A slice starts at its first number and ends before its second; in the brackets the rows stand before the columns.",
     hints=(
         "Which two slices did `tiny[1:3, 1:4]` use? Which of your five parameters stand for 1, 3, 1 and 4?",
         "Write one pair of brackets after image. First the slice of the rows, then a comma, then the slice of the columns. Return the result.",

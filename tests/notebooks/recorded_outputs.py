@@ -14,7 +14,7 @@ TYPES = ("stream", "display_data", "execute_result", "error")
 
 
 def pytest_addoption(parser):
-    parser.addoption("--outputs", type=Path, help="the file: {cell id: outputs}")
+    parser.addoption("--outputs", type=Path, help="the file: {path of a notebook: {cell id: outputs}}")
 
 
 def pytest_configure(config):
@@ -32,7 +32,8 @@ def pytest_runtest_call(item):
     notebook.get_kernel_message = receive
     yield
     cell_id = messages[-1]["parent_header"]["msg_id"]  # the last one says that the cell has finished
-    item.config.stash[OUTPUTS][item.cell.id] = [
+    outputs = item.config.stash[OUTPUTS].setdefault(str(notebook.path), {})
+    outputs[item.cell.id] = [
         output_from_msg(message)
         for message in messages
         if message["msg_type"] in TYPES and message["parent_header"].get("msg_id") == cell_id

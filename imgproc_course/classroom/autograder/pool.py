@@ -50,28 +50,14 @@ _KILLS = 10  # of nbval processes while they start or grade one submission; they
 
 
 def autograde(submissions, key, *, unsafe=False, workers=None, executor=None, limits=None):
-    """Grade submissions, lazily and in order.
+    """Grade submissions, lazily and in order; yields a GradedSubmission for each.
 
-    Parameters
-    ----------
-    submissions : iterable of (name, lesson, answers); name is any str, lesson the name of a lesson in the
-        key, answers a dict of exercise id -> source of its answer cell (an exercise without one is left out).
-        It is read as results are taken, so a generator of thousands needs no memory
-    key : Key, from `load_key`; or {name: Key}, if the submissions have different keys
-    unsafe : bool, run without a sandbox
-    workers : int, how many are graded at once; None: the number of this machine's cores
-    executor : concurrent.futures.Executor that runs `grade_one` elsewhere (see `open_scheduler`); None:
-        threads of this process
-    limits : Limits of one kernel; None: the default ones
+    `submissions` are (name, lesson, {exercise id: source of its answer cell}), read as results are taken, so
+    that a generator of thousands needs no memory. `key` is a Key, or {name: Key}; `unsafe` runs without a
+    sandbox; `workers` are graded at once (None: one per core), by threads of this process, or by an Executor
+    that runs `grade_one` elsewhere; `limits` are those of one kernel.
 
-    Yields
-    ------
-    GradedSubmission, one per submission, in the order of `submissions`
-
-    Raises
-    ------
-    SandboxError : there is no sandbox here; raised before anything is run, one line with the remedy
-    ValueError : a lesson that is not in the key; raised before anything of it is run
+    Before anything is run: SandboxError, there is no sandbox here; ValueError, a lesson is not in the key.
     """
     if executor is None and not unsafe:
         bubblewrap.require_sandbox()
@@ -175,23 +161,10 @@ def _one_share_each(limits, exercises):
 
 
 def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
-    """Grade one submission; a plain function that any Executor can run, in this process or another.
+    """The GradedSubmission of one submission; a plain function that any Executor can run, here or elsewhere.
 
-    Parameters
-    ----------
-    submission : (name, lesson, answers), as `autograde` takes them
-    key_folder : path of the key, which must exist on the machine that runs this
-    digest : str, `Key.digest` of the expected key; any other key is refused
-    unsafe, limits : as `autograde`
-
-    Returns
-    -------
-    GradedSubmission
-
-    Raises
-    ------
-    SandboxError : there is no sandbox on the machine that runs this
-    KeyFolderError, ValueError : there is no such key, or another one
+    The key's folder must exist on the machine that runs this, with the key of this digest: else
+    KeyFolderError or ValueError. The rest is as in `autograde`.
     """
     key = expected_key(key_folder, digest)
     attempts = kills = 0
@@ -241,20 +214,8 @@ def open_scheduler(address, *, patience=20):
     """An Executor over the workers of a Dask cluster, for `autograde(..., executor=...)`.
 
     Every worker needs this package, bubblewrap, and the key's folder at the same path (a shared disk). A
-    worker that dies is replaced, and the submission that it was grading is graded again.
-
-    Parameters
-    ----------
-    address : str, "tcp://10.0.0.5:8786"
-    patience : float, seconds to wait for the scheduler's answer
-
-    Yields
-    ------
-    Executor
-
-    Raises
-    ------
-    ValueError : Dask is not installed, or nothing answers there
+    worker that dies is replaced, and the submission that it was grading is graded again. ValueError: Dask is
+    not installed, or nothing answers at the address ("tcp://10.0.0.5:8786") within `patience` seconds.
     """
     try:
         from distributed import Client

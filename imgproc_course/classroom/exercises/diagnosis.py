@@ -5,6 +5,7 @@ more than none.
 """
 
 from dataclasses import dataclass
+from itertools import permutations
 
 import numpy as np
 
@@ -30,6 +31,7 @@ _FACTORS = {
 }
 
 _COINCIDENCE = 0.01
+_MOST_REORDERED = 4
 _LINES = {
     "the first row": np.s_[:1],
     "the last row": np.s_[-1:],
@@ -320,8 +322,9 @@ def _shape_rules(expected, actual, given, name):
 
 
 def _surplus(count, noun):
-    """`2 rows too many`, `1 column too few`"""
-    return f"{abs(count)} {noun}{'s' * (abs(count) != 1)} too {'many' if count > 0 else 'few'}"
+    """`2 rows too many`, `one column too few`"""
+    number = f"one {noun}" if abs(count) == 1 else f"{abs(count)} {noun}s"
+    return f"{number} too {'many' if count > 0 else 'few'}"
 
 
 # ---------------------------------------------------------------- values
@@ -333,8 +336,9 @@ def _diagnose_values(calls, names):
         return Diagnosis(f"Your result is equal to the input {names[0]}: no value has changed.")
     forms = _forms(calls)
     kinds = {kind_of(form) for pair in forms for form in pair}
-    if kinds == {"tuple"} and _are_exchanged(forms, calls[0].case.tolerance):
-        text = "Both results are right, but in the wrong order: exchange the first and the second."
+    if kinds == {"tuple"} and _are_reordered(forms, calls[0].case.tolerance):
+        both = "Both results are right, but in the wrong order: exchange the first and the second."
+        text = both if len(forms[0][0]["items"]) == 2 else "Your results are right, but in the wrong order."
         return Diagnosis(text, replaces_hint=True)
     if any(form.get("too_large") for pair in forms for form in pair):
         return Diagnosis()
@@ -363,12 +367,17 @@ def _advice_on_constant(calls):
     return f"Your function returns {'the same' if value is None else repr(value)} for every input."
 
 
-def _are_exchanged(forms, tolerance):
-    """Whether two results stand in the wrong order, in every call."""
-    return all(
-        len(expected["items"]) == 2
-        and compare(expected | {"items": expected["items"][::-1]}, actual, tolerance) is None
-        for expected, actual in forms
+def _are_reordered(forms, tolerance):
+    """Whether up to four results stand in the wrong order, the same one in every call."""
+    count = len(forms[0][0]["items"])
+    if count > _MOST_REORDERED or any(len(expected["items"]) != count for expected, _ in forms):
+        return False
+    return any(
+        all(
+            compare(expected | {"items": [expected["items"][k] for k in order]}, actual, tolerance) is None
+            for expected, actual in forms
+        )
+        for order in permutations(range(count))
     )
 
 

@@ -7,6 +7,7 @@ the line that raised: `thinned > high and thinned < 9` needs another sentence th
 import ast
 import math
 import re
+from pathlib import Path
 
 import numpy as np
 
@@ -111,13 +112,13 @@ def _broadcast_rules(shapes, source):
     )
     if len(first) != len(second):
         return
-    gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     yield (
         any(shape in ((3, 3), (5, 5)) for shape in shapes),
         " A kernel needs a window of its own size for each pixel. A slice ends before its stop; and at the"
         " border a window is smaller if a loop goes beyond the rows and columns of the image.",
     )
-    text = f" These two differ by {gap}: look where each slice begins and ends, and how wide the padding is."
+    gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
+    text = f" These two differ by {gap}: look where each slice begins and ends, and at any padding."
     yield gap <= 2, text
 
 
@@ -254,173 +255,6 @@ _RULES = {
     r"TypeError: .*(?:unhashable type|use): '([\w.]+)'": _unhashable,
 }
 
-# A pattern of an error as Python prints it, and of the line that raised where that counts; below it what the
-# error means, a template for the match. The first pattern that matches counts.
-_PHRASES = r"""
-ValueError: .*does not have enough dimensions
-    On one side of @ stands a single number. mean() and sum() without axis give one number for the whole
-    array; with axis=0 they give one for each column.
-AttributeError: 'numpy\.ndarray' object has no attribute 'reverse'
-    An array has no .reverse(). A slice with the step -1 goes backwards: ::-1.
-AttributeError: .* object has no attribute 'join'
-    join is a method of the text that stands between the parts: "/".join(parts).
-TypeError: .*join\(\) takes exactly one argument
-    join takes one list of the parts, in square brackets: "/".join([first, second]).
-KeyError: ([^\n]+)
-    The dictionary has no key \1. Use the keys that it has: a loop over a dictionary gives them.
-TypeError: .*boolean subtract
-    Masks cannot be subtracted. For True in a and not in b write a & ~b.
-TypeError: int\(\) argument .* not 'list'
-    One number is needed here, and this is a whole list.
-error: .*in function 'imread'
-    cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor.
-IndexError: tuple index out of range.*\n.*\.shape\[(?:[3-9]|\d\d)
-    The tuple has fewer parts. Python counts from 0: shape[0] is the number of rows, shape[1] of columns, and
-    shape[2] of channels, if the image has colours.
-IndexError: tuple index out of range
-    The tuple has fewer parts. The shape of a gray image has two numbers, (rows, columns), and only a colour
-    image has a third: ask for len(image.shape) or image.ndim first.
-IndexError: (list|string) index out of range
-    Python counts from 0: the last index is len(...) - 1.
-(Index|Type)Error: .*(only integers, slices|used as indices|slices, not float|slice indices must be integers)
-    An index is a whole number, and / makes a float. Divide whole numbers with //; with floats, // gives a
-    float too: use int(), or .astype(int) for an array.
-TypeError: .*'(?:numpy.)?float\d*' object cannot be interpreted as an integer
-    A count is a whole number, and / makes a float. Divide whole numbers with //; with floats, // gives a
-    float too: use int(), or .astype(int) for an array.
-TypeError: list indices must be integers or slices, not tuple
-    A list takes one index at a time: values[row][col]. Or make an array of it: np.array(values).
-TypeError: string indices must be integers
-    The name before the brackets holds a text, not a dictionary. Does the variable of a loop have the same
-    name as the dictionary, and overwrite it? Give it another name.
-IndexError: too many indices .*: array is (\d)-dimensional, but (\d) were indexed
-    The array has \1 axes, and you give \2 indices. A gray image has rows and columns only; channels are the
-    third axis of a colour image.
-IndexError: boolean index did not match
-    A mask chooses values of an array of its own shape. These two have different shapes.
-TypeError: Cannot interpret '\d+' as a data type
-    The shape is one argument, in parentheses of its own: np.zeros((rows, columns)).
-ValueError: .*\(size (\d+) is different from (\d+)\).*\n.*(?:diag|\.T)
-    @ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each part?
-    np.diag of n numbers is n × n. With points in rows, (N, 3), a.T @ b is 3 × 3, and a @ b.T is N × N.
-ValueError: .*\(size (\d+) is different from (\d+)\)
-    @ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each part?
-    (Value by value, arrays are multiplied with *.)
-ValueError: (?:shapes .* not aligned|.*matmul)
-    @ and np.dot need as many columns on the left as rows on the right. Which shape has each part? (Value by
-    value, arrays are multiplied with *.)
-LinAlgError: .*Singular matrix
-    The equations have no single solution: a row or a column of the matrix is 0, or follows from others. Is
-    each unknown in an equation, and is what must stay fixed left out?
-
-UnboundLocalError: .*local variable '(\w+)'
-    \1 gets its value inside an if or a loop, and that did not run for this input. Give \1 a start value
-    before it.
-TypeError: .*'(tuple|numpy\.ndarray|list|dict)' object is not callable
-    A \1 is not a function: round brackets call. Its parts are taken with square brackets, as in shape[0].
-TypeError: .*'str' object is not callable
-    Round brackets call a function, and this is a text. Does it come from a loop over a dict? The loop gives
-    the keys; the value of a key is d[key], with the name of the dict for d.
-TypeError: .*'([\w.]+)' object is not callable
-    Round brackets call a function, and this is a value of type \1. Leave the brackets out; or is a * missing
-    before them?
-TypeError: .*'NoneType'|AttributeError: 'NoneType' object
-    A value here is None. Functions without return give None, and so do methods that work in place, such as
-    list.sort() and list.append(): call them on a line of their own, or use sorted(values).
-AttributeError: 'numpy\.ndarray' object has no attribute '(height|width|rows|cols|columns)'
-    An array has no .\1: the number of its rows is .shape[0], that of its columns .shape[1].
-AttributeError: 'numpy\.ndarray' object has no attribute '(length|len|count|lenght)'
-    An array has no .\1: the number of its values is .size, that of its rows .shape[0].
-AttributeError: 'numpy\.ndarray' object has no attribute '(?:append|extend|add)'
-    An array cannot grow. Make it in its full size, or collect the values in a list.
-AttributeError: '(list|tuple)' object has no attribute '(shape|astype|dtype|mean|sum|max|min)'
-    A \1 has no .\2. Make an array of it first: np.array(values).
-AttributeError: '[\w.]*(?:SimpleNamespace|Image)' object has no attribute '(\w+)'
-    A message has no field \1. The number of its rows is height, and of its columns width; print(message)
-    shows all its fields.
-TypeError: .*'[\w.]*(?:function|method)\w*' object (?:is not subscriptable|does not support item)
-    This is a function. Call it with round brackets; square brackets take a part of a value.
-TypeError: .*'(?:int|float|numpy\.(?:float64|uint8|int64))' object is not subscriptable
-    This is a single number, and it has no parts to take with square brackets.
-TypeError: .*' object is not subscriptable.*\n.*\[["']
-    This object has fields, not keys: write message.height, with a dot, instead of message["height"].
-TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment
-    The name before the brackets holds a single number. Was it overwritten before? a = a[mask] = 255 stores
-    255 in a, too: write a[mask] = 255 alone.
-(?:ValueError|TypeError): .*got <function
-    A function stands where its result is needed. Call it, with its argument in round brackets.
-TypeError: .*boolean subtract
-    Masks cannot be subtracted. For True in a and not in b write a & ~b.
-RecursionError
-    Your function calls itself and never ends. Mark what it has visited already before it calls itself again,
-    or use a loop.
-ModuleNotFoundError: No module named '([\w.]+)'
-    No library with the name \1 is installed here. Write the computation yourself, with NumPy.
-
-ValueError: (?:too many|not enough) values to unpack \(expected (\d+).*\n.*\.shape
-    The shape has another number of parts than the \1 names on the left. A colour image has three, rows,
-    columns and channels; a gray image has two. .shape[:2] are the first two.
-ValueError: (?:too many|not enough) values to unpack .*\nfor .+ in [^()\[\]]+,
-    To go through two sequences together write zip: for a, b in zip(first, second):
-ValueError: (?:too many|not enough) values to unpack .*\nfor\b
-    A loop over a dictionary gives only its keys. For keys and values write dictionary.items().
-ValueError: (?:too many|not enough) values to unpack \(expected (\d+)
-    There are \1 names on the left; the value on the right has another number of parts. An array is unpacked
-    row by row.
-TypeError: cannot unpack non-iterable .*\nfor\b
-    Each value of this loop is a single number, and several names stand for it. For all pixels write two
-    loops, one inside the other: for row in range(height): and for col in range(width):
-TypeError: cannot unpack non-iterable ([\w.]+) object
-    Several names stand on the left, and the value on the right is a single \1.
-
-TypeError: .*unsupported operand type\(s\) for /: 'str' and 'str'
-    Texts cannot be joined with /, only a Path can: Path(a) / b. Or write an f-string, f"{a}/{b}".
-TypeError: (?:unsupported operand type\(s\) for .*'str'|can only concatenate str)
-    A text and another value cannot be combined in this way. An f-string writes both into a text.
-\w*TypeError: .*(unsupported operand type\(s\) for \^|ufunc 'bitwise_xor' not supported)
-    In Python ^ is not a power. Write a ** 2 for a square.
-\w*TypeError: .*ufunc 'bitwise_(?:and|or)' not supported.*\n.*(?:[<>]|[=!]=)
-    & and | combine masks. & is computed before > and <, so put each comparison in parentheses.
-\w*TypeError: .*ufunc 'bitwise_(?:and|or)' not supported
-    & and | combine masks (True and False) and whole numbers, and one of these arrays holds floats.
-    np.zeros(shape) makes floats: for a mask write np.zeros(shape, dtype=bool).
-TypeError: .*unsupported operand type\(s\) for .*'tuple'
-    A tuple does no arithmetic. Take its numbers one by one, as in first[0] - second[0].
-TypeError: .*unsupported operand type\(s\) for .*'list'
-    A list does no arithmetic. Make an array of it first: np.array(values).
-\w*TypeError: .*(boolean negative|unary -: 'bool')
-    For the opposite of a mask write ~mask.
-TypeError: .*only (?:0-dimensional|length-1) arrays can be converted.*\n.*math\.remainder\(
-    math.remainder takes one number, and this is a whole array. Wrap the angles one by one in a loop, or all
-    at once: (angles + np.pi) % (2 * np.pi) - np.pi.
-TypeError: .*only (?:0-dimensional|length-1) arrays can be converted
-    int(), float() and the functions of math take one number, and this is a whole array. array.astype(...)
-    changes the dtype of all values; NumPy has functions for arrays, such as np.log10.
-ValueError: .*setting an array element with a sequence
-    One element of an array holds one number, and here a whole list or array is stored in it. Make one number
-    of it first, for example with .sum().
-_?UFunc\w+: Cannot cast ufunc '\w+' output from dtype\('(\w+)'\) to dtype\('(\w+)'\)
-    The result is \1, and the array on the left holds \2. Write a = a + b instead of a += b, or widen the
-    array first with astype.
-ValueError: .*cannot convert float NaN to integer
-    NaN is the result of 0 divided by 0: a sum of nothing, or of zeros. Test for that before you divide.
-ValueError: (min|max)\(\) (?:arg is an empty sequence|iterable argument is empty)
-    \1() of nothing is an error, and here there is nothing to compare. Test for this first, or give a value
-    for it: \1(..., default=...).
-ValueError: .*(?:zero-size array|of an empty sequence)
-    The array has no values here: an empty array has no maximum and no minimum.
-ValueError: .*read-only
-    This array cannot be written to. Work on a copy: array.copy().
-ValueError: .*buffer size must be a multiple of element size
-    The number of bytes is no multiple of the size of a value. Without dtype np.frombuffer reads float64,
-    eight bytes for each value; uint16 takes two bytes, and uint8 takes one.
-TypeError: a bytes-like object is required, not '(?:\w+\.)?(\w+)'
-    This needs bytes, and it got a \1. Of a message take the field that holds the bytes: message.data.
-
-SyntaxError: .*invalid syntax.*\n.*[&|]\s*not\b
-    After & and | write ~ for not: a & ~b.
-"""
-
 
 def read_phrases(text):
     """{pattern: advice} of a text in which each advice stands, indented, below its pattern."""
@@ -428,4 +262,7 @@ def read_phrases(text):
     return {pattern: " ".join(advice.split()) for pattern, advice in entries}
 
 
+# A pattern of an error as Python prints it, and of the line that raised where that counts; below it what the
+# error means, a template for the match. The first pattern that matches counts.
+_PHRASES = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
 _ADVICE = _RULES | read_phrases(_PHRASES)

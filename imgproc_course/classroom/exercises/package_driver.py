@@ -22,21 +22,10 @@ _DEPENDENCIES = ("depend", "exec_depend", "build_depend")
 
 
 def drive_package(function, look, steps):
-    """What a file of a package says, or what its node does.
+    """What a file of a package says, or what its node does: a dict, compared with that of the solution.
 
-    Parameters
-    ----------
-    function : of no arguments, returns {path: text}
-    look : "package.xml" or "setup.py", what this file says; or one of `node_driver.drive`
-    steps : of `node_driver.drive`
-
-    Returns
-    -------
-    dict, compared with that of the solution
-
-    Raises
-    ------
-    NodeError : a file is missing, or cannot be read; the message says what to do
+    `look` is the name of the file, "package.xml" or "setup.py", or with `steps` as `node_driver.drive` takes
+    it. NodeError: a file is missing, or cannot be read.
     """
     files = function()
     if not isinstance(files, dict) or not all(

@@ -64,14 +64,8 @@ class _Logger:
     def __init__(self, name, logged):
         self.name, self._logged = name, logged
 
-    def get_child(self, name):
-        return _Logger(f"{self.name}.{name}", self._logged)
-
-    def set_level(self, level):
-        pass
-
     def __getattr__(self, name):
-        if name in ("log", "get_effective_level", "is_enabled_for"):
+        if name in ("log", "get_child", "set_level", "get_effective_level", "is_enabled_for"):
             refuse(f"{name}() of a logger")
         level = "warn" if name == "warning" else name
         if level not in LEVELS:
@@ -300,12 +294,8 @@ def _problem_of(parameter, kind, descriptor, is_new):
     has_type = kind.name != "NOT_SET" and not descriptor.dynamic_typing
     if has_type and parameter.type_ != kind and not (is_new and parameter.value is None):
         return f"Wrong parameter type, expected '{kind}' got '{parameter.type_}'"
-    for limits in (*descriptor.integer_range, *descriptor.floating_point_range):
-        if parameter.value is not None and not limits.from_value <= parameter.value <= limits.to_value:
-            return (
-                f"Parameter {parameter.name} out of range. Min: {limits.from_value}, Max: {limits.to_value},"
-                f" value: {parameter.value}"
-            )
+    if getattr(descriptor, "integer_range", ()) or getattr(descriptor, "floating_point_range", ()):
+        refuse("the range of a parameter")
     return ""
 
 

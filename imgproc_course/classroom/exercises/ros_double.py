@@ -65,14 +65,11 @@ _MESSAGES = (
         **{"header": _Header, "encoding": str, "data": _bytes},
     ),
     _message("SetParametersResult", "rcl_interfaces", successful=bool, reason=str),
-    _message("IntegerRange", "rcl_interfaces", from_value=int, to_value=int, step=int),
-    _message("FloatingPointRange", "rcl_interfaces", from_value=float, to_value=float, step=float),
     _message(
         "ParameterDescriptor",
         "rcl_interfaces",
         **dict.fromkeys(("name", "description", "additional_constraints"), str),
         **dict.fromkeys(("read_only", "dynamic_typing"), bool),
-        **dict.fromkeys(("integer_range", "floating_point_range"), list),
         type=int,
     ),
     _message(

@@ -83,7 +83,7 @@ def grade_submissions(
         store = result_store.ResultStore(out / "results", {"unsafe": unsafe})
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
-        learners = read_all(collection, answer_keys, store, fresh=fresh, quiet=quiet)
+        learners = read_all(collection, answer_keys, store, quiet=quiet)
         rules.assign(learners, roster or ())
         again = result_store.answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)

@@ -12,7 +12,7 @@ from tqdm import tqdm
 from imgproc_course.classroom.autograder.answer_key import Key
 from imgproc_course.classroom.gradebook.archives import CollectError
 from imgproc_course.classroom.gradebook.collect import IntakeFinding, SubmittedFile, digest_of
-from imgproc_course.classroom.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
+from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
 from imgproc_course.classroom.gradebook.senders import Certainty
 from imgproc_course.classroom.gradebook.submission import (
     AnswerState,
@@ -84,15 +84,15 @@ class Learner:
         return f"{slug}-{hashlib.sha256(self.name.encode()).hexdigest()[:10]}.html"
 
 
-def read_all(collection, answer_keys, store, *, fresh=False, quiet=None):
+def read_all(collection, answer_keys, store, *, quiet=None):
     """Read every submitted file, assign it to its learner, and choose the submission that counts.
 
     Returns a list of Learner, sorted by name; findings about senders are added to the collection. The store
-    keeps the answers until they are graded. `fresh`: what took too much time before is read again.
+    keeps the answers until they are graded.
     """
     submissions = []
     with NotebookReader(NOTEBOOK_SECONDS) as notebook_reader:
-        reader = _SubmissionReader(answer_keys, store, notebook_reader, fresh)
+        reader = _SubmissionReader(answer_keys, store, notebook_reader)
         for file in tqdm(collection.files, desc="reading", unit=" files", disable=quiet, leave=False):
             submissions.append(reader.read(file))
     learners = _learners(submissions)
@@ -101,11 +101,10 @@ def read_all(collection, answer_keys, store, *, fresh=False, quiet=None):
 
 
 class _SubmissionReader:
-    """Reads submitted files; each sender has a budget of time, and what took too much is remembered."""
+    """Reads submitted files; each sender has a budget of time."""
 
-    def __init__(self, answer_keys, store, notebook_reader, fresh):
+    def __init__(self, answer_keys, store, notebook_reader):
         self._answer_keys, self._store, self._notebook_reader = answer_keys, store, notebook_reader
-        self._fresh = fresh
         self._seconds = Counter()
 
     def read(self, file):
@@ -114,8 +113,7 @@ class _SubmissionReader:
             data = file.read()
         except CollectError as error:
             return Submission(file, "", self._unread(file, str(error)))
-        digest = digest_of(data)
-        submission = Submission(file, digest, self._content(file, data, digest))
+        submission = Submission(file, digest_of(data), self._content(file, data))
         content = submission.content
         if content.reason:
             return submission
@@ -127,20 +125,13 @@ class _SubmissionReader:
         content.answers = {}
         return submission
 
-    def _content(self, file, data, digest):
+    def _content(self, file, data):
         sender = (file.learner, file.platform_id, file.group)
         if self._seconds[sender] > READING_SECONDS:
             return self._unread(file, _TOO_SLOW_TOGETHER)
-        if self._store.was_too_slow(digest) and not self._fresh:
-            self._seconds[sender] += NOTEBOOK_SECONDS
-            return self._unread(file, NOT_READ_IN_TIME)
         start = time.monotonic()
         content = read_submission(data, self._answer_keys, self._notebook_reader, file.source)
-        seconds = time.monotonic() - start
-        self._seconds[sender] += seconds
-        # Else somebody has ended the process, which is no fault of the notebook.
-        if content.reason == NOT_READ_IN_TIME and seconds > NOTEBOOK_SECONDS:
-            self._store.remember_too_slow(digest)
+        self._seconds[sender] += time.monotonic() - start
         return content
 
     def _unread(self, file, reason):

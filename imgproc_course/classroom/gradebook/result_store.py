@@ -81,14 +81,6 @@ class ResultStore:
         """The stored answers: (digest of the key, lesson, {exercise id: source})."""
         return json.loads((self._folder / f"{digest}.answers.json").read_text(encoding="utf-8"))
 
-    def remember_too_slow(self, file_digest):
-        """Remember that reading a file takes too much time."""
-        write_grades_file(self._folder / f"{file_digest}.too-slow", "")
-
-    def was_too_slow(self, file_digest):
-        """Whether reading a file took too much time in an earlier run."""
-        return (self._folder / f"{file_digest}.too-slow").exists()
-
     def keep_result(self, digest, result):
         """Store a GradedSubmission. One that could not be graded is kept for this run: the next tries again.
 

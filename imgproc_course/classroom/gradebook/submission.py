@@ -15,12 +15,12 @@ from imgproc_course.classroom.autograder.sanitize import sanitize_line
 from imgproc_course.classroom.exercises.answer_cells import find_answer_cell, requests_to_compose
 from imgproc_course.classroom.exercises.error_advice import advice_on
 from imgproc_course.classroom.exercises.running import answer_name
+from imgproc_course.classroom.exercises.source_remarks import STUB_LINE
 from imgproc_course.classroom.gradebook.submission_reader import MOST_CHARACTERS
 
 _LONGEST_PREDICTION = 1_000  # characters
 _MOST_PREDICTIONS = 100
 _MOST_NAMES = 8  # that a finding lists
-STUB_LINE = "the line `raise NotImplementedError(...)`: nothing below it runs; delete this line"
 NOT_PYTHON = "of its answer cell is not Python"
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
@@ -251,8 +251,7 @@ def _inspect_source(exercise, answer, content):
         content.add(problem, exercise.id, "message" if is_slip else "answer")
         return AnswerState.BROKEN
     if exercise.function in answer.cell["answer"]["stub_lines"]:
-        verb = "has" if exercise.subject == "node" else "begins with"
-        content.add(f"{exercise.answer_name} still {verb} {STUB_LINE}", exercise.id)
+        content.add(f"{exercise.answer_name}: {STUB_LINE}", exercise.id)
     return AnswerState.ANSWERED if answer.is_answer else AnswerState.NOT_ATTEMPTED
 
 

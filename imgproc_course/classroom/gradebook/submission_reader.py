@@ -18,7 +18,6 @@ import re
 import resource
 import signal
 import sys
-from functools import lru_cache
 from pathlib import Path
 
 if __name__ == "__main__":
@@ -181,16 +180,10 @@ def _may_define(content, source):
     return source is not None and len(source) <= MOST_CHARACTERS and bool(_CODE_BEGINS.search(source))
 
 
-def _cached_if_short(function):
-    """A function of a source that remembers the short ones: most cells are in every notebook."""
-    cached = lru_cache(maxsize=2_000)(function)
-    return lambda source: (cached if len(source) <= cell_syntax.MOST_CACHED else function)(source)
+_plain_python = cell_syntax.cached_if_short(cell_syntax.plain_python)
 
 
-_plain_python = _cached_if_short(cell_syntax.plain_python)
-
-
-@_cached_if_short
+@cell_syntax.cached_if_short
 def _functions(source):
     functions = cell_syntax.function_definitions(cell_syntax.plain_python(source))
     return {name[:_MOST_NAME]: digest for name, digest in list(functions.items())[:_MOST_FUNCTIONS]}

@@ -113,11 +113,12 @@ SIZES = [
         "Your result has 2 rows too few and 2 columns too few: the border of the image is",
     ),
     (GRAY[:3], GRAY[:1, :4], "Your result has 2 rows too few and 2 columns too few."),
-    (GRAY, np.pad(GRAY, ((0, 0), (0, 1))), "Your result has 1 column too many."),
+    (GRAY, np.pad(GRAY, ((0, 0), (0, 1))), "Your result has one column too many."),
     (GRAY, GRAY.max(axis=0), "Your result has fewer axes than the input"),
 ]
 VALUES = [
     ((SIGNED, GRAY.astype("i4")), (GRAY.astype("i4"), SIGNED), "but in the wrong order: exchange the first"),
+    ((1.5, 2.5, 0.1), (0.1, 1.5, 2.5), "Your results are right, but in the wrong order."),
     (0.5, 1.0, "Your number is twice the expected number, in every check."),
     (81, 80, "Your number is one too small, in every check."),
     (0.25, 25.0, "100 times the expected number (is it in percent?)"),
@@ -175,7 +176,7 @@ def test_a_none_that_was_printed_needs_no_hint():
 def test_a_list_of_another_shape_has_advice_where_lists_are_free():
     call = call_of(GRAY, GRAY.tolist()[:-1])
     diagnosis = diagnose([call], call, ("image",), exact_type=False)
-    assert diagnosis.text.startswith("Your result has 1 row too few.")
+    assert diagnosis.text.startswith("Your result has one row too few.")
     call = call_of(GRAY[0], list(GRAY[0, :2]))
     assert diagnose([call], call, ("image",), exact_type=False).replaces_hint
 

@@ -13,11 +13,10 @@ from submissions import answers_of, notebook, write
 
 from imgproc_course.classroom.gradebook import learners as learners_module
 from imgproc_course.classroom.gradebook.archives import CollectError
-from imgproc_course.classroom.gradebook.collect import collect, digest_of, local_time
+from imgproc_course.classroom.gradebook.collect import collect, local_time
 from imgproc_course.classroom.gradebook.csv_table import TableError
 from imgproc_course.classroom.gradebook.deadlines import Deadlines
 from imgproc_course.classroom.gradebook.learners import read_all, unproven_dates
-from imgproc_course.classroom.gradebook.notebook_reader import NOT_READ_IN_TIME
 from imgproc_course.classroom.gradebook.result_store import ResultStore
 from imgproc_course.classroom.gradebook.roster import names_in_roster, read_roster, roster_report
 
@@ -167,25 +166,6 @@ def test_a_sender_has_a_budget_of_bytes_and_of_other_files(read, light, submissi
     assert reasons[:4] == [""] * 4 and "more than 200 MB" in reasons[4]
     assert len(collection.ignored) == 22 and "eve: 20 more files" in collection.ignored
     assert findings(collection, "file") == [("fay", "no notebook and no zip")]
-
-
-def test_what_takes_too_long_to_read_is_remembered(read, light, submissions, monkeypatch, tmp_path):
-    monkeypatch.setattr(learners_module, "NOTEBOOK_SECONDS", 1)
-    slow = notebook(light)
-    code = "x = 1\n" * 30_000
-    slow["cells"] += [{"id": f"answer-{n}", "cell_type": "code", "source": code} for n in range(6)]
-    write(submissions / "eve.ipynb", slow)
-    (unread,) = read(submissions)[1]["eve"].unidentified
-    assert unread.content.reason == NOT_READ_IN_TIME
-    assert ResultStore(tmp_path / "results", {}).was_too_slow(unread.file_digest)
-
-
-def test_what_took_too_long_is_read_again_only_if_asked(read, light, submissions, tmp_path):
-    path = write(submissions / "eve.ipynb", notebook(light))
-    ResultStore(tmp_path / "results", {}).remember_too_slow(digest_of(path.read_bytes()))
-    (unread,) = read(submissions)[1]["eve"].unidentified
-    assert unread.content.reason == NOT_READ_IN_TIME
-    assert "light" in read(submissions, fresh=True)[1]["eve"].submissions
 
 
 def test_the_time_for_reading_belongs_to_the_sender(read, light, submissions, monkeypatch):

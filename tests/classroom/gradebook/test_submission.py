@@ -193,8 +193,8 @@ def test_the_state_of_an_answer(read, made, source, state, text):
         (
             "def double(p):\n    raise NotImplementedError('your turn')\n    return p * 2",
             "not attempted",
-            "double() still begins with the line `raise NotImplementedError(...)`: nothing below it runs;"
-            " delete this line",
+            "double(): The line with raise NotImplementedError is still there, and ends the function: delete"
+            " it.",
         ),
     ],
 )
