@@ -265,6 +265,7 @@ def _advice(result, call):
     if result.mistake is not None:
         yield result.mistake.says
         return
+    yield result.near_miss
     if call.result.timed_out:
         yield (
             "If the function is fast as a rule, the computer was busy: check again. A while loop may be"
@@ -289,7 +290,7 @@ def _advice(result, call):
     yield diagnosis.text
     if diagnosis.on_border:
         yield result.exercise.border_hint or _BORDER
-    elif call.case.hint and not diagnosis.replaces_hint:
+    elif call.case.hint and not (diagnosis.replaces_hint or result.near_miss):
         yield f"Hint: {call.case.hint}"
 
 
