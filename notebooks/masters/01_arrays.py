@@ -195,7 +195,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 4 · A step, forwards and backwards ([[minutes]])
 #
-# A slice may have a third number, the *step*. `::2` takes every second row. A step of `-1` goes backwards: `::-1` begins at the end.
+# A slice may have a third number, the *step*. `::2` takes every second row. A step of `-1` goes backwards: `::-1` begins at the end. An axis without a slice of its own, such as the channels of a colour image, stays whole.
 
 # %%
 frame = open_recording("drive").frame(30)
@@ -545,7 +545,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 8 · Copy and view ([[minutes]])
 #
-# A slice does not copy the numbers. It is a *view*: another name for the same numbers in memory. This saves time and memory, but if you change the view, the array changes too.
+# A slice does not copy the numbers. It is a *view*: another name for the same numbers in memory. This saves time and memory. What happens to the array if you change the view?
 #
 # **Predict.** We take the first row of an array and set its first number to 255. What is `original[0, 0]` after that?
 
@@ -785,6 +785,8 @@ def inputs(rng):
 
 
 # %% [markdown]
+# ### The differences of the whole room ([[minutes]], deeper)
+#
 # Here are the differences of the whole room. NumPy has a function for them, `np.diff`; the next lessons build an edge detector from this idea.
 
 # %%
@@ -803,13 +805,13 @@ assert tiny.min() == 0 and tiny.max() == 200
 # %% [markdown]
 # ## Recap
 #
-# Rows first, then columns, then channels. A slice selects a part, a mask selects pixels, an axis says in which direction to compute. Shifted slices replace a loop over neighbours. A slice is a view: copy before you change it.
+# Rows first, then columns, then channels. A slice selects a part, a mask selects pixels. Deeper: an axis says in which direction to compute, and shifted slices replace a loop over neighbours. A slice is a view: copy before you change it.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | *tiny* | (5, 5) | uint8 | 0 to 200 | gray level |
 # | mask, `tiny > 100` | (5, 5) | bool | False, True | – |
-# | mean of each row | (5,) | float64 | 0 to 255 | gray level |
-# | differences of *tiny* | (5, 4) | int16 | −190 to 190 | gray levels |
+# | mean of each row (deeper) | (5,) | float64 | 0 to 255 | gray level |
+# | differences of *tiny* (deeper) | (5, 4) | int16 | −190 to 190 | gray levels |
 #
 # **Next:** [[what_is_image_processing]].

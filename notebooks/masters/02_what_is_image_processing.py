@@ -37,7 +37,7 @@ figure_texts = {
         "A living room seen from close to the floor: a person walking, a ball on a striped rug, a square marker.",
     ),
     "floor": (
-        "A little more than a third of the image is floor. The rug is not painted: is it safe to drive on it?",
+        "A little more than a third of the image is floor. The rug is not painted: is it safe to drive on it? (Section 4 counts it as free.)",
         "The same room with the wooden floor in plain green around the rug.",
     ),
     "person": (
@@ -144,7 +144,7 @@ assert (top, bottom, left, right) == (102, 394, 584, 690)
 # %% [markdown]
 # ### 3 · Position estimation: where am I? ([[minutes]])
 #
-# The black and white square is a *[[term:marker]]*. OpenCV knows its pattern: it finds the four corners of the marker in the image, and reads its number.
+# The black and white square is a *[[term:marker]]*. OpenCV knows its pattern: it finds the four corners of the marker in the image, and reads its number. (`_` is a name for a result that we do not need.)
 
 # %%
 patterns = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
@@ -244,7 +244,7 @@ assert np.nonzero(box)[1].min() > 427
 #
 # ## Part two: four operations
 #
-# Programs for all four uses are built from simple operations. Four operations are very common, and each has its own lesson: [[grayscale]], [[binarization]], [[canny_stages|edge detection]] and [[noise_removal]]. Look at what each operation does to the *numbers*: to the shape of the array, and to how many different values it has.
+# Programs for all four uses are built from simple operations. Four operations are very common, and each has its own lesson: [[grayscale]], [[binarization]], [[canny_stages|edge detection]] and [[noise_removal]]. Look at what each operation does to the *numbers*: to the shape of the array, and to how many different values it has: `np.unique` lists them, and its `.size` counts them.
 #
 # ### 5 · Grayscale: three numbers become one ([[minutes]])
 

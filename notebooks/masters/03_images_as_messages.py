@@ -11,7 +11,7 @@
 #
 # **You will be able to**
 # - name the fields of a `sensor_msgs/Image` (ROS's message type for images) and explain each field,
-# - turn the bytes of a message into an array by hand, and back,
+# - read how the bytes of a message become an array, step by step (deeper: write it yourself),
 # - recognise two common mistakes in an image (channels in the wrong order; rows cut wrongly) and repair them,
 # - choose the policies of a [[term:subscription]] so that they fit a camera.
 #
@@ -33,7 +33,7 @@ from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 # %% role="texts"
 figure_texts = {
     "tiny": (
-        "In each value, the first digit counts the rows (from 1) and the second digit counts the columns (from 0). So you can see at once if the rows are cut wrongly.",
+        "The first row holds 10, 11, 12 and so on, the second row 20, 21, 22. So you can see at once if the rows are cut wrongly.",
         "A five by five grid of gray squares with the numbers 10 to 54 in them.",
     ),
     "decoded": (
@@ -529,7 +529,7 @@ depth_message.is_bigendian = 1
 assert image_to_array(depth_message)[0, 0] == 513
 
 # %% [markdown]
-# ### Your turn: decode 16 bits ([[minutes]], practice)
+# ### Your turn: decode 16 bits ([[minutes]], practice, deeper)
 #
 # Write `decode_mono16(message)`.
 #
@@ -600,7 +600,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 6 · Use the library ([[minutes]])
 #
-# ROS 2 has its own converter, `cv_bridge`, but pip cannot install it. The course's `CvBridge` has methods with the same names, and for correct messages the same results. So your code runs on a robot after you change one line: the import.
+# ROS 2 has its own converter, `cv_bridge`, but Python's installer, pip, cannot install it. The course's `CvBridge` has methods with the same names, and for correct messages the same results. So your code runs on a robot after you change one line: the import.
 #
 # **Check** that three ways give the same array: by hand, with the course's function, and with `CvBridge`. ("passthrough" means: keep the encoding of the message.)
 
@@ -612,7 +612,7 @@ print("values that differ:", (by_hand != by_function).sum(),
       (by_hand != by_bridge).sum())
 
 # %% [markdown]
-# The other direction is `cv2_to_imgmsg`: it makes a message of an array. (To draw into an image that you have decoded, make a copy first: the array may share the memory of the message, and is read-only then.)
+# The other direction is `cv2_to_imgmsg`: it makes a message from an array. (To draw into an image that you have decoded, make a copy first: the array may share the memory of the message, and is read-only then.)
 
 # %%
 new_message = CvBridge().cv2_to_imgmsg(tiny, encoding="mono8")
@@ -805,7 +805,7 @@ assert math.ceil(raw_bytes / 65_507) == 43 and math.ceil(jpeg_bytes / 65_507) ==
 assert 0 < difference.mean() < 2
 
 # %% [markdown]
-# ## 10 · A live topic, and a subscription that does not fit ([[minutes]])
+# ## 10 · A live topic and its QoS ([[minutes]])
 #
 # Now we use ROS 2: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor in [[start_here]] says what to install. Everything above works without ROS.)
 
@@ -835,7 +835,7 @@ assert not ros_available() or live_frame.dtype == np.uint8
 #
 # The opposite of best effort is *[[term:reliable]]*: a lost message is sent again.
 #
-# **Planned failure.** A camera publishes with best effort. A subscription can request *reliable* delivery. Many tutorials do this without saying so: they pass `10` instead of QoS policies, which means reliable, with a queue of 10 messages. **Predict** how many frames such a subscription receives from the camera in two seconds. (The camera sends ten per second.)
+# A camera publishes with best effort. A subscription can request *reliable* delivery. Many tutorials do this without saying so: they pass `10` instead of QoS policies, which means reliable, with a queue of 10 messages. **Predict** how many frames such a subscription receives from the camera in two seconds. (The camera sends ten per second.)
 
 # %% role="predict"
 guess_received = None  # your guess: how many frames?
@@ -894,7 +894,7 @@ assert not ros_available() or not repaired.incompatible_qos
 # %% [markdown]
 # ### Look: the channels, live ([[minutes]], deeper)
 #
-# The function below processes each of them. Move the slider while the view runs: `shift` moves the red channel to the right and the blue channel to the left, by the number of pixels that you choose. (`np.roll` shifts an array: what leaves it on one side comes in again on the other. `axis=1` means: along the rows, to the right.)
+# The function below processes each frame. Move the slider while the view runs: `shift` moves the red channel to the right and the blue channel to the left, by the number of pixels that you choose. (`np.roll` shifts an array: what leaves it on one side comes in again on the other. `axis=1` means: along the rows, to the right.)
 
 # %%
 def shift_channels(frame, shift=0):
@@ -923,7 +923,7 @@ assert (shift_channels(bgr, 3)[:, 3:, 2] == bgr[:, :-3, 2]).all()
 # | `message.data` | (2764800,) | uint8 | 0 to 255 | byte |
 # | rows of `step` bytes | (720, 3840) | uint8 | 0 to 255 | byte |
 # | *frame*, `rgb8` or `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of a channel |
-# | depth, `16UC1` | (360, 640) | uint16 | 0 to 65,535 | millimetre |
+# | depth, `16UC1` (deeper) | (360, 640) | uint16 | 0 to 65,535 | millimetre |
 #
 # **Next:** [[grayscale]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
 

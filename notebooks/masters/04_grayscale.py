@@ -179,7 +179,7 @@ patches[:, 2:4, 1] = 255  # two of pure green,
 patches[:, 4:6, 2] = 255  # and two of pure red
 
 # %% [markdown]
-# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
+# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*: after that, look which one has the largest luma.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?
@@ -245,6 +245,8 @@ compare_guess(guess_both, (total >> 15, (total + 2**14) >> 15))
 # %% [markdown]
 # The parentheses are important: Python computes `+` before `>>`, so `total >> 15 + 2**14` would shift by 16399 bits.
 #
+# First the frame is widened. A white pixel times its weight is 255 × 19235 = 4,904,925. That does not fit into `uint16`, so we take `uint32`, which holds numbers up to 4,294,967,295.
+#
 # Is it important to round? **Predict** for how many pixels of the frame the truncated and the rounded value differ: 1 %, 10 % or 50 %?
 
 # %% role="predict"
@@ -290,7 +292,8 @@ assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decim
 
 # %% [markdown]
 # Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise in section 10 asks for the integer weights.
-#
+
+# %% [markdown]
 # ## 5 · An image small enough to read ([[minutes]], deeper)
 #
 # In the last line below, `f"..."` is an *f-string*: Python replaces each name in braces by its value.
@@ -392,7 +395,8 @@ assert round(float(difference.mean()), 1) == 8.6 and difference.max() == 38
 
 # %% [markdown]
 # The mean error is 8.6 gray levels. This is hard to see in the image, but it can change the result of an edge detector. Only the message's `encoding` tells you the right order.
-#
+
+# %% [markdown]
 # ## 8 · What a gray image loses ([[minutes]], deeper)
 #
 # Two different colours can have the same luma. In the gray image they look the same, and no method can find an edge between them.
@@ -443,10 +447,11 @@ assert (by_light >= luma_patches).all() and linear_light_gray(white_wall) == to_
 
 # %% [markdown]
 # Robots still use luma: it needs only three multiplications per pixel, and OpenCV computes it. But if you want to measure light, first undo the gamma encoding, and then take the mean of the pixels.
-#
+
+# %% [markdown]
 # ## 10 · Your turn: luma with integers ([[minutes]])
 #
-# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as `sums` and `rounded` in section 4. Two loops over the pixels are right as well; section 5 shows both.
+# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as `sums` and `rounded` in section 4. Two loops over the pixels are right as well; section 5 (deeper) shows them.
 #
 # | Input | Output | Example call |
 # |---|---|---|

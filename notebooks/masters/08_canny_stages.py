@@ -15,7 +15,9 @@
 # - explain why a noisy image must be smoothed before edge detection,
 # - deeper: write the Sobel filter, non-maximum suppression, the double threshold and hysteresis by hand.
 #
-# **Time** [[minutes]], best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices and padding), [[grayscale]] and [[noise_removal]].
+# **Time** [[minutes]], best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices and padding) and [[grayscale]].
+#
+# [[noise_removal]] explains more about smoothing; the core does without it.
 
 # %% role="given" exercise=["canny-sobel", "canny-local-maximum", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np

@@ -11,7 +11,7 @@
 #
 # If this is your first visit, open [[start_here]].
 #
-# The table shows all lessons, what each needs, and how many of its exercises you have passed. Click a lesson to open it. To see your progress, click into the next cell and press **Shift + Enter**.
+# The table shows all lessons, what each needs, and how many of its exercises you have passed. Click a lesson to open it. To see your progress, click into the next cell and press **Shift + Enter**. If you follow a route (below), take the next lesson of your route.
 
 # %% tags=["keep-output"]
 from imgproc_course.exercises import overview

@@ -47,18 +47,23 @@ class LessonProgress:
         return self.file[:2]
 
     @property
+    def core(self):
+        """The exercises of its core, a set."""
+        return {*self.exercises} - {*self.deeper}
+
+    @property
     def is_done(self):
-        """Whether every exercise of the core has passed."""
-        return {*self.exercises} <= {*self.passed, *self.deeper}
+        """Whether every exercise of the core has passed; a core without exercises is never done."""
+        return bool(self.core) and self.core <= {*self.passed}
 
     @property
     def tick(self):
-        return "✓ " if self.exercises and self.is_done else ""
+        return "✓ " if self.is_done else ""
 
     @property
     def count(self):
-        passed = {*self.passed} - {*self.deeper}
-        text = f"{len(passed)} of {len(self.exercises) - len(self.deeper)}"
+        passed = {*self.passed} & self.core
+        text = f"{len(passed)} of {len(self.core)}" if self.core else "none in the core"
         if self.deeper:
             text += f", deeper {len({*self.passed} - passed)} of {len(self.deeper)}"
         return text
@@ -82,8 +87,11 @@ class Overview:
 
     @property
     def next_lesson(self):
-        """The first lesson with an exercise of its core that has not passed; None if there is none."""
-        return next((lesson for lesson in self.lessons if not lesson.is_done), None)
+        """The first lesson that is not done, and is not a core without exercises before one that is begun."""
+        begun = [k for k, lesson in enumerate(self.lessons) if lesson.passed]
+        last = max(begun, default=-1)
+        rest = (lesson for k, lesson in enumerate(self.lessons) if k > last or lesson.core)
+        return next((lesson for lesson in rest if not lesson.is_done), None)
 
     def _summary(self):
         whole = _time(sum(lesson.minutes for lesson in self.lessons))

@@ -5,6 +5,7 @@ report the same findings. Here each answer can also be run against the public ch
 """
 
 import asyncio
+import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -52,18 +53,26 @@ class LessonCheck:
     content    SubmissionContent, exactly as grading reads it
     exercises  list of ExerciseCheck, in the lesson's order
     was_run    True if the answers were run against their public checks
+    deeper     ids of the exercises that can be left out
     """
 
     path: Path
     content: SubmissionContent
     exercises: list
     was_run: bool = False
+    deeper: frozenset = frozenset()
 
     @property
     def ready(self):
-        """True if grading finds an answer to every graded exercise."""
-        graded = (entry for entry in self.exercises if not entry.exercise.practice)
-        return all(entry.state is AnswerState.ANSWERED for entry in graded)
+        """True if grading finds an answer to every graded exercise of the core."""
+        core = (entry for entry in self.exercises if not entry.exercise.practice and entry not in self.open)
+        return all(entry.state is AnswerState.ANSWERED for entry in core)
+
+    @property
+    def open(self):
+        """The deeper exercises that were not attempted."""
+        left = [entry for entry in self.exercises if entry.state is AnswerState.NOT_ATTEMPTED]
+        return [entry for entry in left if entry.exercise.id in self.deeper]
 
 
 class CheckFileCatalog:
@@ -112,7 +121,16 @@ def check_lesson(path, folders=None):
     if content.reason:
         raise LessonFileError(f"{path}: {content.reason}")
     file = catalog.lessons[content.lesson]
-    return LessonCheck(path, content, [_exercise_check(file.exercise(id), content) for id in file.entries])
+    checks = [_exercise_check(file.exercise(id), content) for id in file.entries]
+    return LessonCheck(path, content, checks, deeper=_deeper_exercises(data))
+
+
+def _deeper_exercises(data):
+    """Ids of the exercises that the notebook's metadata calls deeper."""
+    try:
+        return frozenset(json.loads(data)["metadata"]["imgproc_course"]["deeper"])
+    except (KeyError, TypeError, ValueError):  # an older lesson, or another form that is read all the same
+        return frozenset()
 
 
 def _exercise_check(exercise, content):
@@ -195,10 +213,18 @@ def report_lines(lesson_check):
     yield f"{lesson_check.path.name}: {lesson_check.content.lesson}"
     yield from (f"  note: {note}" for note in lesson_check.content.texts_about(""))
     for entry in lesson_check.exercises:
-        practice = " (practice)" if entry.exercise.practice else ""
-        yield f"  {entry.exercise.id}{practice}: {_summary(entry)}"
+        kinds = {"practice": entry.exercise.practice, "deeper": entry.exercise.id in lesson_check.deeper}
+        kind = ", ".join(name for name, holds in kinds.items() if holds)
+        yield f"  {entry.exercise.id}{f' ({kind})' if kind else ''}: {_summary(entry)}"
         yield from (f"      {' '.join(note.split())}" for note in entry.notes)
     yield _verdict(lesson_check)
+    if lesson_check.open:
+        count = len(lesson_check.open)
+        yield (
+            f"{count} deeper exercises are open: they give points, too."
+            if count > 1
+            else "1 deeper exercise is open: it gives points, too."
+        )
 
 
 def _summary(entry):
@@ -215,7 +241,12 @@ def _verdict(lesson_check):
         return "Complete, but grading would not give every point yet: see above."
     if lesson_check.was_run:
         return "Ready to submit: every check passes."
+    complete = (
+        "The core is complete: every answer cell of it"
+        if lesson_check.open
+        else "Complete: every answer cell"
+    )
     return (
-        "Complete: every answer cell is there and filled in. The answers were not run;"
+        f"{complete} is there and filled in. The answers were not run;"
         f" `imgproc-course check --run {lesson_check.path}` runs them."
     )

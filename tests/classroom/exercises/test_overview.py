@@ -70,7 +70,7 @@ def test_damaged_files_cost_only_themselves(folder):
     (folder / "checks" / "two.json").write_text("{")
     (folder / ".progress.json").write_text("[")
     (lesson,) = overview(folder).lessons
-    assert (lesson.file, lesson.exercises, lesson.is_done) == ("08_two.ipynb", (), True)
+    assert (lesson.file, lesson.exercises, lesson.is_done) == ("08_two.ipynb", (), False)
 
 
 def test_a_folder_without_lessons_is_told(tmp_path, monkeypatch):
@@ -78,3 +78,16 @@ def test_a_folder_without_lessons_is_told(tmp_path, monkeypatch):
         overview(tmp_path)
     monkeypatch.chdir(tmp_path)
     assert overview().lessons[0].file == "00_start_here.ipynb"
+
+
+def test_a_core_without_exercises_has_no_tick_and_is_next_until_a_later_lesson_is_begun(folder):
+    path = folder / "07_one.ipynb"
+    notebook = json.loads(path.read_text())
+    notebook["metadata"]["imgproc_course"]["deeper"] = ["one-a", "one-b"]
+    path.write_text(json.dumps(notebook))
+    result = overview(folder)
+    assert result.next_lesson.file == "07_one.ipynb"
+    assert "→ 07 Lesson <one>: core 20, whole 30 minutes; none in the core, deeper 0 of 2" in repr(result)
+    pass_exercises(folder, "two-a")
+    assert overview(folder).next_lesson is None
+    assert "  07 Lesson <one>" in repr(overview(folder))

@@ -66,6 +66,19 @@ def test_the_stub_is_not_attempted(lesson, source):
     assert state == "not attempted" and not lesson_check.ready
 
 
+def test_a_deeper_exercise_can_be_left_open(lesson):
+    path = lesson(solved=False)
+    notebook = json.loads(path.read_text())
+    notebook["metadata"]["imgproc_course"]["deeper"] = ["template-double"]
+    path.write_text(json.dumps(notebook))
+    lesson_check, state, _ = inspect(path)
+    assert lesson_check.ready and state == "not attempted"
+    lines = list(report_lines(lesson_check))
+    assert lines[1] == "  template-double (deeper): not attempted"
+    assert lines[-2].startswith("The core is complete: every answer cell of it is there and filled in.")
+    assert lines[-1] == "1 deeper exercise is open: it gives points, too."
+
+
 def edit(id, **fields):
     return lambda cells: cells[id].update(fields)
 
