@@ -16,7 +16,6 @@ from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
 from imgproc_course.classroom.exercises.drive import passes, sentences_of
 from imgproc_course.classroom.exercises.drive_check import drive_scenarios, known_mistake, progress_bar
 from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.near_misses import near_miss
 from imgproc_course.classroom.exercises.progress import ExerciseProgress, content_of, digest_of, note_progress
 from imgproc_course.classroom.exercises.running import (
     CallResult,
@@ -87,7 +86,6 @@ class CheckResult:
     dependencies  refused modules and names of other cells that the answer uses
     diagnosis     what is certain about the values of the shown call
     remarks       what is certain from the source of the function, sentences
-    near_miss     where one small change makes the public cases pass, as a question; "" if none does
     why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
     drives        the calls if they are drives, those that passed too
     """
@@ -99,7 +97,6 @@ class CheckResult:
     dependencies: Dependencies = field(default_factory=Dependencies)
     diagnosis: Diagnosis = field(default_factory=Diagnosis)
     remarks: tuple = ()
-    near_miss: str = ""
     why_older: str = ""
     drives: tuple = ()
 
@@ -226,16 +223,7 @@ def run_check(exercise, function, answer=None, progress=None):
             is_right = all(call.passed for call in _run_calls(exercise, function))
             remarks = (_ONLY_HERE.format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
-    hint = _near_miss(exercise, result, calls, answer) if answer else ""
-    return replace(result, near_miss=hint, remarks=(*remarks, *result.remarks))
-
-
-def _near_miss(exercise, result, calls, answer):
-    """The question of `near_miss`, for a wrong function of which nothing else is known."""
-    is_open = result.attempted and not (result.passed or result.mistake or result.dependencies.refused)
-    is_tame = not any(call.result.changed or call.result.timed_out for call in calls)
-    is_function = exercise.subject == "function"
-    return near_miss(exercise, answer) if is_open and is_tame and is_function else ""
+    return replace(result, remarks=(*remarks, *result.remarks))
 
 
 def _as_graded(exercise, function, answer):

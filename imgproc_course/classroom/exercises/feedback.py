@@ -265,7 +265,6 @@ def _advice(result, call):
     if result.mistake is not None:
         yield result.mistake.says
         return
-    yield result.near_miss
     if call.result.timed_out:
         yield (
             "If the function is fast as a rule, the computer was busy: check again. A while loop may be"
@@ -290,7 +289,7 @@ def _advice(result, call):
     yield diagnosis.text
     if diagnosis.on_border:
         yield result.exercise.border_hint or _BORDER
-    elif call.case.hint and not (diagnosis.replaces_hint or result.near_miss):
+    elif call.case.hint and not diagnosis.replaces_hint:
         yield f"Hint: {call.case.hint}"
 
 

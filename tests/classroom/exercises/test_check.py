@@ -649,13 +649,6 @@ def run_answer_of(body, **changes):
     return run_check(data, names["double"], ComposedAnswer("double", source))
 
 
-def test_a_near_miss_is_told_with_the_line_and_a_question():
-    text = repr(run_answer_of("return np.minimum(pixels.astype(int) * 3, 255).astype(np.uint8)"))
-    assert "With one small change all checks here pass." in text and "Hint" not in text
-    assert "in your line: return np.minimum(pixels.astype(int) * 3, 255).astype(np.uint8)" in text
-    assert "Is 3 one too large in pixels.astype(int) * 3?" in text
-
-
 def test_a_known_mistake_that_says_what_the_answer_does_is_not_named():
     right_and_wrong = "np.minimum(pixels.astype(int), 255)\n    return pixels * 2"
     says = (("It wraps: write np.minimum(pixels.astype(int), 255).", None), ("It wraps.", "wraps"))
