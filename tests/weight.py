@@ -9,7 +9,7 @@ import sys
 from collections import Counter
 from pathlib import Path
 
-BUDGET = {"raw lines": 32_900, "code lines": 21_900, "worst complexity": 19}
+BUDGET = {"raw lines": 32_300, "code lines": 21_500, "worst complexity": 19}
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 HAVE_DOCSTRINGS = (*FUNCTIONS, ast.ClassDef, ast.Module)
