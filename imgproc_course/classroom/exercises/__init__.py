@@ -1,31 +1,23 @@
 """Exercises: declared in a master, checked in the learner's notebook, graded by the instructor."""
 
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
+from imgproc_course.classroom.exercises.canonical import array_of
 from imgproc_course.classroom.exercises.cell_runs import watch_cells
-from imgproc_course.classroom.exercises.check_data import Case, Mistake
 from imgproc_course.classroom.exercises.check_files import CheckFileError
 from imgproc_course.classroom.exercises.checking import CheckResult, check, run_cases
-from imgproc_course.classroom.exercises.comparison import Difference, compare
-from imgproc_course.classroom.exercises.declaration import Exercise, MasterError, exercise, read_exercises
+from imgproc_course.classroom.exercises.declaration import MasterError, exercise, read_exercises
 from imgproc_course.classroom.exercises.guesses import GuessComparison, compare_guess
 from imgproc_course.classroom.exercises.help_steps import hint, solution
 from imgproc_course.classroom.exercises.overview import Overview, overview
 from imgproc_course.classroom.exercises.ros_double import offer_modules
 
 __all__ = [
-    "Case",
     "CheckFileError",
     "CheckResult",
-    "Difference",
-    "Exercise",
     "GuessComparison",
     "MasterError",
-    "Mistake",
     "Overview",
     "array_of",
-    "canonical",
     "check",
-    "compare",
     "compare_guess",
     "exercise",
     "hint",

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from typing import NamedTuple
 
-_MOST_CACHED = 5_000  # characters: most cells are the lesson's own, in every notebook; a long one costs memory
+_MOST_CACHED = 5_000  # characters: most cells are the lesson's, in every notebook; a long one costs memory
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 _MOST_ADDED = 20_000_000  # characters before the statements of all parts; 3,000 short lines have that
 ANSWER_MARK = "# The answer cell:"  # the line between what is taken along and the answer

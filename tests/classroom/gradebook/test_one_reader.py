@@ -43,11 +43,16 @@ def verdict_of(content, answers):
 
 def verdict_of_check(path, checks):
     try:
-        lesson_check = check_lesson(path, [checks])
+        return checked(path, checks)[0]
     except LessonFileError as error:
         return {"reason": str(error).removeprefix(f"{path}: ")}
+
+
+def checked(path, checks):
+    """(verdict, LessonCheck) of `imgproc-course check`, whose answers can then be run."""
+    lesson_check = check_lesson(path, [checks])
     assert {entry.exercise.id: entry.state for entry in lesson_check.exercises} == lesson_check.content.states
-    return verdict_of(lesson_check.content, lesson_check.content.answers)
+    return verdict_of(lesson_check.content, lesson_check.content.answers), lesson_check
 
 
 def verdict_of_grade(path, answer_keys):
@@ -229,20 +234,19 @@ def kernel(checks):
     kernel.close()
 
 
-def points_of_run(path, checks):
+def points_of_run(lesson_check):
     """{exercise id: points}, as `imgproc-course check --run` gives them."""
-    lesson_check = check_lesson(path, [checks])
     run_answers(lesson_check)
     return {entry.exercise.id: entry.result.points if entry.result else 0 for entry in lesson_check.exercises}
 
 
-def verdicts(made, path, kernel, checks, cells=None, reruns=()):
+def verdicts(made, lesson_check, kernel, cells=None, reruns=()):
     """(points of `check` in a kernel, points of `imgproc-course check --run`, the kernel's texts).
 
     Without the exercises whose function no cell has defined: there the learner sees that cell's error.
     """
     here = kernel.points(cells or made["cells"], FUNCTIONS, reruns)
-    in_run = points_of_run(path, checks)
+    in_run = points_of_run(lesson_check)
     texts = "\n".join(text for _, text in here.values())
     return {id: points for id, (points, _) in here.items()}, {id: in_run[id] for id in here}, texts
 
@@ -265,9 +269,9 @@ def test_check_in_a_kernel_gives_the_same_points(
         cell["source"] = source
     path = tmp_path / "20_light.ipynb"
     path.write_text(json.dumps(made), encoding="utf-8")
-    content = verdict_of_check(path, checks)
+    content, lesson_check = checked(path, checks)
     assert content == verdict_of_grade(path, answer_keys)
-    in_kernel, in_run, texts = verdicts(made, path, kernel, checks, cells, reruns)
+    in_kernel, in_run, texts = verdicts(made, lesson_check, kernel, cells, reruns)
     assert in_kernel == in_run, (texts, content["findings"], content["answers"]["light-double"])
 
 
@@ -276,9 +280,9 @@ def test_each_form_of_an_answer_gives_one_verdict(light, answer_keys, checks, ke
     made = with_own_cells(light, *form)
     path = tmp_path / "20_light.ipynb"
     path.write_text(json.dumps(made), encoding="utf-8")
-    content = verdict_of_check(path, checks)
+    content, lesson_check = checked(path, checks)
     assert content == verdict_of_grade(path, answer_keys)
-    in_kernel, in_run, texts = verdicts(made, path, kernel, checks)
+    in_kernel, in_run, texts = verdicts(made, lesson_check, kernel)
     assert in_kernel == in_run, (texts, content["findings"], content["answers"]["light-double"])
 
 
@@ -287,7 +291,7 @@ def test_a_right_answer_that_reads_a_value_of_an_own_cell_passes(light, checks, 
     made = with_own_cells(light, *ONCE_REFUSED[name])
     path = tmp_path / "20_light.ipynb"
     path.write_text(json.dumps(made), encoding="utf-8")
-    in_kernel, in_run, texts = verdicts(made, path, kernel, checks)
+    in_kernel, in_run, texts = verdicts(made, checked(path, checks)[1], kernel)
     assert in_kernel == in_run == {"light-double": 1, "light-halves": 2}, texts
 
 
@@ -326,11 +330,11 @@ def node_verdicts(made, folder, nodes, kernel):
     _, checks, answer_keys = nodes
     path = folder / "22_nodes.ipynb"
     path.write_text(json.dumps(made), encoding="utf-8")
-    content = verdict_of_check(path, checks)
+    content, lesson_check = checked(path, checks)
     assert content == verdict_of_grade(path, answer_keys)
     here = kernel.points(made["cells"], {"nodes-double": "Doubler"})
     points, text = here.get("nodes-double", (None, ""))
-    in_run = points_of_run(path, checks)["nodes-double"]
+    in_run = points_of_run(lesson_check)["nodes-double"]
     return points, in_run, text, content
 
 
