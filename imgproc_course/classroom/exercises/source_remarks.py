@@ -174,7 +174,7 @@ def _remarks_on_comparison(node, source):
 def _without_effect(node, _source):
     """A statement that only compares; Python allows it."""
     if isinstance(node.value, ast.Compare) and isinstance(node.value.ops[0], ast.Eq):
-        yield f"{ast.unparse(node)} only compares, and changes nothing. To give a value, write = in place of ==."
+        yield f"{ast.unparse(node)} only compares, and changes nothing. To give a value, write = for ==."
 
 
 def _else_of_last_if(node, _source):

@@ -73,3 +73,34 @@ def crop(image, top, bottom, left, right):
 # %% name="method with brackets of a call" origin="fresh" sentence="An array is not called: write square brackets, image[...]." must_say=["square brackets|not a function"] kind="error"
 def crop(image, top, bottom, left, right):
     return image(top, bottom)(left, right)
+
+# %% name="Subtracts 1 from bottom and right although a slice already" origin="fresh" sentence="Subtracts 1 from bottom and right although a slice already stops before its end, so the last row and column are missing." must_say=["too few|missing|one too large"] kind="shape"
+def crop(image, top, bottom, left, right):
+    # rows from top to bottom - 1, columns from left to right - 1
+    rows = image[top:bottom - 1, left:right - 1]
+    return rows
+
+# %% name="Rows and columns are exchanged" origin="fresh" sentence="Rows and columns are exchanged: the columns' limits are used for the first axis." must_say=["exchanged|rows come first"] kind="shape"
+def crop(image, top, bottom, left, right):
+    return image[left:right, top:bottom]
+
+# %% name="Prints the rectangle and returns nothing" origin="fresh" sentence="Prints the rectangle and returns nothing, so the result is None." must_say=["print"] kind="no-return"
+def crop(image, top, bottom, left, right):
+    print(image[top:bottom, left:right])
+
+# %% name="Always asks for a third axis" origin="fresh" sentence="Always asks for a third axis, so it fails for a gray image with two axes." must_say=["third axis|2 axes"] kind="error"
+def crop(image, top, bottom, left, right):
+    return image[top:bottom, left:right, :]
+
+# %% name="Syntax error" origin="fresh" sentence="Syntax error: the closing square bracket is missing." must_say=["bracket|never closed|error"] kind="syntax"
+def crop(image, top, bottom, left, right):
+    return image[top:bottom, left:right
+
+# %% name="Computes the rectangle but has no return" origin="fresh" sentence="Computes the rectangle but has no return, so the result is None." must_say=["return"] kind="no-return"
+def crop(image, top, bottom, left, right):
+    both = image[top:bottom, left:right]
+
+# %% name="The line with raise was not deleted" origin="fresh" sentence="The line with raise was not deleted, so the function stops before it does anything." must_say=["raise|delete"] kind="not-attempted"
+def crop(image, top, bottom, left, right):
+    raise NotImplementedError("your turn: delete this line and write the function")
+    return image[top:bottom, left:right]

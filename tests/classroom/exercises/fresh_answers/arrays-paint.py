@@ -80,3 +80,35 @@ def paint_white(gray, mask):
 def paint_white(gray, mask):
     result = gray.copy()
     result[mask] = 255
+
+# %% name="Makes and paints a copy" origin="fresh" sentence="Makes and paints a copy, but returns the unpainted image gray." must_say=["no value has changed|unpainted"] kind="value"
+def paint_white(gray, mask):
+    result = gray.copy()
+    result[mask] = 255
+    return gray
+
+# %% name="A slice of an array is a view and no copy" origin="fresh" sentence="A slice of an array is a view and no copy, so the given image is changed." must_say=["changed|view|copy"] kind="input-changed"
+def paint_white(gray, mask):
+    new = gray[:]      # copy of the image
+    new[mask] = 255
+    return new
+
+# %% name="Ignores the given mask and makes its own with a hard-coded" origin="fresh" sentence="Ignores the given mask and makes its own with a hard-coded level of 100." must_say=["does not use|ignores"] kind="value"
+def paint_white(gray, mask):
+    bright = gray > 100
+    result = gray.copy()
+    result[bright] = 255
+    return result
+
+# %% name="return stands inside the outer loop" origin="fresh" sentence="return stands inside the outer loop, so only the first row is painted." must_say=["stands inside"] kind="value"
+def paint_white(gray, mask):
+    result = gray.copy()
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            if mask[row, col]:
+                result[row, col] = 255
+        return result
+
+# %% name="Adds 255 to the masked pixels instead of replacing them" origin="fresh" sentence="Adds 255 to the masked pixels instead of replacing them, so they are not 255 (and the dtype is no longer uint8)." must_say=["added|adds"] kind="value"
+def paint_white(gray, mask):
+    return gray + mask * 255

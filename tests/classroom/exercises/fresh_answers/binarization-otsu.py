@@ -187,3 +187,180 @@ def otsu(gray):
         if variance > best_variance:
             best_t, best_variance = t, variance
     return best_t
+
+# %% name="Puts pixels equal to t in class 1 " origin="fresh" sentence="Puts pixels equal to t in class 1 (< instead of <=), so the threshold is one too large." must_say=["one too large"] kind="value"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(256):
+        class0 = gray[gray < t]
+        class1 = gray[gray >= t]
+        if class0.size == 0 or class1.size == 0:
+            variance = 0
+        else:
+            w0 = class0.size / gray.size
+            w1 = class1.size / gray.size
+            variance = w0 * w1 * (class0.mean() - class1.mean()) ** 2
+        if variance > best:
+            best = variance
+            best_t = t
+    return best_t
+
+# %% name=">= keeps the last of several best thresholds" origin="fresh" sentence=">= keeps the last of several best thresholds; the smallest is wanted." must_say=["last of"] kind="value"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(256):
+        dark = gray[gray <= t]
+        bright = gray[gray > t]
+        if len(dark) == 0 or len(bright) == 0:
+            variance = 0
+        else:
+            w0 = len(dark) / gray.size
+            w1 = len(bright) / gray.size
+            variance = w0 * w1 * (dark.mean() - bright.mean()) ** 2
+        if variance >= best:
+            best = variance
+            best_t = t
+    return best_t
+
+# %% name="Returns the largest variance and not the threshold that" origin="fresh" sentence="Returns the largest variance and not the threshold that belongs to it." must_say=["largest variance"] kind="type"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(256):
+        class0 = gray[gray <= t]
+        class1 = gray[gray > t]
+        if class0.size == 0 or class1.size == 0:
+            continue
+        w0 = class0.size / gray.size
+        w1 = class1.size / gray.size
+        variance = w0 * w1 * (class0.mean() - class1.mean()) ** 2
+        if variance > best:
+            best = variance
+            best_t = t
+    return best
+
+# %% name="Returns 0 from the whole function as soon as one class is" origin="fresh" sentence="Returns 0 from the whole function as soon as one class is empty, instead of going on with the next t." must_say=["returned 0|returns 0"] kind="value"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(256):
+        class0 = gray[gray <= t]
+        class1 = gray[gray > t]
+        if class0.size == 0 or class1.size == 0:
+            return 0
+        w0 = class0.size / gray.size
+        w1 = class1.size / gray.size
+        variance = w0 * w1 * (class0.mean() - class1.mean()) ** 2
+        if variance > best:
+            best = variance
+            best_t = t
+    return best_t
+
+# %% name="The loop begins at 1" origin="fresh" sentence="The loop begins at 1, so the threshold 0 is never tried." must_say=["threshold 0"] kind="value"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(1, 256):
+        class0 = gray[gray <= t]
+        class1 = gray[gray > t]
+        if class0.size > 0 and class1.size > 0:
+            w0 = class0.size / gray.size
+            w1 = class1.size / gray.size
+            variance = w0 * w1 * (class0.mean() - class1.mean()) ** 2
+            if variance > best:
+                best = variance
+                best_t = t
+    return best_t
+
+# %% name="Uses the sums of the classes where the means are needed" origin="fresh" sentence="Uses the sums of the classes where the means are needed." must_say=["sums"] kind="value"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(256):
+        class0 = gray[gray <= t]
+        class1 = gray[gray > t]
+        if class0.size == 0 or class1.size == 0:
+            variance = 0
+        else:
+            w0 = class0.size / gray.size
+            w1 = class1.size / gray.size
+            m0 = float(np.sum(class0))
+            m1 = float(np.sum(class1))
+            variance = w0 * w1 * (m0 - m1) ** 2
+        if variance > best:
+            best = variance
+            best_t = t
+    return best_t
+
+# %% name="The weights of the two classes are forgotten" origin="fresh" sentence="The weights of the two classes are forgotten: only the squared difference of the means is compared." must_say=["shares|weights"] kind="value"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(256):
+        class0 = gray[gray <= t]
+        class1 = gray[gray > t]
+        if class0.size == 0 or class1.size == 0:
+            variance = 0
+        else:
+            variance = (class0.mean() - class1.mean()) ** 2
+        if variance > best:
+            best = variance
+            best_t = t
+    return best_t
+
+# %% name="class0 and class1 are the masks themselves" origin="fresh" sentence="class0 and class1 are the masks themselves; the pixels gray[mask] were never selected, so the means are those of True and False." must_say=["mask"] kind="value"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(256):
+        class0 = gray <= t
+        class1 = gray > t
+        w0 = class0.sum() / gray.size
+        w1 = class1.sum() / gray.size
+        if w0 == 0 or w1 == 0:
+            variance = 0
+        else:
+            variance = w0 * w1 * (class0.mean() - class1.mean()) ** 2
+        if variance > best:
+            best = variance
+            best_t = t
+    return best_t
+
+# %% name="Returns the black-and-white image instead of the threshold" origin="fresh" sentence="Returns the black-and-white image instead of the threshold." must_say=["array|image"] kind="type"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(256):
+        class0 = gray[gray <= t]
+        class1 = gray[gray > t]
+        if class0.size == 0 or class1.size == 0:
+            variance = 0
+        else:
+            w0 = class0.size / gray.size
+            w1 = class1.size / gray.size
+            variance = w0 * w1 * (class0.mean() - class1.mean()) ** 2
+        if variance > best:
+            best = variance
+            best_t = t
+    binary = np.where(gray > best_t, 255, 0).astype(np.uint8)
+    return binary
+
+# %% name="The largest variance is never stored " origin="fresh" sentence="The largest variance is never stored (best stays 0), so the last t with any variance wins." must_say=["best variance|largest variance"] kind="value"
+def otsu(gray):
+    best = 0
+    best_t = 0
+    for t in range(0, 256):
+        mask = gray <= t
+        class0 = gray[mask]
+        class1 = gray[~mask]
+        if class0.size == 0 or class1.size == 0:
+            variance = 0
+        else:
+            w0 = class0.size / gray.size
+            w1 = class1.size / gray.size
+            variance = w0 * w1 * (class0.mean() - class1.mean()) ** 2
+        if variance > best:
+            best_t = t
+    return best_t

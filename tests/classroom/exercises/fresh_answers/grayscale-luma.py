@@ -97,3 +97,85 @@ def luma(bgr):
 def luma(bgr):
     total = bgr[..., 0] * 3735 + bgr[..., 1] * 19235 + bgr[..., 2] * 9798
     return ((total + 2**14) >> 15).astype(np.uint8)
+
+# %% name="Multiplies in uint8 without converting first" origin="fresh" sentence="Multiplies in uint8 without converting first, so the numbers are too large for the type." must_say=["uint8|the type"] kind="error"
+def luma(bgr):
+    blue = bgr[:, :, 0]
+    green = bgr[:, :, 1]
+    red = bgr[:, :, 2]
+    sums = 299 * red + 587 * green + 114 * blue
+    return ((sums + 500) // 1000).astype(np.uint8)
+
+# %% name="Reads channel 0 as red and channel 2 as blue" origin="fresh" sentence="Reads channel 0 as red and channel 2 as blue, but the order is BGR." must_say=["order is|exchanged|BGR"] kind="value"
+def luma(bgr):
+    values = bgr.astype(np.int32)
+    red = values[:, :, 0]
+    green = values[:, :, 1]
+    blue = values[:, :, 2]
+    sums = 299 * red + 587 * green + 114 * blue
+    rounded = (sums + 500) // 1000
+    return rounded.astype(np.uint8)
+
+# %% name="Does not round" origin="fresh" sentence="Does not round: // cuts the fraction off, so many pixels are one too dark." must_say=["cut"] kind="value"
+def luma(bgr):
+    values = bgr.astype(int)
+    sums = 114 * values[:, :, 0] + 587 * values[:, :, 1] + 299 * values[:, :, 2]
+    return (sums // 1000).astype(np.uint8)
+
+# %% name="The result is not converted back to uint8" origin="fresh" sentence="The result is not converted back to uint8; it stays int32." must_say=["uint8"] kind="dtype"
+def luma(bgr):
+    values = bgr.astype(np.int32)
+    sums = 114 * values[:, :, 0] + 587 * values[:, :, 1] + 299 * values[:, :, 2]
+    rounded = (sums + 500) // 1000
+    return rounded
+
+# %% name="Converts the sums to uint8 before the division" origin="fresh" sentence="Converts the sums to uint8 before the division, so they overflow." must_say=["overflow|does not fit"] kind="error"
+def luma(bgr):
+    values = bgr.astype(np.int32)
+    sums = 114 * values[:, :, 0] + 587 * values[:, :, 1] + 299 * values[:, :, 2]
+    rounded = (sums + 500).astype(np.uint8) // 1000
+    return rounded
+
+# %% name="Computes the plain mean of the three channels instead of" origin="fresh" sentence="Computes the plain mean of the three channels instead of the weighted sum." must_say=["average|mean"] kind="value"
+def luma(bgr):
+    mean = bgr.mean(axis=2)
+    return np.round(mean).astype(np.uint8)
+
+# %% name="bgr[0]" origin="fresh" sentence="bgr[0], bgr[1], bgr[2] are the first three rows of the image, not the three channels." must_say=["rows"] kind="shape"
+def luma(bgr):
+    values = bgr.astype(np.int32)
+    blue = values[0]
+    green = values[1]
+    red = values[2]
+    sums = 299 * red + 587 * green + 114 * blue
+    return ((sums + 500) // 1000).astype(np.uint8)
+
+# %% name="Parentheses are missing" origin="fresh" sentence="Parentheses are missing: only 500 is divided by 1000, not the whole sum." must_say=["parenthes"] kind="value"
+def luma(bgr):
+    values = bgr.astype(np.int32)
+    blue = values[:, :, 0]
+    green = values[:, :, 1]
+    red = values[:, :, 2]
+    rounded = 299 * red + 587 * green + 114 * blue + 500 // 1000
+    return rounded.astype(np.uint8)
+
+# %% name="return is inside the loop over the rows" origin="fresh" sentence="return is inside the loop over the rows, so only the first row is computed and the rest stays black." must_say=["inside"] kind="value"
+def luma(bgr):
+    height, width, channels = bgr.shape
+    gray = np.zeros((height, width), dtype=np.uint8)
+    for row in range(height):
+        for col in range(width):
+            blue = int(bgr[row, col, 0])
+            green = int(bgr[row, col, 1])
+            red = int(bgr[row, col, 2])
+            gray[row, col] = (299 * red + 587 * green + 114 * blue + 500) // 1000
+        return gray
+
+# %% name="The size 480 x 640 is hard-coded" origin="fresh" sentence="The size 480 x 640 is hard-coded, so an image of another size fails or gets the wrong shape." must_say=["hard-coded|another shape"] kind="error"
+def luma(bgr):
+    result = np.zeros((480, 640), dtype=np.uint8)
+    for row in range(480):
+        for col in range(640):
+            b, g, r = bgr[row, col].astype(int)
+            result[row, col] = (299 * r + 587 * g + 114 * b + 500) // 1000
+    return result

@@ -141,3 +141,96 @@ def median3(gray):
         for col in range(gray.shape[1]):
             result[row, col] = np.medain(padded[row:row + 3, col:col + 3])
     return result
+
+# %% name="Computes the mean of the window instead of the median" origin="fresh" sentence="Computes the mean of the window instead of the median." must_say=["mean of|mean"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 3, col:col + 3]
+            result[row, col] = np.mean(window)
+    return result
+
+# %% name="np" origin="fresh" sentence="np.pad without a mode fills the border with zeros instead of repeating the outermost pixels." must_say=["zeros"] kind="value"
+def median3(gray):
+    height, width = gray.shape
+    padded = np.pad(gray, 1)
+    result = np.zeros((height, width), dtype=np.uint8)
+    for row in range(height):
+        for col in range(width):
+            result[row, col] = np.median(padded[row:row + 3, col:col + 3])
+    return result
+
+# %% name="Uses reflect at the border" origin="fresh" sentence="Uses reflect at the border, not replicate (edge)." must_say=["reflect"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="reflect")
+    result = gray.copy()
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 3, col:col + 3]
+            result[row, col] = np.median(window)
+    return result
+
+# %% name="Takes row - 1 " origin="fresh" sentence="Takes row - 1 : row + 2 in the padded image, which is already shifted by one, so the window is at the wrong place (and empty at row 0)." must_say=["empty|shifted|below 0"] kind="value"
+def median3(gray):
+    height, width = gray.shape
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros((height, width), dtype=np.uint8)
+    for row in range(height):
+        for col in range(width):
+            window = padded[row - 1:row + 2, col - 1:col + 2]
+            result[row, col] = np.median(window)
+    return result
+
+# %% name="Leaves the border pixels as they are instead of using" origin="fresh" sentence="Leaves the border pixels as they are instead of using replicate." must_say=["border"] kind="value"
+def median3(gray):
+    height, width = gray.shape
+    result = gray.copy()
+    for row in range(1, height - 1):
+        for col in range(1, width - 1):
+            window = gray[row - 1:row + 2, col - 1:col + 2]
+            result[row, col] = np.median(window)
+    return result
+
+# %% name="result = gray makes no copy" origin="fresh" sentence="result = gray makes no copy, so the given image is changed." must_say=["changed|copy"] kind="input-changed"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = gray
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 3, col:col + 3]
+            result[row, col] = np.median(window)
+    return result
+
+# %% name="return is inside the inner loop" origin="fresh" sentence="return is inside the inner loop, so only the first pixel is computed." must_say=["inside"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 3, col:col + 3]
+            result[row, col] = np.median(window)
+            return result
+
+# %% name="Takes index 5 of the nine sorted values" origin="fresh" sentence="Takes index 5 of the nine sorted values; the middle one has index 4." must_say=["index"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 3, col:col + 3]
+            values = sorted(window.flatten())
+            result[row, col] = values[5]     # the 5th is in the middle
+    return result
+
+# %% name="Height and width are exchanged " origin="fresh" sentence="Height and width are exchanged (shape is height first), so it fails for an image that is not square." must_say=["exchanged"] kind="shape"
+def median3(gray):
+    width, height = gray.shape
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros((height, width), dtype=np.uint8)
+    for row in range(height):
+        for col in range(width):
+            window = padded[row:row + 3, col:col + 3]
+            result[row, col] = np.median(window)
+    return result

@@ -106,3 +106,85 @@ def my_psnr(clean, other):
     if mse == 0:
         return float("inf")
     return 10 * np.log10(mse / 255 ** 2)
+
+# %% name="Subtracts in uint8 and converts only afterwards" origin="fresh" sentence="Subtracts in uint8 and converts only afterwards, so negative differences have already wrapped around." must_say=["uint8"] kind="value"
+def my_psnr(clean, other):
+    difference = (clean - other).astype(float)
+    mse = np.mean(difference ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log10(255 ** 2 / mse)
+
+# %% name="Equal images are not treated" origin="fresh" sentence="Equal images are not treated: the mean square error is 0 and the division fails." must_say=["MSE is 0|error is 0"] kind="error"
+import math
+
+def my_psnr(clean, other):
+    difference = clean.astype(float) - other.astype(float)
+    mse = float((difference ** 2).mean())
+    return 10 * math.log10(255 ** 2 / mse)
+
+# %% name="np" origin="fresh" sentence="np.log is the natural logarithm; the formula needs the logarithm to base 10." must_say=["natural"] kind="value"
+def my_psnr(clean, other):
+    difference = clean.astype(float) - other.astype(float)
+    mse = np.mean(difference ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log(255 ** 2 / mse)
+
+# %% name="255 is not squared" origin="fresh" sentence="255 is not squared." must_say=["squared"] kind="value"
+def my_psnr(clean, other):
+    difference = clean.astype(np.int32) - other.astype(np.int32)
+    mse = np.mean(difference ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log10(255 / mse)
+
+# %% name="Uses the factor 20 together with 255 squared over the mean" origin="fresh" sentence="Uses the factor 20 together with 255 squared over the mean square error, so the result is twice too large." must_say=["twice"] kind="value"
+def my_psnr(clean, other):
+    difference = clean.astype(float) - other.astype(float)
+    mse = (difference ** 2).mean()
+    if mse == 0:
+        return float("inf")
+    return 20 * np.log10(255 ** 2 / mse)
+
+# %% name="Rounds the result to two digits although it must not be" origin="fresh" sentence="Rounds the result to two digits although it must not be rounded." must_say=["round"] kind="value"
+def my_psnr(clean, other):
+    difference = clean.astype(float) - other.astype(float)
+    mse = (difference ** 2).mean()
+    if mse == 0:
+        return float("inf")
+    psnr = 10 * np.log10(255 ** 2 / mse)
+    return round(psnr, 2)
+
+# %% name="Takes the sum of the squares instead of their mean" origin="fresh" sentence="Takes the sum of the squares instead of their mean." must_say=["sum of"] kind="value"
+def my_psnr(clean, other):
+    difference = clean.astype(float) - other.astype(float)
+    error = np.sum(difference ** 2)
+    if error == 0:
+        return float("inf")
+    return 10 * np.log10(255 ** 2 / error)
+
+# %% name="math is used but not imported in the cell" origin="fresh" sentence="math is used but not imported in the cell." must_say=["import"] kind="missing-import"
+def my_psnr(clean, other):
+    difference = clean.astype(float) - other.astype(float)
+    mse = np.mean(difference ** 2)
+    if mse == 0:
+        return float("inf")
+    return 10 * math.log10(255 ** 2 / mse)
+
+# %% name="For equal images the text \"inf\" is returned" origin="fresh" sentence="For equal images the text \"inf\" is returned, not the number float(\"inf\")." must_say=["text"] kind="type"
+def my_psnr(clean, other):
+    difference = clean.astype(float) - other.astype(float)
+    mse = np.mean(difference ** 2)
+    if mse == 0:
+        return "inf"
+    else:
+        return 10 * np.log10(255 ** 2 / mse)
+
+# %% name="Averages the absolute differences instead of the squared" origin="fresh" sentence="Averages the absolute differences instead of the squared differences." must_say=["absolute"] kind="value"
+def my_psnr(clean, other):
+    difference = np.abs(clean.astype(float) - other.astype(float))
+    mse = np.mean(difference)
+    if mse == 0:
+        return float("inf")
+    return 10 * np.log10(255 ** 2 / mse)
