@@ -28,6 +28,12 @@ matched a part of a word, a function's name, or Python's own message: 91.7 % rig
 Afterwards the failing ones were read and their feedback mended in general: 100 % right by the patterns, which
 says nothing of new answers any more. With the answers to later lessons, on 23 November 2026: 365,
 98.4 % right (359), none false.
+
+On 24 November 2026, with general sentences only where there is evidence: 1,326 answers of the table (all
+exercises up to where-homography), 98.4 % right, none false; 448 fresh ones (up to tracking-iou),
+97.8 % right, none false. Then 118 more to 12 exercises were written from the tasks alone, and read by a
+person: 111 right (94 %), 1 false, 6 neutral. After general rules were mended: none false, 4 neutral. 108 of
+them are in the fresh table now; ten stood there already. They are not in the figures above.
 """
 
 import ast
