@@ -362,11 +362,11 @@ class _Spinner:
             self.last_callback_error = f"a callback failed {failure}"
             if self._may_log(failure):
                 in_cell_of_node = notebook_log.in_cell_of(self.executor.name_of_node)
-                text, details = _CALLBACK_FAILED, error
-                if type(error) is NameError:  # of a cell that was left out
+                if isinstance(error, NameError) and not isinstance(error, UnboundLocalError):
                     text = f"a callback failed {failure}. Run the cell that imports or defines {error.name}."
-                    details = None
-                in_cell_of_node(log.error, "%s", text, exc_info=details)
+                    in_cell_of_node(log.error, "%s", text)  # that cell was left out
+                else:
+                    in_cell_of_node(log.error, "a ROS callback failed; the graph continues", exc_info=error)
 
     def _close(self):
         notebook_spin.uninstall()
@@ -381,9 +381,6 @@ class _Spinner:
             self.executor.shutdown()
             self.closed = True
         self.context.try_shutdown()
-
-
-_CALLBACK_FAILED = "a ROS callback failed; the graph continues"
 
 
 class _Executor(SingleThreadedExecutor):

@@ -114,8 +114,8 @@ def _broadcast_rules(shapes, source):
         return
     yield (
         any(shape in ((3, 3), (5, 5)) for shape in shapes),
-        " A kernel needs a window of its own size for each pixel. A slice ends before its stop; and at the"
-        " border a window is smaller if a loop goes beyond the rows and columns of the image.",
+        " A kernel needs a window of its own size for each pixel. A slice ends before its stop, and a loop"
+        " over the padded image goes beyond the rows and columns of the image.",
     )
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     text = f" These two differ by {gap}: look where each slice begins and ends, and at any padding."
