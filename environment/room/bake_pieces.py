@@ -1,9 +1,9 @@
 """Bake what furnished rooms are made of: pieces that can be moved, and the light of the empty room.
 
-    python bake_pieces.py OUT      needs bpy (see README.md); about 20 minutes of processor time
+    python bake_pieces.py OUT      needs bpy (see README.md); about half an hour of processor time
 
-Writes OUT/geometry.npz, OUT/scene.json, and arrays of colours and light; compose_pieces.py makes the files of them.
-A second run bakes only what is not there yet.
+Writes OUT/geometry.npz, OUT/scene.json, and arrays of colours and light; compose_pieces.py makes files of
+them. A second run bakes only what is not there yet.
 """
 
 import argparse
@@ -33,7 +33,18 @@ CUBE_FACES = (
     ((-1, 1, -1), (1, 1, -1), (1, -1, -1), (-1, -1, -1)),
 )  # +x, -x, +y, -y, +z, -z
 WOOD = (0.27, 0.15, 0.08)  # the mean colour of the floor
-WORDS = ("KITCHEN", "OFFICE", "BEDROOM", "GARAGE", "LIBRARY", "STUDIO", "PANTRY", "LAUNDRY", "NURSERY", "CELLAR")
+WORDS = (
+    "KITCHEN",
+    "OFFICE",
+    "BEDROOM",
+    "GARAGE",
+    "LIBRARY",
+    "STUDIO",
+    "PANTRY",
+    "LAUNDRY",
+    "NURSERY",
+    "CELLAR",
+)
 WORD_HEIGHT = 0.75  # metres: only the sign's first line is above
 
 
@@ -143,7 +154,7 @@ class Baker:
         sun.energy = energy
 
     def _bake_light(self, atlas, size, name, passes):
-        samples = 16 if passes == {"INDIRECT"} else 12
+        samples = 12 if passes == {"INDIRECT"} else 8
         self.save(name, lambda: bake.bake(self.joined[atlas], size, samples, passes))
 
     def _probes(self, passes):
@@ -186,6 +197,7 @@ def main():
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
     scene.build()
+    pieces.flatten_boxes()
     parts, decals, names, joints = scene.collect()
     scene.prepare_materials()
     scene.cut_behind_picture(parts)

@@ -14,7 +14,10 @@ from scene import drive
 
 # The piece of each object that has no parent; everything else stays where it is.
 PIECE_OF = {
-    **{name: name for name in ("sofa", "table", "chair", "shelf", "bin", "stand", "sign", "wall_marker", "rug")},
+    **{
+        name: name
+        for name in ("sofa", "table", "chair", "shelf", "bin", "stand", "sign", "wall_marker", "rug")
+    },
     **{"carton": "cartons", "carton.001": "cartons", "carton.002": "carton", "pot": "plant"},
     **{"slip0": "slippers", "slip1": "slippers", "pict_fr": "picture"},
     **{f"block{k}": "blocks" for k in range(5)},
@@ -49,7 +52,9 @@ def origins():
     """{piece: (x, y)}: where the first object of each stands in the recorded room."""
     places = {}
     for name, piece in PIECE_OF.items():
-        places.setdefault(piece, [round(float(v), 6) for v in bpy.data.objects[name].matrix_world.translation[:2]])
+        places.setdefault(
+            piece, [round(float(v), 6) for v in bpy.data.objects[name].matrix_world.translation[:2]]
+        )
     return places
 
 
@@ -181,3 +186,12 @@ def white_sky():
     inputs["Color"].default_value, inputs["Strength"].default_value = color, strength
     for light, energy in lights.items():
         light.energy = energy
+
+
+def flatten_boxes():
+    """Boxes get flat faces: on rounded edges alone, their shading would spread over the whole face."""
+    for ob in bpy.data.objects:
+        is_soft = any(modifier.type == "SUBSURF" for modifier in ob.modifiers)
+        if ob.type == "MESH" and len(ob.data.vertices) == 8 and not is_soft:
+            for polygon in ob.data.polygons:
+                polygon.use_smooth = False

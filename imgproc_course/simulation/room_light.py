@@ -1,11 +1,12 @@
-"""The light of a furnished room: textures of the empty room and of its pieces, lit where they stand.
+"""The light of a furnished room: the textures of its floor, walls and pieces, lit where the pieces stand.
 
-Floor, rug and walls are stored in the empty room's light, in parts: of window and lamp (direct), of everything
-that they shine on (indirect), of the sun. Each part is weakened by what stands in its way. Furniture and signs
-are stored in one light, and get that of small cubes (probes) in the empty room, and of the sun.
+Floor and walls are stored in the light of the empty room, and this light in parts: from window and lamp
+(direct), from all that they shine on (indirect), and from the sun. Each part is weakened where pieces stand
+in its way. The pieces are stored in one light; they get that of small cubes (probes) in the empty room, and
+the sun's. How much brighter or darker a value then is, the tone curve says.
 
-What decides a byte is done in whole numbers, or in sums, products, quotients and square roots written out:
-these are the same on every processor.
+What decides a byte is done in whole numbers, or in sums, products, quotients and square roots, one by one:
+these are the same on every processor. environment/room/compose_pieces.py writes the files.
 """
 
 import functools
@@ -19,19 +20,27 @@ import numpy as np
 from .room_model import FILES as ROOM_FILES
 
 FILES = ROOM_FILES / "pieces"
-ATLASES = ("floor", "rug", "room", "furniture", "signs")
-BRIGHTEST = {"direct": 2.0, "indirect": 2.0, "sun": 8.0}  # light of the code 255 in the images of light
 X0, X1, Y0, Y1, HEIGHT = -0.9, 5.6, -2.1, 2.3, 2.45  # metres: the room
-WINDOW = ((1.7, 3.5), (0.85, 2.15))  # metres, x and z
-LAMP, LAMP_RADIUS = (1.6, -0.2, 2.4), 0.25  # metres
-POWER = {"day": (110.0, 26.0), "evening": (1.2, 60.0)}  # of window and lamp
-SUN = (0.0698, 0.6978, 0.7118)  # the unit vector towards it
-SUN_RADIUS = 0.009  # of SUN's components
 SKY_SHARE = 0.85  # of the indirect light that a body in its way takes
-GOLDEN_ANGLE = 2.399963
-PLAIN, BRIGHT = 256, 128  # what stands for the ratio 1: floor and walls only get darker
-STEPS = 1024  # of the square root of a ratio of light, up to 4
-INK = 26
+BRIGHTEST = {"direct": 2.0, "indirect": 2.0, "sun": 8.0}  # light of the code 255 in the images of light
+INK = 26  # the value of the sign's writing
+
+
+class Atlas(NamedTuple):
+    """The image of ratios for a texture: its size, what stands for 1; the step of the light's ratio 1."""
+
+    size: tuple[int, int]  # width, height
+    one: int
+    step: int
+
+
+ATLASES = {
+    "floor": Atlas((1024, 512), 256, 511),  # floor and walls only get darker
+    "rug": Atlas((256, 256), 128, 128),
+    "room": Atlas((512, 512), 256, 511),
+    "furniture": Atlas((512, 512), 128, 128),
+    "signs": Atlas((256, 256), 128, 128),
+}
 
 
 class Plane(NamedTuple):
@@ -43,10 +52,15 @@ class Plane(NamedTuple):
     size: tuple[float, float]  # metres
     shape: tuple[int, int]  # rows, columns
 
+    @property
+    def cells(self):
+        """Cells on a metre, across and along."""
+        return self.shape[1] / self.size[0], self.shape[0] / self.size[1]
+
     def of(self, points):
         """Columns and rows in cells, and heights in metres, of points (N, 3)."""
         column, row, height = (way * (points[:, axis] - at) for axis, at, way in self[:3])
-        return column * (self.shape[1] / self.size[0]), row * (self.shape[0] / self.size[1]), height
+        return column * self.cells[0], row * self.cells[1], height
 
 
 def wall(along, across, way):
@@ -57,63 +71,59 @@ def wall(along, across, way):
 
 
 FLOOR = Plane((0, X0, 1), (1, Y1, -1), (2, 0, 1), (X1 - X0, Y1 - Y0), (256, 512))
-SUNNY = FLOOR._replace(shape=(512, 1024))
-WALLS = (wall(1, X0, 1), wall(1, X1, -1), wall(0, Y0, 1), wall(0, Y1, -1))  # numbered from 1 in light.npz
+SUNNY_FLOOR = FLOOR._replace(shape=(512, 1024))
+WALLS = (wall(1, X0, 1), wall(1, X1, -1), wall(0, Y0, 1), wall(0, Y1, -1))  # in the order of light.npz
 
 
 @functools.cache
 def stored():
-    """{name: array} of light.npz, which environment/room/compose_pieces.py writes."""
+    """{name: array} of light.npz."""
     with np.load(FILES / "light.npz") as file:
         return dict(file)
 
 
 def words():
-    """The words that the sign can have."""
+    """The words that the sign can have; the first one is the recorded room's."""
     return tuple(name.removeprefix("word_") for name in stored() if name.startswith("word_"))
 
 
 def textures(poses, lighting, word=None):
-    """The textures of a lighting, for pieces at {name: (x, y, yaw)}: {atlas: (H, W, 3) uint8 BGR}.
+    """The textures of a lighting: {atlas: (H, W, 3) uint8 BGR}.
 
     Parameters
     ----------
-    poses : of every piece: where its origin is, in metres, and its turn against the recorded room, in radians
+    poses : {piece: (x, y, yaw)}: where each piece's origin is, and its turn against the recorded room
     lighting : "day" or "evening"
     word : of the sign's first line, one of `words()`; if omitted, the recorded room's
     """
-    placed = Placed(poses)
     images = {atlas: read(f"{atlas}_{lighting}.jpg") for atlas in ATLASES}
-    small = {atlas: reduced(image, SMALL[atlas]) for atlas, image in images.items()}
-    write(images["signs"], word or words()[0])
+    small = {atlas: reduced(images[atlas], ATLASES[atlas].size) for atlas in ATLASES}
+    write(images["signs"], words()[0] if word is None else word)
+    placed = Placed(poses)
     floor = FloorLight(placed, lighting)
     light = {
         "floor": floor.shaded / floor.empty,
-        "rug": rug_light(floor, placed) / reference(lighting),
+        "rug": of_rug(floor.shaded, placed) / stored()[f"reference_rug_{lighting}"],
         "room": wall_shares(placed, lighting),
     }
-    ratio = {atlas: ratios(atlas, lighting, small[atlas], light[atlas]) for atlas in light}
+    ratio = {atlas: ratios(f"{atlas}_{lighting}", small[atlas], light[atlas]) for atlas in light}
     for atlas in ("furniture", "signs"):
-        light = light_on_pieces(atlas, placed, floor, lighting) / reference(lighting)
-        known = stored()[f"{atlas}_known"]
-        ratio[atlas] = as_image(ratios(atlas, lighting, small[atlas][known], light), known)
-    lit = {atlas: times(images[atlas], ratio[atlas], SCALE[atlas]) for atlas in ATLASES}
+        ratio[atlas] = ratios_of_pieces(atlas, small[atlas], placed, floor, lighting)
+    lit = {atlas: times(images[atlas], ratio[atlas], ATLASES[atlas].one) for atlas in ATLASES}
     if lighting == "day":
-        add_sun(lit["floor"], floor)
+        add_sun_to_floor(lit["floor"], floor)
+        add_sun_to_rug(lit["rug"], floor, placed)
     return lit
 
 
 # images and ratios
-
-SMALL = {"floor": (1024, 512), "rug": (256, 256), "room": (512, 512), "furniture": (512, 512), "signs": (256, 256)}
-SCALE = {"floor": PLAIN, "room": PLAIN, "rug": BRIGHT, "furniture": BRIGHT, "signs": BRIGHT}
 
 
 def read(name):
     image = cv2.imread(str(FILES / name))
     if image is None:
         raise FileNotFoundError(
-            f"the room's file {name} is missing or damaged; restore it: "
+            f"the room's file pieces/{name} is missing or damaged; restore it: "
             "git checkout -- imgproc_course/simulation/room"
         )
     return image
@@ -124,320 +134,265 @@ def reduced(image, size):
     return cv2.resize(image, size, interpolation=cv2.INTER_AREA)
 
 
+def enlarged(image, size):
+    return cv2.resize(image, size, interpolation=cv2.INTER_LINEAR)
+
+
 def times(image, ratio, one):
     """An image times a smaller image of ratios, of which `one` stands for 1."""
-    large = cv2.resize(ratio, image.shape[1::-1], interpolation=cv2.INTER_LINEAR)
-    return cv2.multiply(image, large, scale=1 / one)
+    return cv2.multiply(image, enlarged(ratio, image.shape[1::-1]), scale=1 / one)
 
 
-def codes(ratio):
-    """Ratios of light as rows of `ratio_table`."""
-    return np.minimum(np.sqrt(ratio) * np.float32(STEPS / 4) + np.float32(0.5), STEPS - 1).astype(np.uint16)
+def ratios(name, values, light):
+    """How values (..., 3) of a stored texture change where its light does by the ratios `light` (..., 3)."""
+    tables, step = stored()[f"ratios_{name}"], np.float32(ATLASES[name.split("_")[0]].step)
+    steps = np.minimum(np.sqrt(light) * step + np.float32(0.5), tables.shape[2] - 1).astype(np.uint16)
+    return np.stack([tables[k][values[..., k] >> 2, steps[..., k]] for k in range(3)], -1)
 
 
-@functools.cache
-def ratio_tables(atlas, lighting):
-    """Three of (256, STEPS) uint8: the ratio by which a value of blue, green, red changes with a ratio of light."""
-    light, curve = stored()["curve_light"].astype(float), stored()[f"curve_{atlas}_{lighting}"] / 257
-    value = np.arange(256)[:, None]
-    ratio = (np.arange(STEPS) * (4 / STEPS)) ** 2
-    tables = []
-    for channel in curve.T:
-        after = np.interp(np.interp(value, channel, light) * ratio, light, channel)
-        tables.append(np.clip(np.round(SCALE[atlas] * (after + 1) / (value + 1)), 0, 255).astype(np.uint8))
-    return tables
-
-
-def ratios(atlas, lighting, values, light):
-    """The ratios of values (..., 3) of an image, by which light changes by ratios of the same shape."""
-    tables, steps = ratio_tables(atlas, lighting), codes(light)
-    return np.stack([tables[k][values[..., k], steps[..., k]] for k in range(3)], -1)
+def ratios_of_pieces(atlas, small, placed, floor, lighting):
+    """The image of ratios of furniture or signs: of the texels that have a place, and beside them."""
+    known = stored()[f"{atlas}_known"]
+    light = light_on_pieces(atlas, placed, floor, lighting) / stored()[f"reference_{atlas}_{lighting}"]
+    image = np.zeros_like(small)
+    image[known] = ratios(f"{atlas}_{lighting}", small[known], light)
+    return np.where(known[..., None], image, cv2.dilate(image, np.ones((3, 3), np.uint8)))
 
 
 def write(image, word):
     """Prints a word on the signs' texture, in place."""
+    if word not in words():
+        raise ValueError(f"the sign's word is one of {', '.join(words())}, got {word!r}")
     ink = stored()[f"word_{word}"][..., None].astype(np.uint16)
     top, left = stored()["word_corner"]
     box = image[top : top + ink.shape[0], left : left + ink.shape[1]]
     box[:] = (box * (255 - ink) + INK * ink + 127) // 255
 
 
-def reference(lighting):
-    """The light in which furniture, rug and signs are stored: blue, green, red."""
-    return stored()[f"reference_{lighting}"][::-1].astype(np.float32)
+def add_sun_to_floor(image, floor):
+    """Lights the floor's texture where the sun reaches it, in place."""
+    sunny = read("floor_sunny.jpg")
+    height, width = sunny.shape[:2]
+    top, left = stored()["sunny_corner"].tolist()
+    box = np.s_[top // 4 : (top + height) // 4, left // 4 : (left + width) // 4]
+    light = (floor.shaded[box] + floor.sun[box]) / (floor.empty[box] + floor.sun[box])
+    blend(image[top : top + height, left : left + width], "floor_sunny", sunny, light, floor.sun_share[box])
+
+
+def add_sun_to_rug(image, floor, placed):
+    brightest, here = stored()["sunlight"], of_rug(floor.sun, placed)
+    light = (of_rug(floor.shaded, placed) + here) / (stored()["reference_rug_day"] + brightest)
+    share = of_rug(floor.sun_share, placed) * np.minimum(here[..., 1] * (4 / brightest[1]), 1)
+    blend(image, "rug_sunny", read("rug_sunny.jpg"), light, share.astype(np.uint8))
+
+
+def blend(image, name, sunny, light, share):
+    """Mixes into a texture, in place, a sunny one, whose light has changed by ratios; share (H, W) of 255."""
+    ratio = ratios(name, reduced(sunny, light.shape[1::-1]), light)
+    sunny = times(sunny, ratio, ATLASES[name.split("_")[0]].one)
+    share = enlarged(share, image.shape[1::-1])[..., None].astype(np.uint16)
+    image[:] = (image * (255 - share) + sunny * share + 127) // 255
 
 
 # shadows
 
 
 class Placed:
-    """The pieces' turns and places, and the bodies that cast shadows, each a cloud of points in the room."""
+    """The places and turns of the pieces; and the bodies that cast shadows, each a cloud of points."""
 
     def __init__(self, poses):
         data = stored()
         ordered = [poses[name] for name in data["pieces"].tolist()]
         values = [(round(math.cos(yaw), 12), round(math.sin(yaw), 12), x, y) for x, y, yaw in ordered]
-        self._turns = np.array([*values, (1, 0, 0, 0)], np.float32)  # the last one, -1, is of what does not move
-        self.ends = data["part_ends"]
-        pieces = np.repeat(data["part_piece"], np.diff(self.ends, prepend=0))
-        self.points = self.places(data["part_points"] * np.float32(0.001), pieces)
-        self.heights = np.array([self.points[first:last, 2].mean() for first, last in self.spans])
-
-    @property
-    def spans(self):
-        return itertools.pairwise([0, *self.ends.tolist()])
+        self._turns = np.array([*values, (1, 0, 0, 0)], np.float32)  # the last one, -1: of what does not move
+        self.ends = data["body_ends"]
+        self.starts = np.concatenate([[0], self.ends[:-1]])
+        pieces = np.repeat(data["body_piece"], self.ends - self.starts)
+        self.points = self.places(data["body_points"] * np.float32(0.001), pieces)
+        low, high = (edge.reduceat(self.points[:, 2], self.starts) for edge in (np.minimum, np.maximum))
+        self.middles = (low + high) / 2
 
     def places(self, points, pieces):
-        """Points (N, 3) of pieces in the room."""
-        cosine, sine, x, y = self._turns[pieces].T
-        return np.column_stack(
-            [cosine * points[:, 0] - sine * points[:, 1] + x, sine * points[:, 0] + cosine * points[:, 1] + y, points[:, 2]]
-        )
+        """Points (N, 3) of pieces, in the room."""
+        return self.directions(points, pieces) + np.insert(self._turns[pieces, 2:], 2, 0, axis=1)
 
     def directions(self, vectors, pieces):
-        """Directions (N, 3) of pieces in the room."""
+        """Directions (N, 3) of pieces, in the room."""
         cosine, sine = self._turns[pieces, :2].T
         x, y, z = vectors.T
         return np.column_stack([cosine * x - sine * y, sine * x + cosine * y, z])
 
-
-def paint(image, spans, columns, rows, values=itertools.repeat(255), line=cv2.LINE_AA):
-    """Fills the outlines of clouds of points, in cells."""
-    points = np.round(np.column_stack([columns, rows]) * 16 - 8).astype(np.int32)
-    for (first, last), value in zip(spans, values):
-        cv2.fillConvexPoly(image, cv2.convexHull(points[first:last]), int(value), line, 4)
-    return image
-
-
-def lamps(lighting):
-    """Points of light: place, direction, power."""
-    window, lamp = POWER[lighting]
-    (x0, x1), (z0, z1) = WINDOW
-    columns, rows = (6, 4) if lighting == "day" else (1, 1)
-    for i, k in itertools.product(range(columns), range(rows)):
-        place = (x0 + (x1 - x0) * (i + 0.5) / columns, Y1 + 0.1, z0 + (z1 - z0) * (k + 0.5) / rows)
-        yield place, (0, -1, 0), window / (columns * rows)
-    count = 8 if lighting == "day" else 16
-    for k in range(count):
-        radius, angle = LAMP_RADIUS * math.sqrt((k + 0.5) / count), k * GOLDEN_ANGLE
-        x, y = round(radius * math.cos(angle), 9), round(radius * math.sin(angle), 9)
-        yield (LAMP[0] + x, LAMP[1] + y, LAMP[2]), (0, 0, -1), lamp / count
+    def paint(self, shape, columns, rows, order=None):
+        """An image of the bodies' outlines: 255, or in an `order` their numbers, from 1."""
+        image, line = np.zeros(shape, np.uint8), cv2.LINE_AA if order is None else cv2.LINE_8
+        points = np.round(np.column_stack([columns, rows]) * 16 - 8).astype(np.int32)
+        low, high = (edge.reduceat(points, self.starts) for edge in (np.minimum, np.maximum))
+        inside = np.all((high > -16) & (low < np.array(shape[::-1]) * 16), axis=1)
+        for k in np.flatnonzero(inside) if order is None else order[inside[order]]:
+            outline = cv2.convexHull(points[self.starts[k] : self.ends[k]])
+            cv2.fillConvexPoly(image, outline, 255 if order is None else int(k) + 1, line, 4)
+        return image
 
 
-@functools.cache
-def sky(count=28):
-    """Directions from which as much light comes each: across and along a plane for each unit of height."""
-    result = []
-    for k in range(count):
-        z = max(math.sqrt(1 - (k + 0.5) / count), 0.25)
-        angle, r = k * GOLDEN_ANGLE, math.sqrt(1 - z * z) / z
-        result.append((round(r * math.cos(angle), 9), round(r * math.sin(angle), 9)))
-    return result
-
-
-@functools.cache
 def lamp_light(plane, lighting):
-    """Of each lamp that shines on a plane: its place in cells and height, and its light on each cell."""
+    """Of each point of light before a plane: its column, row and height, and its light on each cell."""
     columns, rows = (np.arange(n, dtype=np.float32) + np.float32(0.5) for n in plane.shape[::-1])
-    cell = np.float32(plane.size[0] / plane.shape[1]), np.float32(plane.size[1] / plane.shape[0])
-    result = []
-    for place, direction, power in lamps(lighting):
+    across, along = (np.float32(1 / count) for count in plane.cells)
+    for *place, dx, dy, dz, power in stored()[f"lamps_{lighting}"].tolist():
         (column,), (row,), (height,) = plane.of(np.array([place]))
         if height < 0.02:
             continue
-        towards = [np.float32(way * direction[axis]) for axis, _, way in plane[:3]]
-        x, y = (columns[None] - np.float32(column)) * cell[0], (rows[:, None] - np.float32(row)) * cell[1]
-        squared = x * x + y * y + np.float32(height * height)
-        leaving = np.maximum(x * towards[0] + y * towards[1] - towards[2] * np.float32(height), 0)
-        result.append(((column, row, height), leaving * np.float32(height * power) / (squared * squared)))
-    return result
+        right, down, up = (np.float32(way * (dx, dy, dz)[axis]) for axis, _, way in plane[:3])
+        x, y = (columns - np.float32(column)) * across, (rows[:, None] - np.float32(row)) * along
+        squared = (x * x) + (y * y + np.float32(height * height))
+        leaving = np.maximum(x * right + (y * down - up * np.float32(height)), 0)
+        yield (column, row, height), leaving * np.float32(height * power) / (squared * squared)
 
 
 def direct_share(plane, placed, lighting):
-    """The share of the direct light that reaches each cell of a plane, uint8, 255 for all."""
+    """The share of the direct light that reaches each cell of a plane, uint8 of 255."""
     columns, rows, heights = plane.of(placed.points)
     blocked, total = np.zeros(plane.shape, np.float32), np.full(plane.shape, 1e-9, np.float32)
     for (column, row, height), light in lamp_light(plane, lighting):
         stretch = height / (height - np.minimum(heights, height - 0.08))
-        shadow = np.zeros(plane.shape, np.uint8)
-        paint(shadow, placed.spans, column + (columns - column) * stretch, row + (rows - row) * stretch)
+        right, down = column + (columns - column) * stretch, row + (rows - row) * stretch
         total += light
-        blocked += light * shadow
+        blocked += light * placed.paint(plane.shape, right, down)
     return (np.float32(255.5) - blocked / total).astype(np.uint8)
 
 
 def sky_share(plane, placed):
-    """The share of the indirect light that reaches each cell of a plane, uint8, 255 for all."""
+    """The share of the indirect light that reaches each cell of a plane, uint8 of 255."""
     columns, rows, heights = plane.of(placed.points)
-    heights = np.maximum(heights, 0)
-    across, along = plane.shape[1] / plane.size[0], plane.shape[0] / plane.size[1]
+    across, along = (np.maximum(heights, 0) * count for count in plane.cells)
     covered = np.zeros(plane.shape, np.uint16)
-    for x, y in sky():
-        shadow = np.zeros(plane.shape, np.uint8)
-        covered += paint(shadow, placed.spans, columns - heights * (x * across), rows - heights * (y * along))
-    return (255 - covered * np.float32(SKY_SHARE / len(sky()))).astype(np.uint8)
+    for x, y in stored()["sky"].tolist():
+        covered += placed.paint(plane.shape, columns - across * x, rows - along * y)
+    return (255 - covered * np.float32(SKY_SHARE / len(stored()["sky"]))).astype(np.uint8)
 
 
 # light
 
 
-def light_image(atlas, kind, lighting, size):
+def light_image(atlas, kind, lighting):
     """An image of light, (H, W, 3) float32."""
-    image = cv2.resize(read(f"{atlas}_{kind}_{lighting}.png"), size, interpolation=cv2.INTER_LINEAR)
+    image = enlarged(read(f"{atlas}_{kind}_{lighting}.jpg"), ATLASES[atlas].size)
     steps = np.arange(256, dtype=np.float32)
     return (steps * steps * np.float32(BRIGHTEST[kind] / 65025))[image]
 
 
 class FloorLight:
-    """The light on the floor, (512, 1024, 3) float32, without the sun: empty, shaded; and the sun, also on pieces."""
+    """The light on the floor, (512, 1024, 3) float32: `empty` and `shaded` without the sun, by day the `sun`.
+
+    sun_share (512, 1024) uint8 of 255: how much of it the bodies let through. _maps: points of the sun, as
+    slopes, and the body (from 1) that their light to each cell meets.
+    """
 
     def __init__(self, placed, lighting):
-        size = SUNNY.shape[::-1]
-        direct, indirect = (light_image("floor", kind, lighting, size) for kind in ("direct", "indirect"))
+        direct, indirect = (light_image("floor", kind, lighting) for kind in ("direct", "indirect"))
+        coarse = direct_share(FLOOR, placed, lighting), sky_share(FLOOR, placed)
+        shares = [enlarged(share, ATLASES["floor"].size)[..., None] for share in coarse]
         self.empty = direct + indirect + np.float32(1e-6)
-        shares = direct_share(FLOOR, placed, lighting), sky_share(FLOOR, placed)
-        shares = [cv2.resize(share, size, interpolation=cv2.INTER_LINEAR)[..., None] for share in shares]
         self.shaded = (direct * shares[0] + indirect * shares[1]) * np.float32(1 / 255)
-        self._placed = placed
-        self.sun, self._maps = None, []
+        self._middles, self.sun = placed.middles, None
         if lighting == "day":
-            self.sun = light_image("floor", "sun", lighting, size)
-            self._maps = [self._map_of_sun(k) for k in range(4)]
-            self.sun_share = (sum((numbers == 0).astype(np.uint16) for _, numbers in self._maps) * 255 // 4).astype(np.uint8)
+            self.sun = light_image("floor", "sun", lighting)
+            order = np.argsort(placed.middles, kind="stable")
+            self._maps = [
+                (slope, placed.paint(SUNNY_FLOOR.shape, *below(slope, placed.points), order))
+                for slope in stored()["sun_slopes"].tolist()
+            ]
+            free = sum((above == 0).astype(np.uint16) for _, above in self._maps)
+            self.sun_share = (free * 255 // len(self._maps)).astype(np.uint8)
 
-    def _map_of_sun(self, k):
-        """A direction of the sun, for each unit of height, and which body (from 1) it meets above each cell."""
-        x, y, z = SUN[0] + SUN_RADIUS * (k % 2 * 2 - 1), SUN[1], SUN[2] + SUN_RADIUS * (k // 2 * 2 - 1)
-        order = np.argsort(self._placed.heights, kind="stable")
-        spans = list(self._placed.spans)
-        columns, rows = self._below((x / z, y / z), self._placed.points)
-        numbers = paint(np.zeros(SUNNY.shape, np.uint8), [spans[k] for k in order], columns, rows, order + 1, cv2.LINE_8)
-        return (x / z, y / z), numbers
-
-    def _below(self, slope, points):
-        """Columns and rows of the floor on which the sun casts the shadows of points (N, 3)."""
-        columns, rows, heights = SUNNY.of(points)
-        across, along = SUNNY.shape[1] / SUNNY.size[0], SUNNY.shape[0] / SUNNY.size[1]
-        return columns - heights * np.float32(slope[0] * across), rows + heights * np.float32(slope[1] * along)
-
-    def at(self, points):
-        """The light on the floor at points (N, 3) on it, (N, 3)."""
-        columns, rows, _ = SUNNY.of(points)
-        cell = cells(rows, 512), cells(columns, 1024)
-        light = self.shaded[cell]
-        if self.sun is not None:
-            light += self.sun[cell] * (self.sun_share[cell].astype(np.float32) * np.float32(1 / 255))[:, None]
-        return light
-
-    def sun_at(self, points, normals, parts):
-        """The sun's light on points (N, 3) of pieces; no body shades its own."""
+    def sun_on(self, points, normals, bodies):
+        """The sun's light on points (N, 3) of bodies, (N, 3); none shades itself."""
         light = np.zeros((len(points), 3), np.float32)
         if self.sun is None:
             return light
-        slopes = normals[:, 0] * np.float32(SUN[0]) + normals[:, 1] * np.float32(SUN[1])
-        slopes += normals[:, 2] * np.float32(SUN[2])
-        columns, rows = self._below((SUN[0] / SUN[2], SUN[1] / SUN[2]), points)
-        sun = self.sun[cells(rows, 512), cells(columns, 1024)]
-        rows_in_sun = np.flatnonzero((slopes > 0) & (sun[:, 1] > 0))
-        lit = np.zeros(len(rows_in_sun), np.float32)
-        points, parts = points[rows_in_sun], parts[rows_in_sun] + 1
-        for slope, numbers in self._maps:
-            columns, rows = self._below(slope, points)
-            body = numbers[cells(rows, 512), cells(columns, 1024)]
-            above = np.array([-1, *self._placed.heights], np.float32)[body] > points[:, 2]
-            lit += ~above | (body == parts)
-        weight = slopes[rows_in_sun] * lit * np.float32(0.25 / SUN[2])
-        light[rows_in_sun] = sun[rows_in_sun] * weight[:, None]
+        x, y, z = stored()["sun"].tolist()
+        facing = sum(normals[:, k] * np.float32(way) for k, way in enumerate((x, y, z)))
+        sun = at_cells(self.sun, *below((x / z, y / z), points))
+        rows = np.flatnonzero((facing > 0) & (sun[:, 1] > 0))
+        points, own, free = points[rows], bodies[rows] + 1, np.zeros(len(rows), np.float32)
+        middles = np.array([-1, *self._middles], np.float32)
+        for slope, above in self._maps:
+            body = at_cells(above, *below(slope, points))
+            free += (middles[body] <= points[:, 2]) | (body == own)
+        weight = facing[rows] * free * np.float32(1 / (len(self._maps) * z))
+        light[rows] = sun[rows] * weight[:, None]
         return light
 
 
-def cells(values, count):
-    return np.clip(values, 0, count - 1).astype(np.int32)
+def below(slope, points):
+    """Columns and rows of the floor's cells to which the sun casts the shadows of points (N, 3)."""
+    columns, rows, heights = SUNNY_FLOOR.of(points)
+    across, along = (np.float32(way * count) for way, count in zip(slope, SUNNY_FLOOR.cells, strict=True))
+    return columns - heights * across, rows + heights * along
 
 
-def rug_light(floor, placed):
-    """The floor's light on each texel of the rug, (256, 256, 3) float32."""
-    corner, right, up = stored()["rug_frame"]
-    steps = (np.arange(256) + 0.5) / 256
-    x = corner + steps[None, :, None] * (right - corner) + (1 - steps)[:, None, None] * (up - corner)
-    flat = np.column_stack([x.reshape(-1, 2), np.zeros(256 * 256)])
-    piece = np.full(len(flat), stored()["rug_piece"])
-    return floor.at(placed.places(flat, piece)).reshape(256, 256, 3)
+def at_cells(image, columns, rows):
+    height, width = image.shape[:2]
+    return image[
+        np.clip(rows, 0, height - 1).astype(np.int32), np.clip(columns, 0, width - 1).astype(np.int32)
+    ]
+
+
+def of_rug(image, placed):
+    """An image of the floor, (512, 1024, …), at the texels of the rug, (256, 256, …)."""
+    corner, right, up = stored()["rug_frame"].astype(np.float32)
+    steps = ((np.arange(256, dtype=np.float32) + np.float32(0.5)) / 256)[:, None]
+    flat = (steps * (right - corner))[None] + (corner + (1 - steps) * (up - corner))[:, None]
+    points = np.insert(flat.reshape(-1, 2), 2, 0, axis=1)
+    columns, rows, _ = SUNNY_FLOOR.of(placed.places(points, np.full(len(points), stored()["rug_piece"])))
+    return at_cells(image, columns, rows).reshape(256, 256, *image.shape[2:])
 
 
 def wall_shares(placed, lighting):
     """How much of its light in the empty room each texel of the room has, (512, 512, 3) float32."""
-    size = SMALL["room"]
-    direct, indirect = (light_image("room", kind, lighting, size) for kind in ("direct", "indirect"))
-    result = np.ones(direct.shape, np.float32)
-    number, across = stored()["room_wall"], stored()["room_across"]
-    for k, plane in enumerate(WALLS, 1):
-        mine = number == k
-        columns, rows = (across[mine] * np.float32(2 / 25)).astype(np.int32).T
-        shares = []
-        for share in (direct_share(plane, placed, lighting), sky_share(plane, placed)):
-            share = cv2.resize(share, None, fx=2, fy=2, interpolation=cv2.INTER_LINEAR)
-            height, width = share.shape
-            shares.append(share[np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1), None])
-        lit = direct[mine] * shares[0] + indirect[mine] * shares[1]
-        result[mine] = lit / ((direct[mine] + indirect[mine] + np.float32(1e-6)) * np.float32(255))
-    return np.minimum(result, 1)
+    direct, indirect = (light_image("room", kind, lighting).reshape(-1, 3) for kind in ("direct", "indirect"))
+    result = np.ones_like(direct)
+    ends, texels, across = (stored()[f"wall_{name}"] for name in ("ends", "texels", "across"))
+    for plane, first, last in zip(WALLS, [0, *ends[:-1]], ends, strict=True):
+        finer = 2 * plane.shape[1], 2 * plane.shape[0]
+        columns, rows = (across[first:last] * np.float32(2 / 25)).T
+        coarse = direct_share(plane, placed, lighting), sky_share(plane, placed)
+        shares = [at_cells(enlarged(share, finer), columns, rows) for share in coarse]
+        changed = np.flatnonzero((shares[0] < 255) | (shares[1] < 255))
+        mine = texels[first:last][changed]
+        lit = direct[mine] * shares[0][changed, None] + indirect[mine] * shares[1][changed, None]
+        result[mine] = lit / ((direct[mine] + indirect[mine] + np.float32(1e-6)) * 255)
+    return np.minimum(result, 1).reshape(*ATLASES["room"].size, 3)
 
 
 def light_on_pieces(atlas, placed, floor, lighting):
-    """The light on the known texels of furniture or signs, (N, 3) float32: blue, green, red."""
-    data = stored()
-    pieces = data[f"{atlas}_piece"]
-    points = placed.places(data[f"{atlas}_place"] * np.float32(0.001), pieces)
-    normals = placed.directions(data[f"{atlas}_normal"] * np.float32(1 / 127), pieces)
-    return irradiance(points, normals, lighting) + floor.sun_at(points, normals, data[f"{atlas}_part"])
+    """The light on the texels of furniture or signs that have a place, (N, 3) float32."""
+    pieces, bodies, places, normals = (
+        stored()[f"{atlas}_{kind}"] for kind in ("piece", "body", "place", "normal")
+    )
+    points = placed.places(places * np.float32(0.001), pieces)
+    normals = placed.directions(normals * np.float32(1 / 127), pieces)
+    return irradiance(points, normals, lighting) + floor.sun_on(points, normals, bodies)
 
 
 def irradiance(points, normals, lighting):
     """The light of the empty room on points (N, 3), without the sun, from the probes around each."""
-    probes = stored()[f"probes_{lighting}"][..., ::-1]
-    counts = probes.shape[:3]
-    flat = np.ascontiguousarray(probes).reshape(-1, 3)
-    grids = [stored()[f"probe_{axis}"] for axis in "xyz"]
-    first, after = zip(*(between(points[:, k], grids[k]) for k in range(3)), strict=True)
+    light = stored()[f"probes_{lighting}"].astype(np.float32)
+    _, rows, levels = light.shape[:3]
+    flat, squares = light.reshape(-1, 3), normals * normals
     sides = [2 * axis + (normals[:, axis] < 0) for axis in range(3)]
-    squares = normals * normals
-    light = np.zeros((len(points), 3), np.float32)
-    for corner in itertools.product((0, 1), repeat=3):
-        weight = functools.reduce(np.multiply, [a if k else 1 - a for a, k in zip(after, corner, strict=True)])
-        x, y, z = (a + k for a, k in zip(first, corner, strict=True))
-        cell = ((x * counts[1] + y) * counts[2] + z) * 6
+    (x, right), (y, up), (level, _) = (between(points[:, k], k, light.shape[k]) for k in range(3))
+    result = np.zeros((len(points), 3), np.float32)
+    for (i, across), (k, along) in itertools.product(((0, 1 - right), (1, right)), ((0, 1 - up), (1, up))):
+        cell = (((x + i) * rows + y + k) * levels + level) * 6
         for axis in range(3):
-            light += flat[cell + sides[axis]] * (weight * squares[:, axis])[:, None]
-    return light
+            result += flat[cell + sides[axis]] * (across * along * squares[:, axis])[:, None]
+    return result
 
 
-def between(values, grid):
-    """Index of the grid's value before each, and the share of the way to the next."""
-    steps = (values - np.float32(grid[0])) * np.float32((len(grid) - 1) / (grid[-1] - grid[0]))
-    steps = np.clip(steps, 0, np.float32(len(grid) - 1))
-    first = np.minimum(steps.astype(np.int32), len(grid) - 2)
+def between(values, axis, count):
+    """Index of the probe before each value along an axis, and the share of the way to the next."""
+    low, high = stored()["probes_from_to"][axis].tolist()
+    steps = np.clip((values - np.float32(low)) * np.float32((count - 1) / (high - low)), 0, count - 1)
+    first = np.minimum(steps.astype(np.int32), count - 2)
     return first, steps - first.astype(np.float32)
-
-
-def add_sun(image, floor):
-    """Lights the floor's texture where the sun reaches it, in place."""
-    sunny = read("floor_sunny.jpg")
-    height, width = sunny.shape[:2]
-    top, left = stored()["sunny_corner"]
-    box = np.s_[top // 4 : (top + height) // 4, left // 4 : (left + width) // 4]
-    light = (floor.shaded[box] + floor.sun[box]) / (floor.empty[box] + floor.sun[box])
-    small = reduced(sunny, (width // 4, height // 4))
-    sunny = times(sunny, ratios("floor", "day", small, light), PLAIN)
-    share = cv2.resize(floor.sun_share[box], (width, height), interpolation=cv2.INTER_LINEAR)
-    share = share[..., None].astype(np.uint16)
-    part = image[top : top + height, left : left + width]
-    part[:] = (part * (255 - share) + sunny * share + 127) // 255
-
-
-def as_image(ratio, known):
-    """Ratios (N, 3) of the known texels as an image; around them those beside them."""
-    image = np.zeros((*known.shape, 3), np.uint8)
-    image[known] = ratio
-    around = cv2.dilate(image, np.ones((3, 3), np.uint8))
-    return np.where(known[..., None], image, around)
