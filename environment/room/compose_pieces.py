@@ -187,7 +187,7 @@ def words_of(baked):
     rows, cols = np.nonzero(np.max(list(ink.values()), 0))
     top, left, bottom, right = rows.min(), cols.min(), rows.max() + 1, cols.max() + 1
     boxed = {f"word_{word}": page[top:bottom, left:right] for word, page in ink.items()}
-    return boxed | {"word_corner": np.array([top, left])}
+    return boxed | {"sign_corner": np.array([top, left])}
 
 
 def main():

@@ -164,7 +164,7 @@ def write(image, word):
     if word not in words():
         raise ValueError(f"the sign's word is one of {', '.join(words())}, got {word!r}")
     ink = stored()[f"word_{word}"][..., None].astype(np.uint16)
-    top, left = stored()["word_corner"]
+    top, left = stored()["sign_corner"]
     box = image[top : top + ink.shape[0], left : left + ink.shape[1]]
     box[:] = (box * (255 - ink) + INK * ink + 127) // 255
 
