@@ -109,7 +109,7 @@ def textures(poses, lighting, word=None):
     ratio = {atlas: ratios(f"{atlas}_{lighting}", small[atlas], light[atlas]) for atlas in light}
     for atlas in ("furniture", "signs"):
         ratio[atlas] = ratios_of_pieces(atlas, small[atlas], placed, floor, lighting)
-    lit = {atlas: times(images[atlas], ratio[atlas], ATLASES[atlas].one) for atlas in ATLASES}
+    lit = {atlas: times(images.pop(atlas), ratio[atlas], ATLASES[atlas].one) for atlas in ATLASES}
     if lighting == "day":
         add_sun_to_floor(lit["floor"], floor)
         add_sun_to_rug(lit["rug"], floor, placed)
