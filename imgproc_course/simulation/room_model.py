@@ -86,7 +86,7 @@ class FreeSpace:
         """distance (H, W) in millimetres, of cells of `cell` metres; origin (x, y) of their corner"""
         self._millimetres = distance.tolist()  # single numbers are read faster from a list
         self.metres = distance / 1000
-        self.origin = [float(v) for v in origin]
+        self.origin = np.asarray(origin, float).tolist()
         self.cell = float(cell)
 
     @classmethod
