@@ -150,3 +150,12 @@ def test_a_start_that_is_not_free():
     sofa = room.places["sofa"]
     with pytest.raises(ValueError, match=r"a wall or furniture is in its way; choose another start, such as"):
         Simulation(room=room, start=sofa)
+
+
+def test_a_number_keeps_its_room():
+    """Scenarios are stored with numbers of rooms: a change of the rules would be another room."""
+    room = furnished(17)
+    assert room.places["sofa"] == (1.687, 1.72, 0.0) and room.places["blocks"] == (2.314, -1.25, 2.741)
+    assert (room.start, room.ball.start) == ((4.898, -0.703, -2.616), (0.655, -0.297))
+    assert furnished(0).start == (0.786, -0.441, 1.986)
+    assert (room.word, furnished(0).word) == ("LIBRARY", "LAUNDRY")
