@@ -1,0 +1,195 @@
+"""The textures of furnished rooms: shadows, sun and word where they belong, and the same bytes everywhere."""
+
+import json
+import os
+import subprocess
+import sys
+
+import cv2
+import numpy as np
+import pytest
+
+from imgproc_course.simulation import room_light
+from imgproc_course.simulation.room_light import ATLASES, FILES, X0, X1, Y0, Y1, stored, textures, words
+from imgproc_course.simulation.room_model import FILES as RECORDED_FILES
+
+from .test_determinism import OLDER
+
+# A room with cartons, table and blocks in the sun.
+ROOM = {
+    "sofa": (-0.32, 0.407, 1.571),
+    "shelf": (5.44, 1.2, 0.0),
+    "sign": (1.2, 2.297, 1.571),
+    "wall_marker": (2.9, -2.096, 1.571),
+    "picture": (-0.885, 0.4, 3.142),
+    "rug": (4.2, -0.6, 1.6),
+    "table": (4.2, -0.5, 0.1),
+    "cartons": (2.0, 0.9, -0.5),
+    "stand": (0.2, -1.7, 2.2),
+    "plant": (5.2, -1.75, 0.4),
+    "carton": (-0.6, -1.7, 0.2),
+    "bin": (5.3, 2.05, 0.0),
+    "chair": (1.5, -0.9, 1.0),
+    "slippers": (3.0, -1.0, 0.7),
+    "blocks": (2.7, 0.7, 0.0),
+}
+
+
+def recorded():
+    """The pieces where they stand in the recorded room."""
+    origins = json.loads((FILES / "scene.json").read_text(encoding="utf-8"))["origins"]
+    return {piece: (x, y, 0.0) for piece, (x, y) in origins.items()}
+
+
+def moved(**places):
+    return {**ROOM, **places}
+
+
+@pytest.fixture(scope="module")
+def day():
+    return textures(ROOM, "day")
+
+
+@pytest.fixture(scope="module")
+def evening():
+    return textures(ROOM, "evening")
+
+
+def floor_at(image, x, y, half=0.06):
+    """The mean value of the floor's texture around a place in metres."""
+    height, width = image.shape[:2]
+    rows = [int((Y1 - v) / (Y1 - Y0) * height) for v in (y + half, y - half)]
+    cols = [int((v - X0) / (X1 - X0) * width) for v in (x - half, x + half)]
+    return image[slice(*rows), slice(*cols)].mean()
+
+
+def test_each_texture_has_the_size_of_its_file(day):
+    assert list(day) == list(ATLASES)
+    for atlas, image in day.items():
+        assert image.dtype == np.uint8
+        assert image.shape == cv2.imread(str(FILES / f"{atlas}_day.jpg")).shape
+
+
+@pytest.mark.parametrize("lighting", ["day", "evening"])
+def test_at_the_recorded_places_the_open_floor_is_as_in_the_recorded_room(lighting):
+    ours = textures(recorded(), lighting)["floor"]
+    theirs = cv2.imread(str(RECORDED_FILES / f"floor_{lighting}.jpg"))
+    places = [
+        (x, y) for x in np.arange(-0.6, 5, 0.3) for y in np.arange(-1.0, 0.0, 0.2) if x < 1.4 or x > 4.6
+    ]
+    differences = [floor_at(ours, *place) - floor_at(theirs, *place) for place in places]
+    assert np.abs(differences).mean() < 4
+    assert np.abs(differences).max() < 12
+
+
+@pytest.mark.parametrize("lighting", ["day", "evening"])
+def test_a_table_shades_the_floor_below_it_and_nowhere_else(lighting, request):
+    here = request.getfixturevalue(lighting)["floor"]
+    away = textures(moved(table=(0.6, 0.6, 0.1)), lighting)["floor"]
+    assert floor_at(away, 0.5, 0.65) < 0.8 * floor_at(here, 0.5, 0.65)
+    assert abs(floor_at(away, 3.6, -1.8) - floor_at(here, 3.6, -1.8)) < 2
+
+
+def test_the_shadow_of_the_evening_lamp_falls_away_from_it(evening):
+    stand = textures(moved(stand=(0.2, -0.2, 0.0)), "evening")["floor"]  # the lamp hangs at (1.6, -0.2)
+    darker = {x: floor_at(stand, x, -0.2) / floor_at(evening["floor"], x, -0.2) for x in (0.0, 0.7)}
+    assert darker[0.0] < 0.6
+    assert darker[0.7] > 0.9
+
+
+def test_the_sun_is_on_the_floor_only_by_day_and_not_behind_cartons(day, evening):
+    sunny, shaded, beside = (
+        floor_at(day["floor"], *place) for place in ((2.9, 1.2), (1.95, 0.55), (0.9, 0.9))
+    )
+    assert sunny > 1.6 * beside
+    assert shaded < 0.6 * sunny
+    assert floor_at(evening["floor"], 2.9, 1.2) < 1.1 * floor_at(evening["floor"], 2.0, -0.3)
+
+
+def texels_of(piece, texture, normal):
+    """The mean of a piece's texels that look along a normal of the recorded room."""
+    number = stored()["pieces"].tolist().index(piece)
+    small = cv2.resize(texture, ATLASES["furniture"].size, interpolation=cv2.INTER_AREA)
+    seen = small[stored()["furniture_known"]]
+    facing = stored()["furniture_normal"] @ np.array(normal) > 110
+    return seen[(stored()["furniture_piece"] == number) & facing].mean()
+
+
+def test_a_carton_in_the_sun_is_lit_on_the_window_s_side_alone(day):
+    unlit = textures(moved(cartons=(2.0, -1.5, -0.5)), "day")["furniture"]
+    turned_to_window = (np.sin(-0.5), np.cos(-0.5), 0)  # this side looks along +y in the room
+    assert texels_of("cartons", day["furniture"], turned_to_window) > 1.15 * texels_of(
+        "cartons", unlit, turned_to_window
+    )
+    away = tuple(-v for v in turned_to_window)
+    assert abs(texels_of("cartons", day["furniture"], away) / texels_of("cartons", unlit, away) - 1) < 0.3
+
+
+def test_the_wall_is_darker_behind_a_shelf(day):
+    room = textures(moved(shelf=(5.44, 0.2, 0.0)), "day")["room"]
+    number, across = 1, stored()["wall_across"]  # the wall x = X1
+    first, last = stored()["wall_ends"][number - 1 : number + 1]
+    along, height = across[first:last].T / 1000
+    mine = stored()["wall_texels"][first:last][(abs(along + Y0 - 0.2) < 0.3) & (abs(height - 0.8) < 0.4)]
+    new, old = (
+        cv2.resize(image, ATLASES["room"].size, interpolation=cv2.INTER_AREA).reshape(-1, 3)[mine].mean()
+        for image in (room, day["room"])
+    )
+    assert new < 0.8 * old
+
+
+@pytest.mark.parametrize("word", ["OFFICE", "LIBRARY"])
+def test_the_word_is_on_the_sign_and_no_other_shines_through(word, day):
+    image = textures(ROOM, "day", word)["signs"]
+    ink, old = stored()[f"word_{word}"], stored()["word_KITCHEN"]
+    top, left = stored()["sign_corner"]
+    box = image[top : top + ink.shape[0], left : left + ink.shape[1]].mean(2)
+    paper = box[(ink == 0) & (old == 0)]
+    assert box[ink == 255].max() < 60 < 120 < paper.min()
+    assert abs(box[(ink == 0) & (old == 255)].mean() - paper.mean()) < 3
+    outside = np.ones(image.shape[:2], bool)
+    outside[top : top + ink.shape[0], left : left + ink.shape[1]] = False
+    assert (image[outside] == day["signs"][outside]).all()
+
+
+def test_words_differ_in_more_than_one_letter_and_other_words_are_refused():
+    assert words()[0] == "KITCHEN"
+    assert len(words()) == len(set(words())) == 10
+    with pytest.raises(ValueError, match=r"the sign's word is one of KITCHEN, .*, got 'BATH'"):
+        textures(ROOM, "day", "BATH")
+
+
+def test_a_missing_file_is_told_with_its_remedy(monkeypatch, tmp_path):
+    monkeypatch.setattr(room_light, "FILES", tmp_path)
+    with pytest.raises(FileNotFoundError, match=r"pieces/floor_day\.jpg is missing .* git checkout"):
+        room_light.read("floor_day.jpg")
+
+
+DIGESTS = {
+    "day": "43a2ad79cef1ffeac3622ebab48f5f0cb3e4e19ece85c0c42e26f3a161880e8a",
+    "evening": "fa836d809d40e9c63b2f997a359f83887e128ec63b58eb701a5d268a0236bd81",
+}
+PROGRAM = """if True:
+    import hashlib, json, sys
+    import cv2
+    from numpy._core._multiarray_umath import __cpu_features__
+    from imgproc_course.simulation.room_light import textures
+    print(__cpu_features__["X86_V3"] or cv2.checkHardwareSupport(11))  # cv::CPU_AVX2
+    for lighting in ("day", "evening"):
+        images = textures(json.loads(sys.argv[1]), lighting, "STUDIO").values()
+        print(hashlib.sha256(b"".join(image.tobytes() for image in images)).hexdigest())
+"""
+
+
+@pytest.mark.parametrize("settings", [{}, OLDER], ids=["this processor", "an older one"])
+def test_every_processor_computes_the_same_bytes(settings):
+    result = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", PROGRAM, json.dumps(ROOM)],
+        env={**os.environ, **settings},
+        capture_output=True,
+        text=True,
+    )
+    assert result.returncode == 0, result.stderr
+    is_newer, *digests = result.stdout.split()
+    assert digests == list(DIGESTS.values())
+    assert not settings or is_newer == "False"
