@@ -13,6 +13,7 @@ from .drive import TURNING
 from .pieces import load_pieces, turned
 from .placement import AREA, DOOR, ORIGIN, SMALL, Placement, cells, painted, squared_distances
 from .room import CAR_TIME, WALK_LENGTH, BallWay, CarWay, PersonWay, Room, Rug
+from .room_light import textures
 from .room_model import FreeSpace, load_texture
 
 WORDS = (
@@ -96,7 +97,7 @@ def _drawn(random, name):
 
 
 def _textures(places, word, lighting):
-    return {name: load_texture(name, lighting) for name in load_pieces().model.textured_atlases}
+    return textures(places, lighting, word) | {"movers": load_texture("movers", lighting)}
 
 
 class Ways(NamedTuple):
