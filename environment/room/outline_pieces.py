@@ -1,8 +1,8 @@
 """Outlines of the pieces of furniture, seen from above: `python environment/room/outline_pieces.py PIECES`.
 
-PIECES is the folder with geometry.npz and scene.json. outlines.json has, for each piece, its convex `hull`, and
-the outlines of its `body`, the part between the heights of the robot's body; for "room" those of walls and
-skirtings. Polygons [[x, y], ...] in whole millimetres, in the frame of the piece.
+PIECES is the folder with geometry.npz and scene.json. outlines.json has, for each piece, its convex `hull`,
+and the outlines of its `body`, the part between the heights of the robot's body; for "room" those of walls
+and skirtings. Polygons [[x, y], ...] in whole millimetres, in the frame of the piece.
 """
 
 import json
@@ -11,7 +11,6 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-
 
 BODY_HEIGHTS = (0.02, 0.22)  # metres, as in compose.py, which needs bpy
 MARGIN = 5  # millimetres around what is drawn

@@ -140,10 +140,12 @@ class Robot:
         """
         if start is not None:
             start = [float(value) for value in start]
-        if room is not None and not is_room_number(room, least=-1):
-            raise ValueError(
-                f"room is a whole number from 0 on, or -1 for the recorded drive's, got {room!r}"
-            )
+        if room is not None:
+            if not is_room_number(room, least=-1):
+                raise ValueError(
+                    f"room is a whole number from 0 on, or -1 for the recorded one, got {room!r}"
+                )
+            room = int(room)  # also one of NumPy
         changes = {"seed": seed, "lighting": lighting, "start": start, "room": room}
         parameters = [Parameter(name, value=value) for name, value in changes.items() if value is not None]
         result = self._set_parameters(parameters)

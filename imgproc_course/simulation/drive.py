@@ -21,6 +21,7 @@ DISCS = tuple(
     + [(BODY_CENTER + side * _LONG, _WIDE * k / 3, RIM) for k in range(-2, 3) for side in (-1, 1)]
 )
 BODY_REACH = math.hypot(BODY_LENGTH / 2, BODY_WIDTH / 2)
+TURNING = 0.28  # metres from the axle's center: who has so much room can turn on the spot
 
 
 class Odometry(NamedTuple):

@@ -9,15 +9,16 @@ import cv2
 import numpy as np
 
 from ..geometry import Pose
-from .drive import BODY_REACH
+from .drive import TURNING
 from .pieces import load_pieces, turned
 from .placement import AREA, DOOR, ORIGIN, SMALL, Placement, cells, painted, squared_distances
 from .room import CAR_TIME, WALK_LENGTH, BallWay, CarWay, PersonWay, Room, Rug
+from .room_light import textures
 from .room_model import FreeSpace, load_texture
 
 WORDS = (
-    *("KITCHEN", "LIBRARY", "OFFICE", "STUDIO", "GARDEN"),
-    *("WORKSHOP", "NURSERY", "PANTRY", "GALLERY", "ARCHIVE"),
+    *("KITCHEN", "OFFICE", "BEDROOM", "GARAGE", "LIBRARY"),
+    *("STUDIO", "PANTRY", "LAUNDRY", "NURSERY", "CELLAR"),
 )
 CELL = 0.01  # metres: of the free space
 SHAPE = (460, 670)
@@ -78,6 +79,7 @@ def _drawn(random, name):
     if ways is None:
         return None
     x, y, yaw = places["rug"]
+    word = WORDS[int(random.integers(len(WORDS)))]
     return Room(
         name=name,
         model=pieces.placed(places),
@@ -87,15 +89,15 @@ def _drawn(random, name):
         person=PersonWay(*ways.person),
         car=CarWay(*ways.car),
         ball=BallWay(ways.ball),
-        textures=functools.cache(functools.partial(_textures, places)),
-        word=WORDS[int(random.integers(len(WORDS)))],
+        textures=functools.cache(functools.partial(_textures, places, word)),
+        word=word,
         poses=poses,
         places=places,
     )
 
 
-def _textures(places, lighting):
-    return {name: load_texture(name, lighting) for name in load_pieces().model.textured_atlases}
+def _textures(places, word, lighting):
+    return textures(places, lighting, word) | {"movers": load_texture("movers", lighting)}
 
 
 class Ways(NamedTuple):
@@ -123,7 +125,7 @@ class Floor:
         hulls = [turned(pieces.hulls[name], place) for name, place in places.items() if name not in LOW]
         tall = reached(painted(walls.copy(), hulls, CELL, filled=False))
         millimetres = reached(painted(walls, bodies, CELL, filled=False))
-        can_turn = (millimetres > BODY_REACH * 1000).astype(np.uint8)
+        can_turn = (millimetres > TURNING * 1000).astype(np.uint8)
         _, parts = cv2.connectedComponents(can_turn, connectivity=4)
         column, row = cells(np.array([BEHIND_DOOR]), CELL)[:, 0]
         turnable = (parts == parts[row, column]) & (can_turn > 0)
@@ -164,7 +166,7 @@ class Floor:
         start, place = self._fitting(random, AHEAD, robot, AHEAD_ROOM, START_ROOM, taken)
         if start is None:
             return None
-        ball, _ = self._fitting(random, np.zeros((1, 2)), robot, BALL_ROOM, BALL_ROOM, [*taken, place[0]])
+        ball, _ = self._fitting(random, np.zeros((1, 2)), robot, BALL_ROOM, BALL_ROOM, [*taken, *place])
         return None if ball is None else Ways(person, car, start, ball[:2])
 
     def _fitting(self, random, curve, distance, room, first_room=0, taken=()):

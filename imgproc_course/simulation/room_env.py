@@ -10,7 +10,7 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from .drive import MAX_ANGULAR, MAX_LINEAR, gap
+from .drive import MAX_ANGULAR, MAX_LINEAR, TURNING, gap
 from .furnished import furnished
 from .laser import RAYS
 from .metrics import Metrics
@@ -35,7 +35,6 @@ OPTIONS: dict[str, Any] = {
     "goal": None,
 }
 START_CLEARANCE = 0.45  # metres around the body at a start that is drawn
-TURNING = 0.28  # metres from the axle's center: who has so much room can turn on the spot
 KEPT_ROOMS = 2  # so many rooms stay ready for the next drive: up to 220 MB each, if images are drawn
 
 

@@ -86,7 +86,7 @@ class FreeSpace:
         """distance (rows, columns) in millimetres"""
         self._millimetres = distance.tolist()  # single numbers are read faster from a list
         self.metres = distance / 1000
-        self.origin = [float(v) for v in origin]
+        self.origin = np.asarray(origin, float).tolist()
         self.cell = float(cell)
 
     @classmethod

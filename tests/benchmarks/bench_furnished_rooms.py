@@ -28,7 +28,9 @@ from independent_room import compare
 ROOMS, SEEDS = int(os.environ.get("ROOMS", "20")), int(os.environ.get("SEEDS", "1000"))
 IDS = {"marker": 7, "wall_marker": 12}
 DISTANCE = 1.1  # metres from which markers are looked at
-DETECTOR = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50))
+PARAMETERS = cv2.aruco.DetectorParameters()
+PARAMETERS.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX
+DETECTOR = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50), PARAMETERS)
 
 
 def physics():

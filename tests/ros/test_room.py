@@ -534,7 +534,7 @@ def test_the_room_refuses_impossible_options_and_takes_others(robot):
         robot.restart(seed=-1)
     for room in (-2, 1.5, True, 2**63):
         with pytest.raises(
-            ValueError, match="room is a whole number from 0 on, or -1 for the recorded drive"
+            ValueError, match="room is a whole number from 0 on, or -1 for the recorded one, got"
         ):
             robot.restart(room=room)
     assert robot.pose == pytest.approx(before, abs=0.05)
@@ -547,7 +547,7 @@ def test_another_room_is_what_the_simulation_has_at_the_same_time(robot, collect
     from imgproc_course.ros import open_camera
     from imgproc_course.simulation import Simulation, furnished
 
-    robot.restart(room=17, seed=4)
+    robot.restart(room=np.int64(17), seed=4)
     people, scans = collect("/truth/pose/person", PoseStamped), collect("/kachaka/lidar/scan", LaserScan)
     assert "the furnished room 17 (seed 4," in open_camera("room", rate=15).description
     wait_until(lambda: {stamp(m) for m in people} & {stamp(m) for m in scans})

@@ -10,8 +10,10 @@ from independent_room import IndependentRoom, compare, first_hit, planar
 from imgproc_course.geometry import Pose
 from imgproc_course.simulation import Simulation, furnished, recorded_room
 from imgproc_course.simulation.drive import clearance
-from imgproc_course.simulation.furnished import WORDS
+from imgproc_course.simulation.furnished import WORDS, outwards
 from imgproc_course.simulation.pieces import load_pieces
+from imgproc_course.simulation.room_light import words
+from imgproc_course.simulation.simulation import OPTICAL
 
 SEEDS = range(24)
 HALF_SIZES = {"sign": (0.31, 0.15), "wall_marker": (0.167, 0.167), "marker": (0.167, 0.167)}  # metres
@@ -150,3 +152,30 @@ def test_a_start_that_is_not_free():
     sofa = room.places["sofa"]
     with pytest.raises(ValueError, match=r"a wall or furniture is in its way; choose another start, such as"):
         Simulation(room=room, start=sofa)
+
+
+def test_a_number_keeps_its_room():
+    """Scenarios are stored with numbers of rooms: a change of the rules would be another room."""
+    room = furnished(17)
+    assert room.places["sofa"] == (1.687, 1.72, 0.0) and room.places["blocks"] == (2.314, -1.25, 2.741)
+    assert (room.start, room.ball.start) == ((4.898, -0.703, -2.616), (0.655, -0.297))
+    assert furnished(0).start == (0.786, -0.441, 1.986)
+    assert (room.word, furnished(0).word) == ("LIBRARY", "LAUNDRY")
+
+
+def test_the_sign_has_its_word_and_the_markers_are_read_where_they_are():
+    assert words() == WORDS
+    detector = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50))
+    room = furnished(2)
+    with Simulation(room=room, size=(1280, 720), movers=False) as simulation:
+        for name, number in (("marker", 7), ("wall_marker", 12)):
+            pose = Pose.from_vector(room.poses[name])
+            u, v = outwards(room.poses[name])
+            eye = Pose.planar(*(pose.position[:2] + 1.1 * np.array([u, v])), math.atan2(-v, -u))
+            camera = eye @ Pose(OPTICAL, np.array([0, 0, 0.20]))
+            simulation.look(camera.vector)
+            corners, ids, _ = detector.detectMarkers(simulation.frame())
+            square = 0.125 * np.array([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)])
+            expected = simulation.camera.project(camera.inverse().apply(pose.apply(square)))
+            found = corners[ids.ravel().tolist().index(number)][0]
+            assert np.abs(found - expected).max() < 2.5

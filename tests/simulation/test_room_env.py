@@ -13,7 +13,7 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 from gymnasium.wrappers import RecordVideo, TimeLimit
 
-from imgproc_course.simulation import Simulation, recorded_room
+from imgproc_course.simulation import Simulation, furnished, recorded_room
 from imgproc_course.simulation.drive import BODY_CENTER, BODY_LENGTH, BODY_WIDTH
 from imgproc_course.simulation.room_env import NO_RANGE, SENSORS, RoomEnv, controller_observation
 from imgproc_course.simulation.room_map import BUMP, PIXELS, START, draw_map
@@ -255,3 +255,18 @@ def test_errors_say_what_to_do(arguments, options, message):
 def test_driving_before_the_reset():
     with pytest.raises(gymnasium.error.ResetNeeded, match="call reset"):
         RoomEnv(()).step((0.1, 0.0))
+
+
+def test_a_furnished_room_by_its_number():
+    room = furnished(17)
+    with Simulation(room=room, movers=False, sensor=False) as simulation:
+        expected = simulation.scan().ranges
+    env = RoomEnv(("scan",))
+    observation, _ = env.reset(seed=1, options={"room": 17, "start": [*room.start]})
+    ranges = controller_observation(observation)["scan"]
+    assert np.isfinite(ranges).sum() > 300
+    np.testing.assert_allclose(ranges, expected, atol=0.04)  # its noise is 0.005 m
+    env.reset(seed=2, options={"room": 18})
+    start = env.path[0]
+    assert furnished(18).free_space.distance(*start[:2]) > 0.2
+    env.close()
