@@ -12,7 +12,6 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-
 BODY_HEIGHTS = (0.02, 0.22)  # metres, as in compose.py, which needs bpy
 MARGIN = 5  # millimetres around what is drawn
 
