@@ -58,14 +58,14 @@ def print_speed():
     for function in functions.values():
         function()
     times = processor_times(functions)
-    again = processor_times({"another drive": lambda: envs["scan",].reset(seed=2)}, 20)["another drive"]
-    table = Table("part", "ms", "× plain depth", "simulated s per processor s", "budget")
+    (again,) = processor_times({"another drive": lambda: envs["scan",].reset(seed=2)}, 20).values()
+    table = Table("part", "ms", "× plain depth", "simulated s per s", "budget")
     for name, milliseconds in times.items():
         sensors = tuple(name.split(", "))
+        ratio = milliseconds / times["plain depth"]
         speed = f"{100 / milliseconds:.1f}" if sensors in BUDGETS else ""
-        budget = str(BUDGETS.get(sensors, ""))
-        table.add_row(name, f"{milliseconds:.2f}", f"{milliseconds / times['plain depth']:.2f}", speed, budget)
-    CONSOLE.print("A look of 0.1 s in RoomEnv; plain: a Simulation with person, car and ball, one step of 0.1 s")
+        table.add_row(name, f"{milliseconds:.2f}", f"{ratio:.2f}", speed, str(BUDGETS.get(sensors, "")))
+    CONSOLE.print("Processor time of a look of 0.1 s; plain: a Simulation with person, car and ball")
     CONSOLE.print(table)
     print(f"reset of a scan, in a room that is ready: {again:.1f} ms")
 
@@ -99,8 +99,11 @@ def print_controllers(lesson, seed, count, only):
     answers = {"solution": exercise.solution, "stub": exercise.stub}
     answers |= {mistake.name: mistake.source for mistake in exercise.mistakes}
     functions = {name: exercise.function_of(answers[name], name, prepared=True) for name in answers}
-    limits = ", ".join(f"{name} {sign} {limit}" for name, (sign, limit) in scenarios[0]["thresholds"].items())
-    print(f"{exercise.id}: {count} scenarios of seed {seed}, {scenarios[0]['duration']} s; {limits}", flush=True)
+    thresholds = scenarios[0]["thresholds"]
+    limits = ", ".join(f"{name} {sign} {limit}" for name, (sign, limit) in thresholds.items())
+    print(
+        f"{exercise.id}: {count} scenarios of seed {seed}, {scenarios[0]['duration']} s; {limits}", flush=True
+    )
     env = RoomEnv(exercise.sensors)
     for name, control in functions.items():
         if only and name not in only:
@@ -109,7 +112,7 @@ def print_controllers(lesson, seed, count, only):
         drives = [drive(env, control, scenario) for scenario in scenarios]
         seconds = (time.process_time() - started) / count
         print(f"{name}: passes {sum(kept for _, kept in drives)} of {count}, {seconds:.1f} s each")
-        for metric in scenarios[0]["thresholds"]:
+        for metric in thresholds:
             values = sorted(-1.0 if info[metric] is None else info[metric] for info, _ in drives)
             print(f"  {metric}: {' '.join(f'{value:.2f}' for value in values)}", flush=True)
 
