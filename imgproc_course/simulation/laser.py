@@ -112,15 +112,15 @@ class Laser:
         return np.moveaxis(np.array(placed), -1, 0) + positions[joint[rows]][:, None]
 
     def _moving_of(self, joint_poses):
-        """Of the joints that have a pose: their names, the joint of each triangle among them, and its corners.
+        """Of the joints that have a pose: their names, and the joint and the corners of each triangle.
 
         Corners (3, 3, N): x y z of each corner of each triangle.
         """
         names = tuple(name for name in self._names if name in joint_poses)
         if names not in self._moving:
-            number = {name: index for index, name in enumerate(names)}
-            number = np.array([number.get(name, -1) for name in self._names])
-            joint = np.where(self._joint >= 0, number[self._joint], -1)
+            numbers = {name: number for number, name in enumerate(names)}
+            renumbered = np.array([numbers.get(name, -1) for name in self._names])
+            joint = np.where(self._joint >= 0, renumbered[self._joint], -1)
             corners = np.moveaxis(self._triangles[joint >= 0], 0, -1)
             self._moving[names] = names, joint[joint >= 0], np.ascontiguousarray(corners, float)
         return self._moving[names]

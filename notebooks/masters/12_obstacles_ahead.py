@@ -1012,17 +1012,17 @@ def free_way(points, direction, width=0.64):
 # We try both in the room of the recorded drive, with the boxes of section 8 in front of the robot:
 
 # %%
-robot = Simulation(seed=1, start=(0.95, -1.3, 0.0), movers=False, depth_size=(160, 90))
-first_look = {"depth": robot.depth(), "scan": robot.scan().ranges}
-points = obstacles(first_look)
+small = Simulation(seed=1, start=(0.95, -1.3, 0.0), movers=False, depth_size=(160, 90))
+first_look = {"depth": small.depth(), "scan": small.scan().ranges}
+things = obstacles(first_look)
 for degrees in (0, 45, 90, 180):
-    way = free_way(points, math.radians(degrees))
+    way = free_way(things, math.radians(degrees))
     print(degrees, "degrees to the left:", round(float(way), 1), "m")
 
 # %%
 # Check: the free ways are those of the room; and a point at the front has no way before it
-assert first_look["depth"].shape == (90, 160) and points.shape[1] == 2
-assert 0.3 < free_way(points, 0.0) < 0.5 and free_way(points, math.radians(90)) > 1
+assert first_look["depth"].shape == (90, 160) and things.shape[1] == 2
+assert 0.3 < free_way(things, 0.0) < 0.5 and free_way(things, math.radians(90)) > 1
 assert free_way(np.array([[0.24, 0.1]]), 0.0) == 0 and 2 * 0.32 == 0.64
 
 # %% [markdown]
