@@ -253,7 +253,9 @@ def reachable_cells(room: Room) -> NDArray[np.float64]:
     x, y, _ = room.start
     col, row = (int((value - low) / space.cell) for value, low in zip((x, y), space.origin, strict=True))
     rows, cols = np.nonzero((parts == parts[row, col]) & (space.metres > START_CLEARANCE))
-    return (np.column_stack([cols, rows]) + 0.5) * space.cell + space.origin
+    return np.column_stack([cols, rows]).astype(float) * space.cell + (
+        np.array(space.origin) + space.cell / 2
+    )
 
 
 def read_options(options):
