@@ -26,7 +26,6 @@ from imgproc_course.classroom.exercises.drive import (
     looks_of,
     speeds_of,
 )
-from imgproc_course.classroom.exercises.feedback import explain_call
 from imgproc_course.classroom.exercises.progress import TEST_VARIABLE
 from imgproc_course.classroom.exercises.running import (
     CallResult,
@@ -160,8 +159,8 @@ def form_of(record):
 def _reason(failure, name):
     if failure.get("timed_out"):
         return f"{name} took longer than {LOOK_SECONDS} s for one look"
-    text, _, line = explain_call(CallResult(**failure), None, name).partition("\nin your ")
-    return f"{text} (your {line})" if line else text
+    text = ": ".join(filter(None, (f"{name} raised {failure['error']}", failure["message"])))
+    return f"{text} (your {failure['line']})" if failure["line"] else text
 
 
 def drive_scenarios(exercise, scenarios, make_control, progress=None):
