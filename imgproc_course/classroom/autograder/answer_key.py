@@ -46,7 +46,7 @@ class KeyFolderError(ValueError):
 
 @dataclass(frozen=True)
 class KeyCase:
-    """One test case in the key; `calls` is the number of calls that it makes, in a drive one for each look."""
+    """One test case in the key; `calls` is the number of its calls, in a drive one for each look."""
 
     id: str
     title: str
