@@ -141,6 +141,12 @@ def test_an_attack_gains_nothing_and_sees_nothing(attack, drive):
     assert "seen" not in hidden.message
 
 
+def test_each_drive_has_a_kernel_of_its_own(drive):
+    counts = "LOOKS = []\ndef control(observation, memory):\n    LOOKS.append(1)\n"
+    counts += "    return (0.25, 0.0) if len(LOOKS) <= 40 else None"
+    assert drive(counts).points == 5
+
+
 def test_nothing_is_left_for_the_next_drive(drive):
     leaves = "open('/tmp/left', 'w').close()\n" + GOOD
     assert drive(leaves).points == 5
