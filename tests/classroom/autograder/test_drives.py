@@ -142,9 +142,11 @@ def test_an_attack_gains_nothing_and_sees_nothing(attack, drive):
 
 
 def test_each_drive_has_a_kernel_of_its_own(drive):
-    counts = "LOOKS = []\ndef control(observation, memory):\n    LOOKS.append(1)\n"
-    counts += "    return (0.25, 0.0) if len(LOOKS) <= 40 else None"
-    assert drive(counts).points == 5
+    """Where the wall is far, this controller drives only if it has driven before."""
+    waits = "SEEN = []\ndef control(observation, memory):\n"
+    waits += "    memory.setdefault('waits', observation['scan'][0] > 2.2 and not SEEN)\n    SEEN.append(1)\n"
+    waits += "    return (0.0 if memory['waits'] else 0.25), 0.0"
+    assert drive(waits, hidden={"start": [-0.5, 0.0, 0.0]}).points == 2
 
 
 def test_nothing_is_left_for_the_next_drive(drive):
