@@ -137,9 +137,10 @@ def _size(ctx, param, value):
 @option("--lighting", type=click.Choice(["day", "evening"]), help="[default: day]")
 @option("--rate", type=float, help="Images per second.  [default: 30; 10 for images wider than 640]")
 @option("--start", type=(float,) * 3, metavar="X Y YAW", help="Where the robot starts (m, rad).")
+@option("--room", type=int, help="Number of a furnished room.  [default: the room of the recorded drive]")
 @option("--switch", is_flag=True, help="Switch the robot for all programs that use it.")
 def drive(**options):
-    """Drive a robot through the room of the recorded drive, with the keyboard.
+    """Drive a robot through the room of the recorded drive or a furnished one, with the keyboard.
 
     Other programs see its camera, depth, scan and odometry, and can drive it too. There is one robot for all
     your programs in a ROS domain: this command starts it or joins it.

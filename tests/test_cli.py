@@ -195,11 +195,12 @@ def test_drive_and_record_pass_their_options_on(call, monkeypatch, tmp_path):
         "imgproc_course.ros.recorder.record_until_signal", lambda *args, say: calls.append(args) or 1
     )
     options = ["--seed", "3", "--size", "1280x720", "--lighting", "evening", "--rate", "5", "--switch"]
-    assert call("drive", *options, "--start", "0.5", "-0.2", "1").exit_code == 0
+    assert call("drive", *options, "--start", "0.5", "-0.2", "1", "--room", "17").exit_code == 0
     assert call("drive").exit_code == 0
     assert call("record", str(tmp_path / "own"), "/a", "/b").exit_code == 1
     assert call("record", str(tmp_path / "own")).exit_code == 1
     given = {"seed": 3, "size": (1280, 720), "lighting": "evening", "rate": 5.0, "start": (0.5, -0.2, 1.0)}
+    given["room"] = 17
     assert calls == [
         {**given, "switch": True},
         {**dict.fromkeys(given), "switch": False},
@@ -229,6 +230,7 @@ def test_drive_and_record_pass_their_options_on(call, monkeypatch, tmp_path):
             ["record", "tests"],
             "Error: tests exists already and is not overwritten; choose another name, or rem",
         ),
+        (["drive", "--room", "-3"], "Error: room must be a whole number from 0 on, such as 17, got -3"),
         (["record", "own", "no topic"], "Error: 'no topic' is not a topic name"),
     ],
 )

@@ -25,6 +25,7 @@ STALE = 0.3  # seconds; a command that the kernel reads so late is of a key that
 MAP_PERIOD = 0.1  # seconds
 CELL = 0.05  # metres: of the map's obstacles
 BEHIND = 0.2  # metres; if the rays around a cell reach so far behind it, what stood there has moved away
+FEW = 20  # cells that can disappear at once in the same room
 FASTEST = 0.6  # m/s: what is farther from the last odometry is of a robot that has begun again
 # Where the Kachaka's scanner stands on it: x in metres, and turned to the left.
 SCANNER = (0.156, math.pi / 2)
@@ -225,7 +226,10 @@ class _Map:
             self.trace.append((x, y))
         if scan is not None and (place := self._place_at(seconds(scan.header.stamp))):
             met = cells_of(scan, *place)
-            new_cells, gone = met - self._cells, seen_through(self._cells, scan, *place) - met
+            gone = seen_through(self._cells, scan, *place) - met
+            if len(gone) > max(len(self._cells) / 2, FEW):  # this is another room
+                self._cells, gone, begins = set(), set(), True
+            new_cells = met - self._cells
             self._cells = (self._cells | met) - gone
         if begins:
             count, new_cells = 0, self._cells

@@ -14,12 +14,12 @@ from typing import Any
 
 from imgproc_course.ros.entities import Stoppable, weak_callback
 from imgproc_course.ros.robot_process import RobotConnection, running_robot, shareable
-from imgproc_course.ros.robot_topics import TOPIC, camera_topics
+from imgproc_course.ros.robot_topics import TOPIC, camera_topics, is_room_number
 from imgproc_course.ros.session import RosSession
 
 SOURCES = ("recording", "room", "webcam", "topic")
 # The room, if nothing else is asked.
-ROOM: dict[str, Any] = {"seed": 0, "size": (640, 360), "lighting": "day", "start": None}
+ROOM: dict[str, Any] = {"seed": 0, "size": (640, 360), "lighting": "day", "start": None, "room": None}
 RATES = (30, 10)  # images per second of the room, up to this width in pixels and above
 FAST_WIDTH = 640
 robot_log = logging.getLogger("imgproc_course.ros.robot")  # the robot's warnings; display.drive shows them
@@ -40,6 +40,7 @@ def open_camera(
     lighting: str | None = None,
     start: Sequence[float] | None = None,
     rate: float | None = None,
+    room: int | None = None,
     switch: bool = False,
 ) -> "Camera":
     """Opens this machine's camera, which has the topics, headers and QoS of the robot's own camera.
@@ -51,17 +52,18 @@ def open_camera(
     Parameters
     ----------
     source : "recording"; "room" (a simulated robot, which can be driven through the room of the recorded
-        drive: see `Robot`); "webcam" (the first camera of this machine); or "topic" (a robot already
-        publishes, so nothing is published here)
+        drive or a furnished one: see `Robot`); "webcam" (the first camera of this machine); or "topic" (a
+        robot already publishes, so nothing is published here)
     topic : name of the topic of raw images
     speed : factor on the recorded rate: 3.0 plays a drive of 10 Hz at 30 Hz
     loop : whether the recording starts again at its end
     recording : "drive", or the path of your own recording
     camera_topic : which topic of the recording is played; None as in `open_recording`
     stamps : "now", or "recorded" for the stamps of the recording (they jump back when it starts again)
-    seed, size, lighting, start : of the room, as in `Simulation`; 0, (640, 360), "day", and where the drive
-        began, if omitted
+    seed, size, lighting, start : of the room, as in `Simulation`; 0, (640, 360), "day", and the room's own
+        start, if omitted
     rate : images per second of the room; 30 if omitted, 10 for images more than 640 pixels wide
+    room : a whole number: the room with its furniture elsewhere, as `furnished` draws it from that number
     switch : if other programs use the camera in another way: True switches it for all of them
 
     Raises
@@ -72,16 +74,16 @@ def open_camera(
     RuntimeError : no webcam answers, panda3d is missing for the room, or the camera's process does not start
     """
     _check_arguments(source, speed, stamps)
-    options = {"seed": seed, "size": size, "lighting": lighting, "start": start, "rate": rate}
-    room = {name: value for name, value in options.items() if value is not None}
-    _check_room(source, room)
+    options = {"seed": seed, "size": size, "lighting": lighting, "start": start, "rate": rate, "room": room}
+    asked = {name: value for name, value in options.items() if value is not None}
+    _check_room(source, asked)
     request: dict[str, Any] = {"source": source, "topic": RosSession.current().resolve_topic(topic)}
     if source == "recording":
         path = recording if recording == "drive" else Path(recording).absolute()
         request |= {"recording": str(path), "camera_topic": camera_topic, "speed": float(speed)}
         request |= {"loop": bool(loop), "stamps": stamps}
     if source == "room":
-        request |= _room_request(**room)
+        request |= _room_request(**asked)
     return Camera(request, switch)
 
 
@@ -112,6 +114,9 @@ def _check_room(source, options):
     rate = options.get("rate", 1)
     if not (_is_number(rate) and 1 <= rate <= 60):
         raise ValueError(f"rate must be 1 to 60 images per second, got {rate!r}")
+    number = options.get("room", 0)
+    if not is_room_number(number):
+        raise ValueError(f"room must be a whole number from 0 on, such as 17, got {number!r}")
 
 
 def _is_number(value):
@@ -121,6 +126,7 @@ def _is_number(value):
 def _room_request(rate=None, **options):
     request = ROOM | options
     request["size"] = tuple(int(length) for length in request["size"])
+    request["room"] = None if request["room"] is None else int(request["room"])
     if request["start"] is not None:
         request["start"] = tuple(float(value) for value in request["start"])
     return request | {"rate": float(rate or RATES[request["size"][0] > FAST_WIDTH])}

@@ -14,7 +14,7 @@ from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import LaserScan
 
 from imgproc_course.ros.entities import Entities, weak_callback
-from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, ROOM_NODE, SCAN
+from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, ROOM_NODE, SCAN, is_room_number
 from imgproc_course.ros.session import RosSession
 
 COMMAND_PERIOD = 0.1  # seconds between the commands of a drive that lasts
@@ -120,12 +120,18 @@ class Robot:
         seed: int | None = None,
         lighting: str | None = None,
         start: Sequence[float] | None = None,
+        room: int | None = None,
     ) -> None:
-        """Begins again in the room, in other light, or at another place; its odometry begins at zero.
+        """Begins again in the room, in other light, at another place, or in another room.
+
+        Its odometry begins at zero. With `seed` or `room`, person, car and ball begin again too, as in a new
+        `Simulation`; otherwise they go on.
 
         Parameters
         ----------
-        seed, lighting, start : as in `Simulation`; what is omitted stays
+        seed, lighting, start : as in `Simulation`; what is omitted stays, but in another room the robot
+            starts where that room says
+        room : the number of a furnished room, see `furnished`; -1: the room of the recorded drive
 
         Raises
         ------
@@ -134,7 +140,11 @@ class Robot:
         """
         if start is not None:
             start = [float(value) for value in start]
-        changes = {"seed": seed, "lighting": lighting, "start": start}
+        if room is not None and not is_room_number(room, least=-1):
+            raise ValueError(
+                f"room is a whole number from 0 on, or -1 for the recorded drive's, got {room!r}"
+            )
+        changes = {"seed": seed, "lighting": lighting, "start": start, "room": room}
         parameters = [Parameter(name, value=value) for name, value in changes.items() if value is not None]
         result = self._set_parameters(parameters)
         if not result.successful:

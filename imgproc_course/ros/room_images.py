@@ -12,7 +12,7 @@ from imgproc_course.messages import array_to_image
 from imgproc_course.ros.image_sources import FRAME_ID, FrameImage
 from imgproc_course.ros.room_messages import camera_info, sensor_topics
 from imgproc_course.ros.session import log
-from imgproc_course.simulation import Simulation
+from imgproc_course.simulation import Simulation, furnished, recorded_room
 
 STAND_STILL = (0.0, 0.0, -math.inf)  # m/s, rad/s, and when this was commanded
 COMMAND_TIMEOUT = 0.5  # seconds: an older command stops the robot, on the real one too
@@ -30,14 +30,16 @@ class RoomImages:
     too long, images are left out, and the motion catches up. If the image before was asked for its depth, a
     second thread computes the depth while the first draws the colors.
 
-    `options` are of `Simulation`: seed, size, lighting, start. Only the thread that iterates may use the
-    `simulation`, and that of the depth. `on_motion(stamp in ns)` is called after each step of the motion.
+    `options` are of `Simulation`: seed, size, lighting, start; and room, the number of a furnished one, or
+    None. Only the thread that iterates may use the `simulation`, and that of the depth. `on_motion(stamp in
+    ns)` is called after each step of the motion.
     """
 
-    def __init__(self, rate, **options):
+    def __init__(self, rate, *, room=None, start=None, **options):
         self.rate = rate
-        self.options = options  # of the simulation that runs, or begins next
-        self.simulation = Simulation(**options)
+        # Of the simulation that runs, or begins next.
+        self.options = options | {"room": room, "start": start or numbered_room(room).start}
+        self.simulation = begun(self.options)
         self.simulation.frame()  # the first one takes a second, which the robot would miss while it drives
         self.on_motion: Callable[[int], None] = lambda stamp: None
         self.reached_rate: float | None = None  # images per second over the last seconds
@@ -54,15 +56,18 @@ class RoomImages:
         self._command = (linear, angular, time.monotonic())
 
     def restart(self, **changes):
-        """Begins again with other options; person, car and ball go on. Any other thread may call it.
+        """Begins again with other options. Any other thread may call it.
 
-        With another lighting alone the robot stays where it is; its odometry begins at zero in any case.
-        After a ValueError the running one goes on.
+        Person, car and ball begin again with a seed or a room, and otherwise go on. With another lighting
+        alone the robot stays where it is; with another room alone it starts where that room says. Its
+        odometry begins at zero in any case. After a ValueError the running one goes on.
         """
         if changes.keys() == {"lighting"}:
             changes["start"] = planar(self.simulation.pose("robot"))
+        if "room" in changes and "start" not in changes:
+            changes["start"] = numbered_room(changes["room"]).start
         options = self.options | changes
-        simulation = Simulation(**options, time=self.simulation.time)
+        simulation = begun(options, 0.0 if changes.keys() & {"seed", "room"} else self.simulation.time)
         is_taken = threading.Event()
         self.options = options
         self._command = STAND_STILL
@@ -131,6 +136,16 @@ class RoomImages:
     def close(self):
         self._depth_thread.shutdown()  # waits for what it draws
         self.simulation.close()
+
+
+def numbered_room(number):
+    """The Room of this number; that of the recorded drive for None."""
+    return recorded_room() if number is None else furnished(number)
+
+
+def begun(options, time=0.0):
+    """A Simulation with a number in place of its room."""
+    return Simulation(**options | {"room": numbered_room(options["room"])}, time=time)
 
 
 def planar(pose):

@@ -18,25 +18,24 @@ from imgproc_course.ros.room_images import RoomImages
 from imgproc_course.ros.room_messages import ODOM_FRAME, odometry_message
 from imgproc_course.ros.session import RosSession, Throttle, log
 from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
-from imgproc_course.simulation.room import recorded_room
 
 QUIET = 10.0  # seconds without a fault until the same fault is reported again
 TOLERANCE = 1.01  # of a limit: π/2 is a command within the limit 1.57
-OPTIONS = ("seed", "lighting", "start")  # the parameters of the node /room
+OPTIONS = ("seed", "lighting", "start", "room")  # the parameters of the node /room
+RECORDED = -1  # the parameter `room` of the recorded drive's room; others are numbers of furnished ones
 
 
 def open_room(request):
     """The body for a request of `open_camera("room")`."""
-    topic, rate, size = request["topic"], request["rate"], tuple(request["size"])
-    start = request["start"] or recorded_room().start
-    images = RoomImages(rate, seed=request["seed"], size=size, lighting=request["lighting"], start=start)
-    return RoomPublisher(topic, images)
+    options = {name: request[name] for name in ("size", *OPTIONS)}
+    return RoomPublisher(request["topic"], RoomImages(request["rate"], **options))
 
 
 class RoomPublisher(CameraPublisher):
     """A CameraPublisher of RoomImages that also publishes the robot's other topics, and follows commands.
 
-    The node /room has the parameters `seed`, `lighting` and `start` (x, y, yaw). Setting one begins again.
+    The node /room has the parameters `seed`, `lighting`, `start` (x, y, yaw) and `room` (the number of a
+    furnished one; -1: the recorded drive's). Setting one begins again.
     """
 
     def __init__(self, topic, images):
@@ -60,7 +59,7 @@ class RoomPublisher(CameraPublisher):
         self._room.create_service(SetBool, ENABLED, self._on_enable)
         options = self._images.options
         for name in OPTIONS:
-            value = options[name]
+            value = RECORDED if options[name] is None else options[name]
             self._room.declare_parameter(name, [*value] if isinstance(value, tuple) else value)
         self._room.add_on_set_parameters_callback(self._on_parameters)
         session.add_node(self._room)
@@ -99,6 +98,8 @@ class RoomPublisher(CameraPublisher):
         changes = {p.name: p.value for p in parameters if p.name in OPTIONS}
         if "start" in changes:
             changes["start"] = tuple(changes["start"])
+        if changes.get("room") == RECORDED:
+            changes["room"] = None
         try:
             if changes:
                 self._images.restart(**changes)
@@ -129,7 +130,8 @@ class RoomPublisher(CameraPublisher):
 def _description(topic, images):
     options = images.options
     width, height = options["size"]
+    room = "the room" if options["room"] is None else f"the furnished room {options['room']}"
     return (
-        f"the room (seed {options['seed']}, {options['lighting']}, {width}×{height}) "
+        f"{room} (seed {options['seed']}, {options['lighting']}, {width}×{height}) "
         f"at {images.rate:g} Hz on {topic}"
     )

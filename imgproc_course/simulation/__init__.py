@@ -6,6 +6,7 @@ environment/room/README.md says how the room was made.
 
 from .drive import Odometry
 from .faces import draw_face, put_face, random_identity
+from .furnished import furnished
 from .hands import GESTURES, Hand, draw_hand, gesture_track, hand_mask, random_hand
 from .laser import LaserScan
 from .room import Room, recorded_room
@@ -22,6 +23,7 @@ __all__ = [
     "Simulation",
     "draw_face",
     "draw_hand",
+    "furnished",
     "gesture_track",
     "hand_mask",
     "put_face",

@@ -78,7 +78,10 @@ class TriangleDepth:
     def _to_camera(self, joint, camera, joint_poses):
         """Rotations (3, 3, N) and positions (3, N) into the optical frame, of triangles of joints (N,)."""
         to_camera = camera.inverse()
-        poses = [to_camera @ joint_poses[name] for name in self._names] + [to_camera]  # NO_JOINT is -1
+        poses = [to_camera] * (len(self._names) + 1)  # NO_JOINT is -1; who does not take part is not seen
+        for number, name in enumerate(self._names):
+            if name in joint_poses:
+                poses[number] = to_camera @ joint_poses[name]
         rotations = np.stack([pose.rotation.ravel() for pose in poses], 1)
         positions = np.stack([pose.position for pose in poses], 1)
         return np.take(rotations, joint, 1).reshape(3, 3, -1), np.take(positions, joint, 1)

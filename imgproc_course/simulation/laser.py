@@ -81,14 +81,12 @@ class Laser:
     def __init__(self, room):
         self._still = cut(room.triangles[room.joint < 0], MOUNT[1])
         self._names = room.joint_names
-        moving = room.joint >= 0
-        self._joint = room.joint[moving]
-        # Columns: x y z of each corner of each triangle
-        self._moving = np.ascontiguousarray(np.moveaxis(room.triangles[moving], 0, -1), float)
+        self._triangles, self._joint = room.triangles, room.joint
+        self._moving = {}  # see _moving_of
 
     def scan(self, robot, joint_poses, seed, step):
         """A LaserScan of the robot whose base_link is at (x, y, yaw); without `seed` it has no noise."""
-        moving = cut(self._near(joint_poses, MOUNT[1]), MOUNT[1])
+        moving = cut(self._near(joint_poses, MOUNT[1]), MOUNT[1]) if joint_poses else np.zeros((0, 2, 2))
         x, y, yaw = robot
         x, y = x + MOUNT[0] * math.cos(yaw), y + MOUNT[0] * math.sin(yaw)
         distance = cast(np.concatenate([self._still, moving]), round(x, 9), round(y, 9), yaw)
@@ -100,14 +98,29 @@ class Laser:
 
     def _near(self, joint_poses, height):
         """Those triangles (N, 3, 3) of movers, in the map, that reach above and below a height."""
-        poses = [joint_poses[name] for name in self._names]
+        names, joint, moving = self._moving_of(joint_poses)
+        poses = [joint_poses[name] for name in names]
         positions = np.stack([pose.position for pose in poses])
         rotations = np.stack([pose.rotation for pose in poses])
-        (x, y, z), lift = np.take(rotations[:, 2].T, self._joint, 1), np.take(positions[:, 2], self._joint)
-        a, b, c = (x * corner[0] + y * corner[1] + z * corner[2] + lift for corner in self._moving)
+        (x, y, z), lift = np.take(rotations[:, 2].T, joint, 1), np.take(positions[:, 2], joint)
+        a, b, c = (x * corner[0] + y * corner[1] + z * corner[2] + lift for corner in moving)
         lowest, highest = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
         rows = np.flatnonzero((lowest <= height) & (highest > height))
-        rotation = np.moveaxis(rotations[self._joint[rows]], 0, -1)  # (3, 3, N)
-        corners = np.take(self._moving, rows, 2)
+        rotation = np.moveaxis(rotations[joint[rows]], 0, -1)  # (3, 3, N)
+        corners = np.take(moving, rows, 2)
         placed = [[row[0] * x + row[1] * y + row[2] * z for row in rotation] for x, y, z in corners]
-        return np.moveaxis(np.array(placed), -1, 0) + positions[self._joint[rows]][:, None]
+        return np.moveaxis(np.array(placed), -1, 0) + positions[joint[rows]][:, None]
+
+    def _moving_of(self, joint_poses):
+        """Of the joints that have a pose: their names, and the joint and the corners of each triangle.
+
+        Corners (3, 3, N): x y z of each corner of each triangle.
+        """
+        names = tuple(name for name in self._names if name in joint_poses)
+        if names not in self._moving:
+            numbers = {name: number for number, name in enumerate(names)}
+            renumbered = np.array([numbers.get(name, -1) for name in self._names])
+            joint = np.where(self._joint >= 0, renumbered[self._joint], -1)
+            corners = np.moveaxis(self._triangles[joint >= 0], 0, -1)
+            self._moving[names] = names, joint[joint >= 0], np.ascontiguousarray(corners, float)
+        return self._moving[names]

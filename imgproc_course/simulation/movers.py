@@ -100,6 +100,7 @@ class Movers:
 
     def __init__(self, time, room, present=MOVERS, ball=None):
         """ball : (x, y, dx, dy), its BallWay from now on; if omitted, the ball is where the room's is"""
+        self.present = present
         self._room, self._free_space, self._hold = room, room.free_space, 0.0
         self.walkers = {
             "person": Walker(time, PERSON_RADIUS, lambda time: room.person.at(time)[0][:2]),
@@ -120,7 +121,7 @@ class Movers:
     def gaps(self, robot):
         """{name: metres} between the body at (x, y, yaw) and everyone who takes part; negative inside."""
         circles = self.circles()
-        if self.ball.x < FAR_AWAY:
+        if "ball" in self.present:
             circles["ball"] = self.ball.x, self.ball.y, BALL_RADIUS
         return {name: nearest_on_body(robot, x, y)[1] - radius for name, (x, y, radius) in circles.items()}
 
@@ -200,7 +201,9 @@ class Movers:
         return self.walkers[name].time if name in self.walkers else 0.0
 
     def joint_poses(self, tree):
-        """The pose of every joint in the map, {name: Pose}, of a RoomModel's joint_tree."""
+        """The poses in the map, {name: Pose}, of the joints of a RoomModel's joint_tree that take part."""
+        if not self.present:
+            return {}
         room, ball = self._room, self.ball
         (x, y, yaw), phase, amplitude = room.person.at(self._time_of("person"))
         (u, v, z, heading), turn = room.car.at(self._time_of("toycar"), room.rug)
@@ -210,11 +213,10 @@ class Movers:
             "toycar": rounded(Pose.planar(u, v, heading, z)),
             "ball": Pose(ball.rotation, np.array([ball.x, ball.y, height])),
         }
-        absent = {"person", "toycar"} - self.walkers.keys()
-        poses |= dict.fromkeys(absent, Pose.planar(FAR_AWAY, FAR_AWAY, 0.0))
+        poses = {name: pose for name, pose in poses.items() if name in self.present}
         angles = gait(phase, amplitude) | dict.fromkeys([n for n in tree if n.startswith("wheel")], turn)
         for name in tree:
-            if name not in poses:
+            if name not in poses and tree[name]["parent"] in poses:
                 offset = np.array(tree[name]["offset"])
                 if name == "hip":
                     offset = np.array([0, 0, 0.915 - amplitude * (0.012 - 0.016 * math.cos(2 * phase))])

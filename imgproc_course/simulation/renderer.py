@@ -263,9 +263,13 @@ class Renderer:
         raise NotImplementedError
 
     def place(self, joint_poses):
-        """Puts every joint where its pose says."""
-        for name, pose in joint_poses.items():
-            self._joints[name].set_mat(as_matrix(pose))
+        """Puts every joint where its pose says, and hides those without one."""
+        for name, joint in self._joints.items():
+            if name in joint_poses:
+                joint.set_mat(as_matrix(joint_poses[name]))
+                joint.show()
+            else:
+                joint.hide()
 
     def add_view(self, camera, scale=1.0):
         """A view of all that a camera with a lens sees.
@@ -399,6 +403,10 @@ class ColorRenderer(Renderer):
         """Puts the shadows under their owners, too."""
         super().place(joint_poses)
         for name, shadow in self._shadows.items():
+            if name not in joint_poses:
+                shadow.hide()
+                continue
+            shadow.show()
             pose = joint_poses[name]
             x, y, z = pose.position
             if name == "ball":

@@ -13,6 +13,7 @@ from .room_model import FreeSpace, RoomModel, load_room, load_texture
 WALK_TIME, WALK_LENGTH, STAND_TIME, TURN_TIME = 6.5, 2.35, 4.5, 1.5
 CAR_TIME, CAR_REST, CAR_SPEED, CAR_SWING = 9.0, 1.0, 0.30, 0.30
 ROLL_TIME = 3.5  # seconds in which the ball loses all but 1/e of its speed
+SIGN = (5.594, -0.29, 0.72, 0.0, 0.0, -0.707106781, 0.707106781)  # of the recorded room
 MOVERS = ("person", "toycar", "ball")
 
 
@@ -104,6 +105,7 @@ class Room:
     textures : of a lighting, {atlas: (H, W, 3) uint8 BGR}, H and W powers of two
     word : what is written large on the sign
     poses : {"sign": ..., "marker": ..., "wall_marker": ...}, each [x, y, z, qx, qy, qz, qw] float64
+    places : of each piece of furniture, (x, y, yaw), the turn against the recorded room; there it is empty
     """
 
     name: str
@@ -117,6 +119,7 @@ class Room:
     textures: Callable[[str], dict[str, NDArray[np.uint8]]]
     word: str = "KITCHEN"
     poses: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    places: dict[str, tuple[float, float, float]] = field(default_factory=dict)
 
 
 @functools.cache
@@ -126,12 +129,12 @@ def recorded_room() -> Room:
     return Room(
         name="recorded",
         model=model,
-        free_space=FreeSpace(),
+        free_space=FreeSpace.load(),
         start=(-0.2067, -0.0367, 0.1757),  # its camera stands where the recorded drive begins
         rug=Rug((2.55, 0.35), 0.06),
         person=PersonWay(4.93, -1.72, math.pi / 2),
         car=CarWay(2.25, -1.35, math.pi / 2, rug_from=1.10),
         ball=BallWay((2.45, 0.78), (0.45, -1.0)),
         textures=lambda lighting: {name: load_texture(name, lighting) for name in model.textured_atlases},
-        poses=model.markers,
+        poses=model.markers | {"sign": np.array(SIGN)},
     )

@@ -11,6 +11,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from .drive import MAX_ANGULAR, MAX_LINEAR, gap
+from .furnished import furnished
 from .laser import RAYS
 from .metrics import Metrics
 from .movers import Movers
@@ -35,7 +36,7 @@ OPTIONS: dict[str, Any] = {
 }
 START_CLEARANCE = 0.45  # metres around the body at a start that is drawn
 TURNING = 0.28  # metres from the axle's center: who has so much room can turn on the spot
-KEPT_ROOMS = 4  # so many rooms stay ready for the next drive
+KEPT_ROOMS = 2  # so many rooms stay ready for the next drive: up to 220 MB each, if images are drawn
 
 
 class RoomEnv(gymnasium.Env):
@@ -243,9 +244,7 @@ def controller_observation(observation):
 
 def room_of(number):
     """The Room of a scenario: None is the recorded one, a whole number a furnished one."""
-    if number is None:
-        return recorded_room()
-    raise ValueError(f"there is no room {number!r}; room is None, the recorded room")
+    return recorded_room() if number is None else furnished(number)
 
 
 def reachable_cells(room: Room) -> NDArray[np.float64]:
@@ -255,7 +254,9 @@ def reachable_cells(room: Room) -> NDArray[np.float64]:
     x, y, _ = room.start
     col, row = (int((value - low) / space.cell) for value, low in zip((x, y), space.origin, strict=True))
     rows, cols = np.nonzero((parts == parts[row, col]) & (space.metres > START_CLEARANCE))
-    return (np.column_stack([cols, rows]) + 0.5) * space.cell + space.origin
+    return np.column_stack([cols, rows]).astype(float) * space.cell + (
+        np.array(space.origin) + space.cell / 2
+    )
 
 
 def read_options(options):

@@ -1,7 +1,7 @@
 """The room as arrays: triangles, labels, joints, and the free floor. environment/room makes the files."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -41,11 +41,17 @@ class RoomModel:
     def textured_atlases(self):
         return [name for name in self.atlas_names if name != "outside"]
 
+    def with_triangles(self, triangles):
+        """A copy with other triangles (N, 3, 3), and their planes."""
+        normals, offsets = triangle_planes(triangles)
+        return replace(self, triangles=triangles, normals=normals, offsets=offsets)
 
-def load_room():
-    with np.load(FILES / "geometry.npz") as file:
-        arrays = dict(file)
-    description = json.loads((FILES / "scene.json").read_text(encoding="utf-8"))
+
+def load_room(folder=FILES):
+    names = ("triangles", "texture", "label", "joint", "atlas")
+    with np.load(folder / "geometry.npz") as file:
+        arrays = {name: file[name] for name in names}
+    description = json.loads((folder / "scene.json").read_text(encoding="utf-8"))
     normals, offsets = triangle_planes(arrays["triangles"])
     return RoomModel(
         **arrays,
@@ -76,12 +82,18 @@ class FreeSpace:
     metres (rows, columns) of square cells; `origin` (x, y) is the corner of the first one, `cell` their size
     """
 
-    def __init__(self):
+    def __init__(self, distance, origin, cell):
+        """distance (rows, columns) in millimetres"""
+        self._millimetres = distance.tolist()  # single numbers are read faster from a list
+        self.metres = distance / 1000
+        self.origin = [float(v) for v in origin]
+        self.cell = float(cell)
+
+    @classmethod
+    def load(cls):
+        """Of the recorded room."""
         with np.load(FILES / "free_space.npz") as file:
-            self.metres = file["distance"] / 1000
-            self._millimetres = file["distance"].tolist()  # single numbers are read faster from a list
-            self.origin = file["origin"].tolist()
-            self.cell = float(file["cell"])
+            return cls(**file)
 
     def distance(self, x, y):
         """Metres from (x, y) to the nearest obstacle, between the cells' centers; 0 outside of the room."""

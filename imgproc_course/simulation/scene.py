@@ -12,7 +12,7 @@ from .laser import Laser, crosses, cut
 from .renderer import ColorRenderer, NumberRenderer, configure_panda3d
 
 FLAT = ("floor", "rug")
-OUTLINE_HEIGHTS = (0.05, 0.105, 0.2, 0.35)  # metres
+OUTLINE_HEIGHTS = (0.03, 0.06, 0.105, 0.2, 0.35)  # metres
 
 
 class Scene:

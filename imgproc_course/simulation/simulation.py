@@ -89,8 +89,10 @@ class Simulation:
         self._drive = Drive(checked_start(self._room.start if start is None else start))
         for name, distance in self._distances(self._drive.place).items():
             if distance < 0:
+                remedy = "time" if start is None else f"start, such as {self._room.start}"
                 raise ValueError(
-                    f"the robot cannot start at {start}: {name} is in its way; choose another start"
+                    f"the robot cannot start at {self._drive.place}: {name} is in its way; "
+                    f"choose another {remedy}"
                 )
         self._held: tuple[Any, float, frozenset[float]] = self._drive.place, 0.0, frozenset()  # _note_held
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
@@ -248,6 +250,11 @@ class Simulation:
     # the truth
 
     @property
+    def room(self) -> Room:
+        """The Room: what is written on the sign, where things move, and more."""
+        return self._room
+
+    @property
     def time(self) -> float:
         """Seconds after the recorded drive's start."""
         return self._time
@@ -287,7 +294,7 @@ class Simulation:
         """The true pose in the map, [x, y, z, qx, qy, qz, qw], float64.
 
         Of "robot" (its axle's center on the floor), "camera" and "tof" (optical frames), "person", "toycar",
-        "ball", "marker" (id 7) or "wall_marker" (id 12).
+        "ball", "marker" (id 7), "wall_marker" (id 12) or "sign" (their -y points to whoever looks at them).
         """
         if name == "robot":
             return self._robot_pose().vector

@@ -462,3 +462,30 @@ def time_to_collision(before, now, dt):
 # %% role="mistake" name="infinity as a text" says="You return a text if the object does not grow. The number infinity is math.inf, without quotes."
 def time_to_collision(before, now, dt):
     return unless_it_grows("inf", before, now, solution(before, now, dt))
+
+# %% [markdown]
+# # obstacles-drive
+
+# %% role="mistake" name="it turns without an end" says="Your robot turns on the spot and drives hardly at all. Drive on while free_way ahead is long enough."
+def control(observation, memory):
+    return 0.03, 0.6
+
+# %% role="mistake" name="the laser scanner alone" says="Your robot uses the laser scanner alone, which looks over slippers and blocks. obstacles(observation) has the points of the depth camera, too."
+def control(observation, memory):
+    return solution(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
+
+# %% role="mistake" name="it brakes too late" says="Your robot brakes when only 0.08 m are left. At 0.3 m/s it needs about 0.1 m to stop, and a low thing that is nearer than 0.38 m is below the image: brake at 0.45 m."
+def control(observation, memory):
+    if free_way(obstacles(observation), 0.0, 0.40) < 0.08:
+        return 0.0, 0.8
+    return 0.3, 0.0
+
+# %% role="mistake" name="it only brakes" says="Your robot stops in time, but then it stands. Turn to a direction in which free_way is long, and drive on."
+def control(observation, memory):
+    if free_way(obstacles(observation), 0.0) < 0.45:
+        return 0.0, 0.0
+    return 0.3, 0.0
+
+# %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use the observation."
+def control(observation, memory):
+    return 0.25, 0.3

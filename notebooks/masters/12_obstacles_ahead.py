@@ -18,7 +18,7 @@
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[drive_the_robot]] and [[arrays]]. Only the last section needs ROS 2.
 
-# %% role="given" exercise=["obstacles-ray", "obstacles-plane", "obstacles-inliers", "obstacles-nearest", "obstacles-ttc"]
+# %% role="given" exercise=["obstacles-ray", "obstacles-plane", "obstacles-inliers", "obstacles-nearest", "obstacles-ttc", "obstacles-drive"]
 import math
 
 import numpy as np
@@ -965,7 +965,191 @@ assert not ros_available() or 0 < node.distance < 0.6
 
 # %% [markdown]
 # **On the real robot**, subscribe to `/kachaka/lidar/scan` in place of the depth image: its message gives `forward = r · cos(angle)` and `left = r · sin(angle)` for each of its ranges r, and `nearest_obstacle` stays the same (with any height between 0.03 and 0.40). Two things are different: the frame `laser_frame` is turned by 90 degrees to the left, so straight ahead is the angle −π / 2; and the scanner sees nothing that is lower or higher than its plane.
+
+# %% [markdown]
+# ## 9 · Drive through rooms that you have not seen ([[minutes]], deeper)
 #
+# Braking is not enough: a robot must also find a way on. In this exercise your function drives the robot for up to 40 s through furnished rooms. You do not know these rooms, and the robot starts in front of something low: slippers or building blocks. The laser scanner looks over them; the depth camera sees them, but not when they are nearer than 0.38 m.
+#
+# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds, as for `robot.step`. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
+#
+# | key | value |
+# |---|---|
+# | `"depth"` | (90, 160) uint16: the depth image of the front camera in millimetres, 0 where there is none |
+# | `"scan"` | (360,) float32: the laser scanner's ranges in metres, counterclockwise from straight ahead; `inf` where it meets nothing |
+# | `"odometry"` | (3,) float64: x, y and yaw, where the wheels say that the robot is, since its start |
+# | `"time"` | float: seconds since the start |
+#
+# Two functions are given. `obstacles` makes points of both sensors, as in sections 5 and 6. `free_way` measures how far the robot can go in any direction: it turns the points, and finds the nearest one in a corridor of 0.64 m. All numbers are counted from the middle of the robot's axle; its front is 0.24 m ahead of it.
+
+# %% role="given" exercise="obstacles-drive" tags=["long"]
+from imgproc_course.geometry import CameraModel
+
+drive_camera = CameraModel(1280, 720, 705.0, 705.0, 639.5, 359.5,
+                           (-0.170, 0.035, 0.0004, -0.0003, 0.0)).resized(160, 90)
+drive_rays = drive_camera.rays()[::2, ::2]
+
+
+def obstacles(observation):
+    """(N, 2) metres: forward and left of the axle, everything that stands there."""
+    seen = drive_rays * (observation["depth"][::2, ::2] / 1000)[:, :, np.newaxis]
+    forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
+    stands = (height > 0.03) & (height < 0.40) & (forward > 0) & (forward < 3)
+    by_camera = np.column_stack([forward[stands] + 0.21, left[stands]])
+    hit = np.isfinite(observation["scan"])
+    ranges, angles = observation["scan"][hit], np.radians(np.arange(360))[hit]
+    by_laser = np.column_stack([ranges * np.cos(angles) + 0.156, ranges * np.sin(angles)])
+    return np.concatenate([by_camera, by_laser])
+
+
+def free_way(points, direction, width=0.64):
+    """Metres before the robot's front, if it drives in this direction (radians)."""
+    c, s = math.cos(direction), math.sin(direction)
+    forward, left = points[:, 0] * c + points[:, 1] * s, points[:, 1] * c - points[:, 0] * s
+    return forward[(np.abs(left) <= width / 2) & (forward > 0)].min(initial=9.0) - 0.24
+
+# %% [markdown]
+# We try both in the room of the recorded drive, with the boxes of section 8 in front of the robot:
+
+# %%
+small = Simulation(seed=1, start=(0.95, -1.3, 0.0), movers=False, depth_size=(160, 90))
+first_look = {"depth": small.depth(), "scan": small.scan().ranges}
+things = obstacles(first_look)
+for degrees in (0, 45, 90, 180):
+    way = free_way(things, math.radians(degrees))
+    print(degrees, "degrees to the left:", round(float(way), 1), "m")
+
+# %%
+# Check: the free ways are those of the room; and a point at the front has no way before it
+assert first_look["depth"].shape == (90, 160) and things.shape[1] == 2
+assert 0.3 < free_way(things, 0.0) < 0.5 and free_way(things, math.radians(90)) > 1
+assert free_way(np.array([[0.24, 0.1]]), 0.0) == 0 and 2 * 0.32 == 0.64
+
+# %% [markdown]
+# ### Your turn: drive
+#
+# Write `control(observation, memory)`. Each drive is judged by three metrics. The **bumps**: none. The **clearance**: the body comes no nearer than 0.10 m to anything while it drives. And the **reach**: at some time, the robot is at least 1 m away from its start. A drive gives all its points or none. `math`, `np`, `obstacles` and `free_way` are imported for you.
+#
+# The stub drives straight ahead. Check it first, and look at what happens; then improve it step by step. The check takes a while: it drives in three rooms.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `observation`: the dict of the table above; `memory`: a dict that is yours | two numbers: the linear speed in m/s (at most 0.3) and the angular speed in rad/s (positive: to the left) | `control({"depth": ..., "scan": ..., "odometry": ..., "time": 0.0}, {})` |
+
+# %% role="exercise"
+exercise(
+    "obstacles-drive",
+    title="Drive through rooms that you have not seen",
+    function="control",
+    subject="drive",
+    sensors=("depth", "scan", "odometry"),
+    hint="Drive while free_way ahead is more than about 0.45 m; otherwise turn to the direction with the longest free way. Remember what the camera saw: it forgets low things that are near.",
+    hints=(
+        "When must the robot stop? Where does it then want to go, and how does it know when it has turned enough? And what stands beside it that no sensor sees any more?",
+        "1. Drive at 0.3 m/s while free_way(points, 0.0) is more than 0.45.\n"
+        "2. Otherwise compute free_way for directions all around, and take the direction with the longest way.\n"
+        "3. Store the yaw of this direction in memory, and turn on the spot until the odometry's yaw is near it. Use math.remainder for the difference of two angles.\n"
+        "4. Store the points of the last 40 looks in memory, in the frame of the odometry, and turn them back into the frame of the robot at each look. Then the robot knows also what is below its image.",
+        "x, y, yaw = observation[\"odometry\"]\nerror = math.remainder(memory.setdefault(\"heading\", yaw) - yaw, 2 * math.pi)\n"
+        "if abs(error) > 0.1:\n    return 0.0, ...\nif free_way(points, error) > 0.45:\n    return 0.3, error\n"
+        "directions = np.radians(np.arange(-165, 181, 15))\nways = [free_way(points, d) for d in directions]\n"
+        "memory[\"heading\"] = yaw + ...\nreturn 0.0, 0.0",
+    ),
+    explanation="The corridor is 0.64 m wide, so the robot keeps 0.2 m on each side of what it knows. It decides only when it"
+    " stands: then it compares all directions, and turns to the best one. Between the looks it remembers its points in the"
+    " frame of the odometry, which does not turn with the robot. So slippers that are too near for the camera are still"
+    " there. Long ways count up to 3 m only, and a large turn costs a little: else it would turn back again and again.",
+    another_way="You can also steer while driving, with several arcs as candidates (the dynamic window approach of robot"
+    " navigation), or keep the remembered points in a grid.",
+)
+
+
+def before_something_low(rng, duration):
+    """A scenario: a furnished room, in which the robot looks at slippers or blocks, 0.9 to 1.6 m ahead."""
+    from imgproc_course.simulation import furnished
+
+    while True:
+        number = int(rng.integers(1, 100_000))
+        room = furnished(number)
+        x, y, _ = room.places[("slippers", "blocks")[int(rng.integers(2))]]
+        for _ in range(100):
+            angle, way = rng.uniform(-math.pi, math.pi), rng.uniform(0.9, 1.6)
+            c, s = math.cos(angle), math.sin(angle)
+            between = [room.free_space.distance(x + d * c, y + d * s) for d in np.arange(0.35, way, 0.05)]
+            if min(between) > 0.15 and room.free_space.distance(x + way * c, y + way * s) > 0.65:
+                yaw = math.remainder(angle + math.pi + rng.uniform(-0.1, 0.1), 2 * math.pi)
+                start = [round(x + way * c, 3), round(y + way * s, 3), round(yaw, 3)]
+                thresholds = {"bumps": ["<=", 0], "clearance": [">=", 0.10], "reach": [">=", 1.0]}
+                return {"seed": int(rng.integers(1 << 31)), "room": number, "start": start,
+                        "duration": duration, "thresholds": thresholds}
+
+
+# %% role="answer"
+def control(observation, memory):
+    return 0.2, 0.0  # your turn: this robot drives straight ahead, whatever it sees
+
+# %% role="solution"
+def control(observation, memory):
+    x, y, yaw = observation["odometry"]
+    c, s = math.cos(yaw), math.sin(yaw)
+    to_room = np.array([[c, s], [-s, c]])
+    looks = memory.setdefault("looks", [])
+    looks.append(obstacles(observation) @ to_room + (x, y))
+    del looks[:-40]
+    points = (np.concatenate(looks) - (x, y)) @ to_room.T
+
+    error = math.remainder(memory.setdefault("heading", yaw) - yaw, 2 * math.pi)
+    if abs(error) > 0.1:
+        return 0.0, min(max(2.5 * error, -1.0), 1.0)
+    if free_way(points, error) > 0.45:
+        return 0.3, 1.5 * error
+
+    def worth(direction):
+        return min(free_way(points, direction), 3.0) - 0.1 * abs(direction)
+
+    best = max(np.radians(np.arange(-165, 181, 15)), key=worth)
+    memory["heading"] = yaw + float(best)
+    return 0.0, 0.0
+
+# %% role="check" tags=["long"]
+check("obstacles-drive", control)
+
+# %% role="case" title="a room with slippers or blocks" points=1 hint="What is low is seen by the camera only: use obstacles(observation)."
+def inputs(rng):
+    return (before_something_low(rng, 30.0),)
+
+
+# %% role="case" title="another room" points=1 hint="Where does the robot go when the way ahead is not free?"
+def inputs(rng):
+    return (before_something_low(rng, 30.0),)
+
+
+# %% role="case" title="a third room" points=1 hint="Does the robot remember what it passed, when it turns?"
+def inputs(rng):
+    return (before_something_low(rng, 30.0),)
+
+
+# %% role="hidden" title="an unseen room" points=2 hint="Look at the map: where did the robot come too near to something?"
+def inputs(rng):
+    return (before_something_low(rng, 40.0),)
+
+
+# %% role="hidden" title="a second unseen room" points=2 hint="Look at the map: where did the robot come too near to something?"
+def inputs(rng):
+    return (before_something_low(rng, 40.0),)
+
+
+# %% role="hidden" title="a third unseen room" points=2 hint="Look at the map: where did the robot come too near to something?"
+def inputs(rng):
+    return (before_something_low(rng, 40.0),)
+
+
+# %% role="hidden" title="a fourth unseen room" points=2 hint="Look at the map: where did the robot come too near to something?"
+def inputs(rng):
+    return (before_something_low(rng, 40.0),)
+
+
+# %% [markdown]
 # ## Recap
 #
 # A pixel, its depth and the numbers of the lens give a point. RANSAC finds the floor although most points are something else. What stands on it, in the corridor, decides whether the robot may drive on; and it must brake early enough for its speed.

@@ -30,7 +30,7 @@ def starts(loop):
     from imgproc_course.simulation.drive import clearance
     from imgproc_course.simulation.room_model import FreeSpace
 
-    free = FreeSpace().distance
+    free = FreeSpace.load().distance
     seed, count = 0, 0
     while count < STARTS:
         seed += 1

@@ -145,6 +145,23 @@ def test_a_scan_is_drawn_from_where_the_robot_was_when_it_was_taken():
         assert last["trace"] == [[*place[:2]]]
 
 
+def test_the_map_begins_again_in_another_room():
+    from imgproc_course.display.drive import _Map
+
+    def scan(moment, distance):
+        msg = scan_at(moment, [distance] * 360)
+        msg.angle_increment = math.pi / 180
+        return msg
+
+    map_, still = _Map(), (0.5, 0.0, 0.0)
+    map_.update(odometry_at(10.0, *still), None)
+    assert len(map_.update(odometry_at(10.2, *still), scan(10.1, 1.0))["cells"]) > 50
+    assert map_.update(odometry_at(10.4, *still), scan(10.3, 1.0))["begins"] is False
+    other = map_.update(odometry_at(10.6, *still), scan(10.5, 2.0))
+    assert (other["begins"], other["gone"]) == (True, [])
+    assert all(1.9 < math.hypot(x - 0.6, y) < 2.2 for x, y in other["cells"])
+
+
 def test_what_has_moved_away_disappears_from_the_map_and_walls_stay():
     from imgproc_course.display.drive import _Map
 

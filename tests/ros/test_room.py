@@ -532,7 +532,36 @@ def test_the_room_refuses_impossible_options_and_takes_others(robot):
         robot.restart(lighting="night")
     with pytest.raises(ValueError, match="seed is a whole number"):
         robot.restart(seed=-1)
+    for room in (-2, 1.5, True, 2**63):
+        with pytest.raises(
+            ValueError, match="room is a whole number from 0 on, or -1 for the recorded drive"
+        ):
+            robot.restart(room=room)
     assert robot.pose == pytest.approx(before, abs=0.05)
+
+
+def test_another_room_is_what_the_simulation_has_at_the_same_time(robot, collect, wait_until):
+    from geometry_msgs.msg import PoseStamped
+    from sensor_msgs.msg import LaserScan
+
+    from imgproc_course.ros import open_camera
+    from imgproc_course.simulation import Simulation, furnished
+
+    robot.restart(room=17, seed=4)
+    people, scans = collect("/truth/pose/person", PoseStamped), collect("/kachaka/lidar/scan", LaserScan)
+    assert "the furnished room 17 (seed 4," in open_camera("room", rate=15).description
+    wait_until(lambda: {stamp(m) for m in people} & {stamp(m) for m in scans})
+    common = min({stamp(m) for m in people} & {stamp(m) for m in scans})
+    seen = vector(next(m for m in people if stamp(m) == common))
+    ranges = np.roll(next(m for m in scans if stamp(m) == common).ranges, -90)
+    with Simulation(4, room=furnished(17)) as simulation:
+        assert robot.pose == pytest.approx((0, 0, 0), abs=1e-9)
+        while np.abs(simulation.pose("person") - seen).max() > 1e-6:
+            simulation.step(0.0, 0.0, 1 / 30)
+            assert simulation.time < 60
+        np.testing.assert_array_equal(simulation.scan().ranges, ranges.astype(np.float32))
+    robot.restart(room=-1)
+    wait_until(lambda: math.dist(vector(people[-1])[:2], (4.93, -1.72)) < 0.5)
 
 
 def test_the_evening_is_darker_and_the_robot_stays_where_it_is(robot, collect, wait_until):

@@ -140,7 +140,9 @@ def test_after_the_machine_slept_the_robot_goes_on_from_there(room):
     assert len(images.simulation.steps) == 11
 
 
-def test_a_restart_begins_with_the_next_step_and_keeps_the_time(room, monkeypatch):
+def test_a_restart_begins_with_the_next_step_and_the_time_goes_on_or_begins(room, monkeypatch):
+    from imgproc_course.simulation import furnished, recorded_room
+
     images, _ = room()
     monkeypatch.setattr("imgproc_course.ros.room_images.RESTART_TIMEOUT", 0.0)
     iterator, old = iter(images), images.simulation
@@ -152,7 +154,7 @@ def test_a_restart_begins_with_the_next_step_and_keeps_the_time(room, monkeypatc
     new = images.simulation
     assert (old.closed, len(old.steps), new.steps) == (True, 30, [(0.0, 0.0, pytest.approx(1 / 30))])
     start = new.options["start"]
-    assert new.options == {"seed": 0, "lighting": "evening", "start": start}
+    assert new.options == {"seed": 0, "lighting": "evening", "start": start, "room": recorded_room()}
     assert start == pytest.approx((1.0, 2.0, 2 * 0.6435), abs=1e-3)  # where the robot stood
     assert new.time - 1 / 30 == pytest.approx(old.time)
     with pytest.raises(ValueError, match="unlucky"):
@@ -161,7 +163,16 @@ def test_a_restart_begins_with_the_next_step_and_keeps_the_time(room, monkeypatc
     assert images.simulation is new and images.options["seed"] == 0
     images.restart(seed=2, start=(0.0, 0.0, 0.0))
     next(iterator)
-    assert images.simulation.options == {"seed": 2, "lighting": "evening", "start": (0.0, 0.0, 0.0)}
+    given = {"seed": 2, "lighting": "evening", "start": (0.0, 0.0, 0.0)}
+    assert images.simulation.options == given | {"room": recorded_room()}
+    assert images.simulation.time == pytest.approx(1 / 30)  # as a new Simulation
+    images.restart(room=17)
+    next(iterator)
+    assert images.simulation.options == given | {"room": furnished(17), "start": furnished(17).start}
+    assert images.simulation.time == pytest.approx(1 / 30)
+    images.restart(room=None)
+    next(iterator)
+    assert images.simulation.options["start"] == recorded_room().start
     images.close()
     assert images.simulation.closed
 

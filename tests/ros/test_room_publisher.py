@@ -47,7 +47,7 @@ def body(session, monkeypatch):
             return super().pose(name)
 
     monkeypatch.setattr(room_images, "Simulation", Counting)
-    request = {"seed": 0, "size": (640, 360), "lighting": "day", "start": (0.4, -0.3, 0.0)}
+    request = {"seed": 0, "size": (640, 360), "lighting": "day", "start": (0.4, -0.3, 0.0), "room": None}
     body = open_room({"topic": TOPIC, "rate": 30.0} | request)
     body.start()
     yield body

@@ -12,7 +12,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from imgproc_course.simulation import CAMERA, GESTURES, Simulation, draw_hand, gesture_track, random_hand
+from imgproc_course.simulation import (
+    CAMERA,
+    GESTURES,
+    Simulation,
+    draw_hand,
+    furnished,
+    gesture_track,
+    random_hand,
+)
 from imgproc_course.simulation.movers import Movers
 from imgproc_course.simulation.renderer import BALL_LIGHT, ColorRenderer, NumberRenderer, Renderer
 from imgproc_course.simulation.room import recorded_room
@@ -22,6 +30,7 @@ OLDER = {
     "NPY_DISABLE_CPU_FEATURES": "X86_V3 X86_V4 AVX512_ICL AVX512_SPR",  # its names since NumPy 2.4
     "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F",
     "OPENCV_CPU_DISABLE": "AVX2,FP16,AVX512-SKX,AVX512-COMMON",
+    "OPENCV_IPP": "disabled",
 }
 
 
@@ -48,6 +57,21 @@ def digest(steps=12, lighting="day"):
         total.update(
             repr((room.odometry(), room.pose("ball").tolist(), room.pose("robot").tolist())).encode()
         )
+    return total.hexdigest()
+
+
+def digest_of_furnished_rooms():
+    """SHA-256 of everything that decides in some rooms, and of an image."""
+    total = hashlib.sha256()
+    for seed in (0, 1, 2, 3, 2**64 + 5):
+        room = furnished(seed)
+        total.update(repr((room.places, room.start, room.person, room.car, room.ball, room.word)).encode())
+        total.update(room.model.triangles.tobytes() + repr(room.free_space._millimetres).encode())
+        total.update(b"".join(room.poses[name].tobytes() for name in sorted(room.poses)))
+    with Simulation(room=furnished(3)) as simulation:
+        simulation.step(0.2, 0.3, 0.5)
+        for array in (simulation.frame(), simulation.depth(), simulation.scan().ranges):
+            total.update(np.ascontiguousarray(array).tobytes())
     return total.hexdigest()
 
 
@@ -149,7 +173,7 @@ def test_another_process_with_older_instruction_sets(expected):
         import cv2, test_determinism
         from numpy._core._multiarray_umath import __cpu_features__
         print(__cpu_features__["X86_V3"] or cv2.checkHardwareSupport(11))  # cv::CPU_AVX2
-        print(test_determinism.digest())
+        print(test_determinism.digest(), test_determinism.digest_of_furnished_rooms())
     """
     result = subprocess.run(
         [sys.executable, "-W", "ignore", "-c", program, str(Path(__file__).parent)],
@@ -158,7 +182,7 @@ def test_another_process_with_older_instruction_sets(expected):
         text=True,
     )
     assert result.returncode == 0, result.stderr
-    assert result.stdout.split() == ["False", expected]
+    assert result.stdout.split() == ["False", expected, digest_of_furnished_rooms()]
 
 
 def test_the_sensor_can_be_switched_off_and_the_seed_changes_its_noise():

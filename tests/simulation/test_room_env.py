@@ -206,7 +206,7 @@ def test_who_stands_is_not_judged_by_the_clearance():
 
 def test_a_ball_that_rolls_away():
     env = RoomEnv(())
-    env.reset(seed=0, options={"start": FREE, "ball": BALL})
+    env.reset(seed=0, options={"start": FREE, "ball": BALL, "time": 20.0})
     for _ in range(60):
         env.step((0.0, 0.0))
     x, y = env._simulation.pose("ball")[:2]
