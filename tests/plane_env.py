@@ -18,6 +18,7 @@ class PlaneEnv:
 
     def __init__(self, sensors=("scan",)):
         self.sensors = sensors
+        print("A library prints when it starts.", flush=True)
 
     @property
     def unwrapped(self):

@@ -70,6 +70,15 @@ def test_a_bump_is_the_decisive_moment():
     ]
 
 
+def test_the_first_bump_decides_also_where_the_clearance_is_larger():
+    env = PlaneEnv(())
+    drive = Drive(env, SCENARIO)
+    for _ in range(20):
+        drive.act(0.2, 0.0)
+    env.bump_places.append((4, env.path[4]))  # into what moves
+    assert drive.record()["decisive"] == 4
+
+
 def test_a_robot_that_comes_too_near_is_told():
     record, scenario = driven((0.19, 0.0), room=10)
     assert sentences_of(record, scenario) == [

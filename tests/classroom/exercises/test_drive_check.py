@@ -21,7 +21,15 @@ from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
 from imgproc_course.classroom.exercises.check_files import read_check_file
 from imgproc_course.classroom.exercises.checking import check, check_built, run_cases, run_check
 from imgproc_course.classroom.exercises.declaration import MasterError, exercise, read_exercises
-from imgproc_course.classroom.exercises.drive import LOOK, METRICS, OPTIONS, PLACES, SENSORS, Drive
+from imgproc_course.classroom.exercises.drive import (
+    LOOK,
+    METRICS,
+    OPTIONS,
+    PATH_TOLERANCE,
+    PLACES,
+    SENSORS,
+    Drive,
+)
 from imgproc_course.classroom.exercises.drive_images import look_back
 from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.scenario import read_scenario
@@ -101,6 +109,7 @@ def test_a_case_that_is_no_scenario_is_refused(master, returned, message):
 def test_a_scenario_has_the_title_of_its_case(data):
     (call,) = data.cases[0].calls
     assert call.arguments[0]["title"] == "near" and data.names == ("observation", "memory")
+    assert data.cases[0].tolerance == PATH_TOLERANCE
 
 
 def test_the_check_cell_of_a_drive_is_not_compared(master):
@@ -283,10 +292,17 @@ def test_the_nearest_mistake_counts(master):
     assert names == ["late", "middle"]
 
 
-def test_a_mistake_that_misses_other_thresholds_explains_nothing(data):
-    mistakes = tuple(replace(mistake, says="No.") for mistake in data.mistakes if mistake.name == "late")
-    never_far = LATE.replace('scan"][0] > 0.3', 'odometry"][0] < 0.4')
-    assert checked(replace(data, mistakes=mistakes), never_far).mistake is None
+def test_a_mistake_that_misses_other_thresholds_explains_nothing(master):
+    limits = 'scenario(11) | {"thresholds": LIMITS | {"reach": [">=", 0.83]}}'
+    (declared,) = read_exercises(
+        master(third=f'# %% role="case" title="nearest"\ndef inputs(rng):\n    return ({limits},)')
+    )
+    data = check_data_of(declared)
+    data = replace(data, cases=data.cases[2:])
+    results = [checked(data, source) for source in (LATE, STOPS.format(0.27))]
+    assert [result.mistake and result.mistake.name for result in results] == ["late", None]
+    paths = [result.drives[0].record["path"][-1][0] for result in results]
+    assert paths == pytest.approx([0.81, 0.84])
 
 
 # ---------------------------------------------------------------- how it looks

@@ -64,6 +64,20 @@ def test_a_kernel_shows_progress_is_interrupted_and_ends_with_its_simulators(ker
     assert result["data"]["text/plain"].startswith("test-drive: all 3 checks pass.")
 
     first = run(client, PIDS)[1]["stream"][0]["text"]
+
+    def interrupt_when_it_prints(message):
+        if message["msg_type"] == "stream":
+            manager.interrupt_kernel()
+
+    # An interrupt of another cell is not for the simulators, which wait.
+    waits = "import time\nprint('now', flush=True)\ntime.sleep(150)"
+    assert run(client, waits, interrupt_when_it_prints)[0]["ename"] == "KeyboardInterrupt"
+    assert run(client, f"print(check('test-drive', control).passed)\n{PIDS}")[1]["stream"][0][
+        "text"
+    ].split() == [
+        "True",
+        *first.split(),
+    ]
     slow = RIGHT.replace("    return", "    __import__('time').sleep(0.05)\n    return")
 
     def interrupt(message):
