@@ -29,6 +29,7 @@ import msgspec
 from imgproc_course.classroom.autograder.answer_forms import read_calls
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.classroom.exercises.canonical import canonical
+from imgproc_course.classroom.exercises.drive import LOOK
 from imgproc_course.classroom.exercises.input_encoding import decode
 from imgproc_course.classroom.exercises.running import answer_name
 
@@ -45,7 +46,7 @@ class KeyFolderError(ValueError):
 
 @dataclass(frozen=True)
 class KeyCase:
-    """One test case in the key; `calls` is the number of calls that it makes, of a drive that of its looks."""
+    """One test case in the key; `calls` is the number of its calls, in a drive one for each look."""
 
     id: str
     title: str
@@ -96,6 +97,11 @@ class KeyExercise:
     def drives(self):
         """Whether its answer is a controller."""
         return self.subject == "drive"
+
+    @property
+    def simulated_seconds(self):
+        """How long its drives are, together."""
+        return LOOK * sum(case.calls for case in self.cases) if self.drives else 0.0
 
     def seconds_of(self, case):
         """Processor time of a case: the time limit for each of its calls; a drive has its own."""

@@ -133,12 +133,12 @@ class _ExerciseKeyMaker:
         self._master, self._exercise = master, exercise
         self._seed, self._kernel_factory = seed, kernel_factory
         self._cases = () if exercise.practice else exercise.cases
-        self._drawn = dict(self._drawn_scenarios())
+        self._drawn = dict(self._drawn_scenarios()) if exercise.subject == "drive" else {}
         self._inputs = {case.id: self._encoded_inputs(case) for case in self._cases}
 
     def _drawn_scenarios(self):
         """(id of a case, its DrawnScenario) of an exercise that drives."""
-        exercise, cases = self._exercise, self._cases if self._exercise.subject == "drive" else ()
+        exercise, cases = self._exercise, self._cases
         least = len(cases) * (1 + len(exercise.mistakes))
         with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
             for case in cases:

@@ -157,8 +157,7 @@ class NbvalProcess:
         # The last case begins within the submission's time, and it may be run again.
         kernels = self._limits.submission + 2 * max(deadlines, default=0)
         # A robot needs less time than the one in the scenario would.
-        drives = (exercise for exercise in lesson.exercises if exercise.drives)
-        robots = LOOK * sum(case.calls for exercise in drives for case in exercise.cases)
+        robots = sum(exercise.simulated_seconds for exercise in lesson.exercises)
         return 60 + 2 * (kernels + robots)
 
     def _receive(self, patience):

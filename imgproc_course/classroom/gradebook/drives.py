@@ -12,5 +12,9 @@ def drives_page(learners, store, names):
             for exercise in result.exercises if result else ():
                 for case in filter(lambda case: case.drive, exercise.cases):
                     drives = views.setdefault((exercise.title, case.title, case.id), [])
-                    drives.append({"name": names[learner.name], "case": case, "map": map_of(case)})
-    return render_page("drives.html", views=views) if views else ""
+                    drives.append((names[learner.name], case))
+    maps = {  # one scenario after another: its room is made once
+        about: [{"name": name, "case": case, "map": map_of(case)} for name, case in drives]
+        for about, drives in views.items()
+    }
+    return render_page("drives.html", views=maps) if maps else ""

@@ -191,7 +191,6 @@ attack(
     in_control(
         "shell.WRITER.send('action', error='NotGradedError', message='look at it by hand')", before=INSIDE
     ),
-    "not graded",
     "raised",
 )
 attack(

@@ -62,8 +62,8 @@ def on_the_plane(kind="plane_env:PlaneEnv"):
     environment.cache_clear()
 
 
-def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, sensors=("scan",)):
-    """(ExerciseRun, GradedExercise) of a controller; `scenario` changes that of each case."""
+def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, hidden=None, sensors=("scan",)):
+    """(ExerciseRun, GradedExercise) of a controller; `scenario` changes all, `hidden` the hidden."""
     exercise = KeyExercise(
         id="plane-drive",
         title="Drive",
@@ -79,7 +79,8 @@ def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, sensor
         subject="drive",
         sensors=sensors,
     )
-    inputs = {case.id: [encode((SCENARIO | (scenario or {}),))] for case in cases}
+    changes = {False: scenario or {}, True: (scenario or {}) | (hidden or {})}
+    inputs = {case.id: [encode((SCENARIO | changes[case.hidden],))] for case in cases}
     content = ExerciseContent({}, inputs, {}, {})
     exercise_run = ExerciseRun(exercise, content, factory, stop_at=time.monotonic() + 1000)
     try:

@@ -141,6 +141,14 @@ def test_an_attack_gains_nothing_and_sees_nothing(attack, drive):
     assert "seen" not in hidden.message
 
 
+def test_each_drive_has_a_kernel_of_its_own(drive):
+    """Where the wall is far, this controller drives only if it has driven before."""
+    waits = "SEEN = []\ndef control(observation, memory):\n"
+    waits += "    memory.setdefault('waits', observation['scan'][0] > 2.2 and not SEEN)\n    SEEN.append(1)\n"
+    waits += "    return (0.0 if memory['waits'] else 0.25), 0.0"
+    assert drive(waits, hidden={"start": [-0.5, 0.0, 0.0]}).points == 2
+
+
 def test_nothing_is_left_for_the_next_drive(drive):
     leaves = "open('/tmp/left', 'w').close()\n" + GOOD
     assert drive(leaves).points == 5
@@ -284,7 +292,7 @@ def test_nbval_grades_drives_through_the_room(room_key):
 def test_an_environment_that_fails_leaves_the_drive_to_the_teacher(room_key):
     file = room_key.path / "driven/driven-control.inputs.json"
     text = file.read_text(encoding="utf-8")
-    file.write_text(text.replace('["seed", ', '["room", "none"], ["seed", '), encoding="utf-8")
+    file.write_text(text.replace('["room", null]', '["room", "none"]'), encoding="utf-8")
     (result,) = autograde([("one", "driven", {"driven-control": GOOD})], load_key(room_key.path), workers=1)
     file.write_text(text, encoding="utf-8")
     assert {case.outcome.value for case in result.exercises[0].cases} == {"not graded"}
