@@ -297,4 +297,4 @@ def test_an_environment_that_fails_leaves_the_drive_to_the_teacher(room_key):
     file.write_text(text, encoding="utf-8")
     assert {case.outcome.value for case in result.exercises[0].cases} == {"not graded"}
     public, hidden, _ = result.exercises[0].cases
-    assert "there is no room 'none'" in public.message and "none" not in hidden.message
+    assert "got 'none'" in public.message and "none" not in hidden.message
