@@ -1043,6 +1043,7 @@ exercise(
     function="control",
     subject="drive",
     sensors=("depth", "scan", "odometry"),
+    allowed=("imgproc_course.geometry",),
     hint="Drive while free_way ahead is more than about 0.45 m; otherwise turn to the direction with the longest free way. Remember what the camera saw: it forgets low things that are near.",
     hints=(
         "When must the robot stop? Where does it then want to go, and how does it know when it has turned enough? And what stands beside it that no sensor sees any more?",

@@ -29,7 +29,7 @@ import msgspec
 from imgproc_course.classroom.autograder.answer_forms import read_calls
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.drive import LOOK
+from imgproc_course.classroom.exercises.drive import LOOK, MEAN_LOOK_SECONDS
 from imgproc_course.classroom.exercises.input_encoding import decode
 from imgproc_course.classroom.exercises.running import answer_name
 
@@ -37,7 +37,6 @@ FORMAT = 4
 HANDED_OUT = "handed_out.json"
 SOLUTIONS = "solutions.json"
 VARIANTS = "variants"
-MEAN_LOOK_SECONDS = 0.05  # of processor time, for a controller's look, on average of a drive
 
 
 class KeyFolderError(ValueError):

@@ -17,6 +17,7 @@ from imgproc_course.classroom import course
 
 LOOK = 0.1  # seconds from one observation to the next
 LOOK_SECONDS = 0.5  # how long one call of `control` may take
+MEAN_LOOK_SECONDS = 0.05  # of processor time, how long it may take on average of a whole drive
 PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
 SENSORS = ("scan", "depth", "image", "odometry")
 # The keys of a scenario that the environment's `reset` takes.

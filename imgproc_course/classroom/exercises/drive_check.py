@@ -11,6 +11,7 @@ import pickle
 import select
 import subprocess
 import sys
+import time
 import warnings
 from dataclasses import dataclass, field
 
@@ -21,6 +22,7 @@ from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.drive import (
     LOOK,
     LOOK_SECONDS,
+    MEAN_LOOK_SECONDS,
     PATH_TOLERANCE,
     PLACES,
     looks_of,
@@ -37,6 +39,7 @@ from imgproc_course.classroom.exercises.running import (
 
 _SIMULATORS = 2
 _SHOWN_LOOKS = 20  # between two states of the progress bar
+_LESS = "do less in each call, or keep results in memory"
 _STEP = 5  # looks between two places of a path that is stored or compared
 
 
@@ -118,6 +121,7 @@ class _Run:
     control: object
     scenario: dict
     memory: dict = field(default_factory=dict)
+    seconds: float = 0.0  # of processor time, of all its calls
     output: LimitedOutput = field(default_factory=LimitedOutput)
     warning: str = ""
     failure: dict = field(default_factory=dict)
@@ -130,16 +134,20 @@ class _Run:
         except (Exception, SystemExit, TimeUp) as error:  # noqa: BLE001 - the learner's code may raise anything
             self.failure = failure_fields(error, self.control)
             return "stop", _reason(self.failure, name)
+        if self.seconds > MEAN_LOOK_SECONDS * looks_of(self.scenario):
+            return "stop", f"{name} takes longer than {MEAN_LOOK_SECONDS} s for a look on average: {_LESS}"
         try:
             return "act", *speeds_of(speeds)
         except ValueError as error:
             return "stop", str(error)
 
     def _call(self, observation):
+        began = time.thread_time()
         with warnings.catch_warnings(record=True) as caught_warnings:
             warnings.simplefilter("always")
             with contextlib.redirect_stdout(self.output), contextlib.redirect_stderr(self.output):
                 speeds = call_within(lambda: self.control(observation, self.memory), LOOK_SECONDS)
+        self.seconds += time.thread_time() - began
         self.warning = self.warning or (str(caught_warnings[0].message) if caught_warnings else "")
         return speeds
 
