@@ -10,12 +10,12 @@
 # A function converts one frame to gray. A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends, and publishes the results for other nodes. To make a node from the function, you need only a few lines, but some mistakes are easy to make.
 #
 # **You will be able to**
-# - read and write a Python *class*, and pass a function to it as a *callback*,
+# - read a Python *class* (section 2, deeper, explains classes from the beginning), and pass a function to it as a *callback*,
 # - write a ROS 2 node that subscribes, converts, processes and publishes, and explain each of its lines,
-# - explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2),
+# - deeper: explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2),
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted.
 #
-# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, and do the exercises: their checks work without ROS 2. If you have never written a class, read section 2 too.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, and do the exercises: their checks work without ROS 2. If you have never written a class, read section 2 too: 14 minutes more.
 
 # %% role="given" exercise=["node-process"]
 import cv2
@@ -279,7 +279,7 @@ if ros_available():
 # 8. The node converts the result to a message. It **copies the header**, so that the receiver knows when the image was taken.
 # 9. The node publishes the message.
 #
-# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8). If it is not installed, `offer_modules()` in the first cell lets the same import line give the course's own class with these names:
+# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8). If it is not installed, `offer_modules()` in the cell with the imports lets the same import line give the course's own class with these names:
 
 # %%
 from cv_bridge import CvBridge, CvBridgeError
@@ -335,11 +335,11 @@ assert list(queue) == [3, 4, 5, 6, 7]
 # %% [markdown]
 # The oldest images are dropped. For a robot this is right: the newest image is the most useful one.
 #
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+#
 # ### Windows ([[minutes]], deeper)
 #
 # Most tutorials also show the image in a window. `cv2.imshow("gray", gray)` draws it, `cv2.waitKey(1)` gives the window one millisecond to react to mouse and keyboard, and `cv2.destroyAllWindows()` closes all windows at the end. A notebook runs in a browser, maybe on another computer than the node, and cannot open such windows. So here you use `live_view`.
-#
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
 # ## 4 · rclpy.spin in a notebook ([[minutes]], deeper)
 #
@@ -686,7 +686,7 @@ else:
 #
 # ## Recap
 #
-# A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures. In a notebook, spin the node in a background thread.
+# A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures. Deeper: in a notebook, spin the node in a background thread.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
@@ -694,7 +694,7 @@ else:
 # | *frame*, `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
 # | *gray*, published as `mono8` | (720, 1280) | uint8 | 0 to 255 | gray level |
 #
-# **Next:** [[noise_removal]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
+# **Next:** [[noise_removal]]; on the route of one day, [[canny_stages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
 
 # %%
 # Check: the numbers in the table

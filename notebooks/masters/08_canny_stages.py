@@ -63,7 +63,7 @@ figure_texts = {
         "Three five by five grids: gray levels of a soft step, their magnitudes, and the magnitudes of one column only.",
     ),
     "thinned": (
-        "The rim of the ball, enlarged: before the suppression the ridge is several pixels wide, after it one pixel.",
+        "The left side of the ball, enlarged: before the suppression each ridge is several pixels wide, after it one pixel. The horizontal lines belong to the shelf behind the ball.",
         "Two enlarged parts of the image: left a broad bright band, right a thin line of single pixels.",
     ),
     "thresholds": (
@@ -119,7 +119,7 @@ print("difference", difference)
 compare_guess(guess_positions, np.flatnonzero(difference))  # where it is not 0
 
 # %% [markdown]
-# This is a **[[term:correlation]]** with the kernel `[-1, 0, 1]`. As in [[noise_removal]], the kernel *slides* along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *[[term:filter response]]*. Here the response is 0 where the gray level does not change. At the step it is the height of the step, 150. A step from bright to dark gives a negative response.
+# This is a **[[term:correlation]]** with the kernel `[-1, 0, 1]`. A kernel is a small table of weights (it has nothing to do with the kernel of the notebook). It *slides* along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *[[term:filter response]]*. Here the response is 0 where the gray level does not change. At the step it is the height of the step, 150. A step from bright to dark gives a negative response.
 
 # %%
 # Check: the numbers in this section
@@ -358,9 +358,9 @@ assert lengths_l2[2, 2] == (int(down[2, 2]) ** 2 + int(right[2, 2]) ** 2) ** 0.5
 assert down[2, 2] > 0 and right[2, 2] > 0
 
 # %% [markdown]
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
-#
 # ## 5 · A ridge in one row ([[minutes]])
+#
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
 # An edge should be one pixel wide. But if the intensity changes over a few pixels, the response is also a few pixels wide: the magnitudes form a *[[term:ridge]]*, like a mountain ridge. Here is a soft step:
 #
@@ -698,9 +698,9 @@ def inputs(rng):
 
 
 # %% [markdown]
-# **This is a good place for a second pause.** Only one stage is missing. When you come back, choose **Run → Run All Above Selected Cell**.
-#
 # ## 9 · Edge tracking by hysteresis ([[minutes]])
+#
+# **This is a good place for a second pause.** Only one stage is missing. When you come back, choose **Run → Run All Above Selected Cell**.
 #
 # All strong pixels are edges. A weak pixel becomes an edge if at least one of its eight neighbours is an edge. The neighbours at the corners count too: this is *8-connectivity*. (With *4-connectivity* only the four neighbours at the sides count.) So edges grow from the strong pixels, step by step along the weak pixels, until nothing changes. This is **[[term:hysteresis|edge tracking by hysteresis]]**. (*Hysteresis* means here: an edge needs the high threshold to start, but only the low threshold to continue.)
 #
@@ -930,7 +930,7 @@ assert different == 0 and (canny(gray, 50, 150) == stages.edges).all()
 # %% [markdown]
 # ## 12 · Planned failure: Canny on a noisy frame ([[minutes]])
 #
-# In textbooks, the first stage of Canny is a Gaussian blur. `cv2.Canny` does **not** blur: you have to blur the image yourself. What happens if you forget it? We add Gaussian noise with a standard deviation of 15 gray levels to the frame.
+# In textbooks, the first stage of Canny is a Gaussian blur: each pixel becomes a weighted mean of its neighbours, and near ones get more weight. `cv2.Canny` does **not** blur: you have to blur the image yourself. What happens if you forget it? We add Gaussian noise to the frame: a random number for each pixel, usually near 0. Its standard deviation of 15 gray levels says how large these numbers usually are.
 #
 # **Predict**: how many times as many edge pixels are there with noise?
 

@@ -85,7 +85,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · The node ([[minutes]])
 #
-# This node differs from the node of [[grayscale_node]] in two ways: its function returns several images, and it has parameters.
+# The course's class `ImageProcessor` contains the lines of the class that you wrote in [[grayscale_node]]. You give it a name, a function, and parameters. The function returns a dictionary: the image under the key `"edges"` is published on `~/edges`. The session spins the node in the background.
 #
 # On a robot, speed is important, so the function calls OpenCV, as the node of [[ros2_packages]] does. The folded cell below checks that the gray image and the edges are the same as those of [[grayscale]] and [[canny_stages]], for every pixel. `sigma` is the [[term:standard deviation]] of the Gaussian blur, in pixels; 0 means no blur.
 
@@ -284,7 +284,7 @@ assert not ros_available() or (not result.successful and "low" in result.reason)
 # %% [markdown]
 # ## 4 · Your turn: the edge-detection node ([[minutes]], deeper)
 #
-# Write this node yourself, with the names of ROS alone. Begin with your class `ImageGrayProcessor` of [[grayscale_node]]; parameters are new. Each step is one line of the check.
+# Write this node yourself, without the course's class `ImageProcessor`. Begin with your class `ImageGrayProcessor` of [[grayscale_node]]; parameters are new. Each step is one line of the check.
 #
 # 1. **Declare and answer.** The node is called `edge_detector`. It declares the parameters `low`, at first 50, and `high`, at first 150. It subscribes to `/kachaka/front_camera/image_raw` as before (best effort, volatile, depth 5), and publishes on `~/edges`: for each image `cv2.Canny` of its gray image, as `mono8` with the header of the message. *Afterwards* each image of the camera gives an image of its edges.
 # 2. **Follow the parameters.** Read `low` and `high` where you need them, in the callback. *Afterwards* the next image after `ros2 param set /edge_detector low 20` has more edges.
@@ -954,7 +954,7 @@ print("your F1:", round(my_f1, 2), "  F1 of the best values:", round(tuned, 2))
 # %% [markdown]
 # ## Recap
 #
-# Change both thresholds in one step, and know their unit. Refuse `low` above `high`. To compare two results, measure both against a ground truth, on frames that you did not tune on.
+# Change both thresholds in one step, and know their unit. Refuse `low` above `high`. Deeper: to compare two results, measure both against a ground truth, on frames that you did not tune on.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
@@ -963,8 +963,8 @@ print("your F1:", round(my_f1, 2), "  F1 of the best values:", round(tuned, 2))
 # | sigma | one number | float | 0 to 10 | pixel |
 # | *edges* | (720, 1280) | uint8 | 0 and 255 | no and yes |
 # | *view* | (720, 3840, 3) | uint8 | 0 to 255 | frame, gray image and edges side by side |
-# | outlines | (720, 1280) | bool | False, True | no and yes |
-# | precision, recall, F1 | one number each | float64 | 0 to 1 | share |
+# | outlines (deeper) | (720, 1280) | bool | False, True | no and yes |
+# | precision, recall, F1 (deeper) | one number each | float64 | 0 to 1 | share |
 #
 # **Next:** [[ros2_packages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
 

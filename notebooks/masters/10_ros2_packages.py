@@ -13,7 +13,7 @@
 # - read a node that is a complete script, from `rclpy.init` to `shutdown`,
 # - explain each file of an `ament_python` package (a ROS 2 package in Python; *[[term:ament]]* is the build system of ROS 2),
 # - build a *[[term:workspace]]* (a folder with packages) with `colcon`, source it, and start its nodes in a terminal,
-# - recognise two common mistakes with packages, and repair them,
+# - recognise common mistakes with packages, and repair them,
 # - deeper: write the files of a package of your own, build it, run its node, and explain what changes on the real robot.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
@@ -244,7 +244,7 @@ assert "cv2.cvtColor" in code and "ImageProcessor" in code and "def main" in cod
 assert "console_scripts" in setup and "data_files" in setup
 
 # %% [markdown]
-# The node consists of a function and an `ImageProcessor`, as in [[grayscale_node]]. On a robot, speed is important, so the function calls OpenCV. Section 6 compares its result with the gray image that you computed by hand in [[grayscale]].
+# The node consists of a function and an `ImageProcessor`, as in [[edge_detection_node]]. On a robot, speed is important, so the function calls OpenCV. A deeper part of section 6 compares its result with the gray image that you computed by hand in [[grayscale]].
 #
 # ## 3 · Planned failure: a dependency that cannot be found ([[minutes]], deeper)
 #
@@ -353,7 +353,7 @@ compare_guess(guess_found, found)
 assert not found and (not ros_available() or "AMENT_PREFIX_PATH" in where)
 
 # %% [markdown]
-# This is the second **planned failure**. `ros2 run` reports the same mistake as *Package 'image_gray_processor' not found*. ROS searches the folders in the environment variable `AMENT_PREFIX_PATH`, and our folder is not in it.
+# This is a **planned failure**. `ros2 run` reports the same mistake as *Package 'image_gray_processor' not found*. ROS searches the folders in the environment variable `AMENT_PREFIX_PATH`, and our folder is not in it.
 #
 # **Repair it**: *[[term:source]]* the workspace. To source a file is to run its commands in the current terminal. Type into the second terminal:
 #
@@ -401,6 +401,9 @@ if ros_available():
     if gray_images.matched == 0:  # no publisher: no node runs in a terminal
         folder = "install/image_gray_processor/lib/image_gray_processor/"
         node = start(sourced + "exec " + folder + "image_gray_processor")
+    else:
+        print("A node publishes this topic already. It is yours, if you started it in a terminal.")
+        print("If you did not, the lesson on the grayscale node is still open: close it, and run this cell again.")
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -904,7 +907,7 @@ if own_node is not None:
 #
 # ## Recap
 #
-# A package is a folder with a fixed structure. Build it, source the workspace, and start the node by name. In `package.xml`, write rosdep keys, not pip names. To use another topic, remap the topic in the command.
+# A package is a folder with a fixed structure. Build it, source the workspace, and start the node by name. Deeper: in `package.xml`, write rosdep keys, not pip names; to use another topic, remap the topic in the command.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|

@@ -199,7 +199,7 @@ def _cases(result):
             explanation = explain_failure(result.exercise, call)
             step = case_result.case.title.partition(":")[0]
             first = steps.setdefault(re.sub(r"\d+", "", explanation), step)
-            if result.exercise.subject != "function" and first != step:
+            if result.exercise.subject in ("node", "package") and first != step:
                 explanation = f"as in {first} above"
         elif not case_result.passed:
             explanation = "not run, because the call above did not finish"
