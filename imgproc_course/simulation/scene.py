@@ -12,6 +12,7 @@ from .laser import Laser, crosses, cut
 from .renderer import ColorRenderer, NumberRenderer, configure_panda3d
 
 FLAT = ("floor", "rug")
+KINDS = {"skirting": "wall", "toy": "building blocks", "clutter": "slippers"}  # of what stands low
 OUTLINE_HEIGHTS = (0.03, 0.06, 0.105, 0.2, 0.35)  # metres
 
 
@@ -77,7 +78,7 @@ class Scene:
             along = np.clip((way * edge).sum(1) / length, 0, 1)
             nearest.append(np.hypot(*(way - along[:, None] * edge).T) - radius)
         name = self.room.model.label_names[int(labels[np.min(nearest, 0).argmin()])]
-        return {"skirting": "wall"}.get(name, name)
+        return KINDS.get(name, name)
 
     def close(self):
         """Frees the images; it cannot be used any more."""

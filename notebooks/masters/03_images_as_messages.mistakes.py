@@ -65,7 +65,7 @@ def decode_rgb8(message):
 # %% [markdown]
 # # messages-padding
 
-# %% role="mistake" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. First cut data into rows of step bytes, reshape(height, step), so that row r begins at byte r * step. Then crop the padding."
+# %% role="mistake" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. First cut data into rows of step bytes, reshape(height, step), so that row r begins at byte r * step. Then crop the padding at the end of each row."
 def decode_padded(message):
     flat = np.frombuffer(message.data, dtype=np.uint8)
     return flat[: message.height * message.width * 3].reshape(message.height, message.width, 3)

@@ -677,7 +677,7 @@ exercise(
     function="decode",
     exact_type=True,
     time_limit=5,
-    hint="First cut data into rows of step bytes. Then crop the padding. Then convert the remaining bytes to pixels.",
+    hint="First cut data into rows of step bytes. Then crop the padding at the end of each row. Then convert the remaining bytes to pixels.",
     hints=(
         "Which step is the same for all four encodings? And how many bytes does a pixel take in each of them?",
         "Begin with rows of step bytes, for every encoding. Then ask message.encoding: mono8 keeps width bytes of each row; rgb8 and bgr8 keep width * 3 bytes and reshape to (height, width, 3); mono16 keeps width * 2 bytes and combines two bytes to one number, as in the exercise with 16 bits.",

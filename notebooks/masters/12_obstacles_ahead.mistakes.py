@@ -470,11 +470,11 @@ def time_to_collision(before, now, dt):
 def control(observation, memory):
     return 0.03, 0.6
 
-# %% role="mistake" name="the laser scanner alone" says="Your robot uses the laser scanner alone, which looks over slippers and blocks. obstacles(observation) has the points of the depth camera, too."
+# %% role="mistake" name="the laser scanner alone" says="Your robot drives straight into something low. Does it use the points of the camera? The laser scanner looks over slippers and blocks: obstacles(observation) has both. Or it brakes too late: what is low and nearer than 0.38 m is below the image, so brake at about 0.45 m."
 def control(observation, memory):
     return solution(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
 
-# %% role="mistake" name="it brakes too late" says="Your robot brakes when only 0.08 m are left. At 0.3 m/s it needs about 0.1 m to stop, and a low thing that is nearer than 0.38 m is below the image: brake at 0.45 m."
+# %% role="mistake" name="it brakes too late" says="Your robot drives straight into something low. Does it use the points of the camera? The laser scanner looks over slippers and blocks: obstacles(observation) has both. Or it brakes too late: what is low and nearer than 0.38 m is below the image, so brake at about 0.45 m."
 def control(observation, memory):
     if free_way(obstacles(observation), 0.0, 0.40) < 0.08:
         return 0.0, 0.8

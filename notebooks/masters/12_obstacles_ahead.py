@@ -969,18 +969,18 @@ assert not ros_available() or 0 < node.distance < 0.6
 # %% [markdown]
 # ## 9 · Drive through rooms that you have not seen ([[minutes]], deeper)
 #
-# Braking is not enough: a robot must also find a way on. In this exercise your function drives the robot for up to 40 s through furnished rooms. You do not know these rooms, and the robot starts in front of something low: slippers or building blocks. The laser scanner looks over them; the depth camera sees them, but not when they are nearer than 0.38 m.
+# Braking is not enough: a robot must also find a way on. In this exercise your function drives the robot through furnished rooms, for 30 s in the check and for 40 s in grading. You do not know these rooms, and the robot starts in front of something low: slippers or building blocks. The laser scanner looks over them; the depth camera sees them, but not when they are nearer than 0.38 m.
 #
-# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds, as for `robot.step`. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
+# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds: linear in m/s and angular in rad/s, to the left. The robot drives at most 0.3 m/s and turns at most 1.57 rad/s; more is reduced to that. One call may take 0.5 s, and 0.05 s on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
 #
 # | key | value |
 # |---|---|
 # | `"depth"` | (90, 160) uint16: the depth image of the front camera in millimetres, 0 where there is none |
-# | `"scan"` | (360,) float32: the laser scanner's ranges in metres, counterclockwise from straight ahead; `inf` where it meets nothing |
-# | `"odometry"` | (3,) float64: x, y and yaw, where the wheels say that the robot is, since its start |
+# | `"scan"` | (360,) float32: the laser scanner's ranges in metres, one per degree, to the left from straight ahead; `inf` where it meets nothing |
+# | `"odometry"` | (3,) float64: x, y (metres) and yaw (radians), as the wheels count them: (0, 0, 0) at the start, x points to where the robot looks then |
 # | `"time"` | float: seconds since the start |
 #
-# Two functions are given. `obstacles` makes points of both sensors, as in sections 5 and 6. `free_way` measures how far the robot can go in any direction: it turns the points, and finds the nearest one in a corridor of 0.64 m. All numbers are counted from the middle of the robot's axle; its front is 0.24 m ahead of it.
+# Two functions are given. `obstacles` makes points of both sensors, as in sections 5 and 6. `free_way` measures how far the robot can go in any direction: it turns the points, and finds the nearest one in a corridor of 0.64 m: the robot is 0.24 m wide, so 0.20 m stay free on each side. All numbers are counted from the middle of the robot's axle; its front is 0.24 m ahead of it.
 
 # %% role="given" exercise="obstacles-drive" tags=["long"]
 from imgproc_course.geometry import CameraModel
@@ -1028,9 +1028,9 @@ assert free_way(np.array([[0.24, 0.1]]), 0.0) == 0 and 2 * 0.32 == 0.64
 # %% [markdown]
 # ### Your turn: drive
 #
-# Write `control(observation, memory)`. Each drive is judged by three metrics. The **bumps**: none. The **clearance**: the body comes no nearer than 0.10 m to anything while it drives. And the **reach**: at some time, the robot is at least 1 m away from its start. A drive gives all its points or none. `math`, `np`, `obstacles` and `free_way` are imported for you.
+# Write `control(observation, memory)`. Each drive is judged by three metrics. The **bumps**: none. The **clearance**: the body comes no nearer than 0.10 m to anything while it moves. And the **reach**: at some time, the robot is at least 1 m away from its start. A drive goes on after a bump, but gives its points only if it keeps all three. `math`, `np`, `obstacles` and `free_way` are imported for you.
 #
-# The stub drives straight ahead. Check it first, and look at what happens; then improve it step by step. The check takes a while: it drives in three rooms.
+# The stub drives straight ahead. Check it first, and look at what happens; then improve it step by step. The check drives in three rooms, and takes about ten seconds. What your function prints is shown below the first drive that fails.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -1044,7 +1044,7 @@ exercise(
     subject="drive",
     sensors=("depth", "scan", "odometry"),
     allowed=("imgproc_course.geometry",),
-    hint="Drive while free_way ahead is more than about 0.45 m; otherwise turn to the direction with the longest free way. Remember what the camera saw: it forgets low things that are near.",
+    hint="Drive while free_way ahead is more than about 0.45 m; otherwise turn until it is. Keep the direction of a turn in memory, or the robot turns to and fro. And remember what the camera saw: it forgets low things that are near.",
     hints=(
         "When must the robot stop? Where does it then want to go, and how does it know when it has turned enough? And what stands beside it that no sensor sees any more?",
         "1. Drive at 0.3 m/s while free_way(points, 0.0) is more than 0.45.\n"
@@ -1115,37 +1115,37 @@ def control(observation, memory):
 # %% role="check" tags=["long"]
 check("obstacles-drive", control)
 
-# %% role="case" title="a room with slippers or blocks" points=1 hint="What is low is seen by the camera only: use obstacles(observation)."
+# %% role="case" title="a room with slippers or blocks" points=1
 def inputs(rng):
     return (before_something_low(rng, 30.0),)
 
 
-# %% role="case" title="another room" points=1 hint="Where does the robot go when the way ahead is not free?"
+# %% role="case" title="another room" points=1
 def inputs(rng):
     return (before_something_low(rng, 30.0),)
 
 
-# %% role="case" title="a third room" points=1 hint="Does the robot remember what it passed, when it turns?"
+# %% role="case" title="a third room" points=1
 def inputs(rng):
     return (before_something_low(rng, 30.0),)
 
 
-# %% role="hidden" title="an unseen room" points=2 hint="Look at the map: where did the robot come too near to something?"
+# %% role="hidden" title="an unseen room" points=2
 def inputs(rng):
     return (before_something_low(rng, 40.0),)
 
 
-# %% role="hidden" title="a second unseen room" points=2 hint="Look at the map: where did the robot come too near to something?"
+# %% role="hidden" title="a second unseen room" points=2
 def inputs(rng):
     return (before_something_low(rng, 40.0),)
 
 
-# %% role="hidden" title="a third unseen room" points=2 hint="Look at the map: where did the robot come too near to something?"
+# %% role="hidden" title="a third unseen room" points=2
 def inputs(rng):
     return (before_something_low(rng, 40.0),)
 
 
-# %% role="hidden" title="a fourth unseen room" points=2 hint="Look at the map: where did the robot come too near to something?"
+# %% role="hidden" title="a fourth unseen room" points=2
 def inputs(rng):
     return (before_something_low(rng, 40.0),)
 

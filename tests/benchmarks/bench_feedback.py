@@ -19,8 +19,8 @@ exercises, 99.2 % right, none false. With answers of the walks through the lesso
 99.5 % right (1,489), none false, in 50 s; the same without 196 known mistakes that the general feedback
 explains too. Then 113 answers that were known mistakes word for word left the table. The answers were written
 without the feedback, but the known mistakes of the exercises with the answers: new answers get a smaller
-share. Without the search for one small change that makes an answer pass, on 24 November 2026: 1,383,
-98.3 % right (1,360), none false.
+share. On 24 November 2026, with general sentences only where there is evidence: 1,383, 98.6 % right
+(1,363), none false, in 79 s.
 
 `--fresh`, on 22 November 2026: 145 answers written from the tasks alone, committed before they were measured
 once: 93.1 % right, 0.7 % false (a pattern that found "order" in "border"). With four patterns corrected that
@@ -28,8 +28,9 @@ matched a part of a word, a function's name, or Python's own message: 91.7 % rig
 85.5 % (124): in nine more, a general hint matches and does not name the mistake. None passes all checks.
 Afterwards the failing ones were read and their feedback mended in general: 100 % right by the patterns, which
 says nothing of new answers any more. With the answers to later lessons, on 23 November 2026: 365,
-98.4 % right (359), none false. With 126 answers of a beginner, on 24 November 2026: 491, 97.4 % right
-(478), none false.
+98.4 % right (359), none false. On 24 November 2026, 118 answers to 12 exercises, written from the tasks alone
+and read by a person: 94 % right (111), 1 false. Afterwards the false one was mended in general; with 108 of
+them and 126 of a beginner: 599, 96.8 % right (580), none false.
 """
 
 import ast

@@ -175,7 +175,7 @@ def speeds_of(value):
     except OverflowError:
         speeds = (math.inf, math.inf)
     if not all(map(math.isfinite, speeds)):
-        raise ValueError(f"control returned {_text_of(value)}: {_EXPECTED}, both finite")
+        raise ValueError(f"control returned {_text_of(value)}: {_EXPECTED}, neither nan nor inf")
     return speeds
 
 
@@ -204,7 +204,7 @@ def sentences_of(record, scenario):
 
 def _sentence(record, name, value, operator, limit):
     if value is None:
-        return "The robot did not reach the goal." if name == "goal_time" else "The robot did not move."
+        return "The robot did not reach the goal." if name == "goal_time" else "The robot never drove."
     asked = f"the task asks for {_COUNTS[operator][1]} {metric_text(name, limit)}."
     if name == "bumps" and record["bumps"]:
         obstacle = record["metrics"].get("bumped_into") or "something"

@@ -285,6 +285,8 @@ def _advice(result, call):
         )
     if call.difference is None or call.result.changed or result.exercise.subject in NODES:
         return
+    if result.drives and call.record["ended"]:
+        return
     diagnosis = result.diagnosis
     yield diagnosis.text
     if diagnosis.on_border:
@@ -293,7 +295,7 @@ def _advice(result, call):
         yield f"Hint: {call.case.hint}"
 
 
-def _warning_and_output(call, kind):
+def _warning_and_output(call, kind, is_drive=False):
     if call.result.warning:
         yield f"NumPy or Python warned: {call.result.warning}"
         if "empty slice" in call.result.warning:
@@ -301,7 +303,8 @@ def _warning_and_output(call, kind):
     if call.result.printed.strip():
         lines = call.result.printed.rstrip().splitlines()
         ellipsis = ["…"] if len(lines) > _MOST_LINES else []
-        yield f"Your {kind} printed:\n" + "\n".join(lines[:_MOST_LINES] + ellipsis)
+        shown = ellipsis + lines[-_MOST_LINES:] if is_drive else lines[:_MOST_LINES] + ellipsis
+        yield f"Your {kind} printed:\n" + "\n".join(shown)
 
 
 # ---------------------------------------------------------------- plain text
@@ -324,7 +327,7 @@ def _details_as_text(result, call):
         yield caption
         yield from _rows_as_text(rows)
     yield from _advice(result, call)
-    yield from _warning_and_output(call, result.exercise.kind)
+    yield from _warning_and_output(call, result.exercise.kind, result.drives)
 
 
 def _rows_as_text(rows):
@@ -383,7 +386,7 @@ def _details_as_html(result, call):
         if rows:
             yield _table(rows)
     yield _figures(result, call)
-    yield from map(_paragraph, _warning_and_output(call, result.exercise.kind))
+    yield from map(_paragraph, _warning_and_output(call, result.exercise.kind, result.drives))
 
 
 def _table(rows, first="td"):

@@ -89,7 +89,7 @@ def test_a_robot_that_comes_too_near_is_told():
 def test_a_robot_that_stands_has_no_clearance():
     record, scenario = driven((0.0, 0.4))
     assert sentences_of(record, scenario) == [
-        "The robot did not move.",
+        "The robot never drove.",
         "The robot got 0.00 m away from its start; the task asks for at least 0.50 m.",
     ]
 
@@ -148,7 +148,7 @@ def test_anything_else_is_named(value, text):
 
 @pytest.mark.parametrize("value", [(float("nan"), 0), (0, float("inf")), (10**400, 0)])
 def test_speeds_are_finite(value):
-    with pytest.raises(ValueError, match=r"expected two numbers, \(linear, angular\), both finite$"):
+    with pytest.raises(ValueError, match=r"expected two numbers, \(linear, angular\), neither nan nor inf$"):
         speeds_of(value)
 
 

@@ -201,8 +201,8 @@ def test_a_controller_cannot_change_what_the_robot_does(data):
             " (your line 2: return 1 / (observation['time'] - 1), 0).",
             "is 0 for this input",
         ),
-        ("return None", "0.0 s: control returned None: expected two numbers, (linear, angular).", "Hint:"),
-        ("return 0.1, float('nan')", "0.0 s: control returned (0.1, nan): expected two numbers", "Hint:"),
+        ("return None", "0.0 s: control returned None: expected two numbers, (linear, angular).", "Stuck?"),
+        ("return 0.1, float('nan')", "0.0 s: control returned (0.1, nan): expected two numbers", "Stuck?"),
         (
             "while observation['time'] > 1: pass\n    return 0, 0",
             "1.1 s: control() took longer than 0.5 s for one look.",
@@ -238,7 +238,7 @@ def test_what_a_controller_prints_and_what_numpy_warns_is_shown(data):
         "    return", "    print('now', round(observation['time'], 1))\n    np.float64(1) / 0\n    return"
     )
     text = repr(checked(data, source))
-    assert "Your function printed:\n    now 0.0\n    now 0.1" in text
+    assert "Your function printed:\n    …\n    now " in text and "now 0.0" not in text
     assert "NumPy or Python warned: divide by zero" in text
 
 
