@@ -10,7 +10,7 @@
 # A function converts one frame to gray. A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends, and publishes the results for other nodes. To make a node from the function, you need only a few lines, but some mistakes are easy to make.
 #
 # **You will be able to**
-# - read a Python *class* (section 2, deeper, explains classes from the beginning), and pass a function to it as a *callback*,
+# - read a Python *class*, and pass a function to it as a *callback*,
 # - write a ROS 2 node that subscribes, converts, processes and publishes, and explain each of its lines,
 # - deeper: explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2),
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted.
@@ -335,7 +335,7 @@ assert list(queue) == [3, 4, 5, 6, 7]
 # %% [markdown]
 # The oldest images are dropped. For a robot this is right: the newest image is the most useful one.
 #
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+# **Pause?** Then choose **Run → Run All Above Selected Cell** when you come back.
 #
 # ### Windows ([[minutes]], deeper)
 #
@@ -694,7 +694,7 @@ else:
 # | *frame*, `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
 # | *gray*, published as `mono8` | (720, 1280) | uint8 | 0 to 255 | gray level |
 #
-# **Next:** [[noise_removal]]; on the route of one day, [[canny_stages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
+# **Next:** [[noise_removal]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
 
 # %%
 # Check: the numbers in the table

@@ -244,7 +244,7 @@ assert "cv2.cvtColor" in code and "ImageProcessor" in code and "def main" in cod
 assert "console_scripts" in setup and "data_files" in setup
 
 # %% [markdown]
-# The node consists of a function and an `ImageProcessor`, as in [[edge_detection_node]]. On a robot, speed is important, so the function calls OpenCV. A deeper part of section 6 compares its result with the gray image that you computed by hand in [[grayscale]].
+# The node consists of a function and an `ImageProcessor`, as in [[edge_detection_node]]. On a robot, speed is important, so the function calls OpenCV. Section 6 (deeper) compares its result with the gray image that you computed by hand in [[grayscale]].
 #
 # ## 3 · Planned failure: a dependency that cannot be found ([[minutes]], deeper)
 #
@@ -402,8 +402,7 @@ if ros_available():
         folder = "install/image_gray_processor/lib/image_gray_processor/"
         node = start(sourced + "exec " + folder + "image_gray_processor")
     else:
-        print("A node publishes this topic already. It is yours, if you started it in a terminal.")
-        print("If you did not, the lesson on the grayscale node is still open: close it, and run this cell again.")
+        print("A node publishes already: yours in the terminal, or that of a lesson that is still open.")
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
