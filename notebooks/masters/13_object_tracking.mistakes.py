@@ -460,3 +460,32 @@ def update(state, covariance, measurement, H, R):
     gain = gain_of(covariance, H, R)
     state, covariance = updated(state, covariance, measurement, H, gain)
     return state + gain @ (measurement - H @ state), covariance
+
+# %% [markdown]
+# # tracking-drive
+
+# %% role="mistake" name="the mean of everything red" says="Your robot follows the mean of all red pixels. Other things are red, too: take one spot, the largest one near the place where the ball was."
+def control(observation, memory):
+    hue, saturation, _ = cv2.split(cv2.cvtColor(observation["image"], cv2.COLOR_BGR2HSV))
+    cols = np.nonzero(((hue < 9) | (hue > 174)) & (saturation > 120))[1]
+    if not cols.size:
+        return 0.0, 0.4
+    linear = 1.2 * (176.25 * 0.22 / (np.ptp(cols) + 1) - 0.6)
+    return float(min(max(linear, -0.3), 0.3)), float(2 * (160 - cols.mean()) / 176.25)
+
+# %% role="mistake" name="no distance" says="Your robot follows the ball at one speed, whatever the distance is, and pushes it. Drive in proportion to the distance minus 0.6."
+def control(observation, memory):
+    return 0.2, solution(observation, memory)[1]
+
+# %% role="mistake" name="it only turns" says="Your robot turns to the ball, but does not follow it. Let it drive in proportion to the distance minus 0.6."
+def control(observation, memory):
+    return 0.0, solution(observation, memory)[1]
+
+# %% role="mistake" name="the other side" says="Your robot turns away from the ball. If the ball is on the left, its column is smaller than 160, and the angular speed must be positive."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return linear, -angular
+
+# %% role="mistake" name="it turns without an end" says="Your robot turns on the spot, whatever it sees. Use the column of the ball."
+def control(observation, memory):
+    return 0.03, 0.6

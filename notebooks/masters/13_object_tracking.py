@@ -18,7 +18,7 @@
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]] and [[arrays]]. Only the last part of section 8 needs ROS 2.
 
-# %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-mean-shift", "tracking-predict", "tracking-update"]
+# %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-mean-shift", "tracking-predict", "tracking-update", "tracking-drive"]
 import math
 
 import numpy as np
@@ -1175,7 +1175,176 @@ assert not ros_available() or node.looks > 0
 
 # %% [markdown]
 # **On the real robot** there is no depth image of the floor: take the lowest pixel of each red spot, and its ray, as in section 5. `find_red` is the only function that changes.
+
+# %% [markdown]
+# ## 9 · Follow a ball that rolls away ([[minutes]], deeper)
 #
+# In section 8 the tracker was given, and the robot knew depth and odometry. In this exercise your function drives the robot with the image alone. A ball rolls away in front of the robot, to the left or to the right, and slows down. Nothing stands in its way. The robot follows the ball, and keeps a distance of 0.6 m between the camera and the middle of the ball.
+#
+# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds, as for `robot.step`. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
+#
+# | key | value |
+# |---|---|
+# | `"image"` | (180, 320, 3) uint8 BGR: the image of the front camera |
+# | `"time"` | float: seconds since the start |
+#
+# The function `red_spots` is given. It finds the red spots of the image by their hue and saturation, as in section 2, and returns their boxes. At this size of the image, the focal length is 176.25 pixels. The ball is 0.22 m wide, so the width of its box gives its distance, as in section 5:
+
+# %% role="given" exercise="tracking-drive" tags=["long"]
+import cv2
+
+
+def red_spots(image):
+    """Boxes (col, row, width, height) of the red spots in an image, the largest one first."""
+    hue, saturation, value = cv2.split(cv2.cvtColor(image, cv2.COLOR_BGR2HSV))
+    red = ((hue < 9) | (hue > 174)) & (saturation > 120) & (value > 60)
+    # joins the red stripes of the ball, if they are near to each other
+    joined = cv2.morphologyEx(red.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((9, 9)))
+    count, _, stats, _ = cv2.connectedComponentsWithStats(joined)
+    boxes = [tuple(stats[k, :4].tolist()) for k in range(1, count) if stats[k, 4] > 30]
+    return sorted(boxes, key=lambda box: -box[2] * box[3])
+
+# %%
+rolling = Simulation(seed=1, start=(0.0, 0.0, 0.0), ball=(1.2, 0.25, 1.5, 0.3),
+                     movers=False, size=(320, 180))
+spots = red_spots(rolling.frame())
+ball_size = max(spots[0][2:])  # the larger one of width and height
+ball_distance = math.dist(rolling.pose("ball")[:2], rolling.pose("camera")[:2])
+print(len(spots), "spots, the largest:", spots[0])
+print(f"distance: {176.25 * 0.22 / ball_size:.2f} m, true: {ball_distance:.2f} m")
+
+# %%
+# Check: the largest spot is the ball, at its true distance; there are others
+assert abs(176.25 * 0.22 / ball_size - ball_distance) < 0.15 and len(spots) > 1
+assert rolling.camera.fx == 176.25 and rolling.frame().shape == (180, 320, 3)
+
+# %% [markdown]
+# The ball is not the only red thing in the room: there are the chair, the books, the blocks and the pattern of the rug. And sometimes the two red stripes of the ball are two spots. Then only a part of the ball is in the box, and the distance seems larger than it is.
+#
+# ### Your turn: follow the ball
+#
+# Write `control(observation, memory)`. Each drive takes 20 s, and is judged by two metrics. The **bumps**: none, also not into the ball. And the **error of the distance**: after the first 5 s, the mean of |distance − 0.6 m| is at most 0.25 m. At the start, the ball is farther away than 0.6 m, and it rolls: the first 5 s are for coming nearer. A drive gives all its points or none. `math`, `np`, `cv2` and `red_spots` are imported for you.
+#
+# The stub drives straight ahead. Check it first, and look at what happens; then improve it step by step. The check takes a while: it drives three times.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `observation`: the dict of the table above; `memory`: a dict that is yours | two numbers: the linear speed in m/s (at most 0.3; negative: backwards) and the angular speed in rad/s (positive: to the left) | `control({"image": rolling.frame(), "time": 0.0}, {})` |
+
+# %% role="exercise"
+exercise(
+    "tracking-drive",
+    title="Follow a ball that rolls away",
+    function="control",
+    subject="drive",
+    sensors=("image",),
+    allowed=("cv2",),
+    hint="Turn in proportion to 160 minus the middle column of the ball, and drive in proportion to its distance minus 0.6. The ball is the largest red spot near the place where it was at the last look.",
+    hints=(
+        "Which number of the box says to which side the ball is, and which one how far away it is? And which of the spots is the ball?",
+        "1. At the first look, the ball is the largest spot near the middle of the image. Store its middle column and its size (the larger one of width and height) in memory.\n"
+        "2. Later, the ball is the largest spot near the stored column. Refuse spots that are much larger than the stored size: this is your gate.\n"
+        "3. The distance is 176.25 * 0.22 / size.\n"
+        "4. Drive in proportion to the distance minus 0.6, and turn in proportion to 160 minus the middle column.\n"
+        "5. If no spot is in the gate, stand, and turn slowly to the side where the ball was.",
+        "spots = [(col + width / 2, max(width, height)) for col, row, width, height in red_spots(observation[\"image\"])]\n"
+        "if \"ball\" in memory:\n    middle, size = memory[\"ball\"]\n    spots = [spot for spot in spots if abs(spot[0] - middle) < size and ...]\n"
+        "middle, size = max(spots, key=lambda spot: spot[1])\nmemory[\"ball\"] = ...\n"
+        "linear = 1.2 * (176.25 * 0.22 / size - 0.6)\nangular = 2 * (160 - middle) / 176.25\n"
+        "return min(max(linear, -0.3), 0.3), min(max(angular, -1.0), 1.0)",
+    ),
+    explanation="Two errors, two speeds: the error of the column turns the robot, and the error of the distance drives it. Each"
+    " speed is in proportion to its error. The memory is the simplest tracker: between two looks the ball moves and grows"
+    " only a little, so a spot that is far from the last place, or much larger, is another thing. Of the others the largest"
+    " one is taken: a small one may be a single stripe of the ball.",
+    another_way="You can also use a Kalman filter on column and size, or CamShift from section 4.",
+)
+
+
+def rolling_ball(rng, duration):
+    """A scenario: a ball in front of the robot rolls away, where nothing is in its way, and not on the rug."""
+    from imgproc_course.simulation import recorded_room
+
+    room = recorded_room()
+    shares = np.linspace(0, 1, 30)[:, np.newaxis]
+    while True:
+        x, y, yaw = rng.uniform((-0.5, -1.8, -math.pi), (5.2, 2.0, math.pi))
+        to_left = rng.choice([-1, 1])  # the ball rolls to one side: who drives straight ahead loses it
+        way, side = rng.uniform(1.0, 1.5), yaw + to_left * rng.uniform(0, 0.25)
+        length, heading = rng.uniform(1.4, 2.4), yaw + to_left * rng.uniform(0.6, 1.1)
+        to_ball = way * np.array([math.cos(side), math.sin(side)])
+        roll = length * np.array([math.cos(heading), math.sin(heading)])
+        robot = np.array([x, y])
+        places = robot + np.concatenate([shares * to_ball, to_ball + 0.88 * shares * roll])
+        seen = robot + 2.5 * shares * to_ball  # also behind the ball: there the rug is as red as the ball
+        is_free = min(room.free_space.distance(*place) for place in places) > 0.35
+        if is_free and not any(room.rug.holds(*place) for place in [*places, *seen]):
+            start, ball = (x, y, yaw), (*(robot + to_ball), *roll)
+            return {"seed": int(rng.integers(1 << 31)), "duration": duration,
+                    "start": [round(float(v), 3) for v in start], "ball": [round(float(v), 3) for v in ball],
+                    "thresholds": {"bumps": ["<=", 0], "ball_gap": ["<=", 0.25]}}
+
+
+# %% role="answer"
+def control(observation, memory):
+    return 0.2, 0.0  # your turn: this robot drives straight ahead, whatever it sees
+
+# %% role="solution"
+def control(observation, memory):
+    spots = [(col + width / 2, max(width, height))
+             for col, row, width, height in red_spots(observation["image"])]
+    middle, size = memory.get("ball", (160, None))
+    if size is None:
+        spots = [spot for spot in spots if abs(spot[0] - middle) < 80]
+    else:
+        spots = [spot for spot in spots
+                 if abs(spot[0] - middle) < size and spot[1] < 1.4 * size]
+    if not spots:
+        return 0.0, 0.4 if middle < 160 else -0.4
+    middle, size = memory["ball"] = max(spots, key=lambda spot: spot[1])
+    linear = 1.2 * (176.25 * 0.22 / size - 0.6)
+    angular = 2 * (160 - middle) / 176.25
+    return min(max(linear, -0.3), 0.3), min(max(angular, -1.0), 1.0)
+
+# %% role="check" tags=["long"]
+check("tracking-drive", control)
+
+# %% role="case" title="a ball rolls away" points=1 hint="Which spot is the ball, and how far away is it?"
+def inputs(rng):
+    return (rolling_ball(rng, 20.0),)
+
+
+# %% role="case" title="another way" points=1 hint="Does the robot turn to the side on which the ball is?"
+def inputs(rng):
+    return (rolling_ball(rng, 20.0),)
+
+
+# %% role="case" title="a third way" points=1 hint="Does the robot keep 0.6 m when the ball stands?"
+def inputs(rng):
+    return (rolling_ball(rng, 20.0),)
+
+
+# %% role="hidden" title="an unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
+def inputs(rng):
+    return (rolling_ball(rng, 20.0),)
+
+
+# %% role="hidden" title="a second unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
+def inputs(rng):
+    return (rolling_ball(rng, 20.0),)
+
+
+# %% role="hidden" title="a third unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
+def inputs(rng):
+    return (rolling_ball(rng, 20.0),)
+
+
+# %% role="hidden" title="a fourth unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
+def inputs(rng):
+    return (rolling_ball(rng, 20.0),)
+
+
+# %% [markdown]
 # ## Recap
 #
 # A colour says where something red is, but not which thing it is. A box in the image changes its size; a place on the floor does not. A Kalman filter expects, measures and combines both. And who is who is decided for all tracks together.
