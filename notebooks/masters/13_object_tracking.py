@@ -1256,7 +1256,8 @@ exercise(
     explanation="Two errors, two speeds: the error of the column turns the robot, and the error of the distance drives it. Each"
     " speed is in proportion to its error. The memory is the simplest tracker: between two looks the ball moves and grows"
     " only a little, so a spot that is far from the last place, or much larger, is another thing. Of the others the largest"
-    " one is taken: a small one may be a single stripe of the ball.",
+    " one is taken: a small one may be a single stripe of the ball. For the same reason the size"
+    " shrinks by 5 % a look at most.",
     another_way="You can also use a Kalman filter on column and size, or CamShift from section 4.",
 )
 
@@ -1301,7 +1302,9 @@ def control(observation, memory):
                  if abs(spot[0] - middle) < size and spot[1] < 1.4 * size]
     if not spots:
         return 0.0, 0.4 if middle < 160 else -0.4
-    middle, size = memory["ball"] = max(spots, key=lambda spot: spot[1])
+    middle, seen = max(spots, key=lambda spot: spot[1])
+    size = seen if size is None else max(seen, 0.95 * size)  # a single stripe is small
+    memory["ball"] = middle, size
     linear = 1.2 * (176.25 * 0.22 / size - 0.6)
     angular = 2 * (160 - middle) / 176.25
     return min(max(linear, -0.3), 0.3), min(max(angular, -1.0), 1.0)
