@@ -222,7 +222,7 @@ def test_what_ends_a_drive_is_said(data, body, sentence, advice):
 
 
 def test_a_controller_that_is_too_slow_on_average_ends_as_in_grading(data):
-    body = "    end = time.thread_time() + 0.2\n    while time.thread_time() < end:\n        pass\n"
+    body = "    end = time.thread_time() + 0.08\n    while time.thread_time() < end:\n        pass\n"
     result = checked(data, f"import time\ndef control(observation, memory):\n{body}    return 0, 0\n")
     sentence = "control() takes longer than 0.05 s for a look on average: do less in each call"
     assert [sentence in drive.record["ended"] for drive in result.drives] == [True] * 3
