@@ -1292,17 +1292,17 @@ def control(observation, memory):
 
 # %% role="solution"
 def control(observation, memory):
-    spots = [(col + width / 2, max(width, height))
+    spots = [(max(width, height), col + width / 2)
              for col, row, width, height in red_spots(observation["image"])]
     middle, size = memory.get("ball", (160, None))
     if size is None:
-        spots = [spot for spot in spots if abs(spot[0] - middle) < 80]
+        spots = [spot for spot in spots if abs(spot[1] - middle) < 80]
     else:
         spots = [spot for spot in spots
-                 if abs(spot[0] - middle) < size and spot[1] < 1.4 * size]
+                 if abs(spot[1] - middle) < size and spot[0] < 1.4 * size]
     if not spots:
         return 0.0, 0.4 if middle < 160 else -0.4
-    middle, seen = max(spots, key=lambda spot: spot[1])
+    seen, middle = max(spots)
     size = seen if size is None else max(seen, 0.95 * size)  # a single stripe is small
     memory["ball"] = middle, size
     linear = 1.2 * (176.25 * 0.22 / size - 0.6)
