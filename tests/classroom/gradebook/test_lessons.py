@@ -11,7 +11,8 @@ from imgproc_course.classroom.authoring.masters import find_masters, read_master
 from imgproc_course.classroom.autograder.make_answer_key import make_key
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
+# Key and grading drive the robot, for minutes on a busy machine.
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key"), pytest.mark.timeout(1800)]
 NOTEBOOKS = Path(__file__).resolve().parents[3] / "notebooks"
 NAMES = [lesson_name(path.stem) for path in find_masters(NOTEBOOKS / "masters")]
 
