@@ -143,7 +143,9 @@ def test_an_exercise_is_valid(exercise):
 
 @pytest.mark.parametrize("path", by_lesson(MASTERS))
 def test_the_checks_that_a_lesson_carries_say_what_the_master_says(path, tmp_path):
-    """For the stub, the solution and each known mistake; and the stored ones are those of the master."""
+    """For the stub, the solution and each known mistake (a drive takes seconds: for its stub); and the stored
+    ones are those of the master.
+    """
     master = read_master(path)
     files = lesson_files(master)
     assert lesson_file_differences(files, NOTEBOOKS) == []
@@ -159,7 +161,7 @@ def test_the_checks_that_a_lesson_carries_say_what_the_master_says(path, tmp_pat
             (exercise.function_of(mistake.source, mistake.name, prepared=True), mistake.says)
             for mistake in exercise.mistakes
         ]
-        for function, says in functions:
+        for function, says in functions[: 1 if exercise.subject == "drive" else None]:
             text = repr(run_cases(exercise, function))
             assert repr(run_check(data, function)) == text
             assert says in text

@@ -1,4 +1,7 @@
-"""The README's "How to teach with it", run as written, on thirty generated submissions."""
+"""The README's "How to teach with it", run as written, on thirty generated submissions, and every lesson graded.
+
+One key serves both: to draw its drives takes a minute.
+"""
 
 import json
 import os
@@ -12,9 +15,16 @@ import pytest
 from submissions import answers_of, notebook, thirty, write
 
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.gradebook.grade import grade_submissions
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
+# Key and grading drive the robot, for minutes on a busy machine.
+pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(1800)]
 CHECKOUT = Path(__file__).resolve().parents[3]
+NOTEBOOKS = CHECKOUT / "notebooks"
+KEY = "imgproc-course key --out key/"  # the command, without its comment
+PATHS = find_masters(NOTEBOOKS / "masters")
+MASTERS = [read_master(path) for path in PATHS]
+NAMES = [master.name for master in MASTERS]
 
 
 def commands():
@@ -43,15 +53,25 @@ def grades_in(folder):
     return {learner["name"]: learner for learner in grades["learners"]}
 
 
-@pytest.mark.timeout(1800)
-def test_a_term_in_ten_commands(tmp_path):
-    lines = commands()
+@pytest.fixture(scope="module")
+def keyed(tmp_path_factory):
+    """A folder with the lessons' key in it, made by the README's command."""
+    folder = tmp_path_factory.mktemp("term")
+    (line,) = (line for line in commands() if line.partition("#")[0].strip() == KEY)
+    ended = run(line, folder)
+    assert ended.returncode == 0, ended.stderr
+    return folder
+
+
+def test_a_term_in_ten_commands(keyed):
+    lines, tmp_path = commands(), keyed
     assert len(lines) == 10
-    masters = [read_master(path) for path in find_masters(CHECKOUT / "notebooks" / "masters")]
-    masters = [each for each in masters if any(not exercise.practice for exercise in each.exercises)]
+    masters = [each for each in MASTERS if any(not exercise.practice for exercise in each.exercises)]
     has_mistakes = {exercise.id for each in masters for exercise in each.exercises if exercise.mistakes}
     submitted, graded = [], 0
     for line in lines:
+        if line.startswith(KEY):
+            continue
         if "imgproc-course grade" in line and graded == 0:
             submitted = thirty(tmp_path / "submissions", masters)
         elif "imgproc-course grade" in line:
@@ -81,7 +101,53 @@ def test_a_term_in_ten_commands(tmp_path):
     pages = list((tmp_path / "grades" / "learners").iterdir())
     assert len(pages) == 31 and (tmp_path / "feedback.zip").stat().st_size > 10_000
     handed_out = sorted(path.stem for path in (tmp_path / "handout").glob("[0-9]*.ipynb"))
-    assert handed_out == [path.stem for path in find_masters(CHECKOUT / "notebooks" / "masters")]
+    assert handed_out == [path.stem for path in PATHS]
     assert (tmp_path / "handout" / "checks" / "grayscale.json").is_file()
     assert not (tmp_path / "handout" / "solutions").exists()
     assert (tmp_path / "handout.zip").is_file() and (tmp_path / "handout_mine.zip").is_file()
+
+
+@pytest.fixture(scope="module")
+def grades(keyed, tmp_path_factory):
+    """The grades of two learners: one left every lesson as it was, the other solved it."""
+    folder = tmp_path_factory.mktemp("lessons")
+    for path, master in zip(PATHS, MASTERS, strict=True):
+        write(
+            folder / "in" / "pristine" / f"{master.name}.ipynb",
+            (NOTEBOOKS / f"{path.stem}.ipynb").read_bytes(),
+        )
+        solutions = {each.id: each.solution for each in master.exercises}
+        write(folder / "in" / "solved" / f"{master.name}.ipynb", notebook(master, solutions))
+    grade_submissions(folder / "in", [keyed / "key"], folder / "grades", workers=2, quiet=True)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def learners(grades):
+    return {
+        name: {lesson["lesson"]: lesson for lesson in learner["lessons"]}
+        for name, learner in grades_in(grades).items()
+    }
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_lesson_as_handed_out_gets_no_points(learners, name):
+    lesson = learners["pristine"][name]
+    assert (lesson["points"], lesson["findings"], lesson["status"]) == (0, [], "graded")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_solved_lesson_gets_every_point(learners, name):
+    lesson = learners["solved"][name]
+    assert lesson["points"] == lesson["max_points"]
+    assert (lesson["max_points"] > 0) == bool(lesson["exercises"])
+
+
+def test_nothing_else_was_found(learners):
+    assert sorted(learners["pristine"]) == sorted(learners["solved"]) == sorted(NAMES)
+
+
+def test_a_check_that_gives_no_points_says_so(grades):
+    for path in (grades / "grades" / "learners").iterdir():
+        text = path.read_text(encoding="utf-8")
+        assert ">no points<" in text and ">0 of 0<" not in text
