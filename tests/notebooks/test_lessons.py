@@ -137,8 +137,8 @@ def assert_points(exercise):
 def test_the_exercises_are_valid_and_their_stored_checks_say_the_same(path, tmp_path):
     """For the stub, the solution and each known mistake; and the stored checks are those of the master.
 
-    One test for both, because what the mistakes give is computed once in a process. A drive takes a second: of
-    those that a lesson carries, the stub drives. Its hidden scenarios are drawn by `key` until they fit.
+    One test for both, because what the mistakes give is computed once in a process. A drive takes a second:
+    of those that a lesson carries, the stub drives. Hidden scenarios are drawn by `key` until they fit.
     """
     master = read_master(path)
     files = lesson_files(master)

@@ -1,4 +1,4 @@
-"""The README's "How to teach with it", run as written, on thirty generated submissions, and every lesson graded.
+"""The README's "How to teach with it", run as written, on thirty generated submissions; each lesson graded.
 
 One key serves both: to draw its drives takes a minute.
 """
