@@ -30,6 +30,7 @@ PERSON_ROOM, CAR_ROOM, START_ROOM, BALL_ROOM = 300, 170, 350, 200  # millimetres
 APART = 0.6  # metres between the ways, the start and the ball
 AHEAD = np.stack([np.linspace(0, 1, 20), np.zeros(20)], 1)  # free before the robot, metres
 AHEAD_ROOM = 200
+NUMBERS = [number for number in range(50) if number not in (7, 12)]  # of markers: not the recorded room's
 LOW = ("rug", "sign", "picture", "wall_marker", *SMALL)  # pieces that hide nothing, from above or below
 # Distances (m) and angles (rad) from which sign and markers are looked at; of so many places they are seen.
 LOOKS = {"sign": (1.4, 2.4), "wall_marker": (0.9, 1.9), "marker": (0.9, 1.9)}
@@ -38,7 +39,7 @@ AIMS = ((0.1, -0.15), (0.1, 0.0), (0.1, 0.15))  # metres before and beside the m
 
 
 def furnished(seed: int) -> Room:
-    """The living room with its furniture, sign and markers elsewhere, and another word on the sign.
+    """The living room with its furniture, sign and markers elsewhere, another word and other markers.
 
     The same seed always gives the same room. The last few are kept.
 
@@ -80,6 +81,8 @@ def _drawn(random, name):
         return None
     x, y, yaw = places["rug"]
     word = WORDS[int(random.integers(len(WORDS)))]
+    marker, wall_marker = random.choice(NUMBERS, 2, replace=False).tolist()
+    markers = {"marker": marker, "wall_marker": wall_marker}
     return Room(
         name=name,
         model=pieces.placed(places),
@@ -89,15 +92,16 @@ def _drawn(random, name):
         person=PersonWay(*ways.person),
         car=CarWay(*ways.car),
         ball=BallWay(ways.ball),
-        textures=functools.cache(functools.partial(_textures, places, word)),
+        textures=functools.cache(functools.partial(_textures, places, word, markers)),
         word=word,
+        markers=markers,
         poses=poses,
         places=places,
     )
 
 
-def _textures(places, word, lighting):
-    return textures(places, lighting, word) | {"movers": load_texture("movers", lighting)}
+def _textures(places, word, markers, lighting):
+    return textures(places, lighting, word, markers) | {"movers": load_texture("movers", lighting)}
 
 
 class Ways(NamedTuple):

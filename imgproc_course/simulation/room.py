@@ -104,6 +104,7 @@ class Room:
     start : (x, y, yaw) of the robot in the map, metres and radians
     textures : of a lighting, {atlas: (H, W, 3) uint8 BGR}, H and W powers of two
     word : what is written large on the sign
+    markers : {"marker": ..., "wall_marker": ...}, the numbers that they show, of the dictionary 4x4_50
     poses : {"sign": ..., "marker": ..., "wall_marker": ...}, each [x, y, z, qx, qy, qz, qw] float64
     places : of each piece of furniture, (x, y, yaw), the turn against the recorded room; there it is empty
     """
@@ -118,6 +119,7 @@ class Room:
     ball: BallWay
     textures: Callable[[str], dict[str, NDArray[np.uint8]]]
     word: str = "KITCHEN"
+    markers: dict[str, int] = field(default_factory=lambda: {"marker": 7, "wall_marker": 12})
     poses: dict[str, NDArray[np.float64]] = field(default_factory=dict)
     places: dict[str, tuple[float, float, float]] = field(default_factory=dict)
 

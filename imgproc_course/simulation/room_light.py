@@ -23,7 +23,10 @@ FILES = ROOM_FILES / "pieces"
 X0, X1, Y0, Y1, HEIGHT = -0.9, 5.6, -2.1, 2.3, 2.45  # metres: the room
 SKY_SHARE = 0.85  # of the indirect light that a body in its way takes
 BRIGHTEST = {"direct": 2.0, "indirect": 2.0, "sun": 8.0}  # light of the code 255 in the images of light
+MARKERS = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
 INK = 26  # the value of the sign's writing
+# Of each marker, row and column of its upper left corner on the signs' texture, where it lies on its left side.
+MARKER_CORNERS, MARKER_SIDE = {"marker": (348, 709), "wall_marker": (709, 709)}, 268
 
 
 class Atlas(NamedTuple):
@@ -87,7 +90,7 @@ def words():
     return tuple(name.removeprefix("word_") for name in stored() if name.startswith("word_"))
 
 
-def textures(poses, lighting, word=None):
+def textures(poses, lighting, word=None, markers=None):
     """The textures of a lighting: {atlas: (H, W, 3) uint8 BGR}.
 
     Parameters
@@ -95,8 +98,11 @@ def textures(poses, lighting, word=None):
     poses : {piece: (x, y, yaw)}: where each piece's origin is, and its turn against the recorded room
     lighting : "day" or "evening"
     word : of the sign's first line, one of `words()`; if omitted, the recorded room's
+    markers : {"marker": number, "wall_marker": number}, 0 to 49; if omitted, the recorded room's
     """
     images = {atlas: read(f"{atlas}_{lighting}.jpg") for atlas in ATLASES}
+    for name, number in (markers or {}).items():
+        print_marker(images["signs"], name, number)
     small = {atlas: reduced(images[atlas], ATLASES[atlas].size) for atlas in ATLASES}
     write(images["signs"], words()[0] if word is None else word)
     placed = Placed(poses)
@@ -157,6 +163,17 @@ def ratios_of_pieces(atlas, small, placed, floor, lighting):
     image = np.zeros_like(small)
     image[known] = ratios(f"{atlas}_{lighting}", small[known], light)
     return np.where(known[..., None], image, cv2.dilate(image, np.ones((3, 3), np.uint8)))
+
+
+def print_marker(image, name, number):
+    """Prints another marker of the dictionary 4x4_50 on the signs' texture, in place."""
+    top, left = MARKER_CORNERS[name]
+    box = image[top : top + MARKER_SIDE, left : left + MARKER_SIDE]
+    ink, paper = box[20, 20].copy(), image[top - 12, left + MARKER_SIDE // 2].copy()
+    cells = cv2.aruco.generateImageMarker(MARKERS, number, 6)
+    is_paper = cv2.resize(np.rot90(cells), (MARKER_SIDE, MARKER_SIDE), interpolation=cv2.INTER_NEAREST) > 0
+    inside = np.s_[MARKER_SIDE // 6 : -(MARKER_SIDE // 6)]  # the frame around the cells stays
+    box[inside, inside] = np.where(is_paper[inside, inside, None], paper, ink)
 
 
 def write(image, word):

@@ -294,7 +294,7 @@ class Simulation:
         """The true pose in the map, [x, y, z, qx, qy, qz, qw], float64.
 
         Of "robot" (its axle's center on the floor), "camera" and "tof" (optical frames), "person", "toycar",
-        "ball", "marker" (id 7), "wall_marker" (id 12) or "sign" (their -y points to whoever looks at them).
+        "ball", "marker", "wall_marker" or "sign" (their -y points to those who look at them).
         """
         if name == "robot":
             return self._robot_pose().vector

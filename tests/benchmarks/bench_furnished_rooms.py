@@ -26,7 +26,6 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from independent_room import compare
 
 ROOMS, SEEDS = int(os.environ.get("ROOMS", "20")), int(os.environ.get("SEEDS", "1000"))
-IDS = {"marker": 7, "wall_marker": 12}
 DISTANCE = 1.1  # metres from which markers are looked at
 PARAMETERS = cv2.aruco.DetectorParameters()
 PARAMETERS.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX
@@ -57,7 +56,7 @@ def corner_errors(room):
     """Largest error of a marker's corners, in pixels of 1280×720, for each marker that is found."""
     errors = {}
     with Simulation(room=room, size=(1280, 720), movers=False) as simulation:
-        for name, number in IDS.items():
+        for name, number in room.markers.items():
             pose = Pose.from_vector(room.poses[name])
             u, v = outwards(room.poses[name])
             eye = Pose.planar(*(pose.position[:2] + DISTANCE * np.array([u, v])), math.atan2(-v, -u))

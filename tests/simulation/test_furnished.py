@@ -161,6 +161,7 @@ def test_a_number_keeps_its_room():
     assert (room.start, room.ball.start) == ((4.898, -0.703, -2.616), (0.655, -0.297))
     assert furnished(0).start == (0.786, -0.441, 1.986)
     assert (room.word, furnished(0).word) == ("LIBRARY", "LAUNDRY")
+    assert room.markers == {"marker": 45, "wall_marker": 20} and {7, 12}.isdisjoint(room.markers.values())
 
 
 def test_the_sign_has_its_word_and_the_markers_are_read_where_they_are():
@@ -168,7 +169,7 @@ def test_the_sign_has_its_word_and_the_markers_are_read_where_they_are():
     detector = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50))
     room = furnished(2)
     with Simulation(room=room, size=(1280, 720), movers=False) as simulation:
-        for name, number in (("marker", 7), ("wall_marker", 12)):
+        for name, number in room.markers.items():
             pose = Pose.from_vector(room.poses[name])
             u, v = outwards(room.poses[name])
             eye = Pose.planar(*(pose.position[:2] + 1.1 * np.array([u, v])), math.atan2(-v, -u))
