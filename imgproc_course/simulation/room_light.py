@@ -25,7 +25,7 @@ SKY_SHARE = 0.85  # of the indirect light that a body in its way takes
 BRIGHTEST = {"direct": 2.0, "indirect": 2.0, "sun": 8.0}  # light of the code 255 in the images of light
 MARKERS = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
 INK = 26  # the value of the sign's writing
-# Of each marker, row and column of its upper left corner on the signs' texture, where it lies on its left side.
+# Row and column of each marker's upper left corner on the signs' texture, where it lies on its left side.
 MARKER_CORNERS, MARKER_SIDE = {"marker": (348, 709), "wall_marker": (709, 709)}, 268
 
 
