@@ -12,14 +12,13 @@ pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("masters"), pytest.ma
 
 
 def is_quick(sample):
-    """The stub, the solution and the first mistake; of the lessons only the mistake.
+    """The stub, the solution and the first mistake, of the tests' masters.
 
-    tests/classroom/gradebook/test_lessons.py grades their stubs and solutions, and
-    tests/benchmarks/bench_sample_answers.py all.
+    tests/classroom/gradebook/test_teach.py grades those of the lessons, with one key for all that it grades,
+    and tests/benchmarks/bench_sample_answers.py all.
     """
     path, declared, name = sample
-    names = list(sample_answers(declared))[:3]
-    return name in (names[2:] if ROOT / "notebooks" in path.parents else names)
+    return ROOT / "notebooks" not in path.parents and name in list(sample_answers(declared))[:3]
 
 
 SOME = [sample for sample in SAMPLES if is_quick(sample)]

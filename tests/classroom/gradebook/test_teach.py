@@ -12,6 +12,7 @@ from datetime import datetime
 from pathlib import Path
 
 import pytest
+from master_answers import sample_answers
 from submissions import answers_of, notebook, thirty, write
 
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
@@ -107,9 +108,13 @@ def test_a_term_in_ten_commands(keyed):
     assert (tmp_path / "handout.zip").is_file() and (tmp_path / "handout_mine.zip").is_file()
 
 
+def first_mistakes(master):
+    return {each.id: list(sample_answers(each).values())[-len(each.mistakes)] for each in master.exercises}
+
+
 @pytest.fixture(scope="module")
 def grades(keyed, tmp_path_factory):
-    """The grades of two learners: one left every lesson as it was, the other solved it."""
+    """The grades of three learners: who left every lesson as it was, solved it, or made known mistakes."""
     folder = tmp_path_factory.mktemp("lessons")
     for path, master in zip(PATHS, MASTERS, strict=True):
         write(
@@ -118,6 +123,7 @@ def grades(keyed, tmp_path_factory):
         )
         solutions = {each.id: each.solution for each in master.exercises}
         write(folder / "in" / "solved" / f"{master.name}.ipynb", notebook(master, solutions))
+        write(folder / "in" / "mistaken" / f"{master.name}.ipynb", notebook(master, first_mistakes(master)))
     grade_submissions(folder / "in", [keyed / "key"], folder / "grades", workers=2, quiet=True)
     return folder
 
@@ -143,8 +149,19 @@ def test_the_solved_lesson_gets_every_point(learners, name):
     assert (lesson["max_points"] > 0) == bool(lesson["exercises"])
 
 
+@pytest.mark.parametrize("master", MASTERS, ids=NAMES)
+def test_the_first_mistake_of_each_exercise_is_named_and_costs_points(learners, master):
+    graded = {each["id"]: each for each in learners["mistaken"][master.name]["exercises"]}
+    for each in master.exercises:
+        if each.mistakes and not each.practice:
+            assert graded[each.id]["mistake"] == each.mistakes[0].name
+            assert graded[each.id]["points"] < graded[each.id]["max_points"] == each.points
+
+
 def test_nothing_else_was_found(learners):
-    assert sorted(learners["pristine"]) == sorted(learners["solved"]) == sorted(NAMES)
+    assert {name: sorted(lessons) for name, lessons in learners.items()} == {
+        name: sorted(NAMES) for name in ("pristine", "solved", "mistaken")
+    }
 
 
 def test_a_check_that_gives_no_points_says_so(grades):
