@@ -9,10 +9,10 @@ from dataclasses import dataclass, field, fields
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.cell_syntax import cells_of, needed_parts, parts_of
-from imgproc_course.classroom.exercises.dependencies import tree_as_graded
-from imgproc_course.classroom.exercises.ros_double import offer_modules
-from imgproc_course.classroom.exercises.running import NODES, CallResult, answer_name, by_itself, call
+from .cell_syntax import cells_of, needed_parts, parts_of
+from .dependencies import tree_as_graded
+from .ros_double import offer_modules
+from .running import NODES, CallResult, answer_name, by_itself, call
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,11 +22,11 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
-from imgproc_course.classroom.exercises.check_data import CheckData, ExpectedCall
-from imgproc_course.classroom.exercises.declaration import Exercise, MasterError
-from imgproc_course.classroom.exercises.input_encoding import decode
-from imgproc_course.classroom.exercises.lesson_description import LessonDescription
-from imgproc_course.classroom.exercises.running import CallResult
+from .check_data import CheckData, ExpectedCall
+from .declaration import Exercise, MasterError
+from .input_encoding import decode
+from .lesson_description import LessonDescription
+from .running import CallResult
 
 FORMAT = 1
 CHECKS, SOLUTIONS = "checks", "solutions"  # names of the folders

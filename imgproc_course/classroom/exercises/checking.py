@@ -4,20 +4,20 @@ import inspect
 import types
 from dataclasses import dataclass, field, replace
 
-from imgproc_course.classroom.exercises import feedback
-from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer, compose_answer
-from imgproc_course.classroom.exercises.cell_runs import RUNS
-from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
-from imgproc_course.classroom.exercises.check_files import find_check_file
-from imgproc_course.classroom.exercises.comparison import Difference, compare
-from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
-from imgproc_course.classroom.exercises.dependencies import Dependencies, dependencies_of, find_refused
-from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
-from imgproc_course.classroom.exercises.drive import passes, sentences_of
-from imgproc_course.classroom.exercises.drive_check import drive_scenarios, known_mistake, progress_bar
-from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.progress import ExerciseProgress, content_of, digest_of, note_progress
-from imgproc_course.classroom.exercises.running import (
+from . import feedback
+from .answer_cells import ComposedAnswer, compose_answer
+from .cell_runs import RUNS
+from .check_data import Case, CheckData, Mistake
+from .check_files import find_check_file
+from .comparison import Difference, compare
+from .declaration import PUBLIC_SEED
+from .dependencies import Dependencies, dependencies_of, find_refused
+from .diagnosis import Diagnosis, diagnose
+from .drive import passes, sentences_of
+from .drive_check import drive_scenarios, known_mistake, progress_bar
+from .expected_results import check_data_of
+from .progress import ExerciseProgress, content_of, digest_of, note_progress
+from .running import (
     CallResult,
     TimeUp,
     answer_name,
@@ -28,7 +28,7 @@ from imgproc_course.classroom.exercises.running import (
     overwrite_freed_memory,
     source_of,
 )
-from imgproc_course.classroom.exercises.source_remarks import STUB_LINE, has_done, remarks_on_source
+from .source_remarks import STUB_LINE, has_done, remarks_on_source
 
 _NONE = {"type": "None"}
 _SECONDS = 10  # for the statements beside an answer

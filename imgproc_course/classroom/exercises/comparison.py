@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
+from .canonical import array_of, canonical
 
 _LONGEST_TEXT = 500  # a longer text is cut
 _LONGEST_INTEGER = 30  # digits; of a longer one the first digits are told

@@ -11,13 +11,8 @@ import sys
 import types
 from dataclasses import dataclass, field
 
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.cell_syntax import (
-    UNPARSABLE,
-    cells_of,
-    needed_statements,
-    statements_of,
-)
+from .. import course
+from .cell_syntax import UNPARSABLE, cells_of, needed_statements, statements_of
 
 
 @dataclass(frozen=True)

@@ -9,15 +9,8 @@ from itertools import permutations
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.comparison import (
-    as_float,
-    as_type_of,
-    compare,
-    differing,
-    kind_of,
-    named_items,
-)
+from .canonical import array_of, canonical
+from .comparison import as_float, as_type_of, compare, differing, kind_of, named_items
 
 _FACTORS = {
     0.5: "half the expected number",

@@ -3,11 +3,11 @@
 from dataclasses import replace
 from functools import lru_cache
 
-from imgproc_course.classroom.exercises import feedback
-from imgproc_course.classroom.exercises.check_data import ExpectedCall
-from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
-from imgproc_course.classroom.exercises.drive_check import drive_scenarios
-from imgproc_course.classroom.exercises.running import CallResult, argument_names
+from . import feedback
+from .check_data import ExpectedCall
+from .declaration import PUBLIC_SEED, MasterError
+from .drive_check import drive_scenarios
+from .running import CallResult, argument_names
 
 
 class _MistakeResults(dict):

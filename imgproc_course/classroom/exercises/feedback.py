@@ -8,22 +8,12 @@ import html
 import re
 from itertools import chain, repeat
 
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.drive import METRICS, metric_text, sentences_of
-from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.node_feedback import (
-    NODE_ERRORS,
-    advice_on_node_error,
-    differing_images,
-    sentence_on_node,
-)
-from imgproc_course.classroom.exercises.running import NODES
-from imgproc_course.classroom.exercises.values import (
-    answer_parts,
-    describe_value,
-    differing_elements,
-    table_rows,
-)
+from .canonical import array_of, canonical
+from .drive import METRICS, metric_text, sentences_of
+from .error_advice import advice_on
+from .node_feedback import NODE_ERRORS, advice_on_node_error, differing_images, sentence_on_node
+from .running import NODES
+from .values import answer_parts, describe_value, differing_elements, table_rows
 
 _MOST_LINES = 12  # of the function's own prints
 
@@ -365,7 +355,7 @@ def as_html(result):
 def _drives_as_html(result):
     """The table of drives, and their maps."""
     if result.drives:
-        from imgproc_course.classroom.exercises.drive_check import images_of_drive  # here, as in `_figures`
+        from .drive_check import images_of_drive  # here, as in `_figures`
 
         yield _table(_drive_rows(result), 'th scope="col"')
         images = [image for drive in result.drives for image in images_of_drive("draw_map", drive)]
@@ -410,7 +400,7 @@ def _table(rows, first="td"):
 def _figures(result, call):
     """The images of the first part of the answer that is a wrong image; else the images that were given."""
     # Here, because it imports Pillow: the processes that grade import this package, and draw nothing.
-    from imgproc_course.classroom.exercises.answer_images import answer_images, given_images, is_image
+    from .answer_images import answer_images, given_images, is_image
 
     if result.exercise.subject == "drive":
         return _images_before(call)
@@ -430,7 +420,7 @@ def _figures(result, call):
 
 def _images_before(drive):
     """What the camera saw before the bump, or before the place nearest to something."""
-    from imgproc_course.classroom.exercises.drive_check import images_of_drive
+    from .drive_check import images_of_drive
 
     has_moment = drive.record["decisive"] and not drive.record["ended"]
     return _row_of_figures(images_of_drive("look_back", drive)) if has_moment else ""
@@ -438,7 +428,7 @@ def _images_before(drive):
 
 def _images_of_node(call):
     """The first image that a node published, and that differs, with what was sent and what was expected."""
-    from imgproc_course.classroom.exercises.answer_images import answer_images
+    from .answer_images import answer_images
 
     images = call.difference and differing_images(call.expected.value, call.result.value, call.arguments)
     if not images or images[1].shape != images[2].shape:

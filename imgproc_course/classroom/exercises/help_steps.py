@@ -6,14 +6,8 @@ import numbers
 import re
 from dataclasses import dataclass
 
-from imgproc_course.classroom.exercises.check_files import (
-    SOLUTIONS,
-    find_check_data,
-    find_check_file,
-    read_lesson_file,
-    reading,
-)
-from imgproc_course.classroom.exercises.progress import ExerciseProgress, note_progress, progress_of
+from .check_files import SOLUTIONS, find_check_data, find_check_file, read_lesson_file, reading
+from .progress import ExerciseProgress, note_progress, progress_of
 
 TRIES = 3  # honest ones, before a solution opens
 _CODE_SPAN = re.compile(r"`([^`]+)`")

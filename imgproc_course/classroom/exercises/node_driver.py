@@ -19,7 +19,7 @@ import threading
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.recording_node import (
+from .recording_node import (
     LEVELS,
     UNKNOWN,
     NodeError,
@@ -30,7 +30,7 @@ from imgproc_course.classroom.exercises.recording_node import (
     stop,
     type_text,
 )
-from imgproc_course.classroom.exercises.ros_double import offer_modules
+from .ros_double import offer_modules
 
 _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows", "destroyWindow")
 # What a node must not do: it is trapped during a drive, and the record says that it was used.

@@ -19,7 +19,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Literal
 
-from imgproc_course.classroom.exercises.running import codes_of
+from .running import codes_of
 
 PROGRESS, LOCK = ".progress.json", ".progress.lock"
 LEARNERS_FOLDER = ".course.json"  # a folder with this file is a learner's

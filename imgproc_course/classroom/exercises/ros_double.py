@@ -14,14 +14,8 @@ import types
 from importlib.machinery import ModuleSpec
 from typing import ClassVar
 
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.recording_node import (
-    UNKNOWN,
-    RecordingNode,
-    refusals,
-    refuse,
-    ros_name,
-)
+from .. import course
+from .recording_node import UNKNOWN, RecordingNode, refusals, refuse, ros_name
 
 
 class _Message:

@@ -25,8 +25,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.comparison import compare, named_items
+from .canonical import canonical
+from .comparison import compare, named_items
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
@@ -160,7 +160,7 @@ def _call(function, arguments):
 
 def _drive(node_class, arguments):
     """What a node did when it was driven, as a plain value."""
-    from imgproc_course.classroom.exercises.node_driver import drive  # here: only nodes need it
+    from .node_driver import drive  # here: only nodes need it
 
     if not isinstance(node_class, type):
         raise TypeError(f"expected the class of your node, got a value of type {type(node_class).__name__}")
@@ -169,7 +169,7 @@ def _drive(node_class, arguments):
 
 def _drive_package(function, arguments):
     """What the files of a package say, or what its node did, as a plain value."""
-    from imgproc_course.classroom.exercises.package_driver import drive_package
+    from .package_driver import drive_package
 
     return drive_package(function, *arguments)
 
