@@ -166,7 +166,7 @@ class _ExerciseKeyMaker:
         solution = exercise.function_of(exercise.solution, "solution")
         own_fields = {
             "points": sum(case.points for case in self._cases),
-            "arguments": tuple(running.argument_names(solution, subject=exercise.subject)),
+            "arguments": tuple(running.argument_names(solution, exercise.subject)),
             "cases": tuple(map(self._key_case, self._cases)),
             "mistakes": tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
         }
@@ -249,7 +249,7 @@ class _ExerciseKeyMaker:
         calls = []
         for encoded in self._inputs[case.id]:
             arguments = decode(encoded)
-            names = running.argument_names(function, arguments, exercise.subject)
+            names = running.argument_names(function, exercise.subject)
             result = running.call(function, arguments, names, exercise.time_limit, exercise.subject)
             calls.append(call_to_json(result))
         return calls

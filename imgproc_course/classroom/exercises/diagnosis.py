@@ -32,13 +32,8 @@ _LINES = {
     "the last column": np.s_[:, -1:],
 }
 _RIGHT = "The values are right"
-_FUNCTIONS = (
-    "function",
-    "builtin_function_or_method",
-    "method",
-    "numpy.ufunc",
-    "numpy._ArrayFunctionDispatcher",
-)
+_FUNCTIONS = ("function", "builtin_function_or_method", "method")
+_FUNCTIONS += ("numpy.ufunc", "numpy._ArrayFunctionDispatcher")
 _NUMBERS, _SEQUENCES = ("int", "float"), ("tuple", "list")
 _NOUNS = {
     **{"ndarray": "an array", "int": "a number", "float": "a number", "str": "a text", "dict": "a dict"},

@@ -37,7 +37,7 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
     solution = exercise.function_of(exercise.solution, "solution")
     exercise = replace(
         exercise,
-        names=tuple(argument_names(solution, subject=exercise.subject)),
+        names=tuple(argument_names(solution, exercise.subject)),
         provided=tuple(sorted(exercise.namespace())),
     )
     return replace(

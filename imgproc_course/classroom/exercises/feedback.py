@@ -153,12 +153,10 @@ def _notes(result):
     if result.dependencies.error:
         yield f"The answer cell does not run by itself: {result.dependencies.error}"
     for foreign, origin in result.dependencies.foreign.items():
-        if exercise.subject != "function":
+        if exercise.subject != "function" or (origin == "function" and foreign not in exercise.names):
             advice = f"Copy the definition of {foreign} into the answer cell."
         elif foreign in exercise.names:
             advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
-        elif origin == "function":
-            advice = f"Copy the definition of {foreign} into the answer cell."
         else:
             advice = f"Use the arguments of your function ({names}), or define {foreign} in the answer cell."
         reason = "" if exercise.practice else " Grading runs only the answer cell."

@@ -50,7 +50,7 @@ def _call(function, arguments, seconds, subject):
     signal.signal(signal.SIGPROF, raise_time_up)
     signal.setitimer(signal.ITIMER_PROF, seconds, 0.1)
     try:
-        names = running.argument_names(function, arguments, subject)
+        names = running.argument_names(function, subject)
         return running.call(function, arguments, names, 1e6, subject)
     except running.TimeUp:  # raised between the call's end and here
         return running.CallResult(timed_out=True)
