@@ -185,7 +185,7 @@ def _note(result, function):
 
 
 def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
-    """The CheckResult of an answer on an Exercise's cases, the public ones if omitted, with inputs from a seed."""
+    """The CheckResult of an answer on an Exercise's cases, the public ones if omitted; inputs by a seed."""
     return run_check(check_data_of(exercise, None if cases is None else tuple(cases), seed), function)
 
 
