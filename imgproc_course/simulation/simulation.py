@@ -294,7 +294,7 @@ class Simulation:
         """The true pose in the map, [x, y, z, qx, qy, qz, qw], float64.
 
         Of "robot" (its axle's center on the floor), "camera" and "tof" (optical frames), "person", "toycar",
-        "ball", "marker" (id 7), "wall_marker" (id 12) or "sign" (their -y points to whoever looks at them).
+        "ball", "marker" (id 7), "wall_marker" (id 12) or "sign" (their -y points to the viewer).
         """
         if name == "robot":
             return self._robot_pose().vector
@@ -360,7 +360,7 @@ def check_size(name, size):
 
 
 def checked_movers(movers, ball=None):
-    """The names of those that take part, in the order of MOVERS; who gives a ball's way wants it to."""
+    """The names of those that take part, in the order of MOVERS; a ball whose way is given does."""
     names = MOVERS if movers is True else movers or ()
     if isinstance(names, str) or not isinstance(names, Collection) or not set(names) <= set(MOVERS):
         raise ValueError(f"movers is True, False, or names of {', '.join(MOVERS)}, got {movers!r}")

@@ -23,15 +23,8 @@ from imgproc_course.classroom.exercises.check_files import CHECKS_VARIABLE
 from imgproc_course.classroom.exercises.declaration import MasterError
 
 CELL_SECONDS = 120
-_VARIABLES_LEFT_OUT = (
-    "MPLBACKEND",
-    "PYTHONWARNINGS",
-    "FORCE_COLOR",
-    "NO_COLOR",
-    "ROS_LOCALHOST_ONLY",
-    "JPY_SESSION_NAME",
-    CHECKS_VARIABLE,
-)
+_VARIABLES_LEFT_OUT = ("MPLBACKEND", "PYTHONWARNINGS", "FORCE_COLOR", "NO_COLOR")
+_VARIABLES_LEFT_OUT += ("ROS_LOCALHOST_ONLY", "JPY_SESSION_NAME", CHECKS_VARIABLE)
 _ANSI = re.compile(r"\x1b\[[0-9;]*m")
 _ADDRESS = re.compile(r"\b0x[0-9a-f]{8,}\b")
 _DATA_URI = re.compile(r"base64,[A-Za-z0-9+/=\s]+")

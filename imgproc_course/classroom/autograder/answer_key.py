@@ -326,12 +326,9 @@ def known_mistake(exercise, content, calls):
 
 
 def _agrees(mistake_calls, calls, cases):
-    return all(_are_same(calls.get(case.id), mistake_calls[case.id], case.tolerance) for case in cases)
-
-
-def _are_same(answer, mistake, tolerance):
-    return (
-        answer is not None
-        and len(answer) == len(mistake)
-        and all(map(lambda call, other: call.matches(other, tolerance), answer, mistake))
-    )
+    for case in cases:
+        answer, mistake = calls.get(case.id) or (), mistake_calls[case.id]
+        pairs = zip(answer, mistake, strict=False)
+        if len(answer) != len(mistake) or not all(call.matches(o, case.tolerance) for call, o in pairs):
+            return False
+    return True

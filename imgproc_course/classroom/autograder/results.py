@@ -14,6 +14,8 @@ import re
 from dataclasses import dataclass, is_dataclass, replace
 from types import SimpleNamespace
 
+import msgspec
+
 from imgproc_course.classroom.autograder.answer_key import known_mistake
 from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
 from imgproc_course.classroom.autograder.sanitize import sanitize_text
@@ -97,7 +99,7 @@ class GradedExercise:
     id: str
     title: str
     max_points: int
-    cases: tuple
+    cases: tuple[GradedCase, ...]
     mistake: str = ""
     mistake_explanation: str = ""
     message: str = ""
@@ -118,7 +120,7 @@ class GradedSubmission:
 
     name: str
     lesson: str
-    exercises: tuple
+    exercises: tuple[GradedExercise, ...]
 
     @property
     def points(self):
@@ -160,17 +162,8 @@ def to_json(result):
 
 
 def from_json(data):
-    """The GradedSubmission that `to_json` wrote; KeyError, TypeError or ValueError if it did not."""
-    return GradedSubmission(**data | {"exercises": tuple(map(_exercise_from_json, data["exercises"]))})
-
-
-def _exercise_from_json(entry):
-    return GradedExercise(**entry | {"cases": tuple(map(_case_from_json, entry["cases"]))})
-
-
-def _case_from_json(entry):
-    failed_call = entry["failed_call"] and FailedCall(**entry["failed_call"])
-    return GradedCase(**entry | {"outcome": Outcome(entry["outcome"]), "failed_call": failed_call})
+    """The GradedSubmission that `to_json` wrote; ValueError if it did not."""
+    return msgspec.convert(data, GradedSubmission)
 
 
 # ---------------------------------------------------------------- from a run to its result

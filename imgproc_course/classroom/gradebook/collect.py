@@ -24,6 +24,7 @@ import os
 import stat
 import unicodedata
 from collections import Counter, deque
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
@@ -120,7 +121,7 @@ def collect(path, lessons=()):
     return collection
 
 
-class Collection:
+class Collection(AbstractContextManager):
     """What was collected, of each sender no more than their budget of files and bytes.
 
     files     list of SubmittedFile, sorted by source
@@ -134,9 +135,6 @@ class Collection:
         self.files, self.ignored, self.findings, self.archives = [], [], [], Archives()
         self._notebooks, self._bytes, self._ignored, self._found = Counter(), Counter(), Counter(), Counter()
         self._known = set()
-
-    def __enter__(self):
-        return self
 
     def __exit__(self, *_error):
         self.archives.close()
