@@ -288,7 +288,8 @@ def _cells_beside(path, headings):
 
 def _heading(cell):
     try:
-        calls = [node for node in ast.walk(ast.parse(cell.source)) if _is_declaration(node)]
+        calls = [node for node in ast.walk(ast.parse(cell.source)) if isinstance(node, ast.Call)]
+        calls = [call for call in calls if getattr(call.func, "id", "") == "exercise"]
         if len(calls) != 1:
             raise MasterError(f"expected one call of exercise(...), found {len(calls)}")
         arguments = [ast.literal_eval(value) for value in calls[0].args]
@@ -300,10 +301,6 @@ def _heading(cell):
         raise MasterError(
             f"{cell.place}: cannot read the declaration ({error}); exercise(...) takes literals only"
         ) from error
-
-
-def _is_declaration(node):
-    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "exercise"
 
 
 def _assemble(path, heading, cells):

@@ -194,10 +194,6 @@ def _cases(result):
         yield case_result, explanation, call if call is result.shown else None
 
 
-def _state(result):
-    return "passed" if result.passed else "failed" if result.attempted else "open"
-
-
 def _headline(result):
     if result.why_older:
         return f"this is an older {result.exercise.kind}"
@@ -333,7 +329,7 @@ def _indent(text):
 
 def as_html(result):
     """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
-    colour = _COLOURS[_state(result)]
+    colour = _COLOURS["passed" if result.passed else "failed" if result.attempted else "open"]
     headline = html.escape(f"{result.exercise.id}: {_headline(result)}")
     body = [f'<div style="font-weight: 600; color: {colour}">{headline}</div>']
     body += map(_paragraph, _remarks(result))

@@ -305,13 +305,12 @@ def functions_of(answer):
     if isinstance(answer, type):
         own_bases = [base for base in reversed(answer.__mro__) if base.__module__ == answer.__module__]
         members = {name: value for base in own_bases for name, value in vars(base).items()}
-        found = {name: _unwrapped(value) for name, value in members.items()}
+        # Behind a static method, a class method or a property there is a function.
+        found = {
+            name: getattr(value, "__func__", None) or getattr(value, "fget", None) or value
+            for name, value in members.items()
+        }
     return {name: value for name, value in found.items() if isinstance(value, types.FunctionType)}
-
-
-def _unwrapped(member):
-    """The function behind a static method, a class method or a property."""
-    return getattr(member, "__func__", None) or getattr(member, "fget", None) or member
 
 
 def codes_of(answer):
