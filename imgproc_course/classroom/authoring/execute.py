@@ -17,10 +17,10 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 from nbformat.v4 import new_output
 from PIL import Image
 
-from imgproc_course.classroom.authoring.atomic_write import write_file
-from imgproc_course.classroom.authoring.rules import RAISING_TAGS
-from imgproc_course.classroom.exercises.check_files import CHECKS_VARIABLE
-from imgproc_course.classroom.exercises.declaration import MasterError
+from ..exercises.check_files import CHECKS_VARIABLE
+from ..exercises.declaration import MasterError
+from .atomic_write import write_file
+from .rules import RAISING_TAGS
 
 CELL_SECONDS = 120
 _VARIABLES_LEFT_OUT = ("MPLBACKEND", "PYTHONWARNINGS", "FORCE_COLOR", "NO_COLOR")

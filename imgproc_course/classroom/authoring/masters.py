@@ -97,12 +97,12 @@ from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE, lesson_name
-from imgproc_course.classroom.authoring.minutes import timed_script
-from imgproc_course.classroom.authoring.references import References
-from imgproc_course.classroom.authoring.rules import CHECK_LINE, VARYING_TAG, master_problems
-from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
-from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
+from ..exercises.declaration import MasterError, read_exercises
+from ..exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
+from .lesson_names import LESSON_FILE, lesson_name
+from .minutes import timed_script
+from .references import References
+from .rules import CHECK_LINE, VARYING_TAG, master_problems
 
 # Fields of an Exercise and its parts that are Python, and those that are texts.
 _SOURCES = ("stub", "solution", "preparation", "helpers", "given")

@@ -26,12 +26,12 @@ from pathlib import Path
 
 import msgspec
 
-from imgproc_course.classroom.autograder.answer_forms import read_calls
-from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.drive import LOOK, MEAN_LOOK_SECONDS
-from imgproc_course.classroom.exercises.input_encoding import decode
-from imgproc_course.classroom.exercises.running import answer_name
+from ..exercises.canonical import canonical
+from ..exercises.drive import LOOK, MEAN_LOOK_SECONDS
+from ..exercises.input_encoding import decode
+from ..exercises.running import answer_name
+from .answer_forms import read_calls
+from .sandbox.inside.answer_mime import MIME
 
 FORMAT = 4
 HANDED_OUT = "handed_out.json"

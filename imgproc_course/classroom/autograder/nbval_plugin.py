@@ -21,18 +21,13 @@ from pathlib import Path
 
 import pytest
 
-from imgproc_course.classroom.autograder.drives import GradedDrive
-from imgproc_course.classroom.autograder.outcomes import Outcome
-from imgproc_course.classroom.autograder.pool import expected_key
-from imgproc_course.classroom.autograder.results import (
-    GradedSubmission,
-    graded_exercise,
-    to_json,
-    ungraded_exercise,
-)
-from imgproc_course.classroom.autograder.sandbox.cell_run import MIME, CellRun
-from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
-from imgproc_course.classroom.exercises.drive import LOOK_SECONDS
+from ..exercises.drive import LOOK_SECONDS
+from .drives import GradedDrive
+from .outcomes import Outcome
+from .pool import expected_key
+from .results import GradedSubmission, graded_exercise, to_json, ungraded_exercise
+from .sandbox.cell_run import MIME, CellRun
+from .verdict import CaseRun, verdict_on
 
 # A kernel that ended like this may have been ended by something else than the answer. It is run again, alone:
 # after "memory" once, after "gone" up to twice, after "crashed" up to three times. One pair for each try.

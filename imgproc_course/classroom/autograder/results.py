@@ -16,14 +16,14 @@ from types import SimpleNamespace
 
 import msgspec
 
-from imgproc_course.classroom.autograder.answer_key import known_mistake
-from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
-from imgproc_course.classroom.autograder.sanitize import sanitize_text
-from imgproc_course.classroom.autograder.verdict import CaseRun, DriveVerdict
-from imgproc_course.classroom.exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
-from imgproc_course.classroom.exercises.node_feedback import sentence_on_node
-from imgproc_course.classroom.exercises.recording_node import UNKNOWN_PART
-from imgproc_course.classroom.exercises.running import CallResult
+from ..exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
+from ..exercises.node_feedback import sentence_on_node
+from ..exercises.recording_node import UNKNOWN_PART
+from ..exercises.running import CallResult
+from .answer_key import known_mistake
+from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
+from .sanitize import sanitize_text
+from .verdict import CaseRun, DriveVerdict
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 # How IPython and ipykernel name a cell, with a number that differs from run to run.
@@ -200,7 +200,7 @@ def _mistake_in_calls(exercise, content, runs):
 
 def _mistake_in_drives(exercise, content, runs):
     """The KeyMistake that drives as the answer does where it fails, by the rule of `check`."""
-    from imgproc_course.classroom.exercises.drive_check import form_of, known_mistake
+    from ..exercises.drive_check import form_of, known_mistake
 
     calls = [
         SimpleNamespace(case=case, passed=run.passed, record=run.verdict.record, result=result)

@@ -9,14 +9,14 @@ import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from imgproc_course.classroom.exercises import check_files
-from imgproc_course.classroom.exercises.check_data import CheckData
-from imgproc_course.classroom.exercises.checking import CheckResult, check_built
-from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.feedback import explain_failure
-from imgproc_course.classroom.gradebook.archives import LARGEST, too_large
-from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
-from imgproc_course.classroom.gradebook.submission import AnswerState, SubmissionContent, read_submission
+from ..exercises import check_files
+from ..exercises.check_data import CheckData
+from ..exercises.checking import CheckResult, check_built
+from ..exercises.error_advice import advice_on
+from ..exercises.feedback import explain_failure
+from .archives import LARGEST, too_large
+from .notebook_reader import NotebookReader
+from .submission import AnswerState, SubmissionContent, read_submission
 
 _ADVICE = {
     AnswerState.MISSING: "Open the lesson afresh and copy your answer into this cell.",

@@ -30,11 +30,11 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path, PurePosixPath
 
-from imgproc_course.classroom.authoring.lesson_names import is_lesson
-from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.gradebook import archives
-from imgproc_course.classroom.gradebook.archives import Archives, CollectError
-from imgproc_course.classroom.gradebook.senders import (
+from ..authoring.lesson_names import is_lesson
+from ..autograder.sanitize import sanitize_line
+from . import archives
+from .archives import Archives, CollectError
+from .senders import (
     Certainty,
     Sender,
     is_lesson_file,

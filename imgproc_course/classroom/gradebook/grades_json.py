@@ -7,14 +7,14 @@ import json
 from dataclasses import asdict
 from importlib.metadata import version
 
-from imgproc_course.classroom.autograder.outcomes import Outcome
-from imgproc_course.classroom.autograder.results import to_json
-from imgproc_course.classroom.gradebook.anonymity import anonymous_id
-from imgproc_course.classroom.gradebook.collect import SubmittedFile
-from imgproc_course.classroom.gradebook.learners import Submission
-from imgproc_course.classroom.gradebook.senders import Sender
-from imgproc_course.classroom.gradebook.submission import Finding, SubmissionContent
-from imgproc_course.classroom.gradebook.teacher_tables import plain_number
+from ..autograder.outcomes import Outcome
+from ..autograder.results import to_json
+from .anonymity import anonymous_id
+from .collect import SubmittedFile
+from .learners import Submission
+from .senders import Sender
+from .submission import Finding, SubmissionContent
+from .teacher_tables import plain_number
 
 FORMAT = 4
 

@@ -14,9 +14,9 @@ from itertools import combinations
 
 import numpy as np
 
-from imgproc_course.classroom.autograder.sanitize import sanitize_text
-from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
-from imgproc_course.classroom.gradebook.report import render_page
+from ..autograder.sanitize import sanitize_text
+from .notebook_reader import NotebookReader
+from .report import render_page
 
 SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same short solution
 MOST_COMMON = 10  # submissions that contain a fingerprint; MOSS has the same limit
