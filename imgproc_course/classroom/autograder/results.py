@@ -163,7 +163,10 @@ def to_json(result):
 
 def from_json(data):
     """The GradedSubmission that `to_json` wrote; ValueError if it did not."""
-    return msgspec.convert(data, GradedSubmission)
+    result = msgspec.convert(data, GradedSubmission)
+    if to_json(result) != data:  # msgspec ignores unknown names
+        raise ValueError("this is no result of grading")
+    return result
 
 
 # ---------------------------------------------------------------- from a run to its result
