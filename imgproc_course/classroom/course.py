@@ -7,8 +7,6 @@ PACKAGES = ("messages", "imaging", "geometry", "recording", "simulation", "ros")
 HIDDEN_FOLDERS = ("simulation/room",)
 # Every answer may use these.
 ALWAYS_ALLOWED = (f"{NAME}.display", f"{NAME}.exercises")
-# What these give differs from run to run: they have to do with a running robot or with a screen.
-LIVE_MODULES = ("rclpy", f"{NAME}.ros", f"{NAME}.display")
 # What a node may import: rclpy, these packages of messages, and cv_bridge, or what stands for it.
 ROS_MESSAGES = ("builtin_interfaces", "rcl_interfaces", "sensor_msgs", "std_msgs")
 NODE_MODULES = ("rclpy", *ROS_MESSAGES, "cv_bridge")

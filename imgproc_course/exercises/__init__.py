@@ -1,29 +1,3 @@
-"""What a lesson imports of the exercises; `imgproc_course.classroom.exercises` has the code."""
+"""What a lesson imports of the exercises: the names that `imgproc_course.classroom.exercises` lists."""
 
-from imgproc_course.classroom.exercises import (
-    CheckFileError,
-    CheckResult,
-    GuessComparison,
-    Overview,
-    check,
-    compare_guess,
-    exercise,
-    hint,
-    offer_modules,
-    overview,
-    solution,
-)
-
-__all__ = [
-    "CheckFileError",
-    "CheckResult",
-    "GuessComparison",
-    "Overview",
-    "check",
-    "compare_guess",
-    "exercise",
-    "hint",
-    "offer_modules",
-    "overview",
-    "solution",
-]
+from imgproc_course.classroom.exercises import *  # noqa: F403

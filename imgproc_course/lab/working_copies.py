@@ -238,16 +238,13 @@ def _content(path):
     return path.read_bytes() if path.exists() else None
 
 
-class StagedFiles:
+class StagedFiles(contextlib.AbstractContextManager):
     """Files that are first written under temporary names, and renamed only when all are complete on disk."""
 
     def __init__(self, folder):
         self.folder = folder
         self._files = []  # (temporary path, final path, the bytes that it replaces there or None)
         self._renamed = {}  # new path: old path
-
-    def __enter__(self):
-        return self
 
     def __exit__(self, *exception):
         for temporary, _, _ in self._files:

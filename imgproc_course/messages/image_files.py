@@ -1,11 +1,12 @@
 """Image files in memory, decoded and encoded by OpenCV: the header is checked before a decoder sees it."""
 
+import zlib
+
 import cv2
 import numpy as np
 
 from .errors import ConversionError, quoted
-from .image_headers import file_format, refused_format
-from .png import pixel_chunks
+from .image_headers import DAMAGED, file_format, refused_format
 
 MAX_VALUES = 2**30  # what OpenCV's encoders take
 _INTEGERS = ("uint8", "uint16")
@@ -36,7 +37,7 @@ def decode_image_file(data, described_as):
     if file_kind is None:
         raise ConversionError(_not_an_image(data, described_as))
     file_kind.check(data)
-    pixels = np.frombuffer(pixel_chunks(data) if file_kind.name == "PNG" else data, np.uint8)
+    pixels = np.frombuffer(_pixel_chunks(data) if file_kind.name == "PNG" else data, np.uint8)
     # A gray Sun raster without a color map is decoded right in this one mode.
     is_gray_raster = file_kind.name == "Sun raster" and (data[15], data[27]) == (8, 0)
     try:
@@ -50,6 +51,27 @@ def decode_image_file(data, described_as):
             f"{len(data)} bytes of {quoted(described_as)} do not decode; the message is cut short or damaged"
         )
     return frame[..., 0].copy() if is_gray_raster else frame
+
+
+def _pixel_chunks(data):
+    """The bytes of a whole PNG without texts, times, animation and color profiles.
+
+    libpng prints warnings about these to stderr. ConversionError if the PNG is cut short, or if the checksum
+    of a chunk is wrong.
+    """
+    chunks, at, kind = [data[:8]], 8, b""
+    while kind != b"IEND":
+        length = int.from_bytes(data[at : at + 4], "big")
+        chunk = data[at : at + 12 + length]
+        kind = bytes(chunk[4:8])
+        if len(chunk) < 12 + length:
+            raise ConversionError(f"PNG that ends within its chunk {quoted(kind)}; {DAMAGED}")
+        if zlib.crc32(chunk[4:-4]) != int.from_bytes(chunk[-4:], "big"):
+            raise ConversionError(f"PNG with a wrong checksum in its chunk {quoted(kind)}; {DAMAGED}")
+        if kind[:1].isupper() or kind == b"tRNS":  # a decoder must know chunks in upper case
+            chunks.append(chunk)
+        at += 12 + length
+    return b"".join(chunks)
 
 
 def encode_image_file(array, extension, options=()):

@@ -11,7 +11,6 @@ from functools import partial
 from typing import NamedTuple
 
 from .errors import ConversionError
-from .tiff import tiff_size
 
 MAX_PIXELS = 2**27  # 134 million: more than any camera on a robot has
 # RVL, WebP and JPEG 2000 write a blank image of any size in a few bytes: so many pixels are accepted of any
@@ -111,6 +110,34 @@ def _webp_size(data):
     return None
 
 
+_WIDTH, _HEIGHT, _COLORS, _PLANES, _TILE_WIDTH = 256, 257, 262, 284, 322
+_TIFF_NUMBERS = {3: "H", 4: "I"}  # of a field's value, by its type in the file
+
+
+def _tiff_size(data):
+    """(width, height); None if the TIFF is cut short, or not gray, RGB or palette, interleaved, in strips."""
+    try:
+        fields = _tiff_fields(data)
+    except struct.error:
+        return None
+    is_plain = fields.get(_COLORS, 9) <= 3 and fields.get(_PLANES, 1) == 1 and _TILE_WIDTH not in fields
+    return (fields[_WIDTH], fields[_HEIGHT]) if is_plain and {_WIDTH, _HEIGHT} <= fields.keys() else None
+
+
+def _tiff_fields(data):
+    """{tag: int} of the first directory: the fields of one unsigned integer of 16 or 32 bits."""
+    order = "<" if data[:2] == b"II" else ">"
+    (directory,) = struct.unpack_from(order + "I", data, 4)
+    (count,) = struct.unpack_from(order + "H", data, directory)
+    fields: dict[int, int] = {}
+    for at in range(directory + 2, directory + 2 + 12 * count, 12):
+        tag, kind, values = struct.unpack_from(order + "HHI", data, at)
+        if kind in _TIFF_NUMBERS and values == 1:
+            (value,) = struct.unpack_from(order + _TIFF_NUMBERS[kind], data, at + 8)
+            fields.setdefault(tag, value)  # of two equal tags libtiff takes the first
+    return fields
+
+
 # In each pattern the group in parentheses holds width and height.
 _BMP = (
     rb"BM.{12}[\x28-\xff]\0\0\0"  # file header; the next header has 40 bytes or more
@@ -149,7 +176,7 @@ _FORMATS = (
     FileFormat(
         "Sun raster", rb"\x59\xa6\x6a\x95", partial(_binary, _SUN_RASTER, ">II"), 8, remedy=_UNCOMPRESSED
     ),
-    FileFormat("TIFF", rb"II\*\0|MM\0\*", tiff_size, 4096, remedy=_STRIPS),  # a code of LZW
+    FileFormat("TIFF", rb"II\*\0|MM\0\*", _tiff_size, 4096, remedy=_STRIPS),  # a code of LZW
     FileFormat("PNM", rb"P[1-6]", partial(_text, _PNM), 8),
     FileFormat("PFM", rb"P[Ff]", partial(_text, _PFM), 1),
     FileFormat("PAM", rb"P7\n", partial(_text, _PAM), 1),

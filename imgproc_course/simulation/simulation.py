@@ -360,7 +360,7 @@ def check_size(name, size):
 
 
 def checked_movers(movers, ball=None):
-    """The names of those that take part, in the order of MOVERS; who gives a ball's way wants it to."""
+    """The names of those that take part, in the order of MOVERS; a ball whose way is given does."""
     names = MOVERS if movers is True else movers or ()
     if isinstance(names, str) or not isinstance(names, Collection) or not set(names) <= set(MOVERS):
         raise ValueError(f"movers is True, False, or names of {', '.join(MOVERS)}, got {movers!r}")

@@ -10,17 +10,17 @@ from pathlib import Path
 import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
-from imgproc_course.classroom.authoring.atomic_write import write_file
-from imgproc_course.classroom.authoring.execute import execute, normalize, output_texts, refuse_traces
-from imgproc_course.classroom.authoring.learner_files import TEXTS
-from imgproc_course.classroom.authoring.lesson_files import lesson_file_differences, lesson_files
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.authoring.pages import build_pages, page_differences, pages_without_source
-from imgproc_course.classroom.authoring.rules import RAISING_TAGS, VARYING_TAG
-from imgproc_course.classroom.authoring.validation import validate_exercise
-from imgproc_course.classroom.exercises.check_files import CHECKS, SOLUTIONS
-from imgproc_course.classroom.exercises.declaration import MasterError
+from ..exercises.check_files import CHECKS, SOLUTIONS
+from ..exercises.declaration import MasterError
+from .atomic_write import write_file
+from .execute import execute, normalize, output_texts, refuse_traces
+from .learner_files import TEXTS
+from .lesson_files import lesson_file_differences, lesson_files
+from .lesson_names import lesson_name
+from .masters import find_masters, read_master
+from .pages import build_pages, page_differences, pages_without_source
+from .rules import RAISING_TAGS, VARYING_TAG
+from .validation import validate_exercise
 
 INDEX = "index"
 

@@ -18,8 +18,8 @@ from pathlib import Path
 
 import jinja2
 
-from imgproc_course.classroom.authoring.references import References
-from imgproc_course.classroom.exercises.percent_script import MasterError
+from ..exercises.percent_script import MasterError
+from .references import References
 
 CHEAT_SHEET = "cheat_sheet.html"
 _EXAMPLE = re.compile(r'File "example: ([^"]*)", line 1')

@@ -17,21 +17,14 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 from nbformat.v4 import new_output
 from PIL import Image
 
-from imgproc_course.classroom.authoring.atomic_write import write_file
-from imgproc_course.classroom.authoring.rules import RAISING_TAGS
-from imgproc_course.classroom.exercises.check_files import CHECKS_VARIABLE
-from imgproc_course.classroom.exercises.declaration import MasterError
+from ..exercises.check_files import CHECKS_VARIABLE
+from ..exercises.declaration import MasterError
+from .atomic_write import write_file
+from .rules import RAISING_TAGS
 
 CELL_SECONDS = 120
-_VARIABLES_LEFT_OUT = (
-    "MPLBACKEND",
-    "PYTHONWARNINGS",
-    "FORCE_COLOR",
-    "NO_COLOR",
-    "ROS_LOCALHOST_ONLY",
-    "JPY_SESSION_NAME",
-    CHECKS_VARIABLE,
-)
+_VARIABLES_LEFT_OUT = ("MPLBACKEND", "PYTHONWARNINGS", "FORCE_COLOR", "NO_COLOR")
+_VARIABLES_LEFT_OUT += ("ROS_LOCALHOST_ONLY", "JPY_SESSION_NAME", CHECKS_VARIABLE)
 _ANSI = re.compile(r"\x1b\[[0-9;]*m")
 _ADDRESS = re.compile(r"\b0x[0-9a-f]{8,}\b")
 _DATA_URI = re.compile(r"base64,[A-Za-z0-9+/=\s]+")

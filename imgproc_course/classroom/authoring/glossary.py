@@ -11,7 +11,7 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from imgproc_course.classroom.exercises.percent_script import MasterError
+from ..exercises.percent_script import MasterError
 
 GLOSSARY = "glossary.toml"
 GLOSSARY_PAGE = "glossary.md"  # no notebook: JupyterLab draws hundreds of cells late

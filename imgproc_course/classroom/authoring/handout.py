@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.atomic_write import write_file
-from imgproc_course.classroom.authoring.glossary import GLOSSARY_PAGE
-from imgproc_course.classroom.authoring.learner_files import CHECKS, SOLUTIONS, TEXTS, without_outputs
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
-from imgproc_course.classroom.authoring.masters import find_lessons
-from imgproc_course.classroom.exercises.progress import LEARNERS_FOLDER
+from ..exercises.progress import LEARNERS_FOLDER
+from .atomic_write import write_file
+from .glossary import GLOSSARY_PAGE
+from .learner_files import CHECKS, SOLUTIONS, TEXTS, without_outputs
+from .lesson_names import lesson_name
+from .masters import find_lessons
 
 _PAGES = (".ipynb", ".html")
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same files give the same bytes

@@ -3,7 +3,7 @@
 import contextlib
 import json
 
-from imgproc_course.classroom.exercises.check_files import CHECKS, SOLUTIONS
+from ..exercises.check_files import CHECKS, SOLUTIONS
 
 KEEP_OUTPUT_TAG = "keep-output"
 TEXTS = "texts"  # name of the folder of captions and alternative texts

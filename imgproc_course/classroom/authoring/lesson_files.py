@@ -9,10 +9,9 @@ import json
 from dataclasses import dataclass
 from importlib.metadata import version
 
-from imgproc_course.classroom.authoring.learner_files import TEXTS
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.check_data import CheckData, shared_fields
-from imgproc_course.classroom.exercises.check_files import (
+from ..exercises.canonical import array_of, canonical
+from ..exercises.check_data import CheckData, shared_fields
+from ..exercises.check_files import (
     CHECKS,
     FORMAT,
     SOLUTIONS,
@@ -21,9 +20,10 @@ from imgproc_course.classroom.exercises.check_files import (
     read_lesson_file,
     reading,
 )
-from imgproc_course.classroom.exercises.comparison import compare
-from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.input_encoding import decode, encode
+from ..exercises.comparison import compare
+from ..exercises.expected_results import check_data_of
+from ..exercises.input_encoding import decode, encode
+from .learner_files import TEXTS
 
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 

@@ -3,68 +3,7 @@
 A master is `notebooks/masters/NN_name.py`: `name` is the lesson's identity, NN is only its place in the
 course. It is a percent script (JupyterLab opens it with jupytext). It is
 ordinary Python: prose in `# %% [markdown]` cells, code in `# %%` cells, and *roles* in the cells' headers.
-A whole one:
-
-    # ---
-    # jupyter:
-    #   imgproc_course:
-    #     title: Doubling
-    # ---
-
-    # %% [markdown]
-    # # Doubling
-    # You will write a function, and see it checked.
-
-    # %% role="given" exercise="template-double"
-    import numpy as np
-
-    LIMIT = 255
-
-    # %%
-    from imgproc_course.exercises import check
-
-    # %% role="exercise"
-    from imgproc_course.exercises import exercise
-
-    exercise(
-        "template-double",
-        function="double",
-        time_limit=5,
-        allowed=("scipy",),
-        hints=(
-            "What is 2 * 200, and where does uint8 end?",
-            "Widen the array, multiply, limit it to LIMIT, and make it uint8 again.",
-            "np.minimum(pixels.astype(np.uint16) * ..., ...).astype(...)",
-        ),
-        explanation="uint16 has room for 2 * 255, so nothing is lost before the limit.",
-        another_way="You can also write np.where(pixels > LIMIT // 2, LIMIT, pixels * 2).",
-    )
-
-    # %% [markdown]
-    # **Your turn.** Write `double`: each value twice, never above 255.
-
-    # %% role="answer"
-    def double(pixels):
-        raise NotImplementedError("your turn")
-
-    # %% role="solution"
-    def double(pixels):
-        return np.minimum(pixels.astype(np.uint16) * 2, LIMIT).astype(np.uint8)
-
-    # %% role="check"
-    check("template-double", double)
-
-    # %% role="case" title="Bright pixels" points=1 hint="Widen before you multiply: uint8 ends at 255."
-    def inputs(rng):
-        return (rng.integers(100, 256, (3, 4), dtype=np.uint8),)
-
-    # %% role="hidden" title="Any pixels" points=2 hint="What does 200 become?"
-    def inputs(rng):
-        return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),) for _ in range(3)]
-
-    # %% role="mistake" name="uint8 wraps" says="uint8 ends at 255, and 200 * 2 became 144: widen first."
-    def double(pixels):
-        return pixels * 2
+`new_lesson.py.txt` beside this module is a whole one.
 
 Front matter
     `jupyter: imgproc_course:` holds the `title`. The first cell begins with the heading `# title`;
@@ -158,12 +97,12 @@ from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE, lesson_name
-from imgproc_course.classroom.authoring.minutes import timed_script
-from imgproc_course.classroom.authoring.references import References
-from imgproc_course.classroom.authoring.rules import CHECK_LINE, VARYING_TAG, master_problems
-from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
-from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
+from ..exercises.declaration import MasterError, read_exercises
+from ..exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
+from .lesson_names import LESSON_FILE, lesson_name
+from .minutes import timed_script
+from .references import References
+from .rules import CHECK_LINE, VARYING_TAG, master_problems
 
 # Fields of an Exercise and its parts that are Python, and those that are texts.
 _SOURCES = ("stub", "solution", "preparation", "helpers", "given")

@@ -3,8 +3,8 @@
 import re
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE
-from imgproc_course.classroom.exercises.declaration import MasterError
+from ..exercises.declaration import MasterError
+from .lesson_names import LESSON_FILE
 
 TEMPLATE = Path(__file__).with_name("new_lesson.py.txt")
 

@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.cheat_sheet import CHEAT_SHEET, cheat_sheet_page
-from imgproc_course.classroom.authoring.glossary import GLOSSARY, GLOSSARY_PAGE, glossary_page, read_glossary
-from imgproc_course.classroom.authoring.references import References
+from .cheat_sheet import CHEAT_SHEET, cheat_sheet_page
+from .glossary import GLOSSARY, GLOSSARY_PAGE, glossary_page, read_glossary
+from .references import References
 
 
 def build_pages(masters_dir):

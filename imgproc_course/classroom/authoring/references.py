@@ -16,9 +16,9 @@ from functools import cached_property
 from itertools import accumulate
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.glossary import GLOSSARY, read_glossary
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
-from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, MasterError, read_script
+from ..exercises.percent_script import MISTAKES_SUFFIX, MasterError, read_script
+from .glossary import GLOSSARY, read_glossary
+from .lesson_names import lesson_name
 
 _IN_PROSE = re.compile(
     r"(?P<code>(?<!`)(?P<ticks>`{1,3})(?!`).+?(?<!`)(?P=ticks)(?!`))|\[\[(?P<target>[A-Za-z][^\[\]]*)\]\]",

@@ -3,8 +3,8 @@
 import ast
 import re
 
-from imgproc_course.classroom.exercises.cell_syntax import bound_names, statements_of
-from imgproc_course.classroom.exercises.running import NODES
+from ..exercises.cell_syntax import bound_names, statements_of
+from ..exercises.running import NODES
 
 VARYING_TAG = "nbval-ignore-output"
 RAISING_TAGS = ("nbval-raises-exception", "raises-exception")

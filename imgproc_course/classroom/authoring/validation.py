@@ -2,12 +2,12 @@
 
 from functools import partial
 
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.checking import run_cases
-from imgproc_course.classroom.exercises.comparison import compare, describe
-from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
-from imgproc_course.classroom.exercises.dependencies import find_refused
-from imgproc_course.classroom.exercises.feedback import explain_failure
+from ..exercises.canonical import array_of, canonical
+from ..exercises.checking import run_cases
+from ..exercises.comparison import compare, describe
+from ..exercises.declaration import PUBLIC_SEED
+from ..exercises.dependencies import find_refused
+from ..exercises.feedback import explain_failure
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
 _MOST_BYTES = 65_536  # of an answer that is compared with a tolerance

@@ -14,14 +14,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from imgproc_course.classroom.exercises.canonical import (
-    MATRIX,
-    MOST_CHARACTERS,
-    MOST_INT_BITS,
-    PLAIN_TYPES,
-    SCALARS,
-)
-from imgproc_course.classroom.exercises.running import CallResult
+from ..exercises.canonical import MATRIX, MOST_CHARACTERS, MOST_INT_BITS, PLAIN_TYPES, SCALARS
+from ..exercises.running import CallResult
 
 _MOST_DEPTH = 10  # one more than `canonical` writes
 _MOST_FORMS = 50_000  # in one value; `canonical` stops at 20,000 items, and an item of a dict is two

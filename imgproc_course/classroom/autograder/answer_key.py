@@ -26,12 +26,12 @@ from pathlib import Path
 
 import msgspec
 
-from imgproc_course.classroom.autograder.answer_forms import read_calls
-from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.drive import LOOK, MEAN_LOOK_SECONDS
-from imgproc_course.classroom.exercises.input_encoding import decode
-from imgproc_course.classroom.exercises.running import answer_name
+from ..exercises.canonical import canonical
+from ..exercises.drive import LOOK, MEAN_LOOK_SECONDS
+from ..exercises.input_encoding import decode
+from ..exercises.running import answer_name
+from .answer_forms import read_calls
+from .sandbox.inside.answer_mime import MIME
 
 FORMAT = 4
 HANDED_OUT = "handed_out.json"
@@ -326,12 +326,9 @@ def known_mistake(exercise, content, calls):
 
 
 def _agrees(mistake_calls, calls, cases):
-    return all(_are_same(calls.get(case.id), mistake_calls[case.id], case.tolerance) for case in cases)
-
-
-def _are_same(answer, mistake, tolerance):
-    return (
-        answer is not None
-        and len(answer) == len(mistake)
-        and all(map(lambda call, other: call.matches(other, tolerance), answer, mistake))
-    )
+    for case in cases:
+        answer, mistake = calls.get(case.id) or (), mistake_calls[case.id]
+        pairs = zip(answer, mistake, strict=False)
+        if len(answer) != len(mistake) or not all(call.matches(o, case.tolerance) for call, o in pairs):
+            return False
+    return True

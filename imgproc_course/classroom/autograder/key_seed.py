@@ -7,7 +7,7 @@ import itertools
 import re
 import secrets
 
-from imgproc_course.classroom.autograder.answer_key import KeyFolderError
+from .answer_key import KeyFolderError
 
 DIGITS = 32  # hexadecimal: 128 bits
 _LOOKED_AT = 64  # of a longer seed's digits

@@ -13,10 +13,15 @@ import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 from tqdm import tqdm
 
-from imgproc_course.classroom.authoring.atomic_write import write_folder
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.autograder.answer_forms import read_answer
-from imgproc_course.classroom.autograder.answer_key import (
+from ..authoring.atomic_write import write_folder
+from ..authoring.masters import find_masters, read_master
+from ..exercises import running
+from ..exercises.check_data import shared_fields
+from ..exercises.declaration import MasterError
+from ..exercises.drive import LOOK_SECONDS, looks_of
+from ..exercises.input_encoding import decode, encode
+from .answer_forms import read_answer
+from .answer_key import (
     FORMAT,
     HANDED_OUT,
     MEAN_LOOK_SECONDS,
@@ -29,18 +34,13 @@ from imgproc_course.classroom.autograder.answer_key import (
     KeyMistake,
     load_key,
 )
-from imgproc_course.classroom.autograder.draw_scenarios import draw_scenario
-from imgproc_course.classroom.autograder.drives import CHECK, GradedDrive
-from imgproc_course.classroom.autograder.sandbox import bubblewrap
-from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
-from imgproc_course.classroom.autograder.sandbox.inside.check_cell import call_to_json
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.autograder.verdict import verdict_on
-from imgproc_course.classroom.exercises import running
-from imgproc_course.classroom.exercises.check_data import shared_fields
-from imgproc_course.classroom.exercises.declaration import MasterError
-from imgproc_course.classroom.exercises.drive import LOOK_SECONDS, looks_of
-from imgproc_course.classroom.exercises.input_encoding import decode, encode
+from .draw_scenarios import draw_scenario
+from .drives import CHECK, GradedDrive
+from .sandbox import bubblewrap
+from .sandbox.inside.answer_mime import MIME
+from .sandbox.inside.check_cell import call_to_json
+from .sandbox.kernel_factory import KernelFactory
+from .verdict import verdict_on
 
 _EMIT_IMPORT = "from imgproc_course.classroom.autograder.sandbox.inside.check_cell import emit"
 _PLACEHOLDER = "# the learner's answer"
@@ -166,7 +166,7 @@ class _ExerciseKeyMaker:
         solution = exercise.function_of(exercise.solution, "solution")
         own_fields = {
             "points": sum(case.points for case in self._cases),
-            "arguments": tuple(running.argument_names(solution, subject=exercise.subject)),
+            "arguments": tuple(running.argument_names(solution, exercise.subject)),
             "cases": tuple(map(self._key_case, self._cases)),
             "mistakes": tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
         }
@@ -249,7 +249,7 @@ class _ExerciseKeyMaker:
         calls = []
         for encoded in self._inputs[case.id]:
             arguments = decode(encoded)
-            names = running.argument_names(function, arguments, exercise.subject)
+            names = running.argument_names(function, exercise.subject)
             result = running.call(function, arguments, names, exercise.time_limit, exercise.subject)
             calls.append(call_to_json(result))
         return calls

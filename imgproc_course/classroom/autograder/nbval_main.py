@@ -5,9 +5,9 @@ import socket
 import sys
 import types
 
-from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
-from imgproc_course.classroom.autograder.sandbox.inside import confine
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from .sandbox.bubblewrap import Limits
+from .sandbox.inside import confine
+from .sandbox.kernel_factory import KernelFactory
 
 
 def main():
@@ -19,7 +19,7 @@ def main():
     _leave_out_kernels_of_nbval()
     import pytest
 
-    from imgproc_course.classroom.autograder.nbval_plugin import GradingPlugin
+    from .nbval_plugin import GradingPlugin
 
     plugin = GradingPlugin(connection, settings["folder"], kernel_factory)
     sys.exit(pytest.main(arguments, plugins=[plugin]))

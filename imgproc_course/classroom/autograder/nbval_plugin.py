@@ -10,32 +10,30 @@ nbval's `!=` reads it and compares nothing a second time. The session loop takes
 socket as long as there are any.
 """
 
+import ast
 import json
 import math
 import os
 import re
 import time
+from functools import lru_cache
 from pathlib import Path
 
 import pytest
 
-from imgproc_course.classroom.autograder.drives import GradedDrive
-from imgproc_course.classroom.autograder.pool import expected_key
-from imgproc_course.classroom.autograder.results import (
-    GradedSubmission,
-    graded_exercise,
-    to_json,
-    ungraded_exercise,
-)
-from imgproc_course.classroom.autograder.sandbox.cell_run import MIME, CellRun
-from imgproc_course.classroom.autograder.screening import reason_not_to_run
-from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
-from imgproc_course.classroom.exercises.drive import LOOK_SECONDS
+from ..exercises.drive import LOOK_SECONDS
+from .drives import GradedDrive
+from .outcomes import Outcome
+from .pool import expected_key
+from .results import GradedSubmission, graded_exercise, to_json, ungraded_exercise
+from .sandbox.cell_run import MIME, CellRun
+from .verdict import CaseRun, verdict_on
 
 # A kernel that ended like this may have been ended by something else than the answer. It is run again, alone:
 # after "memory" once, after "gone" up to twice, after "crashed" up to three times. One pair for each try.
 _RUN_AGAIN_AFTER = (("crashed", "memory"), ("crashed", "gone"), ("crashed", "gone"))
 _MESSAGE_ID = "a cell's run"
+MAX_ANSWER = 200_000  # characters
 PASSED = "passed"  # the verdict that nbval finds stored for each check
 _NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 
@@ -218,7 +216,7 @@ class GradingPlugin:
             if exercise.practice:
                 continue
             source = job["answers"].get(exercise.id)
-            reason = reason_not_to_run(exercise, source)
+            reason = _reason_not_to_run(exercise, source)
             if reason is None:
                 result, stop_at = self._grade_exercise(key, exercise, source, stop_at)
                 results.append(result)
@@ -270,6 +268,33 @@ class GradingPlugin:
     def pytest_sessionstart(self, session):
         reporter = session.config.pluginmanager.get_plugin("terminalreporter")
         session.config.pluginmanager.unregister(reporter)  # it keeps a report of every cell
+
+
+def _reason_not_to_run(exercise, source):
+    """Why an answer is not run, as (Outcome, message); None if it has to run. Its source may be missing."""
+    if not isinstance(source, str):
+        return Outcome.MISSING, "its answer cell is missing"
+    if len(source) > MAX_ANSWER:
+        text = f"its answer is {len(source)} characters long; at most {MAX_ANSWER} are graded"
+        return Outcome.HOSTILE, text
+    if _is_stub(source, exercise.stub):
+        return Outcome.NOT_ATTEMPTED, ""
+    return None
+
+
+def _is_stub(source, stub):
+    """Whether an answer is the stub; comments and blank lines do not count."""
+    if source.strip() == stub.strip():
+        return True
+    try:
+        return ast.dump(ast.parse(source)) == _syntax_tree(stub)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+
+
+@lru_cache(maxsize=64)
+def _syntax_tree(stub):
+    return ast.dump(ast.parse(stub))
 
 
 def _with_answer(notebook, exercise, source):

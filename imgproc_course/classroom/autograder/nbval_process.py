@@ -18,9 +18,9 @@ import sys
 import threading
 from dataclasses import asdict
 
-from imgproc_course.classroom.autograder.sandbox import bubblewrap
-from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits, SandboxError
-from imgproc_course.classroom.autograder.temporary_folder import TemporaryFolder
+from .sandbox import bubblewrap
+from .sandbox.bubblewrap import Limits, SandboxError
+from .temporary_folder import TemporaryFolder
 
 _START_SECONDS = 120
 _BLOCKED_PLUGINS = (

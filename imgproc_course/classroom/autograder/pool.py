@@ -24,23 +24,18 @@ from concurrent.futures import Future, wait
 from dataclasses import replace
 from functools import lru_cache
 
-from imgproc_course.classroom.autograder.answer_key import Key, KeyFolderError, load_key
-from imgproc_course.classroom.autograder.nbval_process import (
+from .answer_key import Key, KeyFolderError, load_key
+from .nbval_process import (
     NbvalProcessEnded,
     NbvalProcessKilled,
     NbvalProcessNotStarted,
     nbval_process_of_thread,
 )
-from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, Outcome
-from imgproc_course.classroom.autograder.results import (
-    GradedSubmission,
-    from_json,
-    reproducible_text,
-    ungraded_exercise,
-)
-from imgproc_course.classroom.autograder.sandbox import bubblewrap
-from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits, SandboxError
-from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
+from .outcomes import BUDGET_MESSAGE, Outcome
+from .results import GradedSubmission, from_json, reproducible_text, ungraded_exercise
+from .sandbox import bubblewrap
+from .sandbox.bubblewrap import Limits, SandboxError
+from .worker_threads import open_worker_threads
 
 __all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
 

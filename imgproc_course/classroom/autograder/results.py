@@ -14,14 +14,16 @@ import re
 from dataclasses import dataclass, is_dataclass, replace
 from types import SimpleNamespace
 
-from imgproc_course.classroom.autograder.answer_key import known_mistake
-from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
-from imgproc_course.classroom.autograder.sanitize import sanitize_text
-from imgproc_course.classroom.autograder.verdict import CaseRun, DriveVerdict
-from imgproc_course.classroom.exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
-from imgproc_course.classroom.exercises.node_feedback import sentence_on_node
-from imgproc_course.classroom.exercises.recording_node import UNKNOWN_PART
-from imgproc_course.classroom.exercises.running import CallResult
+import msgspec
+
+from ..exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
+from ..exercises.node_feedback import sentence_on_node
+from ..exercises.recording_node import UNKNOWN_PART
+from ..exercises.running import CallResult
+from .answer_key import known_mistake
+from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
+from .sanitize import sanitize_text
+from .verdict import CaseRun, DriveVerdict
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 # How IPython and ipykernel name a cell, with a number that differs from run to run.
@@ -97,7 +99,7 @@ class GradedExercise:
     id: str
     title: str
     max_points: int
-    cases: tuple
+    cases: tuple[GradedCase, ...]
     mistake: str = ""
     mistake_explanation: str = ""
     message: str = ""
@@ -118,7 +120,7 @@ class GradedSubmission:
 
     name: str
     lesson: str
-    exercises: tuple
+    exercises: tuple[GradedExercise, ...]
 
     @property
     def points(self):
@@ -160,17 +162,11 @@ def to_json(result):
 
 
 def from_json(data):
-    """The GradedSubmission that `to_json` wrote; KeyError, TypeError or ValueError if it did not."""
-    return GradedSubmission(**data | {"exercises": tuple(map(_exercise_from_json, data["exercises"]))})
-
-
-def _exercise_from_json(entry):
-    return GradedExercise(**entry | {"cases": tuple(map(_case_from_json, entry["cases"]))})
-
-
-def _case_from_json(entry):
-    failed_call = entry["failed_call"] and FailedCall(**entry["failed_call"])
-    return GradedCase(**entry | {"outcome": Outcome(entry["outcome"]), "failed_call": failed_call})
+    """The GradedSubmission that `to_json` wrote; ValueError if it did not."""
+    result = msgspec.convert(data, GradedSubmission)
+    if to_json(result) != data:  # msgspec ignores unknown names
+        raise ValueError("this is no result of grading")
+    return result
 
 
 # ---------------------------------------------------------------- from a run to its result
@@ -207,7 +203,7 @@ def _mistake_in_calls(exercise, content, runs):
 
 def _mistake_in_drives(exercise, content, runs):
     """The KeyMistake that drives as the answer does where it fails, by the rule of `check`."""
-    from imgproc_course.classroom.exercises.drive_check import form_of, known_mistake
+    from ..exercises.drive_check import form_of, known_mistake
 
     calls = [
         SimpleNamespace(case=case, passed=run.passed, record=run.verdict.record, result=result)

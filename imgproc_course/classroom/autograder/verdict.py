@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass, field
 
-from imgproc_course.classroom.autograder.answer_forms import read_answer
-from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
-from imgproc_course.classroom.exercises.comparison import Difference, compare
-from imgproc_course.classroom.exercises.drive import looks_of, passes
-from imgproc_course.classroom.exercises.running import CallResult
+from ..exercises.comparison import Difference, compare
+from ..exercises.drive import looks_of, passes
+from ..exercises.running import CallResult
+from .answer_forms import read_answer
+from .sandbox.cell_run import CellRun
 
 
 @dataclass(frozen=True)

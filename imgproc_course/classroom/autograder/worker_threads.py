@@ -8,8 +8,8 @@ import itertools
 import os
 from concurrent.futures import ThreadPoolExecutor
 
-from imgproc_course.classroom.autograder.nbval_process import nbval_process_of_thread, stop_nbval_processes
-from imgproc_course.classroom.autograder.temporary_folder import remove_abandoned_folders
+from .nbval_process import nbval_process_of_thread, stop_nbval_processes
+from .temporary_folder import remove_abandoned_folders
 
 _numbers = itertools.count(1)
 

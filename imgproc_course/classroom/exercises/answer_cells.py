@@ -7,13 +7,7 @@ another cell may.
 
 from dataclasses import dataclass, replace
 
-from imgproc_course.classroom.exercises.cell_syntax import (
-    BLANK,
-    CellDefinitions,
-    bound_names,
-    function_definitions,
-    plain_python,
-)
+from .cell_syntax import BLANK, CellDefinitions, bound_names, function_definitions, plain_python
 
 
 @dataclass(frozen=True)

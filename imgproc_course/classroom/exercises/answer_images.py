@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from PIL import Image, ImageDraw
 
-from imgproc_course.classroom.exercises.canonical import array_of
-from imgproc_course.classroom.exercises.values import MOST_NUMBERS
+from .canonical import array_of
+from .values import MOST_NUMBERS
 
 _SMALLEST = 4  # rows and cols of an image
 _SIDE = 200  # pixels on the page, about: a smaller image is enlarged by a whole factor

@@ -40,16 +40,9 @@ _MODULE = type.__dict__["__module__"]
 
 
 def canonical(value, limit=None):
-    """The canonical form of a value.
+    """The canonical form of a value; an array of more than `limit` bytes is given by its SHA-256 digest.
 
-    Parameters
-    ----------
-    value : anything
-    limit : int, bytes; a larger array is given by its SHA-256 digest. None: no limit
-
-    Returns
-    -------
-    dict that json.dumps takes, with "type" and, by type:
+    It is a dict that json.dumps takes, with "type" and, by type:
         bool, int, float, str, None      "value" (the floats that JSON lacks are "nan", "inf", "-inf")
         NumPy scalars                    "type" is "numpy.uint8" and so on, "value"
         tuple, list                      "items"
@@ -176,16 +169,7 @@ def _too_large(kind):
 
 
 def array_of(form):
-    """The array of a form with "data".
-
-    Parameters
-    ----------
-    form : dict, canonical form of an ndarray
-
-    Returns
-    -------
-    ndarray, writable, or None if the form holds no data (too large, or not an array)
-    """
+    """The array of a form, writable; None if the form holds no data (too large, or not an array)."""
     if form is None or form["type"] != "ndarray" or "data" not in form:
         return None
     raw = base64.b64decode(form["data"])

@@ -9,10 +9,10 @@ import re
 import sys
 from dataclasses import dataclass
 
-from imgproc_course.classroom.exercises.cell_syntax import bound_names, function_definitions, plain_python
-from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.guesses import read_bare_guess
-from imgproc_course.classroom.exercises.running import code_of, source_of
+from .cell_syntax import bound_names, function_definitions, plain_python
+from .error_advice import advice_on
+from .guesses import read_bare_guess
+from .running import code_of, source_of
 
 _MOST_RUNS = 500
 _SIMILAR = 0.8

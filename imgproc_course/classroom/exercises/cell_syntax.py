@@ -224,9 +224,10 @@ def _statements_as_text(source):
     if share_lines or len(starts) < 2 or ends[-1] > len(lines):
         return [source]
     before = ["#"] * len(lines)
-    for statement in filter(_is_from_future, statements):
-        place = slice(statement.lineno - 1, statement.end_lineno)
-        before[place] = lines[place]
+    for statement in statements:
+        if isinstance(statement, ast.ImportFrom) and statement.module == "__future__":
+            place = slice(statement.lineno - 1, statement.end_lineno)
+            before[place] = lines[place]
     if len(starts) * len("\n".join(before)) > _MOST_ADDED:
         return [source]
     return [
@@ -238,10 +239,6 @@ def _statements_as_text(source):
 def _first_line(statement):
     decorators = getattr(statement, "decorator_list", ())
     return min([statement.lineno, *(decorator.lineno for decorator in decorators)])
-
-
-def _is_from_future(statement):
-    return isinstance(statement, ast.ImportFrom) and statement.module == "__future__"
 
 
 # ---------------------------------------------------------------- what an answer reads from other cells

@@ -9,10 +9,10 @@ from dataclasses import dataclass, field, fields
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.cell_syntax import cells_of, needed_parts, parts_of
-from imgproc_course.classroom.exercises.dependencies import tree_as_graded
-from imgproc_course.classroom.exercises.ros_double import offer_modules
-from imgproc_course.classroom.exercises.running import NODES, CallResult, answer_name, by_itself, call
+from .cell_syntax import cells_of, needed_parts, parts_of
+from .dependencies import tree_as_graded
+from .ros_double import offer_modules
+from .running import NODES, CallResult, answer_name, by_itself, call
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,9 +151,22 @@ class CheckData:
 
     def call(self, function, arguments):
         """The CallResult of one call of an answer."""
-        more_names = (f"argument {k + 1}" for k in range(len(self.names), len(arguments)))
-        names = [*self.names[: len(arguments)], *more_names]
-        return call(function, arguments, names, self.time_limit, self.subject)
+        return call(function, arguments, self.names, self.time_limit, self.subject)
+
+
+@dataclass(frozen=True)
+class LessonDescription:
+    """A lesson as it was handed out, from an answer key or from a checks file.
+
+    version    of the course that the lesson was made from
+    exercises  tuple of KeyExercise or CheckData
+    cells      {cell id: source of a check or given cell, None for the others}; empty if unknown
+    """
+
+    name: str
+    version: str
+    exercises: tuple
+    cells: dict
 
 
 def shared_fields(record, kind):

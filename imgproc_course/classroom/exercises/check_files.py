@@ -22,11 +22,10 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
-from imgproc_course.classroom.exercises.check_data import CheckData, ExpectedCall
-from imgproc_course.classroom.exercises.declaration import Exercise, MasterError
-from imgproc_course.classroom.exercises.input_encoding import decode
-from imgproc_course.classroom.exercises.lesson_description import LessonDescription
-from imgproc_course.classroom.exercises.running import CallResult
+from .check_data import CheckData, ExpectedCall, LessonDescription
+from .declaration import Exercise, MasterError
+from .input_encoding import decode
+from .running import CallResult
 
 FORMAT = 1
 CHECKS, SOLUTIONS = "checks", "solutions"  # names of the folders
@@ -209,8 +208,3 @@ def _advice(id, paths):
             return str(error)  # the exercise may be in this file
     nearest = difflib.get_close_matches(str(id), ids, n=1)
     return f"did you mean {nearest[0]!r}?" if nearest else f"there are: {', '.join(ids) or 'none'}"
-
-
-def find_check_data(id):
-    """The CheckData of an exercise, from the files that the lessons carry; errors as in `find_check_file`."""
-    return find_check_file(id).exercise(id)

@@ -1,23 +1,24 @@
 """`check`: run an answer's public cases in the learner's notebook."""
 
+import contextlib
 import inspect
 import types
 from dataclasses import dataclass, field, replace
 
-from imgproc_course.classroom.exercises import feedback
-from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer, compose_answer
-from imgproc_course.classroom.exercises.cell_runs import RUNS
-from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
-from imgproc_course.classroom.exercises.check_files import find_check_file
-from imgproc_course.classroom.exercises.comparison import Difference, compare
-from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
-from imgproc_course.classroom.exercises.dependencies import Dependencies, dependencies_of, find_refused
-from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
-from imgproc_course.classroom.exercises.drive import passes, sentences_of
-from imgproc_course.classroom.exercises.drive_check import drive_scenarios, known_mistake, progress_bar
-from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.progress import ExerciseProgress, content_of, digest_of, note_progress
-from imgproc_course.classroom.exercises.running import (
+from . import feedback
+from .answer_cells import ComposedAnswer, compose_answer
+from .cell_runs import RUNS
+from .check_data import Case, CheckData, Mistake
+from .check_files import find_check_file
+from .comparison import Difference, compare
+from .declaration import PUBLIC_SEED
+from .dependencies import Dependencies, dependencies_of, find_refused
+from .diagnosis import Diagnosis, diagnose
+from .drive import passes, sentences_of
+from .drive_check import drive_scenarios, known_mistake, progress_bar
+from .expected_results import check_data_of
+from .progress import ExerciseProgress, content_of, digest_of, note_progress
+from .running import (
     CallResult,
     TimeUp,
     answer_name,
@@ -28,7 +29,7 @@ from imgproc_course.classroom.exercises.running import (
     overwrite_freed_memory,
     source_of,
 )
-from imgproc_course.classroom.exercises.source_remarks import STUB_LINE, has_done, remarks_on_source
+from .source_remarks import STUB_LINE, has_done, remarks_on_source
 
 _NONE = {"type": "None"}
 _SECONDS = 10  # for the statements beside an answer
@@ -157,11 +158,9 @@ def check(exercise_id, function):
     if why_older:
         return CheckResult(exercise, attempted=True, why_older=why_older)
     answer = _answer_in_notebook(file, exercise, function)
-    if exercise.subject == "drive":
-        with progress_bar(f"Driving {len(exercise.cases)} scenarios") as progress:
-            result = run_check(exercise, function, answer, progress)
-    else:
-        result = run_check(exercise, function, answer)
+    bar = progress_bar(f"Driving {len(exercise.cases)} scenarios")
+    with bar if exercise.subject == "drive" else contextlib.nullcontext() as progress:
+        result = run_check(exercise, function, answer, progress)
     _note(result, function)
     return result
 
@@ -186,19 +185,7 @@ def _note(result, function):
 
 
 def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
-    """Run an answer on cases of an exercise.
-
-    Parameters
-    ----------
-    exercise : Exercise
-    function : callable
-    cases : sequence of Case; the public ones if omitted
-    seed : int, the seed of the inputs
-
-    Returns
-    -------
-    CheckResult
-    """
+    """The CheckResult of an answer on an Exercise's cases, the public ones if omitted; inputs by a seed."""
     return run_check(check_data_of(exercise, None if cases is None else tuple(cases), seed), function)
 
 
@@ -307,7 +294,7 @@ def _judge_calls(exercise, function, calls, dependencies):
     is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
     is_drive = exercise.subject == "drive"
     if "NotImplementedError" in errors or (is_stub and not is_drive):
-        remarks = _remarks(function)
+        remarks = tuple(remarks_on_source(function))
         if isinstance(function, type):
             remarks = () if is_stub else (STUB_LINE,)
         return CheckResult(exercise, attempted=False, remarks=remarks)
@@ -316,24 +303,19 @@ def _judge_calls(exercise, function, calls, dependencies):
     mistake = None if has_passed else _known_mistake(exercise, calls)
     if mistake and has_done(source_of(function), mistake.says):
         mistake = None  # it does the same for another reason
-    remarks = () if has_passed else _remarks(function, errors)
+    remarks = () if has_passed else tuple(remarks_on_source(function, errors))
     parts = {"remarks": remarks, "drives": tuple(calls) if is_drive else ()}
     result = CheckResult(exercise, not is_stub, results, mistake, dependencies, **parts)
     return replace(result, diagnosis=_diagnosis(result, calls))
 
 
-def _remarks(function, errors=()):
-    return tuple(remarks_on_source(function, errors))
-
-
 def _diagnosis(result, calls):
-    shown_value = result.shown
-    exercise = result.exercise
-    if shown_value is None or shown_value.difference is None or shown_value.result.changed:
-        return Diagnosis()
+    shown, exercise = result.shown, result.exercise
     if exercise.subject != "function":
-        return Diagnosis()  # `node_feedback` says what is wrong
-    return diagnose(calls, shown_value, exercise.names, exact_type=exercise.exact_type)
+        return Diagnosis()  # `node_feedback` or `drive` says what is wrong
+    if shown is None or shown.difference is None or shown.result.changed:
+        return Diagnosis()
+    return diagnose(calls, shown, exercise.names, exact_type=exercise.exact_type)
 
 
 def _codes_in(source, name):
@@ -368,19 +350,22 @@ def _known_mistake(exercise, calls):
     returned = [case_call for case_call in calls if case_call.result.value not in (None, _NONE)]
     is_right = all(case_call.passed for case_call in returned)
     for exact_type in (True,) if exercise.exact_type else (True, False):
-        matches = [mistake for mistake in exercise.mistakes if _explains(mistake, calls, exact_type)]
+        matches = _mistakes_like(exercise, calls, exact_type)
+        if not matches and not is_right:
+            matches = _mistakes_like(exercise, returned, exact_type)
+            matches = matches if len(matches) == 1 else []
         if matches:
-            return matches[0]
-        if is_right:
-            continue
-        matches = [mistake for mistake in exercise.mistakes if _explains(mistake, returned, exact_type)]
-        if len(matches) == 1:
             return matches[0]
     return None
 
 
-def _explains(mistake, calls, exact_type):
-    return all(_does_the_same(mistake, case_call, exact_type) for case_call in calls)
+def _mistakes_like(exercise, calls, exact_type):
+    """The declared mistakes that do the same in all these calls."""
+    return [
+        mistake
+        for mistake in exercise.mistakes
+        if all(_does_the_same(mistake, case_call, exact_type) for case_call in calls)
+    ]
 
 
 def _does_the_same(mistake, case_call, exact_type):

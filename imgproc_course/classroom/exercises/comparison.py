@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
+from .canonical import array_of, canonical
 
 _LONGEST_TEXT = 500  # a longer text is cut
 _LONGEST_INTEGER = 30  # digits; of a longer one the first digits are told
@@ -36,7 +36,7 @@ class Difference:
 
 
 def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
-    """The first difference between two canonical forms, or None.
+    """The first Difference between two forms that `canonical` wrote with the same limit, or None.
 
     Numbers agree when |actual - expected| <= tolerance + rounding * |expected|; the rounding is 1e-9 for
     Python's floats and float64, 1e-5 for float32, 1e-2 for float16, and 0 for integers. NumPy's scalars count
@@ -48,16 +48,7 @@ def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
     for numbers: a mask selects pixels, and 0 and 1 do not. Whether numbers in float32 are right is decided
     with its rounding.
 
-    Parameters
-    ----------
-    expected, actual : dict, from `canonical` with the same limit
-    tolerance : float >= 0, absolute, in the unit of the answer
-    path : str, the path of the two inside the whole answer
-    exact_type : bool
-
-    Returns
-    -------
-    Difference or None
+    The tolerance is absolute, in the unit of the answer; `path` is that of the two inside the whole answer.
     """
     if not exact_type:
         actual = as_type_of(expected, actual)

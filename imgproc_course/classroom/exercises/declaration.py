@@ -12,11 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
-from imgproc_course.classroom.exercises.drive import PATH_TOLERANCE, SENSORS
-from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
-from imgproc_course.classroom.exercises.running import NODES, SUBJECTS
+from .. import course
+from .check_data import Case, CheckData, Mistake
+from .drive import PATH_TOLERANCE, SENSORS
+from .percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
+from .running import NODES, SUBJECTS
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
 
@@ -211,7 +211,7 @@ class Exercise(CheckData):
 
 def _scenario(case, calls, place):
     # Here, because the kernels that grade import this module too.
-    from imgproc_course.classroom.exercises.scenario import read_scenario
+    from .scenario import read_scenario
 
     if len(calls) != 1 or len(calls[0]) != 1 or not isinstance(calls[0][0], dict):
         raise MasterError(f"{place}: inputs(rng) of a drive returns one scenario, a dict: return (scenario,)")
@@ -288,7 +288,8 @@ def _cells_beside(path, headings):
 
 def _heading(cell):
     try:
-        calls = [node for node in ast.walk(ast.parse(cell.source)) if _is_declaration(node)]
+        calls = [node for node in ast.walk(ast.parse(cell.source)) if isinstance(node, ast.Call)]
+        calls = [call for call in calls if getattr(call.func, "id", "") == "exercise"]
         if len(calls) != 1:
             raise MasterError(f"expected one call of exercise(...), found {len(calls)}")
         arguments = [ast.literal_eval(value) for value in calls[0].args]
@@ -300,10 +301,6 @@ def _heading(cell):
         raise MasterError(
             f"{cell.place}: cannot read the declaration ({error}); exercise(...) takes literals only"
         ) from error
-
-
-def _is_declaration(node):
-    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "exercise"
 
 
 def _assemble(path, heading, cells):

@@ -11,13 +11,8 @@ import sys
 import types
 from dataclasses import dataclass, field
 
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.cell_syntax import (
-    UNPARSABLE,
-    cells_of,
-    needed_statements,
-    statements_of,
-)
+from .. import course
+from .cell_syntax import UNPARSABLE, cells_of, needed_statements, statements_of
 
 
 @dataclass(frozen=True)
@@ -42,13 +37,7 @@ class Dependencies:
 
 
 # What every answer may use: NumPy, and what shows something. Inside the sandbox nothing else exists.
-_FOR_ALL = (
-    "numpy",
-    "matplotlib",
-    "IPython",
-    "__main__",
-    *course.ALWAYS_ALLOWED,
-)
+_FOR_ALL = ("numpy", "matplotlib", "IPython", "__main__", *course.ALWAYS_ALLOWED)
 _GUARDS = (ast.Try, ast.TryStar, ast.With, ast.AsyncWith)
 _SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
 

@@ -9,15 +9,8 @@ from itertools import permutations
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.comparison import (
-    as_float,
-    as_type_of,
-    compare,
-    differing,
-    kind_of,
-    named_items,
-)
+from .canonical import array_of, canonical
+from .comparison import as_float, as_type_of, compare, differing, kind_of, named_items
 
 _FACTORS = {
     0.5: "half the expected number",
@@ -39,13 +32,8 @@ _LINES = {
     "the last column": np.s_[:, -1:],
 }
 _RIGHT = "The values are right"
-_FUNCTIONS = (
-    "function",
-    "builtin_function_or_method",
-    "method",
-    "numpy.ufunc",
-    "numpy._ArrayFunctionDispatcher",
-)
+_FUNCTIONS = ("function", "builtin_function_or_method", "method")
+_FUNCTIONS += ("numpy.ufunc", "numpy._ArrayFunctionDispatcher")
 _NUMBERS, _SEQUENCES = ("int", "float"), ("tuple", "list")
 _NOUNS = {
     **{"ndarray": "an array", "int": "a number", "float": "a number", "str": "a text", "dict": "a dict"},

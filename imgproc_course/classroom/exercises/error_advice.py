@@ -142,7 +142,7 @@ def _index_outside(match, source):
 
 
 def _typographic(match, _source):
-    from imgproc_course.classroom.exercises.syntax_slips import plain_character  # few need it
+    from .syntax_slips import plain_character  # few need it
 
     character = match[1] or chr(int(match[2], 16))
     plain = plain_character(character)

@@ -3,11 +3,11 @@
 from dataclasses import replace
 from functools import lru_cache
 
-from imgproc_course.classroom.exercises import feedback
-from imgproc_course.classroom.exercises.check_data import ExpectedCall
-from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
-from imgproc_course.classroom.exercises.drive_check import drive_scenarios
-from imgproc_course.classroom.exercises.running import CallResult, argument_names
+from . import feedback
+from .check_data import ExpectedCall
+from .declaration import PUBLIC_SEED, MasterError
+from .drive_check import drive_scenarios
+from .running import CallResult, argument_names
 
 
 class _MistakeResults(dict):
@@ -37,7 +37,7 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
     solution = exercise.function_of(exercise.solution, "solution")
     exercise = replace(
         exercise,
-        names=tuple(argument_names(solution, subject=exercise.subject)),
+        names=tuple(argument_names(solution, exercise.subject)),
         provided=tuple(sorted(exercise.namespace())),
     )
     return replace(

@@ -8,22 +8,12 @@ import html
 import re
 from itertools import chain, repeat
 
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.drive import METRICS, metric_text, sentences_of
-from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.node_feedback import (
-    NODE_ERRORS,
-    advice_on_node_error,
-    differing_images,
-    sentence_on_node,
-)
-from imgproc_course.classroom.exercises.running import NODES
-from imgproc_course.classroom.exercises.values import (
-    answer_parts,
-    describe_value,
-    differing_elements,
-    table_rows,
-)
+from .canonical import array_of, canonical
+from .drive import METRICS, metric_text, sentences_of
+from .error_advice import advice_on
+from .node_feedback import NODE_ERRORS, advice_on_node_error, differing_images, sentence_on_node
+from .running import NODES
+from .values import answer_parts, describe_value, differing_elements, table_rows
 
 _MOST_LINES = 12  # of the function's own prints
 
@@ -163,12 +153,10 @@ def _notes(result):
     if result.dependencies.error:
         yield f"The answer cell does not run by itself: {result.dependencies.error}"
     for foreign, origin in result.dependencies.foreign.items():
-        if exercise.subject != "function":
+        if exercise.subject != "function" or (origin == "function" and foreign not in exercise.names):
             advice = f"Copy the definition of {foreign} into the answer cell."
         elif foreign in exercise.names:
             advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
-        elif origin == "function":
-            advice = f"Copy the definition of {foreign} into the answer cell."
         else:
             advice = f"Use the arguments of your function ({names}), or define {foreign} in the answer cell."
         reason = "" if exercise.practice else " Grading runs only the answer cell."
@@ -204,10 +192,6 @@ def _cases(result):
         elif not case_result.passed:
             explanation = "not run, because the call above did not finish"
         yield case_result, explanation, call if call is result.shown else None
-
-
-def _state(result):
-    return "passed" if result.passed else "failed" if result.attempted else "open"
 
 
 def _headline(result):
@@ -345,7 +329,7 @@ def _indent(text):
 
 def as_html(result):
     """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
-    colour = _COLOURS[_state(result)]
+    colour = _COLOURS["passed" if result.passed else "failed" if result.attempted else "open"]
     headline = html.escape(f"{result.exercise.id}: {_headline(result)}")
     body = [f'<div style="font-weight: 600; color: {colour}">{headline}</div>']
     body += map(_paragraph, _remarks(result))
@@ -365,7 +349,7 @@ def as_html(result):
 def _drives_as_html(result):
     """The table of drives, and their maps."""
     if result.drives:
-        from imgproc_course.classroom.exercises.drive_check import images_of_drive  # here, as in `_figures`
+        from .drive_check import images_of_drive  # here, as in `_figures`
 
         yield _table(_drive_rows(result), 'th scope="col"')
         images = [image for drive in result.drives for image in images_of_drive("draw_map", drive)]
@@ -410,7 +394,7 @@ def _table(rows, first="td"):
 def _figures(result, call):
     """The images of the first part of the answer that is a wrong image; else the images that were given."""
     # Here, because it imports Pillow: the processes that grade import this package, and draw nothing.
-    from imgproc_course.classroom.exercises.answer_images import answer_images, given_images, is_image
+    from .answer_images import answer_images, given_images, is_image
 
     if result.exercise.subject == "drive":
         return _images_before(call)
@@ -430,7 +414,7 @@ def _figures(result, call):
 
 def _images_before(drive):
     """What the camera saw before the bump, or before the place nearest to something."""
-    from imgproc_course.classroom.exercises.drive_check import images_of_drive
+    from .drive_check import images_of_drive
 
     has_moment = drive.record["decisive"] and not drive.record["ended"]
     return _row_of_figures(images_of_drive("look_back", drive)) if has_moment else ""
@@ -438,7 +422,7 @@ def _images_before(drive):
 
 def _images_of_node(call):
     """The first image that a node published, and that differs, with what was sent and what was expected."""
-    from imgproc_course.classroom.exercises.answer_images import answer_images
+    from .answer_images import answer_images
 
     images = call.difference and differing_images(call.expected.value, call.result.value, call.arguments)
     if not images or images[1].shape != images[2].shape:

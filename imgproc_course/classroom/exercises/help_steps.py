@@ -6,14 +6,8 @@ import numbers
 import re
 from dataclasses import dataclass
 
-from imgproc_course.classroom.exercises.check_files import (
-    SOLUTIONS,
-    find_check_data,
-    find_check_file,
-    read_lesson_file,
-    reading,
-)
-from imgproc_course.classroom.exercises.progress import ExerciseProgress, note_progress, progress_of
+from .check_files import SOLUTIONS, find_check_file, read_lesson_file, reading
+from .progress import ExerciseProgress, note_progress, progress_of
 
 TRIES = 3  # honest ones, before a solution opens
 _CODE_SPAN = re.compile(r"`([^`]+)`")
@@ -72,7 +66,7 @@ def hint(exercise_id, step=None):
     ------
     CheckFileError : there is no such exercise, or its file is missing or damaged
     """
-    exercise = find_check_data(exercise_id)
+    exercise = find_check_file(exercise_id).exercise(exercise_id)
     hints = exercise.hints
     quoted_id = json.dumps(exercise_id)
     if step is None:

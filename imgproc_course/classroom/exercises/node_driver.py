@@ -19,7 +19,7 @@ import threading
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.recording_node import (
+from .recording_node import (
     LEVELS,
     UNKNOWN,
     NodeError,
@@ -30,7 +30,7 @@ from imgproc_course.classroom.exercises.recording_node import (
     stop,
     type_text,
 )
-from imgproc_course.classroom.exercises.ros_double import offer_modules
+from .ros_double import offer_modules
 
 _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows", "destroyWindow")
 # What a node must not do: it is trapped during a drive, and the record says that it was used.
@@ -45,25 +45,15 @@ _POLICIES = ("reliability", "durability", "history", "depth")
 
 
 def drive(node_class, look, steps):
-    """Make a node of a class, and let it take some steps.
+    """Make a node of a class, which inherits from ROS's Node or the double's, and let it take some steps.
 
-    Parameters
-    ----------
-    node_class : a class that inherits from rclpy's Node, ROS's own or the double's
-    look : "setup": what the node is after the steps; "images": what came of each step
-    steps : list of dict, see above
+    The record is a dict. For the look "setup" it has what the node is after the steps: "node", its name,
+    "subscriptions" and "publishers", lists of dicts sorted by topic, and "published early", the number of
+    messages that it published in __init__; for "images" it has "steps", what came of each step. And "sleeps"
+    and "windows": whether it slept or opened windows.
 
-    Returns
-    -------
-    dict: "node", its name, "subscriptions" and "publishers", lists of dicts sorted by topic, and "published
-    early", the number of messages that it published in __init__; or "steps", what came of each step. And
-    "sleeps" and "windows": whether it slept or opened windows.
-
-    Raises
-    ------
-    NotGradedError : the node uses what the double does not have
-    NodeError : it cannot be driven; the message says what to do
-    Exception : what its __init__ raised, or its callback with an image that is not bad
+    NotGradedError: the node uses what the double does not have. NodeError: it cannot be driven. Exceptions of
+    its __init__ are raised, and those of its callback with an image that is not bad.
     """
     offer_modules()
     node_class, patches = _recording(node_class)

@@ -7,13 +7,8 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from imgproc_course.classroom.exercises.check_files import (
-    DAMAGED,
-    CheckFileError,
-    checks_folders,
-    read_check_file,
-)
-from imgproc_course.classroom.exercises.progress import read_progress
+from .check_files import DAMAGED, CheckFileError, checks_folders, read_check_file
+from .progress import read_progress
 
 _LESSON_FILE = re.compile(r"(\d\d)_[a-z0-9_]+\.ipynb")
 _NEEDS = re.compile(r"\*\*You need\*\*(.*?)(?:\n|$)")

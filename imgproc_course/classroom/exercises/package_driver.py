@@ -8,9 +8,9 @@ import ast
 import sys
 import xml.etree.ElementTree as ET
 
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.node_driver import drive
-from imgproc_course.classroom.exercises.recording_node import NodeError
+from .. import course
+from .node_driver import drive
+from .recording_node import NodeError
 
 # {what a node imports: its rosdep key}
 _KEYS = {"cv2": "python3-opencv", "numpy": "python3-numpy"} | {

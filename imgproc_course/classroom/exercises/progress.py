@@ -19,7 +19,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Literal
 
-from imgproc_course.classroom.exercises.running import codes_of
+from .running import codes_of
 
 PROGRESS, LOCK = ".progress.json", ".progress.lock"
 LEARNERS_FOLDER = ".course.json"  # a folder with this file is a learner's
@@ -160,8 +160,5 @@ def content_of(code):
     if not isinstance(code, types.CodeType):
         return repr(code)
     steps = (step for step in dis.get_instructions(code) if step.opname not in ("PUSH_NULL", "EXTENDED_ARG"))
-    return repr([(step.opname.replace("LOAD_METHOD", "LOAD_ATTR"), _operand(step)) for step in steps])
-
-
-def _operand(step):
-    return "" if step.opcode in _JUMPS else content_of(step.argval)
+    operands = ((step, "" if step.opcode in _JUMPS else content_of(step.argval)) for step in steps)
+    return repr([(step.opname.replace("LOAD_METHOD", "LOAD_ATTR"), operand) for step, operand in operands])

@@ -14,14 +14,8 @@ import types
 from importlib.machinery import ModuleSpec
 from typing import ClassVar
 
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.recording_node import (
-    UNKNOWN,
-    RecordingNode,
-    refusals,
-    refuse,
-    ros_name,
-)
+from .. import course
+from .recording_node import UNKNOWN, RecordingNode, refusals, refuse, ros_name
 
 
 class _Message:
@@ -183,10 +177,6 @@ class _Instant:
         return _Time(sec=sec, nanosec=nanosec)
 
 
-def _do_nothing(*_arguments, **_options):
-    return None
-
-
 def _check_name(pattern, error):
     def validate(name, *_arguments):
         if not isinstance(name, str):
@@ -272,9 +262,8 @@ def _modules():
     modules = {name: {} for name in (*names, *(f"rclpy.{module}" for module in _EMPTY_MODULES))}
     for kind in _MESSAGES:
         modules[kind.__module__][kind.__name__] = kind
-    for name in ("spin", "spin_once", "spin_until_future_complete"):
-        modules["rclpy"][name] = lambda *_arguments, **_options: None  # each its own: a drive traps them
-    modules["rclpy"] |= dict.fromkeys(("init", "shutdown", "try_shutdown"), _do_nothing)
+    for name in ("init", "shutdown", "try_shutdown", "spin", "spin_once", "spin_until_future_complete"):
+        modules["rclpy"][name] = lambda *_arguments, **_options: None  # each its own: a drive traps some
     modules["rclpy"]["ok"] = lambda **_options: True
     groups = ("CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup")
     node_class = type("Node", (RecordingNode,), refusals(UNKNOWN) | {"__module__": "rclpy.node"})

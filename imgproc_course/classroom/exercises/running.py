@@ -25,8 +25,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.comparison import compare, named_items
+from .canonical import canonical
+from .comparison import compare, named_items
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
@@ -89,11 +89,12 @@ def answer_name(function, subject):
 def call(function, arguments, names, time_limit, subject="function"):
     """Call a function on copies of its arguments; the CallResult says what it did.
 
-    `names` are the arguments'. The time limit is in seconds; on a busy machine up to three times as long. If
-    the subject is "node", it is the class of a node, and is driven through the steps in its arguments; of a
-    "package", it returns the files.
+    `names` are the arguments'; those without a name are numbered. The time limit is in seconds; on a busy
+    machine up to three times as long. If the subject is "node", the function is the class of a node, and is
+    driven through the steps in its arguments; of a "package", it returns the files.
     """
     copies = copy.deepcopy(arguments)
+    names = [*names[: len(copies)], *(f"argument {k + 1}" for k in range(len(names), len(copies)))]
     before = [canonical(value, limit=None) for value in copies]
     output = LimitedOutput()
     with warnings.catch_warnings(record=True) as caught_warnings:
@@ -121,22 +122,20 @@ def by_itself():
         sys.stdin = stdin
 
 
-def argument_names(function, arguments=(), subject="function"):
-    """The names of an answer's arguments; arguments without a name are numbered."""
+def argument_names(function, subject="function"):
+    """The names of an answer's arguments; [] if they are not known."""
     try:
-        names = _NODE_ARGUMENTS if subject in NODES else list(inspect.signature(function).parameters)
+        return _NODE_ARGUMENTS if subject in NODES else list(inspect.signature(function).parameters)
     except (TypeError, ValueError):
-        names = []
-    if not arguments:
-        return names
-    return [*names[: len(arguments)], *(f"argument {k + 1}" for k in range(len(names), len(arguments)))]
+        return []
 
 
 def _call_fields(function, arguments, time_limit, subject):
     """The fields of CallResult that the call itself gives, as a dict."""
-    run = {"function": _call, "node": _drive, "package": _drive_package}[subject]
+    run = {"function": function, "node": _drive, "package": _drive_package}[subject]
+    arguments = arguments if subject == "function" else (function, *arguments)
     try:
-        value = call_within(lambda: run(function, arguments), time_limit)
+        value = call_within(lambda: run(*arguments), time_limit)
         return {"value": canonical(value, limit=None)}
     except (Exception, SystemExit, TimeUp) as error:  # noqa: BLE001 - a learner's function may raise anything
         return failure_fields(error, function)
@@ -154,22 +153,18 @@ def failure_fields(error, function):
     }
 
 
-def _call(function, arguments):
-    return function(*arguments)
-
-
-def _drive(node_class, arguments):
+def _drive(node_class, *arguments):
     """What a node did when it was driven, as a plain value."""
-    from imgproc_course.classroom.exercises.node_driver import drive  # here: only nodes need it
+    from .node_driver import drive  # here: only nodes need it
 
     if not isinstance(node_class, type):
         raise TypeError(f"expected the class of your node, got a value of type {type(node_class).__name__}")
     return drive(node_class, *arguments)
 
 
-def _drive_package(function, arguments):
+def _drive_package(function, *arguments):
     """What the files of a package say, or what its node did, as a plain value."""
-    from imgproc_course.classroom.exercises.package_driver import drive_package
+    from .package_driver import drive_package
 
     return drive_package(function, *arguments)
 
@@ -310,13 +305,12 @@ def functions_of(answer):
     if isinstance(answer, type):
         own_bases = [base for base in reversed(answer.__mro__) if base.__module__ == answer.__module__]
         members = {name: value for base in own_bases for name, value in vars(base).items()}
-        found = {name: _unwrapped(value) for name, value in members.items()}
+        # Behind a static method, a class method or a property there is a function.
+        found = {
+            name: getattr(value, "__func__", None) or getattr(value, "fget", None) or value
+            for name, value in members.items()
+        }
     return {name: value for name, value in found.items() if isinstance(value, types.FunctionType)}
-
-
-def _unwrapped(member):
-    """The function behind a static method, a class method or a property."""
-    return getattr(member, "__func__", None) or getattr(member, "fget", None) or member
 
 
 def codes_of(answer):

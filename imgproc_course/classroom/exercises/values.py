@@ -8,8 +8,8 @@ import base64
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.canonical import array_of
-from imgproc_course.classroom.exercises.comparison import describe, differing, named_items
+from .canonical import array_of
+from .comparison import describe, differing, named_items
 
 MOST_NUMBERS = 144  # a larger array is described or drawn, not printed
 _FIRST_BYTES = 8  # of a long sequence

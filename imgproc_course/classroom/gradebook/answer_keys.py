@@ -3,8 +3,8 @@
 import contextlib
 import json
 
-from imgproc_course.classroom.autograder.answer_key import HANDED_OUT, SOLUTIONS, load_key, reading
-from imgproc_course.classroom.exercises.lesson_description import LessonDescription
+from ..autograder.answer_key import HANDED_OUT, SOLUTIONS, load_key, reading
+from ..exercises.check_data import LessonDescription
 
 
 class AnswerKeys:

@@ -14,8 +14,8 @@ from contextlib import ExitStack
 from datetime import datetime
 from pathlib import PurePosixPath
 
-from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.gradebook.senders import LONGEST_NAME
+from ..autograder.sanitize import sanitize_line
+from .senders import LONGEST_NAME
 
 LARGEST = 50_000_000  # bytes of one notebook; a lesson full of images has a tenth of it
 LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself

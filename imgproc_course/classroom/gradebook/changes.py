@@ -2,8 +2,8 @@
 
 import json
 
-from imgproc_course.classroom.gradebook.grades_json import FORMAT
-from imgproc_course.classroom.gradebook.report import render_page
+from .grades_json import FORMAT
+from .report import render_page
 
 PREVIOUS = "grades.previous.json"
 

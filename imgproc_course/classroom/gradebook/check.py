@@ -9,14 +9,14 @@ import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from imgproc_course.classroom.exercises import check_files
-from imgproc_course.classroom.exercises.check_data import CheckData
-from imgproc_course.classroom.exercises.checking import CheckResult, check_built
-from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.feedback import explain_failure
-from imgproc_course.classroom.gradebook.archives import LARGEST, too_large
-from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
-from imgproc_course.classroom.gradebook.submission import AnswerState, SubmissionContent, read_submission
+from ..exercises import check_files
+from ..exercises.check_data import CheckData
+from ..exercises.checking import CheckResult, check_built
+from ..exercises.error_advice import advice_on
+from ..exercises.feedback import explain_failure
+from .archives import LARGEST, too_large
+from .notebook_reader import NotebookReader
+from .submission import AnswerState, SubmissionContent, read_submission
 
 _ADVICE = {
     AnswerState.MISSING: "Open the lesson afresh and copy your answer into this cell.",
@@ -220,11 +220,8 @@ def report_lines(lesson_check):
     yield _verdict(lesson_check)
     if lesson_check.open:
         count = len(lesson_check.open)
-        yield (
-            f"{count} deeper exercises are open: they give points, too."
-            if count > 1
-            else "1 deeper exercise is open: it gives points, too."
-        )
+        are_open = "exercises are open: they give" if count > 1 else "exercise is open: it gives"
+        yield f"{count} deeper {are_open} points, too."
 
 
 def _summary(entry):
@@ -241,12 +238,7 @@ def _verdict(lesson_check):
         return "Complete, but grading would not give every point yet: see above."
     if lesson_check.was_run:
         return "Ready to submit: every check passes."
-    complete = (
-        "The core is complete: every answer cell of it"
-        if lesson_check.open
-        else "Complete: every answer cell"
-    )
-    return (
-        f"{complete} is there and filled in. The answers were not run;"
-        f" `imgproc-course check --run {lesson_check.path}` runs them."
-    )
+    complete = "The core is complete" if lesson_check.open else "Complete"
+    cells = f"every answer cell{' of it' * bool(lesson_check.open)}"
+    run = f"`imgproc-course check --run {lesson_check.path}` runs them"
+    return f"{complete}: {cells} is there and filled in. The answers were not run; {run}."

@@ -24,16 +24,17 @@ import os
 import stat
 import unicodedata
 from collections import Counter, deque
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
 from pathlib import Path, PurePosixPath
 
-from imgproc_course.classroom.authoring.lesson_names import is_lesson
-from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.gradebook import archives
-from imgproc_course.classroom.gradebook.archives import Archives, CollectError
-from imgproc_course.classroom.gradebook.senders import (
+from ..authoring.lesson_names import is_lesson
+from ..autograder.sanitize import sanitize_line
+from . import archives
+from .archives import Archives, CollectError
+from .senders import (
     Certainty,
     Sender,
     is_lesson_file,
@@ -120,7 +121,7 @@ def collect(path, lessons=()):
     return collection
 
 
-class Collection:
+class Collection(AbstractContextManager):
     """What was collected, of each sender no more than their budget of files and bytes.
 
     files     list of SubmittedFile, sorted by source
@@ -134,9 +135,6 @@ class Collection:
         self.files, self.ignored, self.findings, self.archives = [], [], [], Archives()
         self._notebooks, self._bytes, self._ignored, self._found = Counter(), Counter(), Counter(), Counter()
         self._known = set()
-
-    def __enter__(self):
-        return self
 
     def __exit__(self, *_error):
         self.archives.close()

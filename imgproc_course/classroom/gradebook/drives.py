@@ -1,6 +1,6 @@
 """The teacher's page of all drives: a map of each, those of hidden scenarios, too."""
 
-from imgproc_course.classroom.gradebook.report import map_of, render_page
+from .report import map_of, render_page
 
 
 def drives_page(learners, store, names):

@@ -12,7 +12,7 @@ import io
 import zipfile
 from pathlib import PurePosixPath
 
-from imgproc_course.classroom.gradebook.lms_export import lessons_of
+from .lms_export import lessons_of
 
 
 def feedback_zips(grades, read_page):

@@ -7,22 +7,22 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from imgproc_course.classroom.autograder.pool import open_scheduler
-from imgproc_course.classroom.autograder.sandbox import bubblewrap
-from imgproc_course.classroom.gradebook import result_store
-from imgproc_course.classroom.gradebook.answer_keys import load_keys
-from imgproc_course.classroom.gradebook.archives import CollectError
-from imgproc_course.classroom.gradebook.collect import collect
-from imgproc_course.classroom.gradebook.csv_table import TableError
-from imgproc_course.classroom.gradebook.grades_folder import LearnerPages, set_pages_aside, write_grades
-from imgproc_course.classroom.gradebook.grades_json import count_not_graded, faults_of, grades_of
-from imgproc_course.classroom.gradebook.learners import read_all, unproven_dates
-from imgproc_course.classroom.gradebook.lms_import import fill_table, read_tables
-from imgproc_course.classroom.gradebook.report import count_of, prepare_templates
-from imgproc_course.classroom.gradebook.result_store import GradesFolderError
-from imgproc_course.classroom.gradebook.roster import read_roster, roster_report
-from imgproc_course.classroom.gradebook.similarity import compare, report_copies, similar_entries
-from imgproc_course.classroom.gradebook.teacher_tables import DECISIONS_TEMPLATE, TeacherRules
+from ..autograder.pool import open_scheduler
+from ..autograder.sandbox import bubblewrap
+from . import result_store
+from .answer_keys import load_keys
+from .archives import CollectError
+from .collect import collect
+from .csv_table import TableError
+from .grades_folder import LearnerPages, set_pages_aside, write_grades
+from .grades_json import count_not_graded, faults_of, grades_of
+from .learners import read_all, unproven_dates
+from .lms_import import fill_table, read_tables
+from .report import count_of, prepare_templates
+from .result_store import GradesFolderError
+from .roster import read_roster, roster_report
+from .similarity import compare, report_copies, similar_entries
+from .teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
 _MAX_LINES = 12  # of a run's summary, before the last lines
 

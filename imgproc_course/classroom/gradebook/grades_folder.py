@@ -16,18 +16,18 @@ results/*.json     every result, by a digest of key and answers: an interrupted 
 import shutil
 from pathlib import Path
 
-from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.gradebook.anonymity import learner_without_name, without_names
-from imgproc_course.classroom.gradebook.changes import PREVIOUS, changes_page, read_grades
-from imgproc_course.classroom.gradebook.drives import drives_page
-from imgproc_course.classroom.gradebook.feedback_zips import feedback_zips
-from imgproc_course.classroom.gradebook.grades_json import grades_text, learner_entry
-from imgproc_course.classroom.gradebook.lms_export import exports, grades_csv
-from imgproc_course.classroom.gradebook.predictions import predictions_page
-from imgproc_course.classroom.gradebook.report import learner_page
-from imgproc_course.classroom.gradebook.result_store import write_grades_file
-from imgproc_course.classroom.gradebook.similarity import similarity_page
-from imgproc_course.classroom.gradebook.summary import summary_page
+from ..autograder.sanitize import sanitize_line
+from .anonymity import learner_without_name, without_names
+from .changes import PREVIOUS, changes_page, read_grades
+from .drives import drives_page
+from .feedback_zips import feedback_zips
+from .grades_json import grades_text, learner_entry
+from .lms_export import exports, grades_csv
+from .predictions import predictions_page
+from .report import learner_page
+from .result_store import write_grades_file
+from .similarity import similarity_page
+from .summary import summary_page
 
 _GIVEN_BACK = ("learners", "exports")
 _OTHER_PAGES = {

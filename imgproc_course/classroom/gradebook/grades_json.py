@@ -7,15 +7,14 @@ import json
 from dataclasses import asdict
 from importlib.metadata import version
 
-from imgproc_course.classroom.autograder.outcomes import Outcome
-from imgproc_course.classroom.autograder.results import to_json
-from imgproc_course.classroom.gradebook.anonymity import anonymous_id
-from imgproc_course.classroom.gradebook.collect import SubmittedFile
-from imgproc_course.classroom.gradebook.final_points import settle_lesson
-from imgproc_course.classroom.gradebook.learners import Submission
-from imgproc_course.classroom.gradebook.senders import Sender
-from imgproc_course.classroom.gradebook.submission import Finding, SubmissionContent
-from imgproc_course.classroom.gradebook.teacher_tables import plain_number
+from ..autograder.outcomes import Outcome
+from ..autograder.results import to_json
+from .anonymity import anonymous_id
+from .collect import SubmittedFile
+from .learners import Submission
+from .senders import Sender
+from .submission import Finding, SubmissionContent
+from .teacher_tables import plain_number
 
 FORMAT = 4
 
@@ -106,7 +105,7 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
         lessons.append(_lesson_entry(learner, submission, answer_keys, store, deadlines))
     for lesson in lessons:
         about = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
-        settle_lesson(lesson, about, deadlines.policy)
+        _settle_lesson(lesson, about, deadlines.policy)
     page = f"{anonymous_id(learner.name, answer_keys)}.html" if anonymous else learner.page
     order = {name: _place(lesson) for name, lesson in answer_keys.lessons.items()}
     return {
@@ -116,6 +115,44 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
         "max_points": sum(lesson["max_points"] for lesson in lessons),
         "lessons": sorted(lessons, key=lambda lesson: order.get(lesson["lesson"], ("~", lesson["file"]))),
     }
+
+
+def _settle_lesson(entry, decisions, policy):
+    """Set the final points of a lesson's entry, which has those of the autograder.
+
+    The teacher's decisions come first, then what lateness costs. A decision on an exercise replaces its
+    points; an excused exercise counts neither for nor against. A decision on the whole lesson is final: it
+    replaces its points, and lateness costs nothing more. `policy` is a LatePolicy or None.
+    """
+    by_exercise = {decision.exercise: decision for decision in decisions}
+    whole_lesson = by_exercise.pop("", None)
+    entry["autograded_points"] = entry["points"]
+    for exercise in entry["exercises"]:
+        exercise["autograded_points"] = exercise["points"]
+        _decide(exercise, by_exercise.get(exercise["id"]))
+    if entry["exercises"]:
+        entry["points"] = plain_number(sum(exercise["points"] for exercise in entry["exercises"]))
+        entry["max_points"] = sum(exercise["max_points"] for exercise in entry["exercises"])
+    entry["late_deduction"] = 0
+    _decide(entry, whole_lesson)
+    is_final = whole_lesson and (whole_lesson.excused or whole_lesson.points is not None)
+    if is_final:
+        entry["status"] = "graded"
+    elif policy and entry["days_late"]:
+        points = plain_number(entry["points"] * policy.factor(entry["days_late"]))
+        entry["late_deduction"] = plain_number(entry["points"] - points)
+        entry["points"] = points
+
+
+def _decide(entry, decision):
+    entry["decision"] = None
+    if decision is None:
+        return
+    entry["decision"] = {name: getattr(decision, name) for name in ("points", "excused", "comment")}
+    if decision.excused:
+        entry["points"] = entry["max_points"] = 0
+    elif decision.points is not None:
+        entry["points"] = decision.points
 
 
 def _nothing_submitted(lesson, submissions):

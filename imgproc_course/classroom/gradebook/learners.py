@@ -9,17 +9,12 @@ from itertools import chain
 
 from tqdm import tqdm
 
-from imgproc_course.classroom.autograder.answer_key import Key
-from imgproc_course.classroom.gradebook.archives import CollectError
-from imgproc_course.classroom.gradebook.collect import IntakeFinding, SubmittedFile, digest_of
-from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
-from imgproc_course.classroom.gradebook.senders import Certainty
-from imgproc_course.classroom.gradebook.submission import (
-    AnswerState,
-    SubmissionContent,
-    lesson_by_name,
-    read_submission,
-)
+from ..autograder.answer_key import Key
+from .archives import CollectError
+from .collect import IntakeFinding, SubmittedFile, digest_of
+from .notebook_reader import NotebookReader
+from .senders import Certainty
+from .submission import AnswerState, SubmissionContent, lesson_by_name, read_submission
 
 NOTEBOOK_SECONDS = 5  # of processor time, for reading one notebook; a usual one takes 0.02
 READING_SECONDS = 30  # for all notebooks of one sender

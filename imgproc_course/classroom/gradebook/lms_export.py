@@ -27,11 +27,11 @@ No cell begins like a formula: an apostrophe is put before one that would.
 
 import csv
 
-from imgproc_course.classroom.autograder.sanitize import spreadsheet_text
-from imgproc_course.classroom.gradebook.csv_table import csv_text
-from imgproc_course.classroom.gradebook.grades_json import lesson_names
-from imgproc_course.classroom.gradebook.report import count_of, finding_text
-from imgproc_course.classroom.gradebook.teacher_tables import plain_number
+from ..autograder.sanitize import spreadsheet_text
+from .csv_table import csv_text
+from .grades_json import lesson_names
+from .report import count_of, finding_text
+from .teacher_tables import plain_number
 
 COLUMNS = (
     *("learner", "lesson", "points", "max_points", "percent", "late", "submitted_at", "submissions"),

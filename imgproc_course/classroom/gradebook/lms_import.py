@@ -11,10 +11,10 @@ matched by a login, an e-mail address or a number that is the learner's name her
 import re
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
-from imgproc_course.classroom.gradebook.csv_table import TableError, csv_text, read_csv
-from imgproc_course.classroom.gradebook.lms_export import EXCUSED, lessons_of, platform_points
-from imgproc_course.classroom.gradebook.roster import identities_of, number_of
+from ..authoring.lesson_names import lesson_name, lessons_named
+from .csv_table import TableError, csv_text, read_csv
+from .lms_export import EXCUSED, lessons_of, platform_points
+from .roster import identities_of, number_of
 
 _CANVAS = ("Student", "ID"), ("LastName", "FirstName", "ID")
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)

@@ -14,7 +14,7 @@ _TRIES = 4  # for one request
 _READER = Path(__file__).with_name("submission_reader.py")
 
 
-class NotebookReader:
+class NotebookReader(contextlib.AbstractContextManager):
     """The process that reads notebooks. It starts when it is needed, and again if a notebook has ended it.
 
     `seconds` of processor time are for one request, however busy the machine is; `memory` is in bytes.
@@ -82,9 +82,6 @@ class NotebookReader:
             with contextlib.suppress(OSError):
                 stream.close()
         return process.wait()
-
-    def __enter__(self):
-        return self
 
     def __exit__(self, *_error):
         self.close()

@@ -6,7 +6,7 @@ read as text: nothing of it is run or evaluated here.
 
 from collections import Counter
 
-from imgproc_course.classroom.gradebook.report import render_page
+from .report import render_page
 
 _NO_GUESS = ("None", "...", '""', "''", "?")
 _LONGEST = 200  # characters of a guess

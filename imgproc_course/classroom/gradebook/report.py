@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
-from imgproc_course.classroom.autograder.sanitize import sanitize_line, sanitize_text
-from imgproc_course.classroom.exercises import values
-from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.gradebook.submission import NOT_PYTHON
-from imgproc_course.classroom.gradebook.teacher_tables import plain_number
+from ..autograder.outcomes import TEXTS, Outcome
+from ..autograder.sanitize import sanitize_line, sanitize_text
+from ..exercises import values
+from ..exercises.error_advice import advice_on
+from .submission import NOT_PYTHON
+from .teacher_tables import plain_number
 
 TEMPLATES = Path(__file__).with_name("pages")
 _LONGEST_DESCRIPTION = 400  # characters of a value
@@ -154,7 +154,7 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
 
 def map_of(case):
     """The map of a case's drive, an AnswerImage."""
-    from imgproc_course.classroom.exercises.drive_images import draw_map
+    from ..exercises.drive_images import draw_map
 
     return draw_map(case.drive, case.drive | {"title": _MAP_CAPTION})
 
@@ -195,7 +195,7 @@ def _advice_on_exception(text):
 
 
 def _values_view(case, key_exercise):
-    from imgproc_course.classroom.exercises.answer_images import answer_images
+    from ..exercises.answer_images import answer_images
 
     call = case.failed_call
     names = [*key_exercise.arguments, *("" for _ in call.arguments)]

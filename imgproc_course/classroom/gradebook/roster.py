@@ -12,8 +12,8 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import partial
 
-from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.gradebook.csv_table import TableError, read_csv
+from ..autograder.sanitize import sanitize_line
+from .csv_table import TableError, read_csv
 
 _FULL_NAME = ("student", "full name", "name", "learner", "student name")
 _FIRST_NAME = ("first name", "firstname")

@@ -10,13 +10,8 @@ from dataclasses import dataclass, field, replace
 from enum import IntEnum
 from pathlib import PurePosixPath
 
-from imgproc_course.classroom.authoring.lesson_names import (
-    is_lesson,
-    lesson_name,
-    lessons_named,
-    without_lesson,
-)
-from imgproc_course.classroom.autograder.sanitize import sanitize_line
+from ..authoring.lesson_names import is_lesson, lesson_name, lessons_named, without_lesson
+from ..autograder.sanitize import sanitize_line
 
 LONGEST_NAME = 500  # characters of one part of a path
 _MOODLE = re.compile(r"_(?P<id>\d{1,20})_assignsubmission_[a-z]+_?")

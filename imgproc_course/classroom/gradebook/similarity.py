@@ -14,9 +14,9 @@ from itertools import combinations
 
 import numpy as np
 
-from imgproc_course.classroom.autograder.sanitize import sanitize_text
-from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
-from imgproc_course.classroom.gradebook.report import render_page
+from ..autograder.sanitize import sanitize_text
+from .notebook_reader import NotebookReader
+from .report import render_page
 
 SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same short solution
 MOST_COMMON = 10  # submissions that contain a fingerprint; MOSS has the same limit
@@ -82,8 +82,10 @@ def compare(learners, answer_keys, store):
             for digest, names in sorted(by_digest.items()):
                 answers = store.answers(digest)[2]
                 result = reader.fingerprints(answers)
-                copies[digest] = _copied(result["shapes"], solution["shapes"])
-                _add_document(documents, names, answers, result)
+                shapes, prints = result["shapes"], dict(result["prints"])
+                copies[digest] = _copied(shapes, solution["shapes"])
+                document = _Document([], answers, shapes, prints)
+                documents.setdefault(json.dumps(shapes, sort_keys=True), document).learners += names
             known = handed_out["prints"].keys() | solution["prints"].keys()
             groups += _groups(lesson, list(documents.values()), known)
     return groups, copies
@@ -96,12 +98,6 @@ def _copied(shapes, solution_shapes):
         for id, shape in shapes.items()
         if shape == solution_shapes.get(id) and shape[1] >= SHORTEST_SOLUTION
     ]
-
-
-def _add_document(documents, learners, sources, result):
-    key = json.dumps(result["shapes"], sort_keys=True)
-    document = documents.setdefault(key, _Document([], sources, result["shapes"], dict(result["prints"])))
-    document.learners += learners
 
 
 def _groups(lesson, documents, known):

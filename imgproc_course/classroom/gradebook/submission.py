@@ -10,13 +10,13 @@ import difflib
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
-from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.exercises.answer_cells import find_answer_cell, requests_to_compose
-from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.running import answer_name
-from imgproc_course.classroom.exercises.source_remarks import STUB_LINE
-from imgproc_course.classroom.gradebook.submission_reader import MOST_CHARACTERS
+from ..authoring.lesson_names import lesson_name, lessons_named
+from ..autograder.sanitize import sanitize_line
+from ..exercises.answer_cells import find_answer_cell, requests_to_compose
+from ..exercises.error_advice import advice_on
+from ..exercises.running import answer_name
+from ..exercises.source_remarks import STUB_LINE
+from .submission_reader import MOST_CHARACTERS
 
 _LONGEST_PREDICTION = 1_000  # characters
 _MOST_PREDICTIONS = 100

@@ -6,11 +6,11 @@ from pathlib import PurePosixPath
 
 import numpy as np
 
-from imgproc_course.classroom.autograder.outcomes import CELL_FAILS, TEXTS, Outcome
-from imgproc_course.classroom.autograder.sanitize import spreadsheet_text
-from imgproc_course.classroom.gradebook.csv_table import csv_text
-from imgproc_course.classroom.gradebook.grades_json import lesson_names
-from imgproc_course.classroom.gradebook.report import count_of, finding_text, render_page
+from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
+from ..autograder.sanitize import spreadsheet_text
+from .csv_table import csv_text
+from .grades_json import lesson_names
+from .report import count_of, finding_text, render_page
 
 _BIN_COUNT = 10
 _MOST_UNKNOWN = 3  # files of one learner that belong to no lesson

@@ -8,12 +8,12 @@ import difflib
 from dataclasses import dataclass
 from datetime import datetime
 
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
-from imgproc_course.classroom.autograder.sanitize import sanitize_line, without_apostrophes
-from imgproc_course.classroom.gradebook.anonymity import anonymous_id
-from imgproc_course.classroom.gradebook.csv_table import TableError, is_comment, read_csv
-from imgproc_course.classroom.gradebook.deadlines import Deadlines, local_time_of, read_late_policy
-from imgproc_course.classroom.gradebook.roster import names_in_roster
+from ..authoring.lesson_names import lesson_name
+from ..autograder.sanitize import sanitize_line, without_apostrophes
+from .anonymity import anonymous_id
+from .csv_table import TableError, is_comment, read_csv
+from .deadlines import Deadlines, local_time_of, read_late_policy
+from .roster import names_in_roster
 
 DECISION_COLUMNS = ("learner", "lesson", "exercise", "points", "comment")
 _EXTENSION_COLUMNS = ("learner", "lesson", "deadline")

@@ -15,7 +15,7 @@ from imgproc_course.classroom.authoring.lesson_files import lesson_files
 from imgproc_course.classroom.exercises import check, checking, read_exercises, run_cases
 from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
 from imgproc_course.classroom.exercises.cell_runs import CellRuns
-from imgproc_course.classroom.exercises.check_files import find_check_data
+from imgproc_course.classroom.exercises.check_files import find_check_file
 from imgproc_course.classroom.exercises.checking import run_check
 
 
@@ -398,9 +398,14 @@ def test_a_guarded_import_fails_as_in_grading_and_the_answers_own_way_is_judged(
     result = check("test-double", namespace["double"])
     assert not result.dependencies.refused and result.passed == (own_way == RIGHT_WAY)
     assert namespace.get("shown") in (None, ["by the cell"])  # what only shows something is not run again
-    names, error = find_check_data("test-double").run_answer(f"import numpy as np\n{source}")
+    names, error = (
+        find_check_file("test-double").exercise("test-double").run_answer(f"import numpy as np\n{source}")
+    )
     assert error == ""
-    assert run_check(find_check_data("test-double"), names["double"]).passed == result.passed
+    assert (
+        run_check(find_check_file("test-double").exercise("test-double"), names["double"]).passed
+        == result.passed
+    )
 
 
 def test_html_is_escaped_and_marks_what_differs(write_master):
@@ -645,7 +650,7 @@ def run_answer_of(body, **changes):
     source = f"def double(pixels):\n    {body}\n"
     names = {"np": np, "LIMIT": 255}
     exec(source, names)
-    data = replace(find_check_data("test-double"), **changes)
+    data = replace(find_check_file("test-double").exercise("test-double"), **changes)
     return run_check(data, names["double"], ComposedAnswer("double", source))
 
 
@@ -653,7 +658,7 @@ def test_a_known_mistake_that_says_what_the_answer_does_is_not_named():
     right_and_wrong = "np.minimum(pixels.astype(int), 255)\n    return pixels * 2"
     says = (("It wraps: write np.minimum(pixels.astype(int), 255).", None), ("It wraps.", "wraps"))
     for sentence, name in says:
-        exercise = find_check_data("test-double")
+        exercise = find_check_file("test-double").exercise("test-double")
         mistakes = tuple(replace(mistake, says=sentence) for mistake in exercise.mistakes[:1])
         result = run_answer_of(right_and_wrong, mistakes=mistakes)
         assert (result.mistake.name if result.mistake else None) == name

@@ -112,7 +112,11 @@ def test_a_class_is_called_if_the_subject_is_a_function():
 
 def test_the_arguments_of_a_node_have_names():
     assert argument_names(Size, subject="node") == ["look", "steps"]
-    assert argument_names(lambda image: image, (1, 2)) == ["image", "argument 2"]
+
+
+def test_an_argument_without_a_name_is_numbered():
+    result = call(lambda *lists: [values.append(3) for values in lists], ([1], [2]), ["image"], 1)
+    assert result.changed == ("image", "argument 2")
 
 
 def test_the_subject_is_in_the_files_that_a_lesson_carries(node_master, tmp_path):

@@ -6,7 +6,7 @@ import pytest
 from form_attacks import MALFORMED
 from submissions import answers_of, cell_of, notebook
 
-from imgproc_course.classroom.autograder.screening import MAX_ANSWER
+from imgproc_course.classroom.autograder.nbval_plugin import MAX_ANSWER
 from imgproc_course.classroom.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
 from imgproc_course.classroom.gradebook.submission import AnswerState, read_submission
 from imgproc_course.classroom.gradebook.submission_reader import (

@@ -39,11 +39,8 @@ class KernelFactory(contextlib.AbstractContextManager):
             self._spare.stop()
         self._spare = None
 
-    def close(self):
+    def __exit__(self, *_error):
         """End all kernels and the fork server."""
         self._drop_spare()
         self._fork_server.stop()
         self._group.remove()
-
-    def __exit__(self, *_error):
-        self.close()

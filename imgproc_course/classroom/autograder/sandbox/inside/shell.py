@@ -191,17 +191,15 @@ class _CellRunner:
 
     def run(self, code):
         """Run a cell; returns the exception that ended it, or None."""
-        result = self._run(code)
-        return result.error_before_exec or result.error_in_exec
-
-    def _run(self, code):
         if self._loop is None and ("async" in code or "await" in code):
             self._loop = asyncio.new_event_loop()
             asyncio.set_event_loop(self._loop)
             self._shell.loop_runner = self._loop.run_until_complete
         if self._loop is None or re.search(r"\b(await|async)\b", code):
-            return self._shell.run_cell(code, store_history=False)
-        return self._loop.run_until_complete(self._run_in_loop(code))
+            result = self._shell.run_cell(code, store_history=False)
+        else:
+            result = self._loop.run_until_complete(self._run_in_loop(code))
+        return result.error_before_exec or result.error_in_exec
 
     async def _run_in_loop(self, code):
         return self._shell.run_cell(code, store_history=False)
