@@ -63,15 +63,15 @@ def parts_of(cell):
 
 
 def mixed_and_unmarked(cells):
-    """First lines of the deeper parts that share a cell with core text, or whose heading does not say "deeper"."""
+    """First lines of the deeper parts that share a cell with core text, or whose heading does not say so."""
     parts = [(number, part) for number, cell in enumerate(cells) for part in parts_of(cell)]
     _, deeper = read_sections([part for _, part in parts])
     core_cells = {number for (number, _), is_deeper in zip(parts, deeper, strict=True) if not is_deeper}
     for (number, part), is_deeper in zip(parts, deeper, strict=True):
         line = part.source.split("\n", 1)[0]
-        if is_deeper and part.kind == "markdown":
-            if number in core_cells or ("[[minutes]]" in line and "deeper" not in line):
-                yield line
+        is_unmarked = "[[minutes]]" in line and "deeper" not in line
+        if is_deeper and (number in core_cells or is_unmarked):
+            yield line
 
 
 @pytest.mark.parametrize("path", [pytest.param(path, id=path.stem) for path in MASTERS])

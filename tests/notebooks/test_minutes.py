@@ -10,8 +10,8 @@ from imgproc_course.classroom.authoring.minutes import MINUTES, minutes_of
 
 ROOT = Path(__file__).parents[2]
 MASTERS = ROOT / "notebooks" / "masters"
-# Walks through the cores of a route: the counts of the texts as they were walked, in the order of MINUTES, and
-# the minutes; the mean, where two walks disagree. One walk gave the first five lessons together.
+# Walks through the cores of a route: the counts of the texts as they were walked, in the order of MINUTES,
+# and the minutes; the mean, where two walks disagree. One walk gave the first five lessons together.
 CORES = {
     "00 to 04": (6100, 364, 23, 3, 5, 0, 173),
     "05": (1256, 60, 0, 1, 18, 0, 60),
@@ -19,7 +19,7 @@ CORES = {
     "09": (715, 91, 1, 0, 0, 0, (26 + 43) / 2),
     "10": (1792, 88, 2, 0, 0, 12, (53 + 55) / 2),
 }
-# An earlier walk through all lessons: the same counts, and the estimate in minutes. The lessons have changed since.
+# An earlier walk through all lessons: the same counts, and the estimate in minutes.
 ESTIMATED = {
     "00": (1389, 29, 1, 1, 1, 0, 30),
     "01": (1684, 83, 8, 8, 11, 0, 100),

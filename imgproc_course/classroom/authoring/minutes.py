@@ -8,13 +8,14 @@ A section begins at a heading with `[[minutes]]`; build writes its minutes there
 A deeper section ends at the next heading of its level or of a higher one. The rest is the core of the lesson:
 it runs, and can be understood, without the deeper sections.
 
-How the rule was calibrated: by walks through the cores of the route *the original lesson*, each as a second-year
-student without NumPy, ROS or image processing. The lessons 00 to 04 took 173 minutes together (each 23 to 38), 05
-took 60, 08 took 42 and 50, 09 took 26 and 43, 10 took 53 and 55. Where two walks disagree, their mean counts. The
-rule agrees with these five figures within 15 %. They say little about exercises: the weights of these, and the
-factor for practice from lesson 11 on, come from estimates of a walk through the whole lessons 00 to 20. These are
-scaled by 0.82, because the cores took 0.82 of the minutes that a rule fitted to the estimates gave them. The rule
-agrees with 18 of these 21 within 15 %, with all within 25 %.
+How the rule was calibrated: by walks through the cores of the route *the original lesson*, each as a
+second-year student without NumPy, ROS or image processing. The lessons 00 to 04 took 173 minutes together
+(each 23 to 38), 05 took 60, 08 took 42 and 50, 09 took 26 and 43, 10 took 53 and 55. Where two walks
+disagree, their mean counts. The rule agrees with these five figures within 15 %. They say little about
+exercises: the weights of these, and the factor for practice from lesson 11 on, come from estimates of a walk
+through the whole lessons 00 to 20. These are scaled by 0.82, because the cores took 0.82 of the minutes that
+a rule fitted to the estimates gave them. The rule agrees with 18 of these 21 within 15 %, with all within
+25 %.
 """
 
 import re

@@ -360,14 +360,14 @@ def _known_mistake(exercise, calls):
     """The declared mistake that explains an answer, or None.
 
     A mistake explains an answer if both do the same in every call. It may also be the only mistake that does
-    the same in every call in which the answer returned a value. If the type of a right value is free, it is
-    free here too: first a mistake with the same types is looked for, then one with the same values.
+    the same in every call in which the answer returned a value. First a mistake with the same types is looked
+    for; then one with the same values, unless they are right and only their type is not.
     """
     if exercise.subject == "drive":
         return known_mistake(exercise, calls)
     returned = [case_call for case_call in calls if case_call.result.value not in (None, _NONE)]
     is_right = all(case_call.passed for case_call in returned)
-    for exact_type in (True,) if exercise.exact_type else (True, False):
+    for exact_type in (True,) if _has_right_values(returned) else (True, False):
         matches = [mistake for mistake in exercise.mistakes if _explains(mistake, calls, exact_type)]
         if matches:
             return matches[0]
@@ -377,6 +377,11 @@ def _known_mistake(exercise, calls):
         if len(matches) == 1:
             return matches[0]
     return None
+
+
+def _has_right_values(calls):
+    """Whether values are right, in a type that may be wrong."""
+    return all(call.result.matches(call.expected, call.case.tolerance, exact_type=False) for call in calls)
 
 
 def _explains(mistake, calls, exact_type):
