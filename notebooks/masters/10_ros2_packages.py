@@ -104,7 +104,7 @@ for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "signal.signa
 # 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *[[term:environment variable]]*: a named text that a program receives when it starts.
 # 2. The second line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
 #
-# In this lesson, each command also has a cell, for those who cannot use a terminal. These cells call the three functions below, which give a line to bash as a terminal does. You do not need to write such code. If the node runs in your terminal already, the cell does not start it again.
+# The cells that do the same as a command call the three functions below, which give a line to bash as a terminal does. You do not need to write such code. If the node runs in your terminal already, the cell does not start it again.
 
 # %%
 terminal = os.environ.copy()  # the environment variables of a new terminal
