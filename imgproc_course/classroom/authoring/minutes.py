@@ -8,14 +8,11 @@ A section begins at a heading with `[[minutes]]`; build writes its minutes there
 A deeper section ends at the next heading of its level or of a higher one. The rest is the core of the lesson:
 it runs, and can be understood, without the deeper sections.
 
-How the rule was calibrated: by walks through the cores of the route *the original lesson*, each as a
-second-year student without NumPy, ROS or image processing. The lessons 00 to 04 took 173 minutes together
-(each 23 to 38), 05 took 60, 08 took 42 and 50, 09 took 26 and 43, 10 took 53 and 55. Where two walks
-disagree, their mean counts. The rule agrees with these five figures within 15 %. They say little about
-exercises: the weights of these, and the factor for practice from lesson 11 on, come from estimates of a walk
-through the whole lessons 00 to 20. These are scaled by 0.82, because the cores took 0.82 of the minutes that
-a rule fitted to the estimates gave them. The rule agrees with 18 of these 21 within 15 %, with all within
-25 %.
+The rule was fitted to walks through the cores of the route *the original lesson*, as a second-year student
+without NumPy, ROS or image processing: 00 to 04 took 173 minutes (each 23 to 38), 05 took 60, 08 took 42 and
+50, 09 took 26 and 43, 10 took 53 and 55. The mean of two walks counts; the rule agrees within 15 %. The
+weights of exercises, and the factor for practice from lesson 11 on, come from estimates of a walk through all
+lessons, scaled by 0.82 (the cores took so much of what these estimates say): 18 of 21 agree within 15 %.
 """
 
 import re
@@ -105,7 +102,9 @@ def read_sections(cells):
                 sections.append(section)
                 core = core if section.deeper else section
             section.counts["words"] += len(_WORD.findall(_NO_WORDS.sub(" ", part)))
-            section.counts["terminal lines"] += sum(map(_line_count, _TERMINAL.findall(part)))
+            section.counts["terminal lines"] += sum(
+                _code_lines(block).total() for block in _TERMINAL.findall(part)
+            )
         stub = cell.source if cell.role == "answer" else stub
         section.counts.update(_counts_of_code(cell, stub) if cell.kind == "code" else {})
         deeper.append(section.deeper)
@@ -121,11 +120,7 @@ def _counts_of_code(cell, stub):
     if cell.role == "solution":
         return {"solution lines": (_code_lines(cell.source) - _code_lines(stub)).total()}
     is_read = cell.role in ("", "given") and not cell.source.startswith(CHECK_LINE)
-    return {"code lines": _line_count(cell.source)} if is_read else {}
-
-
-def _line_count(source):
-    return _code_lines(source).total()
+    return {"code lines": _code_lines(cell.source).total()} if is_read else {}
 
 
 def _code_lines(source):

@@ -4,8 +4,11 @@ import inspect
 import types
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from imgproc_course.classroom.exercises import feedback
 from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer, compose_answer
+from imgproc_course.classroom.exercises.canonical import array_of
 from imgproc_course.classroom.exercises.cell_runs import RUNS
 from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
 from imgproc_course.classroom.exercises.check_files import find_check_file
@@ -367,7 +370,7 @@ def _known_mistake(exercise, calls):
         return known_mistake(exercise, calls)
     returned = [case_call for case_call in calls if case_call.result.value not in (None, _NONE)]
     is_right = all(case_call.passed for case_call in returned)
-    for exact_type in (True,) if _has_right_values(returned) else (True, False):
+    for exact_type in (True,) if all(map(_has_right_values, returned)) else (True, False):
         matches = [mistake for mistake in exercise.mistakes if _explains(mistake, calls, exact_type)]
         if matches:
             return matches[0]
@@ -379,9 +382,16 @@ def _known_mistake(exercise, calls):
     return None
 
 
-def _has_right_values(calls):
-    """Whether values are right, in a type that may be wrong."""
-    return all(call.result.matches(call.expected, call.case.tolerance, exact_type=False) for call in calls)
+def _has_right_values(case_call):
+    """Whether values are right, in a type that may be wrong, also if that type has cut them."""
+    expected, result = case_call.expected, case_call.result
+    if result.matches(expected, case_call.case.tolerance, exact_type=False):
+        return True
+    values, actual = array_of(expected.value), array_of(result.value)
+    if values is None or actual is None:
+        return False
+    with np.errstate(all="ignore"):
+        return np.array_equal(values.astype(actual.dtype), actual)
 
 
 def _explains(mistake, calls, exact_type):

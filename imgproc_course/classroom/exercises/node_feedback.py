@@ -171,46 +171,6 @@ def _is_of_edges(image):
     return set(np.unique(image)) == {0, 255}
 
 
-def _on_packages(wanted, given, _steps):
-    return (
-        f"The argument packages of setup(...) names {given or 'no folder'}. It must name the folder of the"
-        f" node: {wanted}."
-    )
-
-
-def _on_executables(wanted, given, _steps):
-    """The first part of NAME=MODULE:FUNCTION that differs."""
-    if given.count("=") != 1 or given.count(":") != 1:
-        return (
-            "console_scripts needs one text of the form NAME = MODULE:FUNCTION, and yours is "
-            f"{given or 'empty'}. NAME is the executable, and MODULE the place of the node's file."
-        )
-    (name, module, function), expected = (re.split("[=:]", text) for text in (given, wanted))
-    if name != expected[0]:
-        return f"The executable is called {name}. The task asks for {expected[0]}."
-    if module != expected[1]:
-        return (
-            f"The executable looks for {function} in the module {module}. A module is named by its folder and"
-            " its file, with a dot between them and without .py."
-        )
-    return f"The executable calls {function}. The task asks for {expected[2]}."
-
-
-def _on_data_files(wanted, given, _steps):
-    """The first file that is not installed, or is installed to another folder."""
-    folders = dict(entry.rpartition(" to ")[::2] for entry in given.split(", "))
-    missing = set(wanted.split(", ")) - set(given.split(", "))
-    if not missing:
-        return f"data_files installs more than the task asks for: {given}."
-    file = min(missing).partition(" to ")[0]
-    if file not in folders:
-        return f"data_files does not install {file}."
-    return (
-        f"data_files installs {file} to {folders[file]}. ROS looks for it in another folder: compare with a"
-        " package that works."
-    )
-
-
 def _on_parameters(wanted, _given, _steps):
     first, value = next(iter(wanted.items()))
     names = ", ".join(wanted)
@@ -236,9 +196,6 @@ _SENTENCES = {
     "/subscriptions": _on_endpoints("subscription"),
     "/publishers": _on_endpoints("publisher"),
     "/subscriptions/0/reliability": _on_reliability,
-    "/packages": _on_packages,
-    "/executables": _on_executables,
-    "/data files": _on_data_files,
     f"{_STEP}/ended": _on_end,
     f"{_STEP}/published": _on_published,
     f"{_STEP}/log": _on_log,
@@ -256,6 +213,14 @@ _SENTENCES = {
     {actual} is a name of pip. package.xml has rosdep keys, such as python3-opencv.
 /missing dependencies
     The node imports what package.xml does not name: {actual}. Write <exec_depend>...</exec_depend> for each.
+/packages
+    The argument packages of setup(...) must name the folder of the node, and nothing else.
+/executables
+    console_scripts makes these executables: {actual}. Write NAME = MODULE:FUNCTION. A module is named by its
+    folder and its file, with a dot between them and without .py.
+/data files
+    data_files must install the marker and package.xml, each to its own folder: compare with a package that
+    works. Yours installs {actual}.
 /main
     The file of the node defines no function main, and the executable calls it.
 /sleeps
