@@ -404,6 +404,18 @@ EDGE_ANSWERS = (
         'This argument must be a number: self.get_parameter("low").value',
     ),
     (
+        "parameters read in __init__ only",
+        changed(
+            ('        low = self.get_parameter("low").value\n', ""),
+            ('        high = self.get_parameter("high").value\n', ""),
+            ("Canny(gray, low, high)", "Canny(gray, self.low, self.high)"),
+            ("        qos =", "        self.low, self.high = 50, 150\n        qos ="),
+            source=EDGES,
+        ),
+        "1",
+        "with the values of the parameters after they changed.",
+    ),
+    (
         "edges of the colour frame",
         changed(("Canny(gray,", "Canny(frame,"), source=EDGES),
         "",

@@ -346,9 +346,9 @@ def inputs(rng):
 
 
 # %% [markdown]
-# **This is a good place for a break.**
-#
 # ## 6 · The kind of number: dtype ([[minutes]])
+#
+# **This is a good place for a break.**
 #
 # All numbers of an array have the same kind, its *dtype* (data type). Images mostly use `uint8`: whole numbers from 0 to 255, one *byte* (8 bits) each. Other dtypes hold more:
 #
@@ -805,7 +805,7 @@ assert tiny.min() == 0 and tiny.max() == 200
 # %% [markdown]
 # ## Recap
 #
-# Rows first, then columns, then channels. A slice selects a part, a mask selects pixels. Deeper: an axis says in which direction to compute, and shifted slices replace a loop over neighbours. A slice is a view: copy before you change it.
+# Rows first, then columns, then channels. A slice selects a part, a mask selects pixels. Shifted slices replace a loop over neighbours. A slice is a view: copy before you change it. Deeper: an axis says in which direction to compute.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|

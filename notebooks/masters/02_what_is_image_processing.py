@@ -86,7 +86,7 @@ assert frame.size == 2_764_800 and recording.rate == 10
 #
 # The recording contains more than the frames. For each frame it also has two images with the right answers, the *[[term:ground truth]]*:
 # - a *[[term:label image]]*: the number in each pixel says what this pixel shows (1 is floor, for example),
-# - a *[[term:depth image]]*: the number in each pixel says how far away the thing is that this pixel shows, measured straight ahead of the camera.
+# - a *[[term:depth image]]*: the number in each pixel says how far in front of the camera the thing is that this pixel shows.
 #
 # A robot does not have the ground truth. It has to find the answers itself. Here we use the ground truth to see what the robot looks for.
 #
@@ -244,7 +244,7 @@ assert np.nonzero(box)[1].min() > 427
 #
 # ## Part two: four operations
 #
-# Programs for all four uses are built from simple operations. Four operations are very common, and each has its own lesson: [[grayscale]], [[binarization]], [[canny_stages|edge detection]] and [[noise_removal]]. Look at what each operation does to the *numbers*: to the shape of the array, and to how many different values it has: `np.unique` lists them, and its `.size` counts them.
+# Programs for all four uses are built from simple operations. Four operations are very common, and each has its own lesson: [[grayscale]], [[binarization]], [[canny_stages|edge detection]] and [[noise_removal]]. Look at what each operation does to the *numbers*: to the shape of the array, and to the number of different values in it. (`np.unique` lists the different values, and `.size` counts them.)
 #
 # ### 5 · Grayscale: three numbers become one ([[minutes]])
 

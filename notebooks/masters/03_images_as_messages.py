@@ -15,7 +15,7 @@
 # - recognise two common mistakes in an image (channels in the wrong order; rows cut wrongly) and repair them,
 # - choose the policies of a [[term:subscription]] so that they fit a camera.
 #
-# **Time** [[minutes]], with two places for a break. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
+# **Time** [[minutes]], with breaks before sections 6 and 8. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
 
 # %%
 import cv2
@@ -473,8 +473,6 @@ except ValueError as error:
 assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).all()
 
 # %% [markdown]
-# **Pause.** This is a good place for a break. After it, run the cells above again: **Run → Run All Above Selected Cell**.
-#
 # ## 5 · Which byte comes first? ([[minutes]], deeper)
 #
 # A depth camera measures distances. It needs numbers above 255, so a pixel takes two bytes. The encoding is `16UC1` (16 bits, unsigned, 1 channel) or `mono16`. One of the two bytes is the *more significant* one: it counts 256 times as much as the other. Two bytes can be stored in two orders. *[[term:big-endian|Big-endian]]* stores the more significant byte first, *little-endian* the less significant one.
@@ -599,6 +597,8 @@ def inputs(rng):
 
 # %% [markdown]
 # ## 6 · Use the library ([[minutes]])
+#
+# **This is a good place for a break.** After it, run the cells above again: **Run → Run All Above Selected Cell**.
 #
 # ROS 2 has its own converter, `cv_bridge`, but Python's installer, pip, cannot install it. The course's `CvBridge` has methods with the same names, and for correct messages the same results. So your code runs on a robot after you change one line: the import.
 #
@@ -751,9 +751,9 @@ def inputs(rng):
     return (make_message(rng, "mono16", 1, 3, dtype="u2"),)
 
 # %% [markdown]
-# **Pause.** Here is the second place for a break.
-#
 # ## 8 · The header: time and camera ([[minutes]])
+#
+# **This is the second place for a break.**
 #
 # A moving robot must know when an image was taken: `header.stamp` (the *[[term:stamp]]*) is this time. `header.frame_id` names the [[term:coordinate frame]] of the camera. (Here *frame* means a coordinate system, not an image of a stream.) A *[[term:node]]* is a program that takes part in ROS. A node that publishes a processed image copies the header, so that a subscriber knows when the camera took the image.
 

@@ -179,7 +179,7 @@ patches[:, 2:4, 1] = 255  # two of pure green,
 patches[:, 4:6, 2] = 255  # and two of pure red
 
 # %% [markdown]
-# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*: after that, look which one has the largest luma.
+# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*. Then look which one has the largest luma.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?
@@ -337,9 +337,9 @@ assert tiny.shape == (5, 5, 3) and to_gray(tiny)[2, 2] == by_hand == by_loops[2,
 assert (by_slices == to_gray(tiny)).all() and (by_loops == by_slices).all()
 
 # %% [markdown]
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
-#
 # ## 6 · Does OpenCV agree? ([[minutes]])
+#
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
 # We compare three results: our rounded sum above, the course's `to_gray`, and OpenCV's `cvtColor`. **Check** every pixel of the frame.
 

@@ -12,10 +12,10 @@
 # **You will be able to**
 # - read a Python *class*, and pass a function to it as a *callback*,
 # - write a ROS 2 node that subscribes, converts, processes and publishes, and explain each of its lines,
-# - deeper: explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2),
-# - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted.
+# - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted,
+# - deeper: explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2).
 #
-# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, and do the exercises: their checks work without ROS 2. If you have never written a class, read section 2 too: 14 minutes more.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, and do the exercises: their checks work without ROS 2. If you have never written a class, read section 2, too.
 
 # %% role="given" exercise=["node-process"]
 import cv2
@@ -63,7 +63,8 @@ figure_texts = {
 #     node -->|publishes| gray["topic<br>.../gray"]
 #     gray -->|subscription| view(["live view<br>in this page"])
 # ```
-#
+
+# %% [markdown]
 # ### How often is it called? ([[minutes]], deeper)
 #
 # The next cell defines a callback. It has two arguments: the frame, and the message from which the frame was made. It stores the message's *stamp*: the time at which the image was taken.
@@ -192,7 +193,8 @@ assert (back_door.name, back_door.rings, len(back_door.callbacks)) == ("back doo
 
 # %% [markdown]
 # Remember this form: a class that inherits, an `__init__` that begins with `super().__init__(...)` and subscribes, and a method that is the callback. The node in the next section has exactly this form.
-#
+
+# %% [markdown]
 # ## 3 · The node, line by line ([[minutes]])
 #
 # A node that works with images does four things: it **subscribes** to a topic, **converts** each message to an array, **processes** the array, and **publishes** (or displays) the result.
@@ -310,6 +312,8 @@ assert (array == frame).all() and msg.encoding == "bgr8"
 # ```
 #
 # `args` are the arguments of the command line, such as [[term:remapping|remappings]]; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
+#
+# **Pause?** Then choose **Run → Run All Above Selected Cell** when you come back.
 
 # %% [markdown]
 # ### A full queue ([[minutes]], deeper)
@@ -335,8 +339,6 @@ assert list(queue) == [3, 4, 5, 6, 7]
 # %% [markdown]
 # The oldest images are dropped. For a robot this is right: the newest image is the most useful one.
 #
-# **Pause?** Then choose **Run → Run All Above Selected Cell** when you come back.
-#
 # ### Windows ([[minutes]], deeper)
 #
 # Most tutorials also show the image in a window. `cv2.imshow("gray", gray)` draws it, `cv2.waitKey(1)` gives the window one millisecond to react to mouse and keyboard, and `cv2.destroyAllWindows()` closes all windows at the end. A notebook runs in a browser, maybe on another computer than the node, and cannot open such windows. So here you use `live_view`.
@@ -359,7 +361,7 @@ if ros_available():
 assert not ros_available() or node.get_name() == "gray_by_hand"
 
 # %% [markdown]
-# The line on a red background is the node's log. A script writes its log to the terminal. A notebook shows it below the cell that runs when the line arrives, and this can be a later cell.
+# The line that begins with `[INFO]` is the node's log. A script writes its log to the terminal; a notebook shows it below the cell that made the node.
 #
 # `rclpy.spin` uses such an executor too. The next cell spins for three seconds; `rclpy.spin(node)` does the same without a limit. (In the f-string, `{blocked:.0f}` writes the number without digits after the point; `:.2f` writes two digits.) **Predict**: while a cell spins, can you run another cell?
 
@@ -683,7 +685,8 @@ else:
 # - invert it: `255 - gray`,
 # - make the first twenty rows white: `gray[:20] = 255`,
 # - publish the red channel alone: `gray = frame[..., 2]`. Red objects become bright.
-#
+
+# %% [markdown]
 # ## Recap
 #
 # A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures. Deeper: in a notebook, spin the node in a background thread.

@@ -329,9 +329,9 @@ assert response.sum() == 160 and response[2, 2] == 160 * 4 / 16 == 40
 assert (response[1:4, 1:4] == 10 * np.outer([1, 2, 1], [1, 2, 1])).all()
 
 # %% [markdown]
-# *This is a good place for a break.*
-#
 # ## 5 · Two kinds of noise ([[minutes]])
+#
+# *This is a good place for a break.*
 #
 # Now we add random noise to a camera frame. The [[term:seed]] of the random numbers is fixed, so everybody gets the same noise. Impulse noise makes 5 % of the pixels black or white. **Gaussian noise** adds a random error to every pixel. The errors have a *normal distribution*: small errors are common, large ones are rare. Here their standard deviation is 20 gray levels. (In an f-string, `:.1%` writes a share in percent, `:.1f` writes one digit after the point, and `:10` fills up to ten characters.)
 
@@ -517,10 +517,9 @@ cleaned_portrait = median_blur(salted_portrait, 3)
 assert psnr(portrait, cleaned_portrait) > psnr(portrait, salted_portrait) + 10
 
 # %% [markdown]
-# *This is a good place for a break. Three exercises follow.*
-
-# %% [markdown]
 # ## 8 · Your turn: the median by hand ([[minutes]])
+#
+# *This is a good place for a break. Three exercises follow.*
 #
 # Write `median3(gray)`: each pixel becomes the median of its 3 × 3 neighbourhood. At the border use *replicate*: repeat the outermost rows and columns. Compute it yourself, with NumPy only, and do not change `gray`.
 #

@@ -269,9 +269,9 @@ for image in (sign, photograph):
     assert otsu_threshold(image) == int(opencv_threshold)
 
 # %% [markdown]
-# *This is a good place for a break.*
-#
 # ## 5 · Planned failure: the sun on the floor ([[minutes]])
+#
+# *This is a good place for a break.*
 #
 # A part of a rug with dark stripes lies in the sun. The dark stripes are our foreground.
 

@@ -15,7 +15,7 @@
 # - explain why a noisy image must be smoothed before edge detection,
 # - deeper: write the Sobel filter, non-maximum suppression, the double threshold and hysteresis by hand.
 #
-# **Time** [[minutes]], best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices and padding) and [[grayscale]].
+# **Time** [[minutes]], best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices) and [[grayscale]].
 #
 # [[noise_removal]] explains more about smoothing; the core does without it.
 
@@ -83,8 +83,8 @@ figure_texts = {
         "Left, clear outlines of the room; right, short white lines nearly everywhere.",
     ),
     "repaired": (
-        "After a Gaussian blur with sigma = 2 pixels the outlines are back.",
-        "Left, short white lines nearly everywhere; right, clear outlines of the room.",
+        "After a Gaussian blur with sigma = 2 pixels the strong outlines are back, without the noise. Weak ones are lost.",
+        "Left, short white lines nearly everywhere; right, the strongest outlines of the room.",
     ),
     "tuner": (
         "Edges of the camera frame.",
@@ -105,14 +105,14 @@ figure_texts = {
 #
 # Where is the edge? You see it at once: between 50 and 200, where the gray level (the *intensity*) jumps. A program has to compute it.
 #
-# **Predict.** For each pixel, subtract its left neighbour from its right neighbour. At which positions is the result not zero? (The positions are 0 to 7. The row is padded, so the first and the last pixel have two neighbours, too.)
+# **Predict.** For each pixel, subtract its left neighbour from its right neighbour. At which positions is the result not zero? (The positions are 0 to 7. The first pixel has no left neighbour, and the last one no right neighbour. So the row is *padded*: it gets a border of one pixel on each side. `np.pad` with `mode="edge"` repeats the outermost pixels; without a mode, it adds zeros.)
 
 # %% role="predict"
 guess_positions = None  # your guess: which positions, for example (0, 7)?
 
 # %%
 row = np.array([50, 50, 50, 50, 200, 200, 200, 200])
-padded = np.pad(row, 1, mode="edge")  # repeats the first and the last pixel
+padded = np.pad(row, 1, mode="edge")
 difference = padded[2:] - padded[:-2]  # right neighbour minus left neighbour
 print("row       ", row)
 print("difference", difference)
@@ -492,6 +492,7 @@ assert (sector == stages.direction).all()
 
 # %% [markdown]
 # ### A whole image with two loops ([[minutes]], deeper)
+#
 # How does OpenCV find the sector without an angle? The border between sectors 0 and 1 is halfway between 0° and 45°, at 22.5°. To compute the angle would be slow. OpenCV compares instead: if |grad_row| is smaller than |grad_col| × 13573 / 32768, the pixel is in sector 0. The fraction 13573 / 32768 is 0.4142, the tangent of 22.5°, written with two integers (32768 is 2¹⁵, so the division is a fast shift).
 #
 # The next cells walk over *all* pixels of a 5 × 5 image with two loops, also over those on the border. Its edge is vertical, so every pixel is compared with its left and right neighbours.
@@ -611,8 +612,6 @@ def inputs(rng):
 # ## 8 · The double threshold ([[minutes]])
 #
 # Which ridges are edges? A single threshold is not enough. If it is low, the wood pattern of the floor becomes edges. If it is high, outlines get gaps. Canny uses a **[[term:double threshold]]**. A pixel above `high` is a **strong** edge pixel: it is always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge. All other pixels are background.
-#
-# A comparison such as `row > 150` gives a bool array. `&` (*and*), `|` (*or*) and `~` (*not*) combine bool arrays pixel by pixel. Each comparison needs parentheses, because Python computes these signs first.
 #
 # **Predict**: the low threshold is 50, the high threshold 150. How many of these six magnitudes are weak: 20, 50, 51, 150, 151, 400?
 
@@ -758,7 +757,7 @@ assert small_edges.astype(int).tolist() == [[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 0, 
 assert (grow_steps(letters == "w", letters == "S", 3) == small_edges).all()
 
 # %% [markdown]
-# The w at the corner of the third w is connected; the two on the right and the one below are not. Now the same on the camera frame. The slider sets the number of steps. Move it, and watch the lines grow from the strong pixels.
+# The w in the middle row touches the second w of the first row at a corner, so it becomes an edge. The two on the right and the one in the last row touch no edge. Now the same on the camera frame. The slider sets the number of steps. Move it, and watch the lines grow from the strong pixels.
 
 # %% tags=["nbval-ignore-output"]
 def growth(frame, steps=0):
@@ -946,7 +945,7 @@ times = (unblurred > 0).sum() / (clean_edges > 0).sum()
 compare_guess(guess_times, round(float(times)), "times")
 
 # %% [markdown]
-# **Repair it**: blur first. `sigma` is the standard deviation of the Gaussian kernel in pixels. The blur keeps most of the step at an outline, but the steps between single noisy pixels become small.
+# **Repair it**: blur first. `sigma` is the standard deviation of the Gaussian kernel in pixels. The steps between single noisy pixels become small. The step at a strong outline stays large enough; weak outlines are lost.
 
 # %%
 repaired = canny(noisy, 50, 150, sigma=2)
@@ -956,6 +955,10 @@ show([unblurred, repaired], ["without blur", "sigma = 2 pixels"],
 # %%
 # Check: the results in this section
 assert round(times) == 8 and (repaired > 0).sum() < (unblurred > 0).sum() / 3
+near_clean = gaussian_blur(clean_edges, 0, size=3) > 0
+assert near_clean[repaired > 0].mean() > 0.9  # hardly any edge of the noise is left
+assert (gaussian_blur(repaired, 0, size=3) > 0)[stages.thinned > 400].mean() > 0.9
+assert (repaired > 0).sum() < (clean_edges > 0).sum() / 2
 assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 
 # %% [markdown]

@@ -16,7 +16,7 @@
 # - deeper: compare edges with a ground truth, and measure precision, recall and F1,
 # - deeper: tune the parameters on some frames, and evaluate them on other frames.
 #
-# **Time** [[minutes]], with a pause after section 4. **You need** [[grayscale_node]] and [[canny_stages]].
+# **Time** [[minutes]]; if you do the deeper sections, take a break before section 5. **You need** [[grayscale_node]] and [[canny_stages]].
 
 # %% role="given" exercise=["edges-near", "edges-f1"]
 import numpy as np
@@ -181,6 +181,12 @@ if ros_available():
         node.set_parameters_atomically(
             [Parameter("low", value=low), Parameter("high", value=high)])
 
+# %% [markdown]
+# **Try.** Run the next cell, move the two handles, and watch the edges:
+#
+# 1. Move `high` to the right until no line is left. `low` stays at 50, so there are still weak edge pixels. Why do they give no line? And why does the slider end at 1020?
+# 2. Move `high` back to 150, and `low` to the left, down to 0. What changes?
+
 # %% tags=["nbval-ignore-output", "long"]
 def three_images(frame, low=50, high=150):
     return find_edges(frame, low, high)["view"]
@@ -202,6 +208,16 @@ else:
 # %%
 # Check: the live view has no error
 assert view.error is None
+
+# %% [markdown]
+# 1. Weak edge pixels become edges only if they are connected to a strong one, and now there is no strong one. The slider ends at 1020, because a horizontal or vertical step from black to white, of 255 gray levels, has the magnitude 4 × 255 = 1020. (Only a corner can have more, up to 1530.)
+# 2. `low` decides how far the lines continue: they become longer. They start at the same strong pixels.
+
+# %%
+# Check: what you saw, on one frame
+none, at_low_0, at_low_50 = edges_of(gray, 50, 1020), edges_of(gray, 0, 150), edges_of(gray, 50, 150)
+assert not none.any() and 4 * 255 == 1020
+assert at_low_0[at_low_50 > 0].all() and (at_low_0 > 0).sum() > (at_low_50 > 0).sum()
 
 # %% [markdown]
 # ### Count the lines ([[minutes]], deeper)
@@ -572,8 +588,9 @@ assert near_outlines.sum(axis=1).tolist() == [3] * 5 and (small_edges & near_out
 
 # %% [markdown]
 # With a tolerance of 2 pixels the neighbourhood has 5 × 5 pixels, so there are 5 × 5 shifted copies, and the padding is 2 pixels wide.
-#
-# ### Your turn: pixels near a mask ([[minutes]], practice)
+
+# %% [markdown]
+# ### Your turn: pixels near a mask ([[minutes]], practice, deeper)
 #
 # Write `near(mask, tolerance)`: the same for any tolerance. You need it for F1.
 #

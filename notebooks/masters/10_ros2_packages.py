@@ -81,6 +81,7 @@ print(script.read_text(encoding="utf-8"))
 # - `rclpy.init()` starts ROS in this program. In a notebook, the course's session does this.
 # - `rclpy.spin(node)` waits for messages and calls the callback, until you press Ctrl-C.
 # - Ctrl-C ends `spin` with an exception, `ExternalShutdownException` or `KeyboardInterrupt`. Both end a program as planned, so the script does nothing: `pass`. (The comments in the script say why it needs the line with `signal.signal`.)
+# - `except RuntimeError` is for a rare case: Ctrl-C ends ROS just while the callback calls ROS, such as `publish`, and this call fails. If ROS still runs (`rclpy.ok()`), the error has another cause: `raise` raises it again.
 # - `finally` is always done at the end: `cv2.destroyAllWindows()` closes the windows, `destroy_node()` deletes the node, and `rclpy.try_shutdown()` ends ROS in this program.
 # - `if __name__ == "__main__":` means: call `main` only if this file is started, not if it is imported.
 
@@ -89,7 +90,7 @@ print(script.read_text(encoding="utf-8"))
 source = script.read_text(encoding="utf-8")
 for name in ("#!/usr/bin/env python3", "BEST_EFFORT", "VOLATILE", "imgmsg_to_cv2", "cv2_to_imgmsg", "cv2.imshow"):
     assert name in source
-for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "signal.signal", "ExternalShutdownException", "destroy_node", "try_shutdown"):
+for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "signal.signal", "ExternalShutdownException", "destroy_node", "try_shutdown", "except RuntimeError", "rclpy.ok()"):
     assert name in source
 
 # %% [markdown]
@@ -103,7 +104,7 @@ for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "signal.signa
 # 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *[[term:environment variable]]*: a named text that a program receives when it starts.
 # 2. The second line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
 #
-# In this lesson, each command also has a cell, for those who cannot use a terminal. These cells call the three functions below, which give a line to bash as a terminal does. You do not need to write such code. If the node runs in your terminal already, the cell does not start it again.
+# The cells that do the same as a command call the three functions below, which give a line to bash as a terminal does. You do not need to write such code. If the node runs in your terminal already, the cell does not start it again.
 
 # %%
 terminal = os.environ.copy()  # the environment variables of a new terminal
@@ -212,13 +213,23 @@ for name in ("package.xml", "setup.py", "setup.cfg", "resource/image_gray_proces
 # %% [markdown]
 # | file | what it is for |
 # |---|---|
-# | `package.xml` | name, version, licence, and the *dependencies*: the other packages that this package needs (section 3) |
+# | `package.xml` | name, version, licence, and the *dependencies*: the other packages that this package needs |
 # | `setup.py` | says which files are installed, and which programs you can start |
 # | `setup.cfg` | says that these programs are installed into `lib/<package>`, where `ros2 run` looks for them |
 # | `resource/…` | an empty file with the name of the package, the *marker* by which ROS finds the package |
 # | `…/image_gray_processor.py` | the node |
 # | `launch/…launch.py` | the *[[term:launch file]]*: it tells `ros2 launch` which node to start, with which topic and which parameters |
 # | `test/` | a test of the node's function, without ROS |
+#
+# Here is `package.xml`:
+
+# %%
+print((package / "package.xml").read_text(encoding="utf-8"))
+
+# %% [markdown]
+# - `exec_depend` names what the node needs when it runs, `test_depend` what only the tests need. These names are *[[term:rosdep|rosdep keys]]*: a tool of ROS, `rosdep`, finds the package to install by such a name.
+# - `build_type` says how the package is built: `ament_python` is for Python.
+# - The Python package of this course, `imgproc_course`, has no rosdep key. It must be installed in the Python that builds and runs the nodes. Here this is the Python of this notebook.
 #
 # Here is `setup.py`:
 
@@ -237,52 +248,44 @@ node_file = package / "image_gray_processor" / "image_gray_processor.py"
 print(node_file.read_text(encoding="utf-8"))
 
 # %%
-# Check: what the text says about the two files
+# Check: what the text says about the three files
 code = node_file.read_text(encoding="utf-8")
 setup = (package / "setup.py").read_text(encoding="utf-8")
 assert "cv2.cvtColor" in code and "ImageProcessor" in code and "def main" in code
+assert "run_processor(make_node, args)" in code and "**node_options" in code
+manifest = (package / "package.xml").read_text(encoding="utf-8")
+for name in ("exec_depend", "test_depend", "<build_type>ament_python</build_type>"):
+    assert name in manifest
 assert "console_scripts" in setup and "data_files" in setup
 
 # %% [markdown]
-# The node consists of a function and an `ImageProcessor`, as in [[edge_detection_node]]. On a robot, speed is important, so the function calls OpenCV. Section 6 (deeper) compares its result with the gray image that you computed by hand in [[grayscale]].
-#
+# - The node consists of a function and an `ImageProcessor`, as in [[edge_detection_node]].
+# - `**node_options` stands for all named arguments with which `make_node` is called. It passes them on to the node.
+# - `run_processor` does what `main` of the script does: it starts ROS, creates the node with `make_node`, and spins it until Ctrl-C.
+
+# %% [markdown]
 # ## 3 · Planned failure: a dependency that cannot be found ([[minutes]], deeper)
 #
-# On a robot, the command `rosdep install` reads `package.xml` and installs the dependencies with the package manager of the robot's Linux. It identifies each dependency by a name, the *[[term:rosdep|rosdep key]]*. If `package.xml` contains another name, rosdep stops:
+# On a robot, the command `rosdep install` reads `package.xml` and installs the dependencies with the package manager of the robot's Linux. If `package.xml` has a name that is no rosdep key, rosdep stops:
 #
 # ```
 # ERROR: the following packages/stacks could not have their rosdep keys resolved
 # to system dependencies: image_gray_processor: Cannot locate rosdep definition for [...]
 # ```
 #
-# This happens with many tutorials. Our node needs OpenCV for Python. **Predict** which of two names is the rosdep key.
-
-# %% role="predict"
-guess_key = None  # your guess: "opencv-python" or "python3-opencv"?
+# This happens with many tutorials: they write `<exec_depend>opencv-python</exec_depend>`. `opencv-python` is the name that pip uses, and rosdep does not know it. **Repair it**: write the rosdep key. These are the keys of our package:
 
 # %%
 import xml.etree.ElementTree as ET
 
-manifest = ET.parse(package / "package.xml")
-for element in manifest.iter("exec_depend"):
-    print(element.text)
-    if "opencv" in element.text:
-        opencv_key = element.text
-compare_guess(guess_key, opencv_key)
+keys = [element.text for element in ET.parse(package / "package.xml").iter("exec_depend")]
+print(keys)
 
 # %%
 # Check: the key of OpenCV
-assert opencv_key == "python3-opencv"
+assert "python3-opencv" in keys and "opencv-python" not in keys
 
 # %% [markdown]
-# `opencv-python` is the name that pip uses. Many tutorials write `<exec_depend>opencv-python</exec_depend>`, and rosdep does not know this name. **Repair it**: write `python3-opencv`. This is the whole file:
-
-# %%
-print((package / "package.xml").read_text(encoding="utf-8"))
-
-# %% [markdown]
-# `exec_depend` means: needed when the node runs. `test_depend` means: needed only for the tests. `imgproc_course`, the Python package of this course, has no rosdep key. It must be installed in the Python that builds and runs the nodes. Here this is the Python of this notebook.
-#
 # ## 4 · Build ([[minutes]])
 #
 # The build tool of ROS 2 is [[term:colcon]]. It finds the packages in `src`, builds them, and installs them into the folder `install`. Now our workspace has two folders, `scripts` and `src`. **Predict** how many more folders it has after the build.
@@ -298,7 +301,7 @@ guess_folders = None  # your guess: how many new folders?
 # python -m colcon build
 # ```
 #
-# 1. `--packages-select` builds only the packages that you name. This saves time while you work on one package. colcon prints many lines; the last one says *Finished*.
+# 1. `--packages-select` builds only the packages that you name. This saves time while you work on one package. colcon prints many lines. You can ignore those that begin with *warning*; the last line says *Finished*.
 # 2. Without it, colcon builds all packages in `src`.
 #
 # The next cell does the same as the last line. If you have built in the terminal, colcon builds once more, which does no harm.
@@ -393,7 +396,7 @@ if ros_available():
 # install/image_gray_processor/lib/image_gray_processor/image_gray_processor
 # ```
 #
-# The terminal is busy now, because the node spins. The node prints its log there. If you do not use a terminal, the next cell starts the node.
+# The terminal is busy now, because the node spins. The node prints its log there: the topic to which it subscribes, and a line with *DDS profile*. (DDS is the kind of [[term:middleware]] that ROS 2 uses; the profile is its settings. You can ignore this line, also if it is a warning.) If you do not use a terminal, the next cell starts the node.
 
 # %%
 if ros_available():
@@ -417,7 +420,7 @@ assert not ros_available() or (gray.shape == (720, 1280) and gray.dtype == np.ui
 # %% [markdown]
 # ### Both gray images, pixel by pixel ([[minutes]], deeper)
 #
-# Is the gray image from the other process (computed by OpenCV) equal to the gray image computed by `to_gray`, for every pixel? The node copies the header, so its image has the same stamp as the camera's image. We use the stamp to find the two images that belong together: two callbacks store the images under their stamps.
+# On a robot, speed is important, so the node calls OpenCV. Is its gray image equal to the one that `to_gray` computes, for every pixel? The node copies the header, so its image has the same stamp as the camera's image. We use the stamp to find the two images that belong together: two callbacks store the images under their stamps.
 
 # %%
 color_frames = {}
@@ -479,7 +482,8 @@ assert node is None or node.returncode == 0
 
 # %% [markdown]
 # The node stopped without an error and printed its statistics. (*Ignored* images are images that came while the node had no subscriber. The node does not process them.)
-#
+
+# %% [markdown]
 # ## 7 · Practice: where is the executable? ([[minutes]], deeper)
 #
 # Write `executable_of(install, package)`. It returns the path of the file that `ros2 run` starts. Here the executable has the same name as its package. The function only puts the path together; it does not look at the disk. `Path` is imported already.
@@ -608,7 +612,7 @@ exercise(
     allowed=("cv2", "imgproc_course.messages"),
     hint="Compare each file with the same file of image_gray_processor in section 2.",
     hints=(
-        "Compare with the files of image_gray_processor in sections 2 and 3: what is the same in each package, and"
+        "Compare with the files of image_gray_processor in section 2: what is the same in each package, and"
         " where does the name of the package stand?",
         "1. In package.xml: the name, three lines exec_depend, and the build type in export.\n"
         "2. In setup.py: the name three times, and one line NAME = MODULE:FUNCTION.\n"
@@ -806,7 +810,7 @@ own_result = check("packages-own", package_files)
 own_result
 
 
-# %% role="case" title="step 1: package.xml" points=1 hint="Compare with the package.xml in section 3: the name, one exec_depend for each import, the build type."
+# %% role="case" title="step 1: package.xml" points=1 hint="Compare with the package.xml in section 2: the name, one exec_depend for each import, the build type."
 def inputs(rng):
     return ("package.xml", [])
 
@@ -903,7 +907,8 @@ if own_node is not None:
 # - **Versions.** ROS 2 has a new *release* every year. The robot's bridge is made for the release *Humble*, and this course uses the release *Jazzy*. Do not mix two releases in one ROS graph: use a bridge that is built for Jazzy.
 # - **Other robots.** A node only finds nodes with the same *[[term:domain]]*, a number. By default, all robots and almost all laptops in a classroom use domain 0. Give each robot and its laptop a domain of their own: `export ROS_DOMAIN_ID=7`.
 # - **The charger.** While the robot is on its charger, its depth camera sends images of 0 × 0 pixels. A node must not stop because of them. Your nodes do not stop: `ImageProcessor` counts such an image as a failure and continues.
-#
+
+# %% [markdown]
 # ## Recap
 #
 # A package is a folder with a fixed structure. Build it, source the workspace, and start the node by name. Deeper: in `package.xml`, write rosdep keys, not pip names; to use another topic, remap the topic in the command.

@@ -1,7 +1,9 @@
 """The core of every lesson stands alone: without its deeper sections no cell misses a name."""
 
+import re
 import symtable
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import nbformat
@@ -15,6 +17,8 @@ from imgproc_course.classroom.authoring.build import lesson_notebook
 from imgproc_course.classroom.authoring.execute import execute, normalize, output_texts
 from imgproc_course.classroom.authoring.lesson_files import lesson_files
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.authoring.minutes import read_sections
+from imgproc_course.classroom.exercises.percent_script import read_script
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 MASTERS = find_masters(NOTEBOOKS / "masters")
@@ -50,6 +54,29 @@ def names_of_deeper_cells(cells):
 def test_no_core_cell_needs_a_name_of_a_deeper_cell(path):
     cells = [cell for cell in read_master(path).cells if cell.kind == "code"]
     assert names_of_deeper_cells(cells) == []
+
+
+def parts_of(cell):
+    """A cell as it is, or a Markdown cell once for each heading, and once for the text above the first."""
+    texts = re.split(r"^(?=#{2,4} )", cell.source, flags=re.M) if cell.kind == "markdown" else [cell.source]
+    return [replace(cell, source=text) for text in texts if text.strip()]
+
+
+def mixed_and_unmarked(cells):
+    """First lines of the deeper parts that share a cell with core text, or whose heading does not say so."""
+    parts = [(number, part) for number, cell in enumerate(cells) for part in parts_of(cell)]
+    _, deeper = read_sections([part for _, part in parts])
+    core_cells = {number for (number, _), is_deeper in zip(parts, deeper, strict=True) if not is_deeper}
+    for (number, part), is_deeper in zip(parts, deeper, strict=True):
+        line = part.source.split("\n", 1)[0]
+        is_unmarked = "[[minutes]]" in line and "deeper" not in line
+        if is_deeper and (number in core_cells or is_unmarked):
+            yield line
+
+
+@pytest.mark.parametrize("path", [pytest.param(path, id=path.stem) for path in MASTERS])
+def test_a_cell_is_core_or_deeper_and_each_deeper_heading_says_so(path):
+    assert list(mixed_and_unmarked(read_script(path).cells)) == []
 
 
 def test_the_core_of_a_lesson_runs_alone_and_gives_the_stored_outputs():

@@ -5,8 +5,11 @@ import inspect
 import types
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from . import feedback
 from .answer_cells import ComposedAnswer, compose_answer
+from .canonical import array_of
 from .cell_runs import RUNS
 from .check_data import Case, CheckData, Mistake
 from .check_files import find_check_file
@@ -342,14 +345,14 @@ def _known_mistake(exercise, calls):
     """The declared mistake that explains an answer, or None.
 
     A mistake explains an answer if both do the same in every call. It may also be the only mistake that does
-    the same in every call in which the answer returned a value. If the type of a right value is free, it is
-    free here too: first a mistake with the same types is looked for, then one with the same values.
+    the same in every call in which the answer returned a value. First a mistake with the same types is looked
+    for; then one with the same values, unless they are right and only their type is not.
     """
     if exercise.subject == "drive":
         return known_mistake(exercise, calls)
     returned = [case_call for case_call in calls if case_call.result.value not in (None, _NONE)]
     is_right = all(case_call.passed for case_call in returned)
-    for exact_type in (True,) if exercise.exact_type else (True, False):
+    for exact_type in (True,) if all(map(_has_right_values, returned)) else (True, False):
         matches = _mistakes_like(exercise, calls, exact_type)
         if not matches and not is_right:
             matches = _mistakes_like(exercise, returned, exact_type)
@@ -366,6 +369,18 @@ def _mistakes_like(exercise, calls, exact_type):
         for mistake in exercise.mistakes
         if all(_does_the_same(mistake, case_call, exact_type) for case_call in calls)
     ]
+
+
+def _has_right_values(case_call):
+    """Whether values are right, in a type that may be wrong, also if that type has cut them."""
+    expected, result = case_call.expected, case_call.result
+    if result.matches(expected, case_call.case.tolerance, exact_type=False):
+        return True
+    values, actual = array_of(expected.value), array_of(result.value)
+    if values is None or actual is None:
+        return False
+    with np.errstate(all="ignore"):
+        return np.array_equal(values.astype(actual.dtype), actual)
 
 
 def _does_the_same(mistake, case_call, exact_type):

@@ -162,7 +162,8 @@ def _on_pixels(wanted, given, steps):
     if not _is_of_edges(wanted):
         return text
     if _is_of_edges(given):
-        return f"{text} Compute the edges of the gray image itself, with the values of the parameters."
+        when = " after they changed" if "set" in kinds else ""
+        return f"{text} Compute the edges of the gray image itself, with the values of the parameters{when}."
     return "An image of edges has only the values 0 and 255. Yours has more: publish what cv2.Canny returns."
 
 
@@ -213,11 +214,13 @@ _SENTENCES = {
 /missing dependencies
     The node imports what package.xml does not name: {actual}. Write <exec_depend>...</exec_depend> for each.
 /packages
-    The argument packages of setup(...) names {actual}. It must name the folder of the node: {expected}.
+    The argument packages of setup(...) must name the folder of the node, and nothing else.
 /executables
-    console_scripts makes these executables: {actual}. The task asks for {expected}.
+    console_scripts makes these executables: {actual}. Write NAME = MODULE:FUNCTION. A module is named by its
+    folder and its file, with a dot between them and without .py.
 /data files
-    data_files must install {expected}.
+    data_files must install the marker and package.xml, each to its own folder: compare with a package that
+    works. Yours installs {actual}.
 /main
     The file of the node defines no function main, and the executable calls it.
 /sleeps

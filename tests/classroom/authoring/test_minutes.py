@@ -5,7 +5,7 @@ import pytest
 from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.classroom.authoring.minutes import minutes_of
 
-WORDS = "word " * 80  # one minute
+WORDS = "word " * 120  # one minute
 LESSON = f"""
 # %% [markdown]
 # **Time** [[minutes]].
@@ -49,9 +49,9 @@ def sources(master):
 
 
 def test_minutes_are_those_of_the_rule():
-    counts = {"words": 800, "code lines": 20, "predictions": 2, "exercises": 1, "solution lines": 4}
-    assert minutes_of(counts, "10") == pytest.approx(10 + 7 + 1 + 4 + 7)
-    assert minutes_of(counts, "11") == pytest.approx(0.6 * 29)
+    counts = {"words": 1200, "code lines": 20, "predictions": 2, "exercises": 1, "solution lines": 4}
+    assert minutes_of(counts | {"terminal lines": 3}, "10") == pytest.approx(10 + 5.4 + 0.5 + 4 + 6 + 3)
+    assert minutes_of(counts, "11") == pytest.approx(0.6 * 25.9)
 
 
 def test_build_fills_in_the_minutes_of_sections_and_of_the_lesson(write_master):
@@ -62,8 +62,8 @@ def test_build_fills_in_the_minutes_of_sections_and_of_the_lesson(write_master):
     assert "## 2 · Deep (1 minute, deeper)\n" in text
     assert "### Deep as its section (9 minutes, practice)\n" in text
     assert "## 3 · Core again (3 minutes)" in text
-    assert (master.core_minutes, master.minutes) == (20, 35)
-    assert "**Time** about 20 minutes for the core, 35 with the deeper sections." in text
+    assert (master.core_minutes, master.minutes) == (15, 35)
+    assert "**Time** about 15 minutes for the core, 35 with the deeper sections." in text
 
 
 def test_a_deeper_section_ends_at_the_next_heading_of_its_level(write_master):
@@ -74,6 +74,13 @@ def test_a_deeper_section_ends_at_the_next_heading_of_its_level(write_master):
         True,
         True,
     ]
+
+
+def test_lines_for_the_terminal_count_by_line(write_master):
+    block = "\n".join(["```sh", *["cd folder"] * 9, "```"]).replace("\n", "\n# ")
+    lesson = LESSON.replace(f"# {WORDS * 3}", f"# {block}")
+    text = sources(read_master(write_master(add=lesson, name="09_template")))
+    assert "## 3 · Core again (9 minutes)" in text
 
 
 def test_an_exercise_in_a_deeper_section_is_deeper(write_master):
@@ -89,4 +96,4 @@ def test_what_the_stub_gives_is_not_written_by_the_learner(write_master):
     lines = "\n".join(f"    # {n}\n    x{n} = {n}" for n in range(40))
     longer = read_master(write_master((solution, f"{lines}\n{solution}"))).minutes
     given = read_master(write_master((solution, f"{lines}\n{solution}"), (stub, f"{lines}\n{stub}"))).minutes
-    assert (longer, given) == (45, 5)  # 40 lines of 1.75 minutes, of which a practised learner needs 0.6
+    assert (longer, given) == (40, 5)  # 40 lines of 1.5 minutes, of which a practised learner needs 0.6

@@ -117,13 +117,21 @@ def test_a_mistake_is_named_beside_another_fault():
 
 
 @pytest.mark.parametrize("exact_type", [True, False])
-def test_a_mistake_is_named_in_another_type_if_the_type_is_free(exact_type, write_master):
+def test_a_mistake_with_wrong_values_is_named_in_another_type(exact_type, write_master):
     write_master(
-        exercise='# %% role="exercise"\nexercise("test-double", function="double", time_limit=0.5,'
-        f' hint="Widen.", exact_type={exact_type})\nSIDE = 3'
+        **{
+            "exercise": '# %% role="exercise"\nexercise("test-double", function="double", time_limit=0.5,'
+            f' hint="Widen.", exact_type={exact_type})\nSIDE = 3',
+            "second mistake": '# %% role="mistake" name="floats" says="It returns floats."\n'
+            "def double(pixels):\n    return np.minimum(pixels * 2.0, 255)",
+        }
     )
-    result = check("test-double", lambda pixels: (pixels * 2).astype(float))
-    assert (result.mistake is not None) != exact_type
+    assert check("test-double", lambda pixels: (pixels * 2).astype(float)).mistake.name == "wraps"
+    cut = check("test-double", lambda pixels: right(pixels).astype(np.int8))
+    assert cut.mistake is None  # `wraps` has other values; these are right, as far as int8 holds them
+    if exact_type:  # right values in a wrong type are no other mistake
+        assert check("test-double", lambda pixels: right(pixels).astype(int)).mistake is None
+        assert check("test-double", lambda pixels: right(pixels).astype(float)).mistake.name == "floats"
 
 
 def test_after_a_try_that_fails_the_help_in_steps_is_named(write_master):
