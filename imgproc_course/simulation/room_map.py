@@ -11,7 +11,7 @@ from .drive import BODY_CENTER, BODY_LENGTH, BODY_WIDTH
 from .room import Room, recorded_room
 
 PIXELS = 60  # per metre
-FLOOR, THINGS = (245, 250, 250), (150, 140, 130)  # blue, green, red
+FLOOR, THINGS, SCALE = (245, 250, 250), (150, 140, 130), (40, 40, 40)  # blue, green, red
 PATH, START, BUMP, MARK, GOAL, BALL = (
     (200, 90, 30),
     (60, 150, 0),
@@ -40,7 +40,7 @@ def draw_map(
     room : the living room of the recorded drive, if omitted
     goal : (x, y, radius), a green circle
     ball : (x, y) or more: where it began
-    mark : (x, y) or more, where the robot was at a moment: an orange ring
+    mark : (x, y) or more, where the robot was at a moment: an orange ring around it
     """
     space = (room or recorded_room()).free_space
     x0, y0 = space.origin
@@ -60,10 +60,20 @@ def draw_map(
     if ball is not None:
         cv2.circle(image, pixel(ball), round(0.11 * PIXELS), BALL, -1, cv2.LINE_AA)
     if mark is not None:
-        cv2.circle(image, pixel(mark), 18, MARK, 3, cv2.LINE_AA)
+        cv2.circle(image, pixel(mark), round(0.55 * PIXELS), MARK, 2, cv2.LINE_AA)
     for _, *place in bumps:
         cv2.drawMarker(image, pixel(place), BUMP, cv2.MARKER_TILTED_CROSS, 16, 3)
-    return np.ascontiguousarray(image[::-1])
+    image = np.ascontiguousarray(image[::-1])
+    return _draw_scale(image)
+
+
+def _draw_scale(image):
+    """Draws a bar of 1 m at the bottom on the left."""
+    x, y = 16, image.shape[0] - 16
+    cv2.rectangle(image, (x - 6, y - 18), (x + PIXELS + 6, y + 6), FLOOR, -1)
+    cv2.rectangle(image, (x, y - 2), (x + PIXELS, y + 2), SCALE, -1)
+    cv2.putText(image, "1 m", (x + 16, y - 5), cv2.FONT_HERSHEY_SIMPLEX, 0.4, SCALE, 1, cv2.LINE_AA)
+    return image
 
 
 def floor_plan(is_free, cell):

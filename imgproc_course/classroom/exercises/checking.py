@@ -131,6 +131,13 @@ class CheckResult:
         return feedback.as_html(self)
 
 
+class CheckInterrupted(KeyboardInterrupt):
+    """Somebody interrupted a check; a notebook shows one sentence, and runs no further cells."""
+
+    def _render_traceback_(self):
+        return ["The check was interrupted. Run its cell again."]
+
+
 def check(exercise_id, function):
     """Check an answer: show what is right, what is wrong, and where to look.
 
@@ -163,7 +170,10 @@ def check(exercise_id, function):
     answer = _answer_in_notebook(file, exercise, function)
     bar = progress_bar(f"Driving {len(exercise.cases)} scenarios")
     with bar if exercise.subject == "drive" else contextlib.nullcontext() as progress:
-        result = run_check(exercise, function, answer, progress)
+        try:
+            result = run_check(exercise, function, answer, progress)
+        except KeyboardInterrupt:
+            raise CheckInterrupted from None
     _note(result, function)
     return result
 

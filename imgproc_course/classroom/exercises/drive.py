@@ -120,11 +120,11 @@ class Drive:
         path      [x, y, yaw] at the start and after each action, metres and radians
         bumps     [look, x, y] of each bump
         missed    [metric, value, operator, limit] of each threshold that is not kept
-        decisive  the look of the first bump, else that of the least clearance
+        decisive  the look of the `decisive_moment`
         actions   [linear, angular] of each look
         """
         env = self._env.unwrapped
-        return {
+        record = {
             "metrics": dict(self._info),
             "ended": self._ended,
             "looks": self.looks,
@@ -137,15 +137,28 @@ class Drive:
                 for name, limit in self.scenario["thresholds"].items()
                 if not _is_kept(self._info[name], *limit)
             ],
-            "decisive": int(env.bump_places[0][0]) if env.bump_places else self._decisive,
             "actions": [list(speeds) for speeds in self._actions],
         }
+        looks = {
+            "the bump": env.bump_places[:1],
+            "the nearest place": [[self._decisive]],
+            "the end": [[self.looks]],
+        }
+        return record | {"decisive": int(looks[decisive_moment(record)][0][0])}
 
     def _read(self, observation, info):
         is_nearer = self._actions and info["clearance"] != self._info["clearance"]
         self._decisive = self.looks if is_nearer else self._decisive
         self._info = info
         self.observation = load(course.DRIVE_OBSERVATION)(observation)
+
+
+def decisive_moment(record):
+    """What texts call the moment of a drive that is shown: "the bump", "the nearest place" or "the end"."""
+    missed = {name for name, *_ in record["missed"]}
+    if record["bumps"]:
+        return "the bump"
+    return "the end" if missed and "clearance" not in missed else "the nearest place"
 
 
 def looks_of(scenario):

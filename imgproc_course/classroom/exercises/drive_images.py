@@ -10,7 +10,7 @@ from PIL import Image
 
 from imgproc_course.classroom import course
 from imgproc_course.classroom.exercises.answer_images import AnswerImage
-from imgproc_course.classroom.exercises.drive import LOOK, Drive, load
+from imgproc_course.classroom.exercises.drive import LOOK, Drive, decisive_moment, load
 
 _MAP_WIDTH, _FRAME_WIDTH = 280, 208  # pixels on the page
 _LOOKS_BEFORE = (15, 10, 5, 0)  # the decisive moment
@@ -40,7 +40,7 @@ def look_back(env, record, scenario):
             again.act(*record["actions"][look])
     if again.record()["path"] != record["path"][: record["decisive"] + 1]:
         raise ValueError(f"the drive in the scenario {scenario['title']!r} takes another path if repeated")
-    moment = "the bump" if record["bumps"] else "the nearest place"
+    moment = decisive_moment(record)
     return [_frame_image(frame, looks * LOOK, moment) for looks, frame in frames.items()]
 
 

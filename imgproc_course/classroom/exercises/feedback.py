@@ -21,7 +21,8 @@ _BORDER = "Pixels there have neighbours outside the image: how does the task tre
 
 _MAP = (
     "The room from above. Green dot: start; blue: the path, and the robot at its end; red crosses: bumps;"
-    " orange ring: the first bump, or where the robot was nearest to something that stands still."
+    " orange ring: around the first bump, else around the nearest place, or around the end if only the way is"
+    " wrong. The black bar is 1 m long."
 )
 
 # JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
@@ -180,10 +181,13 @@ def _taken_along(result):
 
 def _cases(result):
     """(CaseResult, what went wrong, the call whose values are shown or None) of each case."""
-    steps = {}
+    steps, ending = {}, _common_ending(result)
     for case_result in result.results:
         call, explanation = case_result.failed_call, ""
-        if call is not None:
+        if ending:
+            explanation = f"In all {len(result.results)} scenarios: {ending}" if not steps else ""
+            steps[ending] = ending
+        elif call is not None:
             explanation = explain_failure(result.exercise, call)
             step = case_result.case.title.partition(":")[0]
             first = steps.setdefault(re.sub(r"\d+", "", explanation), step)
@@ -192,6 +196,14 @@ def _cases(result):
         elif not case_result.passed:
             explanation = "not run, because the call above did not finish"
         yield case_result, explanation, call if call is result.shown else None
+
+
+def _common_ending(result):
+    """The sentence on drives that all ended early in the same way, with numbers of the first one; else "" """
+    if len(result.drives) < 2 or not all(drive.record["ended"] for drive in result.drives):
+        return ""
+    texts = [explain_failure(result.exercise, drive) for drive in result.drives]
+    return texts[0] if len({re.sub(r"[0-9]+", "", text) for text in texts}) == 1 else ""
 
 
 def _headline(result):
@@ -413,7 +425,7 @@ def _figures(result, call):
 
 
 def _images_before(drive):
-    """What the camera saw before the bump, or before the place nearest to something."""
+    """What the camera saw before the decisive moment of a drive."""
     from .drive_check import images_of_drive
 
     has_moment = drive.record["decisive"] and not drive.record["ended"]
