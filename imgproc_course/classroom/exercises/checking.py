@@ -11,6 +11,7 @@ from . import feedback
 from .answer_cells import ComposedAnswer, compose_answer
 from .canonical import array_of
 from .cell_runs import RUNS
+from .cell_syntax import function_definitions
 from .check_data import Case, CheckData, Mistake
 from .check_files import find_check_file
 from .comparison import Difference, compare
@@ -34,6 +35,10 @@ from .running import (
 )
 from .source_remarks import STUB_LINE, has_done, remarks_on_source
 
+_NEVER_RUN = (
+    "{name} does the same as you got it: your lines are never run. What stands below a return is not reached:"
+    " delete the return of the first line."
+)
 _NONE = {"type": "None"}
 _SECONDS = 10  # for the statements beside an answer
 _ANOTHER = (
@@ -135,7 +140,7 @@ class CheckInterrupted(KeyboardInterrupt):
     """Somebody interrupted a check; a notebook shows one sentence, and runs no further cells."""
 
     def _render_traceback_(self):
-        return ["The check was interrupted. Run its cell again."]
+        return ["The check was interrupted. Run its cell again: it drives from the start."]
 
 
 def check(exercise_id, function):
@@ -317,9 +322,17 @@ def _judge_calls(exercise, function, calls, dependencies):
     if mistake and has_done(source_of(function), mistake.says):
         mistake = None  # it does the same for another reason
     remarks = () if has_passed else tuple(remarks_on_source(function, errors))
+    if is_stub and _has_other_lines(exercise, function):
+        is_stub, remarks = False, (_NEVER_RUN.format(name=exercise.answer_name), *remarks)
     parts = {"remarks": remarks, "drives": tuple(calls) if is_drive else ()}
     result = CheckResult(exercise, not is_stub, results, mistake, dependencies, **parts)
     return replace(result, diagnosis=_diagnosis(result, calls))
+
+
+def _has_other_lines(exercise, function):
+    """Whether the source of a function is known, and is not that of the stub."""
+    own, stub = (function_definitions(source) for source in (source_of(function), exercise.stub))
+    return bool(own) and own.get(exercise.function) != stub.get(exercise.function)
 
 
 def _diagnosis(result, calls):

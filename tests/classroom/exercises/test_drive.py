@@ -7,7 +7,7 @@ import pytest
 from plane_env import PlaneEnv
 
 from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.drive import Drive, passes, sentences_of, speeds_of
+from imgproc_course.classroom.exercises.drive import Drive, decisive_moment, passes, sentences_of, speeds_of
 from imgproc_course.classroom.exercises.scenario import read_scenario
 
 SCENARIO = {
@@ -203,3 +203,11 @@ def test_what_is_wrong_with_a_scenario_is_said(change, message):
 def test_a_scenario_needs_these_keys(key):
     with pytest.raises(ValueError, match=f"missing required field `{key}`"):
         read_scenario({name: value for name, value in SCENARIO.items() if name != key})
+
+
+def test_the_end_is_the_decisive_moment_of_a_drive_that_misses_its_way_alone():
+    record, _ = driven((0.1, 0.0), thresholds={"bumps": ["<=", 0], "reach": [">=", 0.85]})
+    assert record["missed"][0][0] == "reach" and decisive_moment(record) == "the end"
+    assert record["decisive"] == record["looks"] == 30
+    near, _ = driven((0.1, 0.0), thresholds={"clearance": [">=", 9.0], "reach": [">=", 0.85]})
+    assert decisive_moment(near) == "the nearest place"

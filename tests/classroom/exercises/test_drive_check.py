@@ -218,7 +218,8 @@ def test_what_ends_a_drive_is_said(data, body, sentence, advice):
     result = checked(data, source)
     assert [case.passed for case in result.results] == [False] * 3
     text = repr(result)
-    assert text.count(f"The drive ended after {sentence}") == 3 and advice in text
+    assert text.count("The drive ended after") == 1 and advice in text
+    assert f"In all 3 scenarios: The drive ended after {sentence}" in text
 
 
 def test_a_controller_that_is_too_slow_on_average_ends_as_in_grading(data):
@@ -262,6 +263,14 @@ def test_the_stub_drives_and_is_no_try(data):
     text = repr(result)
     assert text.startswith("test-drive: not attempted yet; the function drives as you got it.")
     assert "The robot bumped into the wall at 3.4 s." in text and "Write control() in its cell" in text
+
+
+def test_lines_below_the_return_of_the_stub_are_a_try_that_is_explained(data):
+    source = BLIND.rstrip() + "\n    return 0.0, 0.0\n"
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    result = checked(data, source)
+    assert result.attempted
+    assert "control() does the same as you got it: your lines are never run." in repr(result)
 
 
 def test_check_in_a_notebook_drives_and_notes_a_try(master, tmp_path, monkeypatch):

@@ -85,7 +85,8 @@ def test_a_kernel_shows_progress_is_interrupted_and_ends_with_its_simulators(ker
             manager.interrupt_kernel()
 
     reply, messages = run(client, f"{slow}\ncheck('test-drive', control)", interrupt)
-    assert reply["ename"] == "KeyboardInterrupt" and "execute_result" not in messages
+    assert reply["ename"] == "CheckInterrupted" and "execute_result" not in messages
+    assert reply["traceback"] == ["The check was interrupted. Run its cell again: it drives from the start."]
     assert run(client, PIDS)[1]["stream"][0]["text"] == "\n"
 
     _, messages = run(client, f"{RIGHT}\nprint(check('test-drive', control).passed)\n{PIDS}")
