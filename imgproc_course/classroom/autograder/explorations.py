@@ -1,7 +1,7 @@
 """Drives of the league: a controller explores a room that nobody has seen, in a process of its own.
 
-The robot and its score are in this process, the controller in a kernel of the sandbox, as in grading. What the
-controller says that it found comes out of the kernel, and anybody may have forged it: it is only compared.
+The robot and its score are in this process, the controller in a kernel of the sandbox, as in grading. What
+it says that it found comes out of the kernel. Anybody may have forged it: it is only compared.
 """
 
 import atexit

@@ -61,7 +61,7 @@ def draw_film(env, record, scenario):
         if look < record["looks"]:
             again.act(*record["actions"][look])
     seconds = record["looks"] * LOOK
-    alt = f"{seconds:.0f} s of a drive, {_FILM_SPEED} times as fast: what the robot's camera sees, and its path"
+    alt = f"{seconds:.0f} s of a drive, {_FILM_SPEED} times as fast: what the camera sees, and the path"
     while True:
         film = _encode_film(scenario["title"], alt, frames, seconds)
         if len(film.png) <= _MOST_FILM:

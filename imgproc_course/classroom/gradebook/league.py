@@ -13,7 +13,6 @@ import itertools
 import statistics
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from multiprocessing import get_context
@@ -102,37 +101,34 @@ class Controller:
         return list(dict.fromkeys(one.message for one in self.explorations if one.message))
 
 
-def run_league(folder, out, *, baseline=None, rooms=10, seed=None, workers=None, **options):
+def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, **options):
     """Let the controllers in a folder drive, and write the league's folder; returns lines to print.
 
     folder    of NAME.py files, one for each learner
     baseline  file of a controller that drives beside them, or None
     rooms     how many
     seed      secret; None: the one stored in `out`, or a new one
-    options   names: show names instead of aliases; unsafe: without a sandbox; quiet: no progress bar
+    names     show names instead of aliases
+    options   workers, None for one per core; unsafe: without a sandbox; quiet: no progress bar
 
     LeagueError, SandboxError and other ValueErrors are one line with the remedy.
     """
-    folder, out = Path(folder), Path(out)
-    controllers = read_controllers(folder, baseline)
+    out, controllers = Path(out), read_controllers(Path(folder), baseline)
+    if seed is not None:
+        require_unguessable(seed)
     if not options.get("unsafe"):
         bubblewrap.require_sandbox()
     with open_grades_folder(out):
-        if seed is not None:
-            require_unguessable(seed)
         seed = seed or read_or_make_seed(out / "seed")
-        name_all(controllers, seed, with_names=options.get("names", False))
-        scenarios = scenarios_of(seed, rooms)
+        name_all(controllers, seed, with_names=names)
         driving = [controller for controller in controllers if not controller.reason]
-        with _processes(workers, options.get("unsafe", False)) as executor:
-            _drive_all(executor, driving, scenarios, options.get("quiet"))
-            ranked = ranking(driving)
-            _draw_all(executor, ranked, scenarios)
+        ranked = _drive_and_draw(driving, scenarios_of(seed, rooms), **options)
         excluded = [controller for controller in controllers if controller.reason]
         write_grades_file(out / "league.html", league_page(ranked, excluded, rooms))
         write_grades_file(out / "league.csv", league_csv(ranked, excluded))
+    drove = f"{count_of(len(driving), 'controller')} in {count_of(rooms, 'room')}"
     return [
-        f"{count_of(len(driving), 'controller')} in {count_of(rooms, 'room')}; {len(excluded)} did not drive.",
+        f"{drove}; {count_of(len(excluded), 'other')} could not drive." if excluded else f"{drove}.",
         f"For the class: {out}/league.html   For you, with names: {out}/league.csv",
     ]
 
@@ -144,46 +140,53 @@ def read_controllers(folder, baseline=None):
     """The Controllers in a folder, and the baseline; one that cannot drive has a reason."""
     if not folder.is_dir():
         raise LeagueError(f"{folder}: there is no such folder; name the folder of the learners' controllers")
-    controllers = [_read(path, path.stem) for path in sorted(folder.glob("*.py"))]
+    controllers = [_read(path) for path in sorted(folder.glob("*.py"))]
     if not controllers:
         raise LeagueError(f"{folder}: no controller in it; expected one file for each learner, NAME.py")
-    return controllers + ([_read(Path(baseline), BASELINE)] if baseline else [])
+    return controllers + ([_read(Path(baseline), alias=BASELINE)] if baseline else [])
 
 
-def _read(path, name):
+def _read(path, **about):
     try:
         source = _source_of(path)
-        ast.parse(source)
-    except SyntaxError as error:
-        return Controller(name, reason=f"line {error.lineno} is not Python")
-    except UNPARSABLE as error:
-        return Controller(name, reason=str(error) or "it is too complicated to be read")
-    if not bound_names(source) & {explorations.FUNCTION, "*"}:
-        return Controller(name, reason="it does not define control(observation, memory)")
-    return Controller(name, source)
+    except ValueError as error:
+        return Controller(path.stem, reason=str(error), **about)
+    return Controller(path.stem, source, _reason_not_to_drive(source), **about)
 
 
 def _source_of(path):
     """The text of a file; ValueError: why it is not read."""
     if path.is_symlink() or not path.is_file():
         raise ValueError("it is not a plain file")
+    if (size := path.stat().st_size) > MAX_ANSWER:
+        raise ValueError(f"the file has {size} bytes; at most {MAX_ANSWER} are read")
     try:
-        size, data = path.stat().st_size, path.read_bytes() if path.stat().st_size <= MAX_ANSWER else b""
-        text = data.decode("utf-8")
+        return path.read_text(encoding="utf-8-sig")
     except OSError:
         raise ValueError("the file cannot be read") from None
     except UnicodeDecodeError:
         raise ValueError("the file is not UTF-8") from None
-    if size > MAX_ANSWER:
-        raise ValueError(f"the file has {size} bytes; at most {MAX_ANSWER} are read")
-    return text
+
+
+def _reason_not_to_drive(source):
+    """Why a source is not run, without a text of the learner's; "" if it is."""
+    try:
+        ast.parse(source)
+    except SyntaxError as error:
+        return f"line {error.lineno or 1} is not Python"
+    except UNPARSABLE:
+        return "it is too complicated to be read"
+    is_there = bound_names(source) & {explorations.FUNCTION, "*"}
+    return "" if is_there else "it does not define control(observation, memory)"
 
 
 def name_all(controllers, seed, *, with_names=False):
-    """Give each controller the name that the page shows: an alias that only the seed's owner can compute."""
-    taken = set()
+    """Give each learner the name that the page shows: an alias that only the seed's owner can compute."""
+    taken = {controller.alias for controller in controllers}
     for controller in controllers:
-        alias = controller.name if with_names or controller.name == BASELINE else _alias(controller.name, seed)
+        if controller.alias:  # the baseline
+            continue
+        alias = controller.name if with_names else _alias(controller.name, seed)
         names = itertools.chain([alias], (f"{alias} {number}" for number in itertools.count(2)))
         controller.alias = next(name for name in names if name not in taken)
         taken.add(controller.alias)
@@ -210,29 +213,29 @@ def _secret_number(seed, about):
 # ---------------------------------------------------------------- drives
 
 
-@contextmanager
-def _processes(workers, unsafe):
-    """An Executor of `explorations`; what interrupts it cancels what has not begun."""
+def _drive_and_draw(controllers, scenarios, *, workers=None, unsafe=False, quiet=None):
+    """The controllers in the order of their scores, with their explorations, ranks and images."""
     options = {"mp_context": get_context("spawn"), "initializer": explorations.start, "initargs": (unsafe,)}
     executor = ProcessPoolExecutor(workers, **options)
     try:
-        yield executor
+        _drive_all(executor, controllers, scenarios, quiet)
+        ranked = ranking(controllers)
+        _draw_all(executor, ranked, scenarios)
     except BrokenProcessPool as error:
-        raise LeagueError(
-            "a process of the league ended, perhaps because memory ran out; use fewer --workers"
-        ) from error
+        reason = "a process of the league ended, perhaps because memory ran out"
+        raise LeagueError(f"{reason}; use fewer --workers") from error
     finally:
         executor.shutdown(cancel_futures=True)
+    return ranked
 
 
 def _drive_all(executor, controllers, scenarios, quiet):
     """One room after another: its images are made once in each process."""
     pairs = list(itertools.product(scenarios, controllers))
-    sources = [controller.source for _, controller in pairs]
-    results = executor.map(explorations.explore, sources, [scenario for scenario, _ in pairs])
-    bar = tqdm(results, desc="driving", unit=" drives", total=len(pairs), disable=quiet, leave=False)
-    for (_, controller), exploration in zip(pairs, bar, strict=True):
-        controller.explorations.append(exploration)
+    futures = [executor.submit(explorations.explore, one.source, scenario) for scenario, one in pairs]
+    bar = tqdm(futures, desc="driving", unit=" drives", disable=quiet, leave=False)
+    for (_, controller), future in zip(pairs, bar, strict=True):
+        controller.explorations.append(future.result())
 
 
 def ranking(controllers):
@@ -245,12 +248,12 @@ def ranking(controllers):
 
 
 def _draw_all(executor, controllers, scenarios):
-    """Draw the best and the worst room of each controller."""
+    """Draw the best and the worst room of each controller, of those in which its robot drove."""
     futures = []
     for controller in controllers:
-        numbers = [n for n, one in enumerate(controller.explorations) if one.record]
-        numbers.sort(key=lambda n: -controller.scores[n])
-        for place, number in list(zip(("best", "worst"), numbers[:1] + numbers[1:][-1:], strict=False)):
+        numbers = [number for number, one in enumerate(controller.explorations) if one.record]
+        numbers.sort(key=controller.scores.__getitem__, reverse=True)
+        for place, number in zip(("best", "worst"), dict.fromkeys(numbers[:1] + numbers[-1:])):  # noqa: B905
             arguments = controller.explorations[number].record, scenarios[number]
             future = executor.submit(explorations.draw, *arguments, with_film=place == "best")
             futures.append((controller, place, number, future))
@@ -268,10 +271,11 @@ def league_page(ranked, excluded, rooms):
 
 def league_csv(ranked, excluded):
     """The table for the teacher: names beside aliases, and what went wrong."""
-    rows = [
-        [one.rank, one.alias, one.name, one.score, round(one.coverage, 3), *one.sums.values()]
-        + [" ".join(map(str, one.scores)), "; ".join([*one.notes, *one.messages])]
-        for one in ranked
-    ]
+    rows = [_row(one) for one in ranked]
     rows += [["", one.alias, one.name, *[""] * (len(_COLUMNS) - 4), one.reason] for one in excluded]
-    return csv_text([_COLUMNS, *([spreadsheet_text(cell) for cell in row] for row in rows)])
+    return csv_text([_COLUMNS, *(map(spreadsheet_text, row) for row in rows)])
+
+
+def _row(one):
+    figures = [one.score, round(one.coverage, 3), *one.sums.values(), " ".join(map(str, one.scores))]
+    return [one.rank, one.alias, one.name, *figures, "; ".join([*one.notes, *one.messages])]
