@@ -40,14 +40,13 @@ def explore(control):
 def _plain(found):
     """What a controller found as {"markers": [[number, x, y], ...], "word": text}; None if it is no dict.
 
-    What has another form is left out.
+    A marker that has another form is left out.
     """
     if not isinstance(found, dict):
         return None
-    markers, word = found.get("markers"), found.get("word")
+    markers = found.get("markers")
     items = markers.items() if isinstance(markers, dict) else ()
-    places = [place for item in items if (place := _place(*item))]
-    return {"markers": places, "word": word if isinstance(word, str) else ""}
+    return {"markers": [place for item in items if (place := _place(*item))], "word": found.get("word")}
 
 
 def _place(number, point):
