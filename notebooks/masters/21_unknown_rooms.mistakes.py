@@ -106,7 +106,21 @@ def control(observation, memory):
         return 0.0, 0.0
     return 0.3, 0.0
 
-# %% role="mistake" name="it forgets where it was" says="Your robot drives well, but to and fro over the same cells. Does it forget which cells it visited? The set in memory must stay from call to call."
+# %% role="mistake" name="it takes the longest way" says="Your robot takes the longest free way, and drives to and fro over the same cells. Keep a set of the visited cells in memory, and choose the way with the most new ones."
 def control(observation, memory):
-    memory["visited"] = set()
-    return solution(observation, memory)
+    x, y, yaw = observation["odometry"]
+    c, s = math.cos(yaw), math.sin(yaw)
+    to_room = np.array([[c, s], [-s, c]])
+    looks = memory.setdefault("looks", [])
+    looks.append(obstacles(observation) @ to_room + (x, y))
+    del looks[:-40]
+    points = (np.concatenate(looks) - (x, y)) @ to_room.T
+    error = math.remainder(memory.setdefault("heading", yaw) - yaw, 2 * math.pi)
+    if abs(error) > 0.1:
+        return 0.0, min(max(2.5 * error, -1.0), 1.0)
+    if free_way(points, error, 0.64) > 0.45:
+        return 0.3, 1.5 * error
+    directions = np.radians(np.arange(-165, 181, 15))
+    ways = [min(free_way(points, direction, 0.64), 3.0) - 0.1 * abs(direction) for direction in directions]
+    memory["heading"] = yaw + float(directions[np.argmax(ways)])
+    return 0.0, 0.0
