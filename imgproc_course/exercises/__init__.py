@@ -12,6 +12,7 @@ from imgproc_course.classroom.exercises import (
     offer_modules,
     overview,
     solution,
+    with_progress,
 )
 
 __all__ = [
@@ -26,4 +27,5 @@ __all__ = [
     "offer_modules",
     "overview",
     "solution",
+    "with_progress",
 ]
