@@ -23,4 +23,4 @@ DRIVE_MAP = f"{NAME}.simulation.room_map:draw_map"
 # a controller may use.
 LEAGUE_SCENARIO = f"{NAME}.simulation.exploration:scenario_of"
 LEAGUE_SCORE = f"{NAME}.simulation.exploration:exploration_score"
-LEAGUE_ALLOWED = ("cv2", "scipy", f"{NAME}.geometry", f"{NAME}.imaging", f"{NAME}.messages")
+LEAGUE_ALLOWED = ("cv2", "scipy", "rapidocr", f"{NAME}.geometry", f"{NAME}.imaging", f"{NAME}.messages")

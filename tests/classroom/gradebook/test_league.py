@@ -27,7 +27,7 @@ TURNS = "def control(observation, memory):\n    return 0.0, 0.3\n"
 STANDS = "def control(observation, memory):\n    return 0.0, 0.0\n"
 CONTROLLERS = {
     "adalovelace": DRIVES,
-    "<img src=x onerror=alert(1)>": "def control(o, m):\n    raise ValueError('<script>from the learner</script>')\n",
+    "<img src=x onerror=alert(1)>": "def control(o, m):\n    raise ValueError('<script>from the learner')\n",
     "endless": "def control(o, m):\n    while True: pass\n",
     "nothing": "def contrl(o, m): pass\n",
     "syntax": "import numpy\ndef control(o, m)\n    return 'from the learner'\n",
@@ -138,14 +138,15 @@ SCENARIO = {"seed": 5, "room": ROOM, "start": START, "duration": 0.5, "title": "
 @pytest.fixture(scope="module")
 def explore():
     """Lets a controller explore a room for half a second."""
-    with KernelFactory(limits=Limits(wall_factor=2.0, output=2 << 20)) as factory:
-        with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(explorations, "_factories", [factory])
-            yield lambda source: explorations.explore(source, SCENARIO)
+    limits = Limits(wall_factor=2.0, output=2 << 20)
+    with KernelFactory(limits=limits) as factory, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(explorations, "_factories", [factory])
+        yield lambda source: explorations.explore(source, SCENARIO)
 
 
-def says(found, before=""):
-    return f"{before}import numpy as np\ndef control(o, memory):\n    memory['found'] = {found}\n    return 0.0, 0.0\n"
+def says(found):
+    head = "import numpy as np\ndef control(o, memory):"
+    return f"{head}\n    memory['found'] = {found}\n    return 0.0, 0.0\n"
 
 
 @pytest.mark.sandbox
