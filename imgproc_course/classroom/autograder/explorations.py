@@ -5,6 +5,7 @@ it says that it found comes out of the kernel. Anybody may have forged it: it is
 """
 
 import atexit
+import os
 import signal
 from dataclasses import dataclass
 
@@ -56,7 +57,7 @@ def scenario_of(room, seed):
 def start(unsafe):
     """Get this process ready for `explore`; it ends with the one that started it."""
     confine.die_with_parent()
-    signal.signal(signal.SIGINT, lambda *_: None)  # Ctrl-C is for the one that waits
+    signal.signal(signal.SIGINT, lambda *_: os._exit(1))  # Ctrl-C: no drive is waited for
     _factories.append(KernelFactory(unsafe=unsafe, limits=_LIMITS))
     atexit.register(_factories[0].close)
 
