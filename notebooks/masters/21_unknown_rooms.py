@@ -54,7 +54,7 @@ figure_texts = {
 #
 # It is rounded, and never below 0. A marker counts if its place is right within 0.3 m, and the word counts if it is read right (1 or 0). The time is limited, so a fast robot reaches more: at 0.3 m/s, 60 seconds are 18 m.
 #
-# An example: a robot was in 21 of the 70 cells, found one marker, did not read the word, and bumped into two things. **Predict** its score.
+# An example: a robot was in 21 of the 70 cells, found one marker, did not read the word, and bumped twice. **Predict** its score.
 
 # %% role="predict"
 guess_score = None  # your guess: how many points?
@@ -108,7 +108,7 @@ def any_room(rng, steps=60):
 
 def all_reached(rng):
     """Every cell of a block was entered, some of them twice."""
-    every = np.array([(col, row) for col in range(-2, 2) for row in range(-1, 1)])
+    every = np.array([(col, row) for col in range(-2, 2) for row in range(-1, 1)]) + rng.integers(-3, 3, 2)
     visits = np.concatenate([every, every[:5]]) * 0.5 + rng.uniform(0.1, 0.4, (13, 2)).round(3)
     return np.column_stack([visits, np.zeros(13)]), every
 
@@ -465,7 +465,7 @@ def find_markers(observation):
     corners, numbers, _ = detector.detectMarkers(cv2.cvtColor(observation["image"], cv2.COLOR_BGR2GRAY))
     x, y, yaw = observation["odometry"].tolist()
     places = {}
-    for four, number in zip(corners, [] if numbers is None else numbers.ravel().tolist()):
+    for four, number in zip(corners, [] if numbers is None else numbers.ravel().tolist(), strict=True):
         _, _, (right, _, ahead) = cv2.solvePnP(square, four[0], image_camera.matrix, np.array(image_camera.distortion),
                                                flags=cv2.SOLVEPNP_IPPE_SQUARE)
         forward, left = 0.21 + float(ahead[0]), -float(right[0])
