@@ -25,7 +25,7 @@ overview()
 #
 # - **The original lesson in one day** (about 7 hours): the cores of [[start_here]], [[arrays]], [[what_is_image_processing]], [[images_as_messages]], [[grayscale]], [[grayscale_node]], [[canny_stages]], [[edge_detection_node]] and [[ros2_packages]]. You write a node that finds edges, and build it as a ROS 2 package.
 # - **The driving robot** (about 11 hours): after that day, the cores of [[drive_the_robot]], [[obstacles_ahead]], [[object_tracking]], [[where_am_i]] and [[mapping_and_slam]]. A robot drives, brakes, follows a ball and makes a map. Who wants more takes the last lesson of the table, on unknown rooms.
-# - **The whole course** (about 47 hours): all lessons in their order, with what is deeper.
+# - **The whole course** (about 48 hours): all lessons in their order, with what is deeper.
 #
 # ## Beside the lessons
 #

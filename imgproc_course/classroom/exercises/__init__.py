@@ -5,8 +5,8 @@ from imgproc_course.classroom.exercises.cell_runs import watch_cells
 from imgproc_course.classroom.exercises.check_files import CheckFileError
 from imgproc_course.classroom.exercises.checking import CheckResult, check, run_cases
 from imgproc_course.classroom.exercises.declaration import MasterError, exercise, read_exercises
-from imgproc_course.classroom.exercises.guesses import GuessComparison, compare_guess
 from imgproc_course.classroom.exercises.drive_check import with_progress
+from imgproc_course.classroom.exercises.guesses import GuessComparison, compare_guess
 from imgproc_course.classroom.exercises.help_steps import hint, solution
 from imgproc_course.classroom.exercises.overview import Overview, overview
 from imgproc_course.classroom.exercises.ros_double import offer_modules
