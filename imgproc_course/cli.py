@@ -445,6 +445,48 @@ def grade(submissions, keys, out, **options):
         raise SystemExit(_COULD_NOT_GRADE)
 
 
+@main.command()
+@click.argument("folder", type=_FOLDER)
+@option("--out", type=_FOLDER, default="league", help="Folder for the page and the table.")
+@option("--rooms", type=click.IntRange(1, 100), default=10, help="Number of secret rooms.")
+@option(
+    "--seed",
+    help="Secret seed of rooms and aliases, 32 random hexadecimal digits or more.  [default: a new one, saved"
+    " in the folder: the next run has the same rooms]",
+)
+@option("--workers", type=click.IntRange(1), help="Number of drives at once.  [default: one per core]")
+@option("--names", is_flag=True, help="Show the learners' names instead of aliases.")
+@option(
+    "--baseline",
+    type=_FILE,
+    default=CHECKOUT / "notebooks" / "controllers" / "baseline.py",
+    show_default=False,
+    help="Controller that drives beside the class.  [default: the course's own]",
+)
+@option(
+    "--unsafe",
+    is_flag=True,
+    help="Run the learners' code without a sandbox: it can read and change your files.",
+)
+def league(folder, out, **options):
+    """Rank a class's controllers on secret rooms, on a page that you can show to the class.
+
+    FOLDER has one file for each learner, NAME.py, with a function control(observation, memory). The page,
+    league.html, has aliases, maps and films; league.csv says whose alias it is. A controller that fails or
+    never ends costs only its own points.
+    """
+    from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
+    from imgproc_course.classroom.gradebook.league import run_league
+
+    try:
+        with _in_one_line(SandboxError, ValueError):
+            lines = run_league(folder, out, **options)
+    except KeyboardInterrupt:
+        click.echo("\nStopped; nothing is written.", err=True)
+        raise SystemExit(130) from None
+    click.echo("\n".join(lines))
+
+
 @main.command("new-lesson")
 @click.argument("name")
 @option("--out", type=_FOLDER, required=True, help="Folder of your masters; created if it does not exist.")

@@ -178,6 +178,12 @@ class RoomEnv(gymnasium.Env):
         self._scenes.clear()
         self._simulation = None
 
+    @property
+    def room(self) -> Room:
+        """The Room of this drive; a controller must not see it."""
+        self._started()
+        return self._scene.room
+
     def _started(self):
         if self._simulation is None:
             raise gymnasium.error.ResetNeeded("the drive has not begun: call reset() first")

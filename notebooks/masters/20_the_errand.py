@@ -1434,9 +1434,9 @@ assert not ros_available() or not in_time or not in_corner
 # | route | (N, 2) | float64 | | metre |
 # | points of a run | one number | int | 0 to 100 | |
 #
-# This was the last lesson. You began with the bytes of one image; now a robot reads a sign in another part of the room, and brings you its name.
+# You began with the bytes of one image; now a robot reads a sign in another part of the room, and brings you its name. **Next:** [[unknown_rooms]], the last lesson: your robot explores rooms that it has never seen.
 #
-# **What to do next:**
+# **What you can do beside it:**
 #
 # - Let the robot do the whole errand with your own functions: `most_looks = 750` and `my_parts` in the last cell of section 8.
 # - Change one part, such as the number of looks that must agree, and measure it with three seeds by day and in the evening, as in section 7.

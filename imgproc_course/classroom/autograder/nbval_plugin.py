@@ -173,7 +173,7 @@ class ExerciseRun:
         """Drive through a case's scenario. What fails in the environment is raised: no answer causes it."""
         robot = GradedDrive(self._exercise.sensors, self._content.scenario(case.id))
         run.check = self._kernel.run_drive(source, robot, self._exercise.seconds_of(case), LOOK_SECONDS)
-        run.check.answers = []  # what the kernel showed is not read
+        run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
         self.stop_at += robot.seconds
         run.verdict = robot.verdict()
 

@@ -5,6 +5,7 @@ from .cell_runs import watch_cells
 from .check_files import CheckFileError
 from .checking import CheckResult, check, run_cases
 from .declaration import MasterError, exercise, read_exercises
+from .drive_check import with_progress
 from .guesses import GuessComparison, compare_guess
 from .help_steps import hint, solution
 from .overview import Overview, overview
@@ -26,6 +27,7 @@ __all__ = [
     "read_exercises",
     "run_cases",
     "solution",
+    "with_progress",
 ]
 
 watch_cells()

@@ -221,6 +221,16 @@ def progress_bar(text):
         shown.update({"text/plain": "", "text/html": ""}, raw=True)
 
 
+def with_progress(values, text):
+    """The values one by one; a learner's notebook shows how many are done."""
+    values = list(values)
+    with progress_bar(text) as progress:
+        for number, value in enumerate(values):
+            if progress:
+                progress(number / len(values))
+            yield value
+
+
 def _bar(text, share):
     bar = f'<progress value="{share:.2f}" max="1" aria-label="{text}"></progress>'
     return {"text/plain": f"{text}: {share:.0%}", "text/html": f"<div>{text} {bar} {share:.0%}</div>"}

@@ -14,6 +14,9 @@ from imgproc_course.classroom.exercises.drive import LOOK, Drive, decisive_momen
 
 _MAP_WIDTH, _FRAME_WIDTH = 280, 208  # pixels on the page
 _LOOKS_BEFORE = (15, 10, 5, 0)  # the decisive moment
+_FILM_MAP_WIDTH = 240  # pixels; the camera's image beside it has the same height
+_FILM_SPEED, _FILM_LOOPS = 10, 3
+_MOST_FILM = 150_000  # bytes
 
 
 def draw_map(record, scenario):
@@ -44,15 +47,59 @@ def look_back(env, record, scenario):
     return [_frame_image(frame, looks * LOOK, moment) for looks, frame in frames.items()]
 
 
+def draw_film(env, record, scenario):
+    """A film of a drive, an AnswerImage that moves: what the camera saw each second, and the path until then.
+
+    The drive is driven again from its actions.
+    """
+    again, room, frames = Drive(env, scenario), load(course.DRIVE_ROOM)(scenario.get("room")), []
+    for look in range(record["looks"] + 1):
+        if look % round(1 / LOOK) == 0:
+            bumps = [bump for bump in record["bumps"] if bump[0] <= look]
+            drawn = load(course.DRIVE_MAP)(record["path"][: look + 1], bumps, room=room)
+            frames.append(_side_by_side(env.unwrapped.frame(), drawn))
+        if look < record["looks"]:
+            again.act(*record["actions"][look])
+    seconds = record["looks"] * LOOK
+    alt = f"{seconds:.0f} s of a drive, {_FILM_SPEED} times as fast: what the camera sees, and the path"
+    while True:
+        film = _encode_film(scenario["title"], alt, frames, seconds)
+        if len(film.png) <= _MOST_FILM:
+            return film
+        frames = frames[::2]
+
+
+def _encode_film(caption, alt, frames, seconds):
+    first, *others = map(Image.fromarray, frames)
+    milliseconds = round(1000 * seconds / _FILM_SPEED / len(frames))
+    film = {"save_all": True, "append_images": others, "duration": milliseconds, "loop": _FILM_LOOPS}
+    return _answer_image(caption, alt, first, first.width, quality=35, method=4, **film)
+
+
+def _side_by_side(frame, drawn):
+    height = round(drawn.shape[0] * _FILM_MAP_WIDTH / drawn.shape[1])
+    width = round(frame.shape[1] * height / frame.shape[0])
+    images = _image_of(frame).resize((width, height)), _image_of(drawn).resize((_FILM_MAP_WIDTH, height))
+    return np.hstack([np.asarray(image) for image in images])
+
+
 def _frame_image(frame, seconds, moment):
     caption = f"{seconds:.1f} s before" if seconds else moment
     alt = f"What the camera of the robot sees {seconds:.1f} s before {moment}"
     return _encode(caption, alt, frame, _FRAME_WIDTH)
 
 
+def _image_of(bgr):
+    return Image.fromarray(np.ascontiguousarray(bgr[..., ::-1]))
+
+
 def _encode(caption, alt, bgr, width):
     """An image as an AnswerImage of this width on the page."""
-    image, buffer = Image.fromarray(np.ascontiguousarray(bgr[..., ::-1])), io.BytesIO()
-    image.save(buffer, format="webp", quality=75)
+    return _answer_image(caption, alt, _image_of(bgr), width, quality=75)
+
+
+def _answer_image(caption, alt, image, width, **options):
+    buffer = io.BytesIO()
+    image.save(buffer, format="webp", **options)
     height = round(image.height * width / image.width)
     return AnswerImage(caption, alt, buffer.getvalue(), width, height, "image/webp")

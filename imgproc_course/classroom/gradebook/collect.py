@@ -45,7 +45,7 @@ from .senders import (
 )
 
 MOST_SENDERS = 20_000
-MOST_NOTEBOOKS = 100  # of one sender; the course has 21 lessons
+MOST_NOTEBOOKS = 100  # of one sender; the course has 22 lessons
 LARGEST_SUBMISSION = 200_000_000  # bytes of one sender's notebooks together
 MOST_FILES = 20_000  # and folders, in the folders of one sender; as many files in the zips
 DEEPEST = 12  # folders

@@ -6,6 +6,7 @@ length of 0 ends the drive. What the controller returns is judged outside.
 """
 
 import math
+import numbers
 import os
 import signal
 import struct
@@ -13,12 +14,13 @@ import struct
 import numpy as np
 
 from imgproc_course.classroom.autograder.sandbox.inside import check_cell, shell
+from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.classroom.exercises import running
 from imgproc_course.classroom.exercises.drive import speeds_of
 
 
 def drive(control):
-    """Let a controller drive until the robot outside ends it."""
+    """Let a controller drive until the robot outside ends it; returns its memory."""
     case, memory, reply = check_cell.delivered(), {}, {}
     signal.signal(signal.SIGPROF, check_cell.raise_time_up)
     while True:
@@ -26,8 +28,34 @@ def drive(control):
         shell.WRITER.send("action", **reply)
         data = _read(struct.unpack("<I", _read(4))[0])
         if not data:
-            return
+            return memory
         reply = _look(control, _observation(data, case["layout"]), memory, case["seconds"])
+
+
+def explore(control):
+    """Let a controller drive; then show what stands in memory["found"], as plain data."""
+    shell.WRITER.send_answer({MIME: _plain(drive(control).get("found"))})
+
+
+def _plain(found):
+    """What a controller found as {"markers": [[number, x, y], ...], "word": text}; None if it is no dict.
+
+    A marker that has another form is left out.
+    """
+    if not isinstance(found, dict):
+        return None
+    markers = found.get("markers")
+    items = markers.items() if isinstance(markers, dict) else ()
+    return {"markers": [place for item in items if (place := _place(*item))], "word": found.get("word")}
+
+
+def _place(number, point):
+    """[number, x, y] of a marker, None if it has another form."""
+    try:
+        x, y = map(float, point)
+    except Exception:  # noqa: BLE001 - the learner's code may have made it
+        return None
+    return [int(number), x, y] if isinstance(number, numbers.Integral) else None
 
 
 def _look(control, observation, memory, seconds):

@@ -1,0 +1,115 @@
+"""Drives of the league: a controller explores a room that nobody has seen, in a process of its own.
+
+The robot and its score are in this process, the controller in a kernel of the sandbox, as in grading. What
+it says that it found comes out of the kernel. Anybody may have forged it: it is only compared.
+"""
+
+import atexit
+import os
+import signal
+from dataclasses import dataclass
+
+from imgproc_course.classroom import course
+from imgproc_course.classroom.autograder.answer_key import ExerciseContent, KeyCase, KeyExercise
+from imgproc_course.classroom.autograder.drives import environment
+from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
+from imgproc_course.classroom.autograder.outcomes import Outcome
+from imgproc_course.classroom.autograder.results import graded_exercise
+from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
+from imgproc_course.classroom.autograder.sandbox.inside import confine
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.classroom.autograder.verdict import CaseRun
+from imgproc_course.classroom.exercises.drive import SENSORS, load, looks_of
+from imgproc_course.classroom.exercises.drive_images import draw_film, draw_map
+from imgproc_course.classroom.exercises.input_encoding import encode
+
+FUNCTION = "control"
+_CASE = "room"
+_CHECK = f"from {__package__}.sandbox.inside.drive_cell import explore\n\nexplore({FUNCTION})"
+# A controller that sleeps holds up a whole class: a drive has twice its processor time, not four times.
+_LIMITS = Limits(wall_factor=2.0)
+_factories = []  # this process's KernelFactory
+
+
+@dataclass(frozen=True)
+class Exploration:
+    """What a controller did in one room.
+
+    outcome  an Outcome: it passes if the robot drove to the end
+    message  why it did not, with texts of the learner's
+    values   what `course.LEAGUE_SCORE` gives; {} if the robot did not drive to the end
+    told     whether the controller said what it found
+    record   of the drive, see `drive.Drive.record`; None if there was none
+    """
+
+    outcome: Outcome
+    message: str
+    values: dict
+    told: bool
+    record: dict | None
+
+
+def scenario_of(room, seed):
+    """The scenario of a room's number, with a seed."""
+    return load(course.LEAGUE_SCENARIO)(room, seed) | {"title": "", "thresholds": {}}
+
+
+def start(unsafe):
+    """Get this process ready for `explore`; it ends with the one that started it."""
+    confine.die_with_parent()
+    signal.signal(signal.SIGINT, lambda *_: os._exit(1))  # Ctrl-C: no drive is waited for
+    _factories.append(KernelFactory(unsafe=unsafe, limits=_LIMITS))
+    atexit.register(_factories[0].close)
+
+
+def explore(source, scenario):
+    """The Exploration of a controller, by its source."""
+    exercise = _exercise(scenario)
+    content = ExerciseContent({}, {_CASE: [encode((scenario,))]}, {}, {})
+    exercise_run = ExerciseRun(exercise, content, _factories[0])
+    try:
+        run = exercise_run.run(exercise.cases[0], [source], _CHECK)
+    finally:
+        exercise_run.close()
+    is_whole = run.verdict.passed
+    exercise_run.passed |= {_CASE} if is_whole else set()
+    found = _found(run) if is_whole else None
+    values = load(course.LEAGUE_SCORE)(environment(SENSORS), found) if is_whole else {}
+    (case,) = graded_exercise(exercise, content, exercise_run).cases
+    record = getattr(run.verdict, "record", None)
+    return Exploration(case.outcome, case.message, values, found is not None, record)
+
+
+def draw(record, scenario, *, with_film):
+    """(the map of a drive, its film or None) as AnswerImages."""
+    film = draw_film(environment(()), record, scenario) if with_film else None
+    return draw_map(record, scenario), film
+
+
+def _exercise(scenario):
+    case = KeyCase(_CASE, "", "", 1, False, 0.0, looks_of(scenario))
+    return KeyExercise(
+        id="league",
+        title="",
+        function=FUNCTION,
+        points=1,
+        allowed=course.LEAGUE_ALLOWED,
+        time_limit=0.0,
+        practice=False,
+        stub="",
+        arguments=("observation", "memory"),
+        cases=(case,),
+        mistakes=(),
+        subject="drive",
+        sensors=SENSORS,
+    )
+
+
+def _found(run: CaseRun):
+    """What a controller says that it found, as `course.LEAGUE_SCORE` takes it; None if it says nothing."""
+    try:
+        (told,) = run.told
+        markers = {int(number): (x, y) for number, x, y in told["markers"]}
+        return {"markers": markers, "word": told["word"]}
+    except (TypeError, ValueError, LookupError, OverflowError):
+        return None
