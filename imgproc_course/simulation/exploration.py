@@ -9,7 +9,6 @@ from .room_env import LOOK, RoomEnv, reachable_cells
 
 ROOMS = tuple(range(31, 41))  # furnished rooms, by their numbers
 DURATION = 60.0  # seconds
-MARKERS = {7: "marker", 12: "wall_marker"}  # in each room, by the numbers that they show
 NEAR = 0.3  # metres: so far from the truth, the place of a marker is still right
 FOR_MARKER, FOR_WORD, FOR_BUMP = 10, 20, -5  # points
 
@@ -68,7 +67,7 @@ def _count_markers(env, found):
     markers = found.get("markers") if isinstance(found, dict) else None
     if not isinstance(markers, dict):
         return 0
-    truths = {number: env.room.poses[name][:2].tolist() for number, name in MARKERS.items()}
+    truths = {number: env.room.poses[name][:2].tolist() for name, number in env.room.markers.items()}
     return sum(
         _is_near(_in_map(env.path[0], markers[number]), truth)
         for number, truth in truths.items()

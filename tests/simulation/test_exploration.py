@@ -69,7 +69,10 @@ def test_the_score_of_a_drive_counted_by_hand(env):
     entered = {(math.floor(x / 0.5), math.floor(y / 0.5)) for x, y, _ in env.path}
     assert len(entered & cells) >= 3 and len(env.bump_places) >= 1
     right, left = in_odometry(env, "marker"), in_odometry(env, "wall_marker")
-    score = exploration_score(env, {"markers": {7: right, 12: left}, "word": env.room.word.lower() + " "})
+    numbers = (env.room.markers["marker"], env.room.markers["wall_marker"])
+    score = exploration_score(
+        env, {"markers": dict(zip(numbers, (right, left), strict=True)), "word": env.room.word.lower() + " "}
+    )
     coverage = round(len(entered & cells) / len(cells), 4)
     bumps = len(env.bump_places)
     assert score == {
@@ -82,25 +85,30 @@ def test_the_score_of_a_drive_counted_by_hand(env):
 def test_the_place_of_a_marker_is_right_within_30_centimetres(env):
     begin(env)
     x, y = in_odometry(env, "marker")
+    marker, wall_marker = env.room.markers["marker"], env.room.markers["wall_marker"]
     for away, count in ((0.29, 1), (0.31, 0)):
         for angle in (0.0, 2.0, 4.0):
             place = [x + away * math.cos(angle), y + away * math.sin(angle)]
-            assert exploration_score(env, {"markers": {7: place}})["markers"] == count
-    assert exploration_score(env, {"markers": {12: (x, y), 8: (x, y)}})["markers"] == 0
+            assert exploration_score(env, {"markers": {marker: place}})["markers"] == count
+    assert exploration_score(env, {"markers": {wall_marker: (x, y), 7: (x, y)}})["markers"] == 0
 
 
 @pytest.mark.parametrize(
     "found",
     [
-        *(None, {}, [], 7, {"markers": None, "word": None}, {"markers": {7: None, 12: 3.0}, "word": 5}),
-        *({"markers": {7: "ab", 12: (1.0, 2.0, 3.0)}}, {"markers": {7: (math.nan, 1.0), 12: (math.inf, 0)}}),
-        *({"markers": [(7, (0.0, 0.0))], "word": "KITCHENS"}, {"markers": "7", "word": ""}),
-        {"markers": {7: (10**400, 0)}},
+        *(None, {}, [], 7, {"markers": None, "word": None}, {"markers": {16: None, 14: 3.0}, "word": 5}),
+        *(
+            {"markers": {16: "ab", 14: (1.0, 2.0, 3.0)}},
+            {"markers": {16: (math.nan, 1.0), 14: (math.inf, 0)}},
+        ),
+        *({"markers": [(16, (0.0, 0.0))], "word": "KITCHENS"}, {"markers": "16", "word": ""}),
+        {"markers": {16: (10**400, 0)}},
     ],
     ids=lambda found: str(found)[:60],
 )
 def test_what_has_another_form_was_not_found(env, found):
     begin(env)
+    assert set(env.room.markers.values()) == {16, 14}
     score = exploration_score(env, found)
     assert (score["markers"], score["word"], score["bumps"], score["time"]) == (0, 0, 0, 0.0)
     assert score["score"] == round(100 * score["coverage"]) == 1

@@ -157,8 +157,9 @@ class TestFound:
         to_marker = furnished(ROOM).poses["marker"][:2] - (x, y)
         ahead = to_marker @ [cos(yaw), sin(yaw)]
         left = to_marker @ [-sin(yaw), cos(yaw)]
-        word = furnished(ROOM).word
-        right = says(f"{{'markers': {{np.int64(7): np.array([{ahead}, {left}])}}, 'word': {word!r}}}")
+        word, number = furnished(ROOM).word, furnished(ROOM).markers["marker"]
+        assert furnished(ROOM).markers == {"marker": 46, "wall_marker": 36}  # the tests below name them
+        right = says(f"{{'markers': {{np.int64({number}): np.array([{ahead}, {left}])}}, 'word': {word!r}}}")
         exploration = explore(right)
         assert (exploration.outcome, exploration.told) == (Outcome.PASSED, True)
         assert (exploration.values["markers"], exploration.values["word"]) == (1, 1)
@@ -170,9 +171,9 @@ class TestFound:
             (says("None"), False),
             (STANDS, False),
             (says("{}"), True),
-            (says("{'markers': [7, 12], 'word': 3}"), True),
-            (says("{'markers': {7: 'here', 12: (1, 2, 3), 'x': (1, 2), 8: None}, 'word': b'OPEN'}"), True),
-            (says("{'markers': {7: (float('nan'), float('inf')), 12: (10**400, 0)}, 'word': ''}"), True),
+            (says("{'markers': [46, 36], 'word': 3}"), True),
+            (says("{'markers': {46: 'here', 36: (1, 2, 3), 'x': (1, 2), 8: None}, 'word': b'OPEN'}"), True),
+            (says("{'markers': {46: (float('nan'), float('inf')), 36: (10**400, 0)}, 'word': ''}"), True),
             (says("{'markers': {99: (0.0, 0.0), 10**30: (0.0, 0.0)}, 'word': 'OPEN' * 1000}"), True),
             (says("{'word': 'x' * 10_000_000}"), False),
             (says("type('Odd', (dict,), {'get': lambda *a: 1 / 0})()"), False),
@@ -202,9 +203,9 @@ class TestFound:
     @pytest.mark.parametrize(
         "told",
         [
-            "{'markers': [[7, 0, 0]], 'word': '', 'score': 999}",
+            "{'markers': [[46, 0, 0]], 'word': '', 'score': 999}",
             "[1, 2]",
-            "{'markers': [[7, 'a', []], [12, {}, 1e999]], 'word': {}}",
+            "{'markers': [[46, 'a', []], [36, {}, 1e999]], 'word': {}}",
             "{'markers': [[1e999, 0, 0]], 'word': ''}",
             "{'markers': 7}",
         ],
