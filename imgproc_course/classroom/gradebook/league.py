@@ -22,10 +22,10 @@ from tqdm import tqdm
 
 from imgproc_course.classroom.autograder import explorations
 from imgproc_course.classroom.autograder.key_seed import read_or_make_seed, require_unguessable
+from imgproc_course.classroom.autograder.nbval_plugin import MAX_ANSWER
 from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sanitize import spreadsheet_text
-from imgproc_course.classroom.autograder.screening import MAX_ANSWER
 from imgproc_course.classroom.exercises.cell_syntax import UNPARSABLE, bound_names
 from imgproc_course.classroom.gradebook.csv_table import csv_text
 from imgproc_course.classroom.gradebook.report import count_of, render_page
