@@ -59,7 +59,7 @@ def start(unsafe):
     confine.die_with_parent()
     signal.signal(signal.SIGINT, lambda *_: os._exit(1))  # Ctrl-C: no drive is waited for
     _factories.append(KernelFactory(unsafe=unsafe, limits=_LIMITS))
-    atexit.register(_factories[0].close)
+    atexit.register(_factories[0].__exit__)
 
 
 def explore(source, scenario):
