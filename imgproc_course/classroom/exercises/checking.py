@@ -174,11 +174,11 @@ def check(exercise_id, function):
         return CheckResult(exercise, attempted=True, why_older=why_older)
     answer = _answer_in_notebook(file, exercise, function)
     bar = progress_bar(f"Driving {len(exercise.cases)} scenarios")
-    with bar if exercise.subject == "drive" else contextlib.nullcontext() as progress:
-        try:
+    try:
+        with bar if exercise.subject == "drive" else contextlib.nullcontext() as progress:
             result = run_check(exercise, function, answer, progress)
-        except KeyboardInterrupt:
-            raise CheckInterrupted from None
+    except KeyboardInterrupt:
+        raise CheckInterrupted from None
     _note(result, function)
     return result
 
