@@ -80,8 +80,11 @@ def test_a_kernel_shows_progress_is_interrupted_and_ends_with_its_simulators(ker
     ]
     slow = RIGHT.replace("    return", "    __import__('time').sleep(0.05)\n    return")
 
+    interrupted = []  # once: what ends a check changes its progress bar too
+
     def interrupt(message):
-        if message["msg_type"] == "update_display_data":
+        if message["msg_type"] == "update_display_data" and not interrupted:
+            interrupted.append(True)
             manager.interrupt_kernel()
 
     reply, messages = run(client, f"{slow}\ncheck('test-drive', control)", interrupt)
