@@ -48,7 +48,7 @@ figure_texts = {
 #
 # In a room that you know, you can write down a route. In an unknown room you cannot: furniture, walls, markers and the sign are at other places each time. So the robot must decide with what it sees now, and with what it remembers.
 #
-# How good is such a robot? We divide the floor into square cells of 0.5 m. The *[[term:coverage]]* is the share of the cells in which the robot was, of all cells that it can reach. The room also has two markers, with the numbers 7 and 12, and a sign with a word. After 60 seconds, the robot has a score:
+# How good is such a robot? We divide the floor into square cells of 0.5 m. The *[[term:coverage]]* is the share of the cells in which the robot was, of all cells that it can reach. The room also has two markers, with other numbers in each room, and a sign with a word. After 60 seconds, the robot has a score:
 #
 # $$\text{score} = 100 \cdot \text{coverage} + 10 \cdot \text{markers} + 20 \cdot \text{word} - 5 \cdot \text{bumps}$$
 #
