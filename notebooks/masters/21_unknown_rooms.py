@@ -535,7 +535,8 @@ if my_scores:
 # ## 6 · The league ([[minutes]], deeper)
 #
 # Ten rooms that you know can be learned by heart, also without intention: you try numbers until they fit. So a fair comparison needs rooms that nobody has seen. Save your controller as a Python file with your name, such as `controllers/anna.py`; the table shows an alias in its place. It has the function `control(observation, memory)`, its imports, and all functions that it uses; `controllers/baseline.py` is an example. `imgproc-course league controllers/` drives all files of this folder through secret rooms, and writes a page with a table, maps and films. The baseline is always in it: do you beat it?
-#
+
+# %% [markdown]
 # ## Recap
 #
 # A score joins what counts: coverage, markers, the word and bumps. A baseline says what a simple controller reaches, and ten rooms say more than one. A robot explores better if it remembers where it was, and drives to what is new.

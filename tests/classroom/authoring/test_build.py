@@ -127,8 +127,8 @@ def test_the_metadata_name_the_lesson_and_no_machine(built):
         "imgproc_course": {
             "lesson": "template",
             "title": "Doubling",
-            "minutes": 10,
-            "core_minutes": 10,
+            "minutes": 5,
+            "core_minutes": 5,
             "deeper": [],
             "version": version("imgproc-course"),
         },
