@@ -253,7 +253,8 @@ def _draw_all(executor, controllers, scenarios):
     for controller in controllers:
         numbers = [number for number, one in enumerate(controller.explorations) if one.record]
         numbers.sort(key=controller.scores.__getitem__, reverse=True)
-        for place, number in zip(("best", "worst"), dict.fromkeys(numbers[:1] + numbers[-1:])):  # noqa: B905
+        ends = dict.fromkeys(numbers[:1] + numbers[-1:])  # of one room, the best is the worst
+        for place, number in zip(("best", "worst"), ends, strict=False):
             arguments = controller.explorations[number].record, scenarios[number]
             future = executor.submit(explorations.draw, *arguments, with_film=place == "best")
             futures.append((controller, place, number, future))

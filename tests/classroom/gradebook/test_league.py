@@ -53,7 +53,10 @@ def runs(tmp_path_factory):
     (folder / "out/seed").write_text(SEED, encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
         scenario_of = explorations.scenario_of
-        short = lambda room, seed: scenario_of(room, seed) | {"duration": 3.0}  # noqa: E731
+
+        def short(room, seed):
+            return scenario_of(room, seed) | {"duration": 3.0}
+
         patch.setattr(explorations, "scenario_of", short)
         options = {"baseline": folder / "baseline.py", "rooms": 1, "workers": 1, "quiet": True}
         written = []
