@@ -40,7 +40,7 @@ def test_the_environment_of_the_tests_also_serves_the_lab():
 def test_help_and_an_unknown_set_print_the_usage():
     process = run([ROOT / "environment/setup", "--help"])
     assert process.returncode == 0
-    assert "environment/setup [lab|test]" in process.stdout
+    assert "environment/setup [lab|test|class]" in process.stdout
     assert run([ROOT / "environment/setup", "everything"]).returncode == 2
 
 
