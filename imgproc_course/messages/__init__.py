@@ -1,4 +1,4 @@
-"""sensor_msgs/Image to NumPy and back, with the same bytes as cv_bridge.
+"""sensor_msgs/Image to NumPy and back, with the same bytes as cv_bridge. For example::
 
     from imgproc_course.messages import image_to_array, array_to_image
 
