@@ -65,7 +65,9 @@ def accessible(app, exception):
         text = text.replace(' aria-label="Toggle hidden content"', "")  # a summary has its text as name
         text = re.sub(r"<pre(?=[ >])(?![^>]*tabindex)", '<pre tabindex="0"', text)
         text = re.sub(r'<div class="table-wrapper', '<div tabindex="0" class="table-wrapper', text)
-        text = text.replace('<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="Site">')
+        text = text.replace(
+            '<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="Site">'
+        )
         text = text.replace('<aside class="toc-drawer', '<aside aria-label="This page" class="toc-drawer')
         page.write_text(text, "utf-8")
 

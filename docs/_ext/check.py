@@ -1,6 +1,6 @@
 """Looks at the built site: every link has a target, no page loads from another host, the size.
 
-    python check.py build/site/html
+python check.py build/site/html
 """
 
 import re

@@ -26,7 +26,10 @@ IS_LIVE = "It moves when this cell is run."
 DARK = ("darken", "The living room of the drive, darker than the camera sees it.")
 EDGES = ("edges", "The drive, and beside it the white edges of the furniture on black.")
 GRAY = ("gray", "The drive in gray.")
-STEER = ("steer", "The view of the robot's camera beside the map of the room, on which the robot drives a curve.")
+STEER = (
+    "steer",
+    "What the robot's camera sees, beside the map of the room with the robot's way.",
+)
 STILLS = {
     "start_here-18": DARK,
     "what_is_image_processing-56": EDGES,

@@ -8,14 +8,13 @@ Each film has a still beside it, for readers who asked their system for less mot
 import math
 
 import cv2
-import gymnasium
 import numpy as np
 from lessons import ROOT
 from PIL import Image
 
-import imgproc_course.simulation.room_env  # registers the room
 from imgproc_course.imaging import canny, to_gray
 from imgproc_course.recording import open_recording
+from imgproc_course.simulation.room_env import RoomEnv
 from imgproc_course.simulation.room_map import draw_map
 
 STATIC = ROOT / "docs/_static"
@@ -66,7 +65,7 @@ def live_stills(frame):
 
 def drive_room(control, seconds, **options):
     """The environment, and the images of a drive: the camera beside the map."""
-    env = gymnasium.make("imgproc_course/Room-v0", sensors=("scan", "image"), image_size=SIZE).unwrapped
+    env = RoomEnv(("scan", "image"), image_size=SIZE)
     observation, _ = env.reset(seed=1, options={"duration": seconds} | options)
     frames, over = [], False
     while not over:

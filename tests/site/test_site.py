@@ -1,0 +1,147 @@
+"""The site as it is built: without a warning or a network, and what its lessons show, fold and leave out."""
+
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from handed_out import HandedOut
+
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+
+ROOT = Path(__file__).parents[2]
+LESSONS = sorted((ROOT / "notebooks").glob("[0-9]*.ipynb"))
+MASTERS = [read_master(path) for path in find_masters(ROOT / "notebooks/masters")]
+# One line, which lesson 10 shows in the stored listing of a package.
+TAUGHT = "node-process"
+VOID = {"area", "base", "br", "col", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
+
+
+class Lesson(HTMLParser):
+    """A page of the site: its texts, each with the classes of the elements around it."""
+
+    def __init__(self, path):
+        super().__init__()
+        self._open, self.texts, self.pre, self.images = [], [], [], []
+        self.feed(path.read_text("utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        if tag == "img":
+            self.images.append(values)
+        if tag == "pre":
+            self.pre.append("")
+        if tag not in VOID:
+            self._open.append((tag, values.get("class") or ""))
+
+    def handle_endtag(self, tag):
+        while self._open and self._open.pop()[0] != tag:
+            pass
+
+    def handle_data(self, data):
+        around = " ".join(f"{tag}.{classes}" for tag, classes in self._open)
+        self.texts.append((around, data))
+        if self.pre and "pre." in around:
+            self.pre[-1] += data
+
+    def text(self, inside=""):
+        """The text of all elements of a class."""
+        return "".join(text for around, text in self.texts if inside in around)
+
+
+@pytest.fixture(scope="module")
+def pages(built):
+    return {path.stem: Lesson(built[1] / "lessons" / f"{path.stem}.html") for path in LESSONS}
+
+
+def cells_of(path):
+    return json.loads(path.read_text("utf-8"))["cells"]
+
+
+def test_it_is_built_without_a_network_a_warning_or_a_broken_link(built):
+    printed, folder = built
+    assert "WARNING" not in printed and printed.rstrip().endswith(" 0 findings")
+    assert all(path.stem in (folder / "lessons/index.html").read_text("utf-8") for path in LESSONS)
+
+
+def test_no_page_holds_a_solution_or_a_hidden_case(built, tmp_path):
+    paths = []
+    for number, path in enumerate(sorted(built[1].rglob("*.html"))):
+        page = Lesson(path)
+        paths.append(tmp_path / f"{number}.json")
+        paths[-1].write_text(json.dumps([page.text(), *page.pre]))
+    published = HandedOut(paths)
+    exercises = [exercise for master in MASTERS for exercise in master.exercises]
+    assert len(exercises) > 70
+    assert [each.id for each in exercises if list(published.leaks(each))] == [TAUGHT]
+
+
+def test_every_result_of_a_prediction_is_behind_a_click(pages):
+    revealed = 0
+    for name, page in pages.items():
+        for around, text in page.texts:
+            assert "No guess yet" not in text, name
+            if "The result is" in text and "cell_output" in around:
+                assert "details.course-reveal" in around, (name, text)
+                revealed += 1
+    assert revealed > 140
+
+
+def test_the_text_that_states_a_result_is_behind_the_same_click(pages):
+    for name, sentence in {
+        "04_grayscale": "The mean error is 8.6 gray levels",
+        "06_noise_removal": "Between 50 and 200 there are now 101 and 146",
+    }.items():
+        assert sentence in pages[name].text("details.course-reveal")
+    closed = [page for page in pages.values() if "Recap" in page.text("details.course-reveal")]
+    assert closed == []
+
+
+def test_folded_cells_stay_folded(pages):
+    for path in LESSONS:
+        cells = cells_of(path)
+        folded = [cell for cell in cells if cell["metadata"].get("jupyter", {}).get("source_hidden")]
+        shown = pages[path.stem].text("hide above-input summary.")
+        titles = ["".join(cell["source"]).splitlines()[0].lstrip("# ")[:70] for cell in folded]
+        assert all(title in shown for title in titles), path.name
+
+
+def test_an_exercise_shows_its_task_its_stub_and_its_check(pages):
+    for master in MASTERS:
+        page = next(page for name, page in pages.items() if name.endswith(f"_{master.name}"))
+        code = " ".join(page.pre)
+        assert "not attempted yet" not in page.text()
+        for exercise in master.exercises:
+            if not exercise.practice:
+                assert f'check("{exercise.id}"' in code, exercise.id
+                assert exercise.stub.strip() in code, exercise.id
+
+
+def test_every_image_has_a_file_and_a_text(built, pages):
+    for name, page in pages.items():
+        for image in page.images:
+            assert "alt" in image and not image["src"].startswith("data:"), name
+            assert (built[1] / "lessons" / image["src"]).exists(), (name, image["src"])
+
+
+def test_a_live_cell_shows_a_still_image_and_says_so(pages):
+    for path in LESSONS:
+        page = pages[path.stem]
+        live = [cell for cell in cells_of(path) if "moves when this cell is run" in json.dumps(cell)]
+        stills = [image for image in page.images if "_static/live/" in image["src"]]
+        assert len(stills) >= len(live) and all(len(image["alt"]) > 15 for image in stills), path.name
+        assert page.text().count("A still image.") == len(stills)
+        assert "moves when this cell is run" not in page.text()
+
+
+def test_each_lesson_names_the_command_that_opens_it(pages):
+    for path in LESSONS:
+        text = pages[path.stem].text("details.course-open")
+        assert "environment/lab" in text and path.name in text
+
+
+def test_formulas_are_mathml(built):
+    html = (built[1] / "lessons/07_binarization.html").read_text("utf-8")
+    assert html.count("<math") == 11
+    assert re.findall(r"<script[^>]* src=\"(?!\.\./_static/)", html) == []
