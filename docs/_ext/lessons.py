@@ -45,6 +45,14 @@ STILLS = {
     "drive_the_robot-10": STEER,
     "drive_the_robot-57": STEER,
 }
+# Pages that stand beside what they describe.
+PAGES = {
+    "environment/drive/README.md": "about/recording.md",
+    "environment/room/README.md": "about/drivable_room.md",
+    "environment/ros2_ws/README.md": "robot/workspace.md",
+    "CONTRIBUTING.md": "about/contributing.md",
+    "CHANGELOG.md": "about/changes.md",
+}
 OPEN = """
 <details class="course-open"><summary>Open in JupyterLab</summary>
 
@@ -247,10 +255,14 @@ def write_glossary(path):
 
 
 def write_table(path):
-    """The table of the lessons, from README."""
-    rows = re.findall(r"^\|.*\|$", (ROOT / "README.md").read_text("utf-8"), re.M)
-    table = "\n".join(rows).replace("](notebooks/", "](/lessons/")
-    path.write_text(table + "\n", "utf-8")
+    """The table of the lessons, from README, with links."""
+    rows = "\n".join(re.findall(r"^\|.*\|$", (ROOT / "README.md").read_text("utf-8"), re.M))
+    for lesson in LESSONS:
+        number = lesson.stem[:2]
+        rows = re.sub(
+            rf"^\| {number} \| ([^|]+) \|", rf"| {number} | [\1](/lessons/{lesson.name}) |", rows, flags=re.M
+        )
+    path.write_text(rows + "\n", "utf-8")
 
 
 def write_routes(path):
@@ -266,6 +278,8 @@ def main(source):
     write_table(source / "lessons" / "table.md")
     write_routes(source / "lessons" / "routes.md")
     write_glossary(source / "lessons" / "glossary.md")
+    for original, page in PAGES.items():
+        shutil.copy(ROOT / original, source / page)
     (source / "extra").mkdir()
     shutil.copy(NOTEBOOKS / "cheat_sheet.html", source / "extra")
     shutil.copy(ROOT / "environment" / "lesson.jpg", source / "_static")

@@ -100,11 +100,11 @@ class ImageProcessor(Node):
         dict
             - received, processed, failed : images
             - ignored : images that were not processed, because no output had a subscriber
-            - lost : images that the camera's process sent and this node never received, by the publisher's own
-              numbers; None while several nodes publish the topic
+            - lost : images that the camera's process sent and this node never received, by the publisher's
+              own numbers; None while several nodes publish the topic
             - rate : received images per second
-            - latency_ms : median and 99th percentile of the time from sending an image in the camera's process
-              until its results are published (across machines: as exact as their clocks agree)
+            - latency_ms : median and 99th percentile of the time from sending an image in the camera's
+              process until its results are published (across machines: as exact as their clocks agree)
             - process_ms : the same two of the time spent on an image in this node
             - last_error : the cause of the latest failure in one line, or None
         """

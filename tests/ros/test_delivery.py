@@ -1,4 +1,4 @@
-"""Raw images of the drive from another process: all arrive, in order, also in the README's program."""
+"""Raw images of the drive from another process: all arrive, in order; also in the program of the page."""
 
 import re
 import signal
@@ -11,10 +11,10 @@ pytestmark = pytest.mark.ros
 TOPIC = "/kachaka/front_camera/image_raw"
 PLAY = "from imgproc_course.ros.player import play\nplay(speed={}, stamps='recorded')"
 
-# The README shows this program.
-README = Path(__file__).parents[2] / "README.md"
-README_SUBSCRIBER = re.search(
-    r"<!-- tested: subscriber -->\n```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL
+# This page shows the program.
+PAGE = Path(__file__).parents[2] / "docs/learn/camera.md"
+SUBSCRIBER = re.search(
+    r"<!-- tested: subscriber -->\n```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL
 )[1]
 
 
@@ -43,7 +43,7 @@ def test_every_image_of_another_process_arrives_in_order(start_python, session, 
 
 def test_the_readmes_program_receives_every_frame(start_python, tmp_path):
     start_python(PLAY.format(0.5))  # a queue of five holds out for a second on a busy machine
-    program = start_python(README_SUBSCRIBER)
+    program = start_python(SUBSCRIBER)
     line = r"\(720, 1280, 3\) uint8, mean \d+\.\d; (\d+) received, 0 lost, \d+\.\d Hz\n"
     received = 0
     while received < 20:
@@ -57,6 +57,6 @@ def test_the_readmes_program_receives_every_frame(start_python, tmp_path):
 
 
 def test_the_readmes_program_says_why_no_image_arrives(run_python):
-    code, out, err = run_python(README_SUBSCRIBER.replace("timeout=10", "timeout=0.5"))
+    code, out, err = run_python(SUBSCRIBER.replace("timeout=10", "timeout=0.5"))
     assert (code, err) == (0, "")
     assert out.startswith(f"no image arrived on {TOPIC} in 0.5 s: no node publishes this topic or any")

@@ -3,9 +3,11 @@
 import hashlib
 import inspect
 import math
+import re
 import sys
 import textwrap
 import types
+from pathlib import Path
 
 import gymnasium
 import numpy as np
@@ -18,6 +20,7 @@ from imgproc_course.simulation.drive import BODY_CENTER, BODY_LENGTH, BODY_WIDTH
 from imgproc_course.simulation.room_env import NO_RANGE, SENSORS, RoomEnv, controller_observation
 from imgproc_course.simulation.room_map import BUMP, PIXELS, START, draw_map
 
+PAGE = Path(__file__).parents[2] / "docs/reference/room_env.md"
 FREE = (0.0, 0.0, 0.0)  # a start with nothing near
 BALL = [1.0, 0.0, 0.8, 0.2]
 
@@ -65,8 +68,9 @@ def test_time_limit_ends_it_earlier(env):
     assert [limited.step((0.1, 0.0))[3] for _ in range(3)] == [False, False, True]
 
 
-def test_record_video_gets_the_camera_beside_the_map(env, tmp_path, monkeypatch):
-    """moviepy, which writes the file, is not a part of the course: it needs an older pillow."""
+@pytest.fixture
+def videos(monkeypatch):
+    """What RecordVideo films: (frames, fps) of each. moviepy, which it writes with, needs an older pillow."""
     videos = []
     clips = types.ModuleType("moviepy.video.io.ImageSequenceClip")
     clips.ImageSequenceClip = lambda frames, fps: (
@@ -74,6 +78,22 @@ def test_record_video_gets_the_camera_beside_the_map(env, tmp_path, monkeypatch)
     )
     for name in ("moviepy", "moviepy.video", "moviepy.video.io", clips.__name__):
         monkeypatch.setitem(sys.modules, name, clips)
+    return videos
+
+
+def test_the_programs_of_its_page_drive_it(videos, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for program in re.findall(r"<!-- tested: .*? -->\n```python\n(.*?)```", PAGE.read_text("utf-8"), re.S):
+        exec(compile(program, PAGE, "exec"), names)
+    names["env"].close()
+    bumps, metres = capsys.readouterr().out.split()
+    assert int(bumps) == 0 and 0.5 < float(metres) < 2.1
+    ((frames, fps),) = videos
+    assert (len(frames), fps) == (21, 10)
+
+
+def test_record_video_gets_the_camera_beside_the_map(env, videos, tmp_path):
     filmed = RecordVideo(env, str(tmp_path / "videos"))
     filmed.reset(seed=2, options={"start": FREE, "duration": 0.3})
     while not filmed.step((0.3, 0.0))[3]:

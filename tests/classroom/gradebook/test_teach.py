@@ -1,4 +1,4 @@
-"""The README's "How to teach with it", run as written, on thirty generated submissions; each lesson graded.
+"""The ten commands of docs/teach/walk.md, run as written, on thirty generated submissions; each lesson graded.
 
 One key serves both: to draw its drives takes a minute.
 """
@@ -29,10 +29,8 @@ NAMES = [master.name for master in MASTERS]
 
 
 def commands():
-    text = (CHECKOUT / "README.md").read_text(encoding="utf-8")
-    _, found, section = text.partition("\n## How to teach with it\n")
-    assert found, 'README.md has no section "## How to teach with it"'
-    block = re.search(r"```sh\n(.*?)```", section.partition("\n## ")[0], re.S)
+    text = (CHECKOUT / "docs/teach/walk.md").read_text(encoding="utf-8")
+    block = re.search(r"```sh\n(.*?)```", text, re.S)
     return [line for line in block[1].splitlines() if line.strip()]
 
 
@@ -56,7 +54,7 @@ def grades_in(folder):
 
 @pytest.fixture(scope="module")
 def keyed(tmp_path_factory):
-    """A folder with the lessons' key in it, made by the README's command."""
+    """A folder with the lessons' key in it, made by the walk's command."""
     folder = tmp_path_factory.mktemp("term")
     (line,) = (line for line in commands() if line.partition("#")[0].strip() == KEY)
     ended = run(line, folder)
