@@ -1,4 +1,4 @@
-"""The ten commands of docs/teach/walk.md, run as written, on thirty generated submissions; each lesson graded.
+"""The ten commands of the page docs/teach/walk.md, as written, on thirty submissions; each lesson graded.
 
 One key serves both: to draw its drives takes a minute.
 """

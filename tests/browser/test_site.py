@@ -1,0 +1,79 @@
+"""The site from its files, in a browser: usable by everybody in both themes, on a phone too, and without a network."""
+
+import subprocess
+import sys
+
+import pytest
+from jupyter_page import ROOT, SCREENSHOTS
+
+sys.path.append(str(ROOT / "tests"))
+from axe_playwright_python.sync_playwright import Axe
+
+pytestmark = pytest.mark.browser
+
+SITE = ROOT / "build/site/html"
+PAGES = (
+    "index",
+    "learn/index",
+    "lessons/06_noise_removal",
+    "lessons/11_drive_the_robot",
+    "reference/imaging",
+    "about/measured",
+)
+WIDTHS = (390, 1280)
+
+
+@pytest.fixture(scope="module")
+def site(browser):
+    """A function that opens a page of the site, and what the pages asked for and complained about."""
+    subprocess.run(["environment/site"], cwd=ROOT, check=True, capture_output=True)
+    contexts, asked = [], []
+
+    def open_page(name, *, width=1280, theme="light"):
+        context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=theme)
+        contexts.append(context)
+        page = context.new_page()
+        page.on("request", lambda request: asked.append(request.url))
+        page.on("pageerror", lambda error: asked.append(f"error: {error}"))
+        page.goto(f"file://{SITE}/{name}.html")
+        return page
+
+    yield open_page, asked
+    for context in contexts:
+        context.close()
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("name", PAGES)
+def test_everybody_can_use_a_page(site, name, width, theme):
+    page = site[0](name, width=width, theme=theme)
+    page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
+    page.wait_for_timeout(300)
+    found = Axe().run(page).response["violations"]
+    SCREENSHOTS.mkdir(exist_ok=True)
+    page.screenshot(path=SCREENSHOTS / f"site_{name.replace('/', '_')}_{width}_{theme}.png", full_page=True)
+    assert [f"{each['id']}: {node['html'][:200]}" for each in found for node in each["nodes"]] == []
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_no_page_asks_another_host_or_fails(site):
+    open_page, asked = site
+    for name in PAGES:
+        open_page(name).wait_for_load_state("networkidle")
+    assert len(asked) > 20
+    assert [line for line in asked if not line.startswith(("file:", "data:"))] == []
+
+
+def test_the_search_works_from_files(site):
+    page = site[0]("index")
+    page.goto(f"file://{SITE}/search.html?q=hysteresis")
+    page.get_by_role("link", name="The stages of Canny").first.wait_for()
+
+
+def test_a_result_opens_with_one_click(site):
+    page = site[0]("lessons/06_noise_removal")
+    sentence = page.get_by_text("One wrong pixel became three wrong pixels")
+    assert not sentence.is_visible()
+    page.locator("details.course-reveal", has=sentence).locator("summary").first.click()
+    assert sentence.is_visible()
