@@ -9,10 +9,9 @@ sys.path.insert(0, str(HERE / "_ext"))
 
 project = "Image processing in ROS 2"
 author = "the authors of the course"
-project_copyright = "licence Apache-2.0"
 language = "en"
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "mathml"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "docstrings", "mathml"]
 exclude_patterns = ["_static", "extra", "README.md", "lessons/table.md", "lessons/routes.md"]
 templates_path = []
 
@@ -26,10 +25,6 @@ html_math_renderer = "mathml"
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_preserve_defaults = True
-napoleon_google_docstring = False
-napoleon_use_ivar = True
-napoleon_use_param = False
-napoleon_use_rtype = False
 python_use_unqualified_type_names = True
 add_module_names = False
 
@@ -40,20 +35,10 @@ html_extra_path = ["extra"]
 html_css_files = ["course.css"]
 html_copy_source = False
 html_show_sourcelink = False
+html_show_copyright = False
 html_show_sphinx = False
 pygments_style = "a11y-high-contrast-light"
 pygments_dark_style = "a11y-high-contrast-dark"
-
-
-def plain_docstring(app, what, name, obj, options, lines):
-    """Docstrings are plain text: `name` is code, and a bar or two stars mean themselves."""
-    is_code = False
-    for number, line in enumerate(lines):
-        is_code = is_code and (not line or line[0].isspace())
-        if not is_code:
-            line = re.sub(r"(?<!`)`([^`]+)`(?!`)", r"``\1``", line)
-            lines[number] = line.replace("|", r"\|").replace("**", r"\*\*")
-        is_code = is_code or line.endswith("::")
 
 
 def accessible(app, exception):
@@ -73,5 +58,4 @@ def accessible(app, exception):
 
 
 def setup(app):
-    app.connect("autodoc-process-docstring", plain_docstring, priority=100)  # before napoleon
     app.connect("build-finished", accessible)

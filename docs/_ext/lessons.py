@@ -269,7 +269,7 @@ def write_routes(path):
     """The routes with their hours, from the index of the lessons."""
     index = json.loads((NOTEBOOKS / "index.ipynb").read_text("utf-8"))
     text = "\n\n".join("".join(cell["source"]) for cell in index["cells"])
-    routes = re.search(r"^## Routes\n(.*?)^## ", text, re.M | re.S)[1]
+    routes = "\n".join(re.findall(r"^- \*\*.*\(about \d+ hours\).*$", text, re.M))
     path.write_text(re.sub(r"\]\((\w+\.ipynb)\)", r"](/lessons/\1)", routes), "utf-8")
 
 

@@ -139,6 +139,7 @@ class LiveView(View):
 
     @property
     def running(self) -> bool:
+        """Whether the view shows new images now."""
         return self._thread is not None and self._thread.is_alive()
 
     def start(self) -> None:

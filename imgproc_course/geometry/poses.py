@@ -70,6 +70,7 @@ class Pose:
         return Pose(product(self.rotation, other.rotation), self.apply(other.position))
 
     def inverse(self) -> Pose:
+        """The pose of the reference frame in this one."""
         return Pose(self.rotation.T, -rotate(self.rotation.T, self.position))
 
     def apply(self, points: ArrayLike) -> NDArray[np.float64]:

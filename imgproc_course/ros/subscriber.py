@@ -234,6 +234,7 @@ class ImageSubscriber(Stoppable):
 
     @property
     def stopped(self) -> bool:
+        """Whether `stop()` was called."""
         return self._stopped
 
     def stop(self) -> None:

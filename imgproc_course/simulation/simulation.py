@@ -217,6 +217,7 @@ class Simulation:
 
     @property
     def label_names(self) -> dict[int, str]:
+        """The name of each number in `labels()`."""
         return dict(self._room.model.label_names)
 
     def depth_camera(self, camera: str = "front") -> CameraModel:

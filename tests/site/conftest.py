@@ -1,5 +1,6 @@
 """The site, built once for the tests of this folder, without a network."""
 
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -10,11 +11,13 @@ ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture(scope="package")
-def built():
+def built(tmp_path_factory):
     """(what the build printed, the folder of the pages)."""
+    folder = tmp_path_factory.mktemp("site")
     subprocess.run(["environment/site", "--packages"], cwd=ROOT, check=True)
     alone = ["bwrap", "--dev-bind", "/", "/", "--unshare-net"] if shutil.which("bwrap") else []
     command = [*alone, "environment/site", "--check"]
-    ended = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    environment = os.environ | {"SITE": str(folder)}
+    ended = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
     assert ended.returncode == 0, ended.stdout + ended.stderr
-    return ended.stdout + ended.stderr, ROOT / "build/site/html"
+    return ended.stdout + ended.stderr, folder / "html"

@@ -2,6 +2,8 @@
 
 import json
 import re
+import subprocess
+import sys
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -145,3 +147,23 @@ def test_formulas_are_mathml(built):
     html = (built[1] / "lessons/07_binarization.html").read_text("utf-8")
     assert html.count("<math") == 11
     assert re.findall(r"<script[^>]* src=\"(?!\.\./_static/)", html) == []
+
+
+def test_the_check_finds_a_dead_link_another_host_and_an_image_without_a_text(tmp_path):
+    faults = {
+        '<a href="gone.html">x</a>': "links to gone.html, which does not exist",
+        '<a href="#nowhere">x</a>': "links to #nowhere, which has no such anchor",
+        '<a href="/other.html#top">x</a>': "links to /other.html#top, which does not exist",
+        '<script src="https://cdn.example.org/a.js"></script>': "loads https://cdn.example.org/a.js",
+        '<img alt="x" src="//example.org/a.png">': "loads //example.org/a.png",
+        '<img src="data:,x">': "has an image without alt: data:,x",
+    }
+    for number, html in enumerate(faults):
+        (tmp_path / f"{number}.html").write_text(html)
+    (tmp_path / "right.html").write_text('<a id="a" href="#a">x</a><a href="https://example.org">y</a>')
+    (tmp_path / "style.css").write_text("p { background: url('https://example.org/b.png') }")
+    command = [sys.executable, ROOT / "docs/_ext/check.py", tmp_path]
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    expected = [f"{number}.html {text}" for number, text in enumerate(faults.values())]
+    expected += ["style.css loads https://example.org/b.png", "7 pages, 0.0 MB, 7 findings"]
+    assert (ended.returncode, ended.stdout.splitlines()) == (1, expected)
