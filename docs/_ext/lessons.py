@@ -49,6 +49,7 @@ STILLS = {
 PAGES = {
     "environment/drive/README.md": "about/recording.md",
     "environment/room/README.md": "about/drivable_room.md",
+    "environment/class/README.md": "teach/class.md",
     "environment/ros2_ws/README.md": "robot/workspace.md",
     "CONTRIBUTING.md": "about/contributing.md",
     "CHANGELOG.md": "about/changes.md",
@@ -130,9 +131,14 @@ def site_markdown(source):
 
 
 def still(cell):
-    """The output that stands for a live view."""
+    """The output that stands for a live view, with what the view says of itself."""
     name, alt = STILLS[cell["id"]]
-    caption = "A still image. In JupyterLab it moves when you run this cell."
+    said = re.search(
+        r"Live view: (.*?) " + re.escape(IS_LIVE), json.dumps(cell["outputs"], ensure_ascii=False)
+    )
+    caption = (
+        f"{said[1] if said else ''} A still image: in JupyterLab it moves when you run this cell.".strip()
+    )
     html = (
         f'<figure><img alt="{alt}" loading="lazy" src="../_static/live/{name}.webp">'
         f"<figcaption>{caption}</figcaption></figure>"
@@ -142,7 +148,7 @@ def still(cell):
 
 def site_outputs(cell, figures):
     """The outputs of a code cell as the site shows them."""
-    outputs = []
+    outputs = [still(cell)] if cell["id"] in STILLS else []
     for output in cell["outputs"]:
         html = "".join(output.get("data", {}).get("text/html", ""))
         if IS_LIVE in html:
@@ -155,7 +161,7 @@ def site_outputs(cell, figures):
             html = html.replace("--jp-content-font-color2", "--course-soft")
             output["data"] = {"text/html": figures.extract(html)}
         outputs.append(output)
-    return outputs + ([still(cell)] if cell["id"] in STILLS else [])
+    return outputs
 
 
 def site_code(cell, figures):

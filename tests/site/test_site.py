@@ -133,8 +133,15 @@ def test_a_live_cell_shows_a_still_image_and_says_so(pages):
         live = [cell for cell in cells_of(path) if "moves when this cell is run" in json.dumps(cell)]
         stills = [image for image in page.images if "_static/live/" in image["src"]]
         assert len(stills) >= len(live) and all(len(image["alt"]) > 15 for image in stills), path.name
-        assert page.text().count("A still image.") == len(stills)
+        assert page.text().count("A still image: ") == len(stills)
         assert "moves when this cell is run" not in page.text()
+
+
+def test_a_live_cell_says_what_it_shows(pages):
+    sentence = (
+        "The drive and its edges. The two sliders set the thresholds. A still image: in JupyterLab it moves"
+    )
+    assert sentence in pages["02_what_is_image_processing"].text("figcaption.")
 
 
 def test_each_lesson_names_the_command_that_opens_it(pages):
