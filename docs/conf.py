@@ -10,6 +10,7 @@ sys.path.insert(0, str(HERE / "_ext"))
 project = "Image processing in ROS 2"
 author = "the authors of the course"
 language = "en"
+smartquotes = False  # what stands between quotes is typed by learners
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "docstrings", "mathml"]
 exclude_patterns = ["_static", "extra", "README.md", "lessons/table.md", "lessons/routes.md"]
