@@ -1,6 +1,7 @@
 """What the course tells the classroom; nothing else in the classroom names a package of the course."""
 
 NAME = "imgproc_course"
+TITLE = "Image processing in ROS 2"
 # Packages that an exercise may allow in its answers.
 PACKAGES = ("messages", "imaging", "geometry", "recording", "simulation", "ros")
 # What nobody's answer may read there: a controller in grading must see the room with its sensors.

@@ -37,6 +37,10 @@ figure_texts = {
         "The baseline in room 34: the path of the robot from above, from the green dot to the outline of its body.",
         "A plan of a room with furniture in gray. A blue path of long straight lines crosses the free floor.",
     ),
+    "next": (
+        "Room 103 in the evening: a marker, and toys on the floor.",
+        "A room in warm light: a shelf with books, a black and white marker on the floor beside it, toy blocks, and the edge of a rug.",
+    ),
     "view": (
         "What the camera sees in room 33: a marker and a sign on the wall.",
         "A light wall near the floor: on the left a square black and white marker, in the middle a white sign with the word GARAGE, on the right a bin.",
@@ -549,13 +553,43 @@ if my_scores:
 # | odometry | (3,) | float64 | yaw −π to π | metre, radian |
 # | coverage | one number | float | 0 to 1 | |
 # | score | one number | int | 0 or more | points |
-#
-# This was the last lesson. You began with the bytes of one image; now a robot explores rooms that nobody has shown to it.
-#
-# **What to do next:** improve your controller by one idea at a time, and measure it in all ten rooms. Or write a package of a node of your own, as in [[ros2_packages]], and let it drive a robot.
 
 # %%
 # Check: the numbers in the table
 given = controller_observation(scan_env.reset(seed=1)[0])
 assert given["scan"].shape == (360,) and given["scan"].dtype == np.float32
 assert first["score"] == round(first["score"]) and 0 <= first["coverage"] <= 1
+
+# %% [markdown]
+# ## 7 · What next ([[minutes]], deeper)
+#
+# This was the last lesson. You began with the bytes of one image; now a robot explores rooms that nobody has shown to it. Three projects continue from here, and each has a start.
+#
+# **Another room.** Every whole number is a room. Choose one, look at it, and let your `explorer` drive in it. What does it not find, and why?
+
+# %%
+env.reset(options={"room": 103, "lighting": "evening"}, seed=2)
+show(env.frame(), text="unknown_rooms/next")
+
+# %% [markdown]
+# **Another sign.** The signs have different words. From how far is each of them read right, by day and in the evening? Measure it with the edit distance of [[reading_text]], from 1 m to 3 m.
+
+# %%
+from imgproc_course.simulation import furnished
+
+print({number: furnished(number).word for number in range(101, 106)})
+
+# %% [markdown]
+# **A real robot.** A Kachaka has these topics, and your nodes of the lessons use them. Start with a node that only subscribes; a node that drives comes last. If you have another robot, its topics have other names: give them as parameters.
+#
+# | topic | type | QoS | frame | check before you drive |
+# |---|---|---|---|---|
+# | `/kachaka/front_camera/image_raw` | `sensor_msgs/msg/Image` | best effort | `camera_front` | `encoding`, width and height: is your code written for this size? |
+# | `/kachaka/front_camera/camera_info` | `sensor_msgs/msg/CameraInfo` | best effort | `camera_front` | `k` and `d` belong to this camera, not to that of the course |
+# | `/kachaka/lidar/scan` | `sensor_msgs/msg/LaserScan` | best effort | `laser_frame` | `angle_min`: where does the first ray point? |
+# | `/kachaka/odometry/odometry` | `nav_msgs/msg/Odometry` | best effort | `odom` | push the robot 1 m by hand: does x grow by 1? |
+# | `/kachaka/manual_control/cmd_vel` | `geometry_msgs/msg/Twist` | best effort | | wheels off the floor; start with 0.05 m/s; stop when no image comes for 0.5 s |
+#
+# The simulated robot has the same topics. To look at those of a robot in your network, start the lessons with its domain (`ROS_DOMAIN_ID=7 environment/lab`), and run `open_camera("topic")`. [[obstacles_ahead]] says what the real robot has in place of the depth image.
+#
+# And there is the league of section 6.

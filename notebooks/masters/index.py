@@ -31,6 +31,7 @@ overview()
 #
 # - [Glossary](glossary.md): every term of the course in one or two sentences, with the lesson that introduces it.
 # - [Cheat sheet](cheat_sheet.html): two pages to print: arrays, message fields, the stages of Canny, ROS commands.
+# - A certificate: `certificate("Ada Lovelace")` in a new cell (with `from imgproc_course.exercises import certificate`) writes a page with what you have passed, to print.
 # - Stuck in an exercise? Add a cell (press **Esc**, then `b`), and call `hint` in it, such as `hint("grayscale-luma")`: it shows the next of three hints. `solution("grayscale-luma")` opens after three tries.
 #
 # ## What happens to an image

@@ -1,7 +1,10 @@
 """What the room's publisher computes and follows: subscribed topics alone, commands within limits."""
 
+import importlib
 import math
+import re
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -191,3 +194,27 @@ def test_without_panda3d_the_room_says_so_before_anything_is_published(run_pytho
     assert (
         out.startswith("the room needs panda3d, which is not installed") and "open_camera('recording')" in out
     )
+
+
+CHECKLIST = re.compile(r"^# \| `(/kachaka/[a-z_/]+)` \| `([a-z_]+)/msg/(\w+)` \| best effort \| (?:`(\w+)`)? ?\|", re.M)
+
+
+def test_the_checklist_for_a_real_robot_says_what_the_room_has(body, session, wait_until):
+    """The table at the end of the last lesson: topics, types, QoS and frames."""
+    from rclpy.qos import ReliabilityPolicy, qos_profile_sensor_data
+
+    master = next(Path(__file__).parents[2].glob("notebooks/masters/*_unknown_rooms.py")).read_text()
+    rows = CHECKLIST.findall(master)
+    assert len(rows) == 5
+    for topic, package, name, frame in rows:
+        find = session.node.get_publishers_info_by_topic if frame else session.node.get_subscriptions_info_by_topic
+        wait_until(lambda find=find, topic=topic: find(topic))
+        (end,) = find(topic)
+        assert end.topic_type == f"{package}/msg/{name}"
+        assert end.qos_profile.reliability == ReliabilityPolicy.BEST_EFFORT
+        if frame:
+            message = getattr(importlib.import_module(f"{package}.msg"), name)
+            received = []
+            session.node.create_subscription(message, topic, received.append, qos_profile_sensor_data)
+            wait_until(lambda received=received: received)
+            assert received[0].header.frame_id == frame

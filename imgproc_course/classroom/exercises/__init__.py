@@ -2,6 +2,7 @@
 
 from .canonical import array_of
 from .cell_runs import watch_cells
+from .certificate import Certificate, certificate
 from .check_files import CheckFileError
 from .checking import CheckResult, check, run_cases
 from .declaration import MasterError, exercise, read_exercises
@@ -12,12 +13,14 @@ from .overview import Overview, overview
 from .ros_double import offer_modules
 
 __all__ = [
+    "Certificate",
     "CheckFileError",
     "CheckResult",
     "GuessComparison",
     "MasterError",
     "Overview",
     "array_of",
+    "certificate",
     "check",
     "compare_guess",
     "exercise",

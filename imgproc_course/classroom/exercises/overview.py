@@ -26,6 +26,7 @@ class LessonProgress:
     exercises  ids of its exercises
     deeper     those of them that can be left out
     passed     those of them that have passed
+    points     of those that have passed, without the points of hidden checks
     """
 
     file: str
@@ -36,6 +37,7 @@ class LessonProgress:
     exercises: tuple
     deeper: tuple
     passed: tuple
+    points: int = 0
 
     @property
     def number(self):
@@ -45,6 +47,10 @@ class LessonProgress:
     def core(self):
         """The exercises of its core, a set."""
         return {*self.exercises} - {*self.deeper}
+
+    @property
+    def count_passed(self):
+        return len(self.passed)
 
     @property
     def is_done(self):
@@ -174,12 +180,15 @@ def _lesson(path, progress):
     passed = tuple(id for id in exercises if id in progress and progress[id].passed)
     numbers = tuple(dict.fromkeys(_LINKED_NUMBER.findall(needs[1]))) if needs else ()
     deeper = tuple(id for id in exercises if id in deeper)
-    return LessonProgress(path.name, title, whole, core, numbers, exercises, deeper, passed)
+    points = sum(exercises[id] for id in passed)
+    return LessonProgress(path.name, title, whole, core, numbers, tuple(exercises), deeper, passed, points)
 
 
 def _exercises_of(lesson, folder):
+    """{exercise id: points of its checks}."""
     paths = [checks / f"{lesson}.json" for checks in checks_folders(folder)]
     path = next(filter(Path.is_file, paths), None)
     with contextlib.suppress(CheckFileError):
-        return tuple(read_check_file(path).entries) if path else ()
-    return ()
+        entries = read_check_file(path).entries if path else {}
+        return {id: sum(case["points"] for case in entry["cases"]) for id, entry in entries.items()}
+    return {}

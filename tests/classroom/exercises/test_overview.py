@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from imgproc_course.classroom.exercises.certificate import certificate
 from imgproc_course.classroom.exercises.overview import overview
 
 EXERCISES = {"one": ["one-a", "one-b"], "two": ["two-a"]}
@@ -21,7 +22,7 @@ def folder(tmp_path, monkeypatch):
         text = json.dumps({"cells": cells, "metadata": {"imgproc_course": about}})
         (tmp_path / f"{number}_{name}.ipynb").write_text(text)
         checks = {"format": 1, "lesson": name, "version": "1", "cells": {}, "values": {}}
-        checks["exercises"] = {id: {} for id in EXERCISES[name]}
+        checks["exercises"] = {id: {"cases": [{"points": 1}, {"points": 2}]} for id in EXERCISES[name]}
         (tmp_path / "checks" / f"{name}.json").write_text(json.dumps(checks))
     (tmp_path / "08_two (version 2).ipynb").write_text("{}")
     (tmp_path / "notes.ipynb").write_text("{}")
@@ -91,3 +92,26 @@ def test_a_core_without_exercises_has_no_tick_and_is_next_until_a_later_lesson_i
     pass_exercises(folder, "two-a")
     assert overview(folder).next_lesson is None
     assert "  07 Lesson <one>" in repr(overview(folder))
+
+
+def test_a_certificate_lists_what_has_passed(folder):
+    pass_exercises(folder, "one-a", "one-b")
+    result = certificate("  Ada <b>", folder)
+    assert result.path == folder / "certificate.html"
+    page = result.path.read_text(encoding="utf-8")
+    assert "<p class=\"name\">Ada &lt;b&gt;</p>" in page
+    assert "has solved 2 exercises, with 6 points" in page
+    assert "<td>Lesson &lt;one&gt;</td><td>2 of 2</td><td>6</td>" in page
+    assert "Lesson &lt;two&gt;" not in page
+    assert 'href="certificate.html"' in result._repr_html_()
+
+
+@pytest.mark.parametrize(
+    "name, passed, message",
+    [(None, ["one-a"], "name is None"), (" ", ["one-a"], "name is ' '"), ("Ada", [], "no exercise has passed yet")],
+)
+def test_a_certificate_needs_a_name_and_something_that_passed(folder, name, passed, message):
+    pass_exercises(folder, *passed)
+    with pytest.raises(ValueError, match=message):
+        certificate(name, folder)
+    assert not (folder / "certificate.html").exists()
