@@ -39,11 +39,15 @@ def spreadsheet_text(value):
     """
     if isinstance(value, (int, float)):
         return value
-    line = sanitize_line(value, 2000)
+    line = without_formulas(sanitize_line(value, 2000))
+    return f"'{line}" if value.startswith(("\t", "\r", "\n")) and not line.startswith("'") else line
+
+
+def without_formulas(text):
+    """The text with an apostrophe before each part that a spreadsheet would take for a formula."""
     # A spreadsheet that separates cells by semicolons takes what follows one for a cell.
-    line = _AFTER_SEMICOLON.sub(r"\1'", line)
-    looks_like_formula = line.lstrip(" '\"").startswith(_FORMULA_STARTS)
-    return f"'{line}" if looks_like_formula or value.startswith(("\t", "\r", "\n")) else line
+    text = _AFTER_SEMICOLON.sub(r"\1'", text)
+    return f"'{text}" if text.lstrip(" '\"\t\r\n").startswith(_FORMULA_STARTS) else text
 
 
 def without_apostrophes(text):
