@@ -5,7 +5,9 @@ import io
 import json
 import re
 import shutil
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -65,6 +67,21 @@ class Tags(html.parser.HTMLParser):
     def handle_starttag(self, tag, attrs):
         self.found.add(tag)
         self.attributes += attrs
+
+
+def test_no_page_shows_a_folder_of_this_machine(masters, key_path, tmp_path):
+    """An answer finds them in /proc; a printed part of a folder is replaced, too."""
+    here = str(Path(__file__).parents[3])
+    end = here[here.find("/", 1) :]
+    found = f"re.findall({here!r} + '.*', open('/proc/self/mountinfo').read())"
+    folder = f"import re\n    print('/usr/lib', {end!r}, {sys.prefix!r}, {found}[:3])"
+    answer = f"def double(pixels):\n    {folder}\n    return 0"
+    write(tmp_path / "in" / "eve.ipynb", notebook(masters["light"], {"light-double": answer}))
+    grade_submissions(tmp_path / "in", [key_path], tmp_path / "out", workers=1, quiet=True)
+    (page,) = (tmp_path / "out" / "learners").iterdir()
+    text = page.read_text(encoding="utf-8")
+    assert "/usr/lib" in text and "…" in text
+    assert here not in text and sys.prefix not in text and end not in text
 
 
 def test_no_page_contains_anything_that_runs_or_loads(pages):
