@@ -326,7 +326,7 @@ class _Intake:
         A link changes the time of the folder that it is made in, so the folder changed last has the copy.
         """
         for entries in self._linked.values():
-            entries.sort(key=lambda entry: (os.stat(Path(entry[0]).parent).st_mtime_ns, os.fspath(entry[0])))
+            entries.sort(key=lambda entry: (Path(entry[0]).parent.stat().st_mtime_ns, os.fspath(entry[0])))
             first, owner = entries[0]
             for path, sender in entries[1:]:
                 if sender.learner != owner.learner:

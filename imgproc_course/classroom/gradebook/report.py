@@ -26,8 +26,9 @@ _CELL_ADVICE = (
 _MAP_CAPTION = "The drive: a green dot is its start, a cross a bump, a ring the decisive moment."
 _DRIVES_WRONG = "does not drive as the task asks"
 _NAME_ADVICE = (
-    "The autograder runs the given cell of the exercise and your answer cell, and nothing else of the"
-    " notebook: everything that your answer needs must be in one of the two."
+    "The autograder runs the given cell of the exercise, your answer cell, and the functions, classes,"
+    " imports and constants of other cells that your answer reads. Nothing else of the notebook runs. Is the"
+    " name misspelled, or does no cell define it?"
 )
 
 

@@ -221,6 +221,8 @@ ALIKE = {
     "endless": "def double(pixels):\n    while True:\n        pass",
     "ending": "import os\n\ndef double(pixels):\n    os._exit(0)",
     "overflow": "def double(pixels):\n    return (pixels * 300) // 150",
+    "slip": "def double(pixels):\n    retrun (pixels * 2)",
+    "mistyped": "def double(pixels):\n    result = pixels * 2\n    return reslut",
     "nameless": "def double(pixels):\n    return cv9.add(pixels, pixels)",
     "at-times": "def double(pixels):\n    assert len(pixels) < 9\n    return pixels",
     "quotes": "def double(pixels):\n    I don\u2019t know",
@@ -277,8 +279,23 @@ def test_one_cause_of_every_failure_replaces_the_hints(alike, name, cause, advic
     assert "Double()" not in text and "answer cell is missing" not in text
 
 
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [("slip", "is not defined. Did you mean return?"), ("mistyped", "Did you mean result?")],
+)
+def test_a_misspelled_name_is_said_with_the_right_one(alike, name, meant):
+    assert meant in alike[name] and "Nothing else of the notebook runs." in alike[name]
+    _, _, looked_at = alike["summary"].partition("<h2>May have lost points unfairly</h2>")
+    (row,) = [
+        row for row in looked_at.partition("</section>")[0].split("<tr>") if f"<bdi>{name}</bdi>" in row
+    ]
+    assert meant in row
+
+
 def test_an_undefined_name_shows_what_grading_runs_and_the_hints(alike):
-    assert alike["nameless"].count("nothing else of the notebook") == 1
+    assert alike["nameless"].count("Nothing else of the notebook runs.") == 1
+    assert alike["nameless"].count("imports and constants of other cells that your answer reads") == 1
+    assert "Did you mean" not in alike["nameless"]
     assert alike["nameless"].count("Hint:") == 2
 
 
