@@ -349,7 +349,7 @@ def test_an_answer_that_needs_another_cell_is_reported(lesson):
     cell_note, check_note = lesson_check.exercises[0].notes
     assert cell_note == "a statement in its cell fails: NameError: name 'y' is not defined"
     assert "double() raised NameError: name 'x' is not defined" in check_note
-    lesson_check = run(lesson(edit(ANSWER, source="def double(pixels=y): return 3")))
+    lesson_check = run(lesson(edit(ANSWER, source="def double(pixels, more=y): return 3")))
     (note,) = lesson_check.exercises[0].notes
     assert note == "its cell does not run by itself: NameError: name 'y' is not defined"
     assert not lesson_check.ready
