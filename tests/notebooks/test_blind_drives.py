@@ -1,4 +1,4 @@
-"""A controller that looks at nothing passes no scenario of a key: with fixed speeds, or with a drive repeated."""
+"""A controller that looks at nothing passes no scenario of a key: fixed speeds, a drive repeated."""
 
 from pathlib import Path
 

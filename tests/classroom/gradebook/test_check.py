@@ -258,6 +258,11 @@ def test_a_large_file_is_not_read(lesson, monkeypatch):
         check_lesson(lesson())
 
 
+def test_a_notebook_that_a_browser_saved_as_text_is_checked(lesson):
+    path = lesson()
+    assert check_lesson(path.rename(path.with_name("my_lesson.ipynb.txt"))).ready
+
+
 def test_a_file_of_another_kind_and_a_folder_are_one_line(tmp_path):
     (tmp_path / "notes.txt").write_text("hello")
     done = CliRunner().invoke(check, [str(tmp_path / "notes.txt")])
