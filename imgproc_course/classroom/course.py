@@ -8,6 +8,9 @@ PACKAGES = ("messages", "imaging", "geometry", "recording", "simulation", "ros")
 HIDDEN_FOLDERS = ("simulation/room",)
 # Every answer may use these.
 ALWAYS_ALLOWED = (f"{NAME}.display", f"{NAME}.exercises")
+# Modules that only show something, such as a progress bar: every answer may use them, and in grading a silent
+# one stands in their place.
+DISPLAY_ONLY = ("tqdm", "rich", "ipywidgets", "alive_progress", "progressbar", "seaborn", "plotly")
 # What a node may import: rclpy, these packages of messages, and cv_bridge, or what stands for it.
 ROS_MESSAGES = ("builtin_interfaces", "rcl_interfaces", "sensor_msgs", "std_msgs")
 NODE_MODULES = ("rclpy", *ROS_MESSAGES, "cv_bridge")

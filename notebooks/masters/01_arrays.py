@@ -474,7 +474,8 @@ check("arrays-share", bright_percent)
 # %% role="case" title="few gray levels, then many" points=1
 def inputs(rng):
     gray = np.array([[10, 50, 50, 90, 90], [10, 90, 90, 90, 200], [10, 10, 90, 90, 90]], dtype=np.uint8)
-    return [(rng.permutation(gray), 50), (rng.integers(0, 256, (6, 8), dtype=np.uint8), 90)]
+    return [(rng.permutation(gray), 50), (rng.integers(0, 256, (6, 8), dtype=np.uint8), 90),
+            (rng.integers(0, 256, (30, 41), dtype=np.uint8), 150)]
 
 
 # %% role="case" title="another level" points=0
@@ -485,7 +486,7 @@ def inputs(rng):
 def inputs(rng):
     gray = rng.integers(0, 5, (3, 7), dtype=np.uint8)
     gray[0, :2] = 0, 4  # some of the 21 pixels are bright, not all: never a whole number of percent
-    return [(gray, level) for level in (2, 1, 4)]
+    return [*((gray, level) for level in (2, 1, 4)), (rng.integers(0, 256, (30, 41), dtype=np.uint8), 100)]
 
 
 # %% [markdown]

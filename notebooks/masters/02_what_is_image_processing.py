@@ -473,6 +473,28 @@ def areas_mostly_black(rng):
     gray = to_gray(before)
     return before, np.where(gray > np.quantile(gray, 0.57), 255, 0).astype(np.uint8)
 
+
+def few_lines(rng):
+    stripes = np.tile(np.repeat([30, 220], 7), 4)[rng.integers(0, 7) :][:40].astype(np.uint8)
+    before = np.dstack([np.tile(stripes, (9, 1))] * 3)
+    return before, cv2.Canny(to_gray(before), 50, 150)
+
+
+def small_areas(rng):
+    before = rng.integers(20, 200, size=(8, 10, 3), dtype=np.uint8)
+    gray = to_gray(before)
+    return before, np.where(gray > np.median(gray), 255, 0).astype(np.uint8)
+
+
+def small_with_less_noise(rng):
+    before = rng.integers(20, 200, size=(8, 10, 3), dtype=np.uint8)
+    return before, cv2.medianBlur(before, 3)
+
+
+def any_of(rng, *kinds):
+    """Eight small pairs of these kinds: nobody can know before in which order the names come."""
+    return [kinds[number](rng) for number in rng.integers(0, len(kinds), 8)]
+
 # %% role="answer" exercise="tour-name"
 def name_operation(before, after):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -491,18 +513,18 @@ def name_operation(before, after):
 # %% role="check" exercise="tour-name"
 check("tour-name", name_operation)
 
-# %% role="case" exercise="tour-name" title="a gray image, and an image of lines" points=1
+# %% role="case" exercise="tour-name" title="gray images, and images of lines" points=1
 def inputs(rng):
     before = room_image(rng)
-    return [(before, to_gray(before)), lines(rng)]
+    return [(before, to_gray(before)), lines(rng), *any_of(rng, gray_with_white, few_lines)]
 
 
-# %% role="case" exercise="tour-name" title="an image of areas, and an image with less noise" points=1
+# %% role="case" exercise="tour-name" title="images of areas, and images with less noise" points=1
 def inputs(rng):
     before = room_image(rng)
     gray = to_gray(before)
     areas = np.where(gray > np.median(gray) - 1, 255, 0).astype(np.uint8)
-    return [(before, areas), (before, cv2.medianBlur(before, 3))]
+    return [(before, areas), (before, cv2.medianBlur(before, 3)), *any_of(rng, small_areas, small_with_less_noise)]
 
 
 # %% role="case" exercise="tour-name" title="an image of lines" points=0
@@ -540,15 +562,16 @@ def inputs(rng):
 def inputs(rng):
     return many_lines(rng)
 
-# %% role="hidden" exercise="tour-name" title="images of lines, and an image of areas" points=1 hint="These images have only two values. Lines have less than a fifth of white pixels, areas have more."
+# %% role="hidden" exercise="tour-name" title="images of lines, and images of areas" points=1 hint="These images have only two values. Lines have less than a fifth of white pixels, areas have more."
 def inputs(rng):
-    return [lines(rng), many_lines(rng), areas_mostly_black(rng)]
+    return [lines(rng), many_lines(rng), areas_mostly_black(rng), *any_of(rng, few_lines, small_areas)]
 
 
-# %% role="hidden" exercise="tour-name" title="an image with less noise, and gray images" points=1 hint="Only one of the four operations keeps the colours, and only a gray image has more than two different values."
+# %% role="hidden" exercise="tour-name" title="images with less noise, and gray images" points=1 hint="Only one of the four operations keeps the colours, and only a gray image has more than two different values."
 def inputs(rng):
     before = room_image(rng)
-    return [(before, cv2.medianBlur(before, 3)), gray_with_white(rng), gray_with_even_first_row(rng)]
+    calls = [(before, cv2.medianBlur(before, 3)), gray_with_white(rng), gray_with_even_first_row(rng)]
+    return [*calls, *any_of(rng, small_with_less_noise, gray_with_white)]
 
 
 # %% [markdown]

@@ -397,6 +397,13 @@ def twelve_pixels(rng):
     return rng.permutation(levels.astype(np.uint8)).reshape(3, 4)
 
 
+def two_gray_levels(rng):
+    low, high = rng.integers(0, 100), rng.integers(150, 256)
+    image = np.full((6, 6), high, dtype=np.uint8)
+    image[: rng.integers(1, 5)] = low
+    return image
+
+
 def one_gray_level(rng):
     return np.full((4, 5), rng.integers(50, 200), dtype=np.uint8)
 
@@ -463,10 +470,7 @@ def inputs(rng):
 
 # %% role="hidden" title="one or two gray levels" points=1 hint="Try every t from 0 to 255. Many thresholds separate two values equally well: return the smallest. With one gray level the result is 0."
 def inputs(rng):
-    low, high = rng.integers(0, 100), rng.integers(150, 256)
-    image = np.full((6, 6), high, dtype=np.uint8)
-    image[: rng.integers(1, 5)] = low
-    return [(image,), (black_and_white(rng),), (one_gray_level(rng),)]
+    return [(image(rng),) for image in (two_gray_levels, black_and_white, one_gray_level, two_gray_levels)]
 
 
 # %% [markdown]

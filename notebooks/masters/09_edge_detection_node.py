@@ -757,7 +757,7 @@ check("edges-f1", f1_score)
 def inputs(rng):
     outlines = rng.random((8, 9)) < 0.4
     edges = np.where(rng.random((8, 9)) < 0.4, 255, 0).astype(np.uint8)
-    return edges, outlines, 0
+    return [(edges, outlines, 0), some_edges(rng, 0)]
 
 
 # %% role="case" title="a line one pixel away" points=1 hint="An edge within the tolerance counts, for the precision and for the recall."
@@ -801,7 +801,7 @@ def inputs(rng):
 
 # %% role="hidden" title="no edges, no outlines, no true positives" points=1 hint="Do not divide by zero: without edges, without outlines and without true positives the result is 0.0."
 def inputs(rng):
-    return [no_edges(rng), no_outlines(rng), far_edges(rng), some_edges(rng, 0)]
+    return [no_edges(rng), no_outlines(rng), far_edges(rng), some_edges(rng, 1), some_edges(rng, 2)]
 
 
 # %% [markdown]

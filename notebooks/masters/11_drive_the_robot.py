@@ -610,7 +610,8 @@ check("drive-stop", stopping_distance)
 
 # %% role="case" title="the robot of the lesson" points=1
 def inputs(rng):
-    return [(0.3, 0.6, 10.0, 0.06), (round(rng.uniform(0.1, 0.25), 2), 0.6, 10.0, 0.1)]
+    return [(0.3, 0.6, 10.0, 0.06), (round(rng.uniform(0.1, 0.25), 2), 0.6, 10.0, 0.1),
+            (round(rng.uniform(0.1, 0.3), 3), 0.6, 10.0, round(rng.uniform(0.02, 0.2), 3))]
 
 
 # %% role="case" title="another robot" points=1 hint="Do you use all four arguments, and no number of the example?"

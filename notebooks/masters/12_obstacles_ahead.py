@@ -822,7 +822,8 @@ def inputs(rng):
 # %% role="case" title="the object does not grow" points=1 hint="If now is not larger than before, the robot does not come nearer: return math.inf."
 def inputs(rng):
     before = int(rng.integers(80, 120))
-    return [(before, before, 0.1), (before, before - int(rng.integers(1, 20)), 0.1), (before, before + 7, 0.3)]
+    return [(before, before, 0.1), (before, before - int(rng.integers(1, 20)), 0.1), (before, before + 7, 0.3),
+            (before, before + int(rng.integers(5, 30)), round(rng.uniform(0.1, 0.9), 3))]
 
 
 # %% role="hidden" title="any widths" points=1 hint="Is the width before above the fraction line, and the growth below it?"

@@ -184,7 +184,9 @@ check("tracking-iou", iou)
 # %% role="case" title="boxes that overlap" points=1
 def inputs(rng):
     shift = int(rng.integers(2, 7))
-    return [((2, 5, 10, 10), (7, 5, 10, 10)), ((20, 10, 30, 12), (20 + shift, 14, 18, 25)), ((3, 4, 20, 30), (8, 9, 5, 6))]
+    col, row, width, height = random_box(rng)
+    return [((2, 5, 10, 10), (7, 5, 10, 10)), ((20, 10, 30, 12), (20 + shift, 14, 18, 25)), ((3, 4, 20, 30), (8, 9, 5, 6)),
+            ((col, row, width, height), (col + 3, row + 2, *random_box(rng)[2:]))]
 
 
 # %% role="case" title="boxes that do not touch" points=1 hint="If the common width or height is negative, it counts as 0: use max(..., 0) for each of them."
@@ -418,6 +420,12 @@ def blob(rng, shape, center, size=5):
     return weights
 
 
+def any_step(rng):
+    row, col = int(rng.integers(4, 36)), int(rng.integers(4, 44))
+    box = (min(max(col - 8, 0), 30), min(max(row - 4, 0), 25), int(rng.integers(10, 18)), int(rng.integers(9, 14)))
+    return blob(rng, (40, 50), (row, col)), box
+
+
 # %% role="answer"
 def mean_shift_step(weights, box):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -445,7 +453,7 @@ check("tracking-mean-shift", mean_shift_step)
 def inputs(rng):
     left = int(rng.integers(12, 15))
     return [(blob(rng, (30, 40), (20, 26)), (left, 10, 16, 14)), (blob(rng, (30, 40), (9, 10)), (7, 6, 13, 17)),
-            (blob(rng, (30, 40), (12, 25)), (14, 9, 12, 12))]
+            (blob(rng, (30, 40), (12, 25)), (14, 9, 12, 12)), any_step(rng)]
 
 
 # %% role="case" title="at the border, and nothing in the box" points=1 hint="Does the box stay inside the image, and does it stay where it is if all weights in it are 0?"
@@ -454,17 +462,12 @@ def inputs(rng):
     first = blob(rng, (24, 32), (1, 2), 3)
     empty = np.zeros((24, 32), np.uint8)
     empty[20:, 25:] = rng.integers(100, 255, (4, 7))
-    return [(corner, (18, 12, 13, 10)), (first, (1, 1, 12, 11)), (empty, (3, 4, 10, 9))]
+    return [(corner, (18, 12, 13, 10)), (first, (1, 1, 12, 11)), (empty, (3, 4, 10, 9)), any_step(rng)]
 
 
 # %% role="hidden" title="any box" points=1 hint="Is every number that you use counted inside the box, and is the shift rounded?"
 def inputs(rng):
-    calls = []
-    for _ in range(4):
-        row, col = int(rng.integers(4, 36)), int(rng.integers(4, 44))
-        box = (min(max(col - 8, 0), 30), min(max(row - 4, 0), 25), int(rng.integers(10, 18)), int(rng.integers(9, 14)))
-        calls.append((blob(rng, (40, 50), (row, col)), box))
-    return [*calls, (np.zeros((40, 50), np.uint8), (5, 6, 7, 8))]
+    return [*(any_step(rng) for _ in range(4)), (np.zeros((40, 50), np.uint8), (5, 6, 7, 8))]
 
 
 # %% [markdown]

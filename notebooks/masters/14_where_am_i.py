@@ -400,6 +400,11 @@ def seen_cells(word, turns, white=None):
     return cells
 
 
+def any_markers(rng, words):
+    """Two calls with any of the words, turned anyhow."""
+    return [(seen_cells(words[rng.integers(len(words))], int(rng.integers(4))), words) for _ in range(2)]
+
+
 # %% role="answer"
 def decode(cells, words):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -422,7 +427,8 @@ check("where-decode", decode)
 # %% role="case" title="upright markers, and turned ones" points=1
 def inputs(rng):
     words = some_words(rng, 10)
-    return [(seen_cells(words[7], 0), words), (seen_cells(words[3], 1), words), (seen_cells(words[5], 3), words), (seen_cells(words[8], 2), words)]
+    return [(seen_cells(words[7], 0), words), (seen_cells(words[3], 1), words), (seen_cells(words[5], 3), words), (seen_cells(words[8], 2), words),
+            *any_markers(rng, words)]
 
 
 # %% role="case" title="not a marker" points=1 hint="Did you look at the border, all around? And what do you return if no word fits?"
@@ -432,7 +438,8 @@ def inputs(rng):
     strange[1, 2] = 1 - strange[1, 2]
     side = int(rng.integers(1, 5))
     return [(seen_cells(words[2], 1, (0, side)), words), (seen_cells(words[6], 0, (side, 5)), words),
-            (seen_cells(strange, 0), words[:5]), (seen_cells(words[1], 3, (5, 0)), words), (seen_cells(words[5], 2), words)]
+            (seen_cells(strange, 0), words[:5]), (seen_cells(words[1], 3, (5, 0)), words), (seen_cells(words[5], 2), words),
+            *any_markers(rng, words)]
 
 
 # %% role="hidden" title="any cells" points=1 hint="Did you try all four turns of all words, and the whole border?"
@@ -1038,7 +1045,7 @@ def inputs(rng):
 def inputs(rng):
     right = drive(rng, 7, 0.001, -0.25, 0.5)
     return [(drive(rng, 8, 0.001, 0.3, 2.6), 1.0, 0.4), (right, 1.0, 0.3), ([(0.0, 0.0, 0.5 * k) for k in range(6)], 1.0, 1.0),
-            ([(0.0, 0.0, 0.1), (0.0, 0.0, 2.9), (0.0, 0.0, -2.9)], 1.0, 1.0)]
+            ([(0.0, 0.0, 0.1), (0.0, 0.0, 2.9), (0.0, 0.0, -2.9)], 1.0, 1.0), (drive(rng, 25, 0.001, 0.3, 1.0), 1.0, 0.7)]
 
 
 # %% role="hidden" title="any drive" points=1 hint="Do you compare with the last keyframe, by distance or by angle?"

@@ -393,7 +393,8 @@ check("mapping-scan", add_scan)
 def inputs(rng):
     cross = [[(1, 0), (1, 1), (1, 2), (1, 3)], [(1, 0), (1, 1), (0, 2)], [(1, 0), (1, 1), (1, 2)]]
     hit = round(float(rng.uniform(0.6, 0.8)), 2)
-    return [(np.zeros((1, 3)), [[(0, 0), (0, 1), (0, 2)]], 0.7, 0.4), (np.zeros((3, 4)), cross, hit, 0.4), (np.zeros((3, 4)), cross[::-1], hit, 0.4)]
+    return [(np.zeros((1, 3)), [[(0, 0), (0, 1), (0, 2)]], 0.7, 0.4), (np.zeros((3, 4)), cross, hit, 0.4), (np.zeros((3, 4)), cross[::-1], hit, 0.4),
+            (np.zeros((5, 6)), fan(rng, (5, 6), 4), hit, 0.4)]
 
 
 # %% role="case" title="a map that knows something already" points=1 hint="Do you add to the old map, and does each cell stay between -6 and 6?"
@@ -762,6 +763,11 @@ def shares_of(rng, places, share=0.5):
     low, high = rng.uniform(0.1, 0.5, (count, count)), rng.uniform(0.75, 0.98, (count, count))
     return np.where(rng.random((count, count)) < share, high, low).round(2)
 
+
+def any_loops(rng):
+    places = circle(rng, 20, 1.8)
+    return places, shares_of(rng, places), 0.7, 5, 0.75
+
 # %% role="answer"
 def find_loops(places, shares, radius, gap, least):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -786,7 +792,7 @@ def inputs(rng):
     shares = np.full((5, 5), 0.3)
     shares[0, 1] = shares[0, 4] = shares[2, 4] = 0.9
     around = circle(rng, 14, 1.1)
-    return [(places, shares, 0.5, 3, 0.7), (around, shares_of(rng, around, 0.7), 0.6, 5, 0.7)]
+    return [(places, shares, 0.5, 3, 0.7), (around, shares_of(rng, around, 0.7), 0.6, 5, 0.7), any_loops(rng)]
 
 
 # %% role="case" title="exactly at the limits" points=1 hint="At most and at least: a value that is exactly at the limit counts, of all three limits."
@@ -797,7 +803,7 @@ def inputs(rng):
     low = shares.copy()
     low[0, 5] = low[1, 4] = 0.74
     return [(places, shares, 1.0, 3, 0.75), (places, shares, 1.0, 2, 0.7), (places, shares, 1.2, 3, 0.7), (places, shares, 0.3, 3, 0.7),
-            (places, low, 0.5, 2, 0.75), (places, low, 1.0, 3, 0.75)]
+            (places, low, 0.5, 2, 0.75), (places, low, 1.0, 3, 0.75), any_loops(rng)]
 
 
 # %% role="hidden" title="two rounds" points=1 hint="Do you look at all pairs, in the order of i, and is each pair at least gap poses apart?"
@@ -976,7 +982,7 @@ def inputs(rng):
     line = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]])
     edges = [(0, 1, (1.0, 0.0, 0.0), (1.0, 1.0)), (1, 2, (1.0, 0.0, 0.0), (1.0, 1.0)), (0, 2, (1.7, 0.1, 0.1), (1.0, 1.0))]
     measured = round(float(rng.uniform(1.1, 1.4)), 2)
-    return [(line[:2].copy(), [(0, 1, (measured, 0.0, 0.0), (1.0, 1.0))]), (line, edges)]
+    return [(line[:2].copy(), [(0, 1, (measured, 0.0, 0.0), (1.0, 1.0))]), (line, edges), some_graph(rng, 3, [(0, 2)])]
 
 
 # %% role="case" title="a loop" points=1 hint="Do the weights count, two of them the place's, and are the blocks in the columns of i and j?"

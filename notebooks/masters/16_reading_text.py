@@ -569,6 +569,11 @@ def damaged(rng, word, steps):
     return word
 
 
+def any_texts(rng):
+    """Two pairs of texts of any lengths, so that nobody can guess both distances."""
+    return [("".join(rng.choice([*"AEIOU"], rng.integers(1, 60))), damaged(rng, "CLEAR FLOOR", 2)) for _ in range(2)]
+
+
 # %% role="answer"
 def edit_distance(a, b):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -589,7 +594,8 @@ check("text-distance", edit_distance)
 
 # %% role="case" title="words from the sign" points=1
 def inputs(rng):
-    return [("MTCHEN", "KITCHEN"), ("KITCHENS", "XITCHN"), ("ROOM 204", "ROM 2048"), ("floor", "Flower"), ("KITCHEN", damaged(rng, "KITCHEN", 3))]
+    return [("MTCHEN", "KITCHEN"), ("KITCHENS", "XITCHN"), ("ROOM 204", "ROM 2048"), ("floor", "Flower"), ("KITCHEN", damaged(rng, "KITCHEN", 3)),
+            *any_texts(rng)]
 
 
 # %% role="case" title="empty texts, and letters exchanged" points=1 hint="For an empty text the distance is the length of the other one. Two exchanged letters are two steps."
@@ -775,6 +781,11 @@ def spelled(rng, word, characters, around=1, highest=0.95):
     return scores, characters
 
 
+def any_word(rng, characters):
+    """Scores of seven of the letters, so that nobody can guess the word."""
+    return spelled(rng, "".join(rng.choice([*characters[1:]], 7)), characters)
+
+
 # %% role="answer"
 def decode(scores, characters):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -795,17 +806,17 @@ check("text-ctc", decode)
 
 # %% role="case" title="short words" points=1
 def inputs(rng):
-    return [spelled(rng, "ROOM", "-MOR"), spelled(rng, "FLOOR", "-ORFL"), spelled(rng, "KEEPER", "-KEPR")]
+    return [spelled(rng, "ROOM", "-MOR"), spelled(rng, "FLOOR", "-ORFL"), spelled(rng, "KEEPER", "-KEPR"), any_word(rng, "-KEPR")]
 
 
 # %% role="case" title="runs and blanks" points=1 hint="A blank between two equal letters says that there are two of them: look at the row before, also if it is a blank."
 def inputs(rng):
-    return [spelled(rng, "OLLO", "-LO", around=0), spelled(rng, "22004", "_024", around=0), spelled(rng, "SEEN", "*NES", highest=0.48)]
+    return [spelled(rng, "OLLO", "-LO", around=0), spelled(rng, "22004", "_024", around=0), spelled(rng, "SEEN", "*NES", highest=0.48), any_word(rng, "*NES")]
 
 
 # %% role="hidden" title="any text" points=1 hint="First one of each run of equal characters, then no blanks; the first character of characters is the blank."
 def inputs(rng):
-    return [spelled(rng, "BALLOON", "-NOLAB", around=0), spelled(rng, "NOON 100N", "#10 NO", around=0), spelled(rng, "BASSOON", "-OSNAB", highest=0.48)]
+    return [spelled(rng, "BALLOON", "-NOLAB", around=0), spelled(rng, "NOON 100N", "#10 NO", around=0), spelled(rng, "BASSOON", "-OSNAB", highest=0.48), any_word(rng, "#10 NO")]
 
 
 # %% [markdown]

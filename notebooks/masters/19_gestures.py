@@ -445,7 +445,8 @@ check("gestures-valley", deepest_point)
 
 # %% role="case" title="a valley" points=1
 def inputs(rng):
-    return [some_valley(rng, (1, 5, 9, 4, 2), 2), some_valley(rng, (-11, -8, -2, -3), 1), some_valley(rng, (2, 7, 3, 7, 1), 3)]
+    return [some_valley(rng, (1, 5, 9, 4, 2), 2), some_valley(rng, (-11, -8, -2, -3), 1), some_valley(rng, (2, 7, 3, 7, 1), 3),
+            some_valley(rng, rng.permutation(np.arange(1, 40))[:6], 2)]
 
 
 # %% role="case" title="over the end of the contour" points=1 hint="After the last point comes the first one: (position + 1) % len(contour)."

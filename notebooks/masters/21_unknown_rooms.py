@@ -134,12 +134,12 @@ check("unknown-coverage", coverage)
 def inputs(rng):
     return [(np.array([[0.2, -0.1, 0.0]]), np.array([[0, -1], [0, 0]])),
             (np.array([[0.2, 0.1, 0.0], [0.7, 0.1, 0.0], [0.3, 0.2, 1.0], [9.2, 0.2, 1.0]]), np.array([[0, 0], [1, 0], [2, 0], [3, 0]])),
-            all_reached(rng)]
+            all_reached(rng), any_room(rng), any_room(rng, 150), any_room(rng, 250)]
 
 
 # %% role="case" title="a path on both sides of 0" points=1 hint="Do you round down also below 0?"
 def inputs(rng):
-    return [any_room(rng), any_room(rng, 20)]
+    return [any_room(rng), any_room(rng, 20), any_room(rng, 150), any_room(rng, 250)]
 
 
 # %% role="hidden" title="any path" points=1 hint="Does each cell count once, and only if it is in cells?"

@@ -1,6 +1,7 @@
 """Validate an exercise before any learner is graded by it."""
 
 from functools import partial
+from itertools import cycle
 
 from ..exercises.canonical import array_of, canonical
 from ..exercises.checking import run_cases
@@ -11,11 +12,15 @@ from ..exercises.feedback import explain_failure
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
 _MOST_BYTES = 65_536  # of an answer that is compared with a tolerance
-_SEEDS = (PUBLIC_SEED, _ANOTHER_SEED, 2, 3)
+BUILD_SEEDS = 10  # by which a build draws inputs; the course's own exercises are tested with 50
+_MOST_BY_CHANCE = 2  # seeds with which guesses may be right: the one that they are from, and one more
 
 
-def validate_exercise(exercise):
-    """Problems: a solution that fails, a stub or mistake that is not recognized, a mistake without costs."""
+def validate_exercise(exercise, seeds=BUILD_SEEDS):
+    """Problems: a solution that fails, a stub or mistake that is not recognized, a mistake without costs.
+
+    And checks whose points an answer can earn that looks at none of its arguments, with so many seeds.
+    """
     solution = exercise.function_of(exercise.solution, "solution")
     if exercise.subject == "drive":
         return [*_refusals(exercise), *_drive_problems(exercise, solution)]
@@ -34,7 +39,8 @@ def validate_exercise(exercise):
         problems += _mistake_problems(exercise, mistake)
     for case in exercise.cases:
         problems += _size_problems(exercise, case)
-        problems += _seed_problems(exercise, case, solution) if case.points else []
+        if case.points:
+            problems += _seed_problems(exercise, case, solution, [PUBLIC_SEED, *range(1, seeds)])
     return problems
 
 
@@ -58,7 +64,7 @@ def _drive_problems(exercise, solution):
     for mistake in exercise.mistakes:
         yield from _recognition_problems(exercise, mistake)
     for case in exercise.hidden:
-        if exercise.arguments(case, _SEEDS[0]) == exercise.arguments(case, _SEEDS[1]):
+        if exercise.arguments(case) == exercise.arguments(case, _ANOTHER_SEED):
             yield f"{case.id}: inputs(rng) ignores rng; draw the scenario from it"
 
 
@@ -89,24 +95,39 @@ def _mistake_problems(exercise, mistake):
         )
 
 
-def _seed_problems(exercise, case, solution):
-    """Points need an answer that depends on inputs that only the key's seed gives."""
-    calls = [exercise.arguments(case, seed) for seed in _SEEDS]
+def _seed_problems(exercise, case, solution, seeds):
+    """Points need an answer that looks at its arguments: what it must return changes with the key's seed."""
+    calls = [exercise.arguments(case, seed) for seed in seeds]
     if exercise.subject != "function" and not any(steps for _, steps in calls[0]):
         return []  # what __init__ makes has no inputs, and the task says what it is
-    arguments = [[canonical(value, limit=None) for call in drawn for value in call] for drawn in calls]
+    arguments = [
+        sorted(str([canonical(value, limit=None) for value in call]) for call in drawn) for drawn in calls
+    ]
     if all(drawn == arguments[0] for drawn in arguments):
         return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
     answers = [[exercise.call(solution, call).value for call in drawn] for drawn in calls]
-    difference = partial(compare, tolerance=case.tolerance, exact_type=exercise.exact_type)
+    differ = partial(compare, tolerance=case.tolerance, exact_type=exercise.exact_type)
     for constant in [answer for drawn in answers for answer in drawn]:
-        passed = [all(difference(answer, constant) is None for answer in drawn) for drawn in answers]
-        if sum(passed) > 1:
+        if _passes_by_chance([constant], answers, differ):
             return [
                 f"{case.id}: a constant passes it with several seeds, {describe(constant)}; add a call whose"
                 " answer differs"
             ]
+    if any(_passes_by_chance(drawn, answers, differ) for drawn in answers):
+        return [
+            f"{case.id}: an answer that only counts its calls passes it with several seeds; add a call that"
+            " draws its answer from more values"
+        ]
     return []
+
+
+def _passes_by_chance(guesses, answers, differ):
+    """Whether these answers, call by call and then again, are right with more seeds than chance explains."""
+    passed = (
+        all(differ(answer, guess) is None for answer, guess in zip(drawn, cycle(guesses), strict=False))
+        for drawn in answers
+    )
+    return sum(passed) > _MOST_BY_CHANCE
 
 
 def _is_empty_stub(exercise):

@@ -5,7 +5,11 @@ hidden character may be the very thing that the reader must know. HTML is escape
 """
 
 import re
+import sys
+from functools import cache
+from pathlib import Path
 
+_COMMON = {"/usr", "/usr/local", "/tmp", "/opt"}  # folders that every machine has
 _FORMULA_STARTS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 _FORMULA_START = rf"(?=[{re.escape(''.join(_FORMULA_STARTS))}])"
 _AFTER_SEMICOLON = re.compile(rf"(;[ '\"]*){_FORMULA_START}")
@@ -39,16 +43,35 @@ def spreadsheet_text(value):
     """
     if isinstance(value, (int, float)):
         return value
-    line = sanitize_line(value, 2000)
+    line = without_formulas(sanitize_line(value, 2000))
+    return f"'{line}" if value.startswith(("\t", "\r", "\n")) and not line.startswith("'") else line
+
+
+def without_formulas(text):
+    """The text with an apostrophe before each part that a spreadsheet would take for a formula."""
     # A spreadsheet that separates cells by semicolons takes what follows one for a cell.
-    line = _AFTER_SEMICOLON.sub(r"\1'", line)
-    looks_like_formula = line.lstrip(" '\"").startswith(_FORMULA_STARTS)
-    return f"'{line}" if looks_like_formula or value.startswith(("\t", "\r", "\n")) else line
+    text = _AFTER_SEMICOLON.sub(r"\1'", text)
+    return f"'{text}" if text.lstrip(" '\"\t\r\n").startswith(_FORMULA_STARTS) else text
 
 
 def without_apostrophes(text):
     """The text without the apostrophes that `spreadsheet_text` put before what looks like a formula."""
     return _APOSTROPHE.sub(r"\1", text)
+
+
+def without_machine_paths(text):
+    """The text with … for the folders of this machine: an answer finds them in /proc."""
+    return _machine_paths().sub("…", text) if "/" in text else text
+
+
+@cache
+def _machine_paths():
+    """A pattern of the folders of the user, the course and Python, and of their ends, as mounts show them."""
+    folders = {Path.home(), Path.cwd(), Path(sys.prefix), Path(sys.base_prefix), Path(__file__).parents[3]}
+    parts = [folder.resolve().parts[1:] for folder in folders] + [folder.parts[1:] for folder in folders]
+    ends = {"/".join(("", *part[start:])) for part in parts for start in range(max(1, len(part) - 1))}
+    longest_first = sorted(filter(None, ends - _COMMON), key=len, reverse=True)
+    return re.compile(rf"(?:{'|'.join(map(re.escape, longest_first))})(?![\w.-])")
 
 
 def _escape(character):

@@ -2,12 +2,20 @@
 
 The answer cell has an id, and its metadata name its exercise: the metadata survive when JupyterLab merges or
 splits cells, and the id when a tool drops the metadata. If no such cell defines the exercise's function,
-another cell may.
+another cell may. Of several answer cells, such as a copy below, the one counts that the learner's check used.
 """
 
+import re
 from dataclasses import dataclass, replace
 
-from .cell_syntax import BLANK, CellDefinitions, bound_names, function_definitions, plain_python
+from .cell_syntax import (
+    BLANK,
+    CellDefinitions,
+    argument_count,
+    bound_names,
+    function_definitions,
+    plain_python,
+)
 
 
 @dataclass(frozen=True)
@@ -35,8 +43,8 @@ def find_answer_cell(exercise, cells, lesson):
     """The cell that an answer is taken from.
 
     A cell that defines the function counts more than the stub; then a marked cell more than another one, code
-    more than text, the first marked cell, and the last of the others, as after Run All. It is None if no cell
-    is marked, and none defines the function.
+    more than text, of marked cells the one that the check used, and the last of the others, as after Run All.
+    It is None if no cell is marked, and none defines the function.
     """
     own = [cell for cell in cells if is_marked(cell, exercise)]
     own.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != f"answer-{exercise.id}"))
@@ -49,11 +57,27 @@ def find_answer_cell(exercise, cells, lesson):
     others.sort(key=lambda cell: (cell["type"] == "code", cell["number"]), reverse=True)
     stub = function_definitions(exercise.stub).get(exercise.function)
     answers = [cell for cell in own if _is_answer(cell, exercise, stub, is_own=True)]
+    if len(answers) > 1:
+        used = _used_by_check(answers, exercise, cells)
+        answers = [used, *(cell for cell in answers if cell is not used)]
     answers += [cell for cell in others if _is_answer(cell, exercise, stub)]
     if answers:
         return AnswerCell(answers[0], True, own, answers[1:])
     stubs = [cell for cell in own if exercise.function in cell["functions"]]
     return next((AnswerCell(cell, False, own, []) for cell in (*stubs, *own, *others)), None)
+
+
+def _used_by_check(answers, exercise, cells):
+    """Of answer cells the one with the highest execution count before the last run of their check.
+
+    Without counts it is the last one. A cell has `count` None if it was not run, or if that is unknown.
+    """
+    call = re.compile(rf"""\bcheck\(\s*["']{re.escape(exercise.id)}["']""")
+    checks = [cell["count"] for cell in cells if cell.get("count") and call.search(cell["source"] or "")]
+    candidates = [cell for cell in answers if cell["type"] == "code"] or answers[:1]
+    counted = [cell for cell in candidates if cell.get("count")]
+    before = [cell for cell in counted if not checks or cell["count"] < max(checks)]
+    return max(before or counted or candidates, key=lambda cell: (cell.get("count") or 0, cell["number"]))
 
 
 def requests_to_compose(answered):
@@ -65,6 +89,7 @@ def requests_to_compose(answered):
             exercise.function,
             sorted({"np"}.union(*map(bound_names, exercise.given))),
             preferred,
+            argument_count(exercise.stub, exercise.function),
         ]
         for exercise, cell in answered.items()
     ]

@@ -28,12 +28,14 @@ class CellRun:
 
     source    what ran
     cell_id   "" if the front end sends none
+    exercise  the one that JupyterLab's metadata of the cell name, ""
     error     what ended it, in a sentence, "" if it came to its end
     is_read   False if Python could not read it
     """
 
     source: str
     cell_id: str = ""
+    exercise: str = ""
     error: str = ""
     is_read: bool = True
 
@@ -59,14 +61,14 @@ class CellRuns:
     def __init__(self):
         self._runs = []
 
-    def start(self, source, cell_id=""):
+    def start(self, source, cell_id="", exercise=""):
         """Record that a cell begins to run; returns the CellRun."""
-        self._runs = [*self._runs[1 - _MOST_RUNS :], CellRun(source, cell_id or "")]
+        self._runs = [*self._runs[1 - _MOST_RUNS :], CellRun(source, cell_id or "", exercise)]
         return self._runs[-1]
 
     def begin(self, info):
         """Record that IPython begins to run a cell."""
-        self.start(info.raw_cell, getattr(info, "cell_id", None))
+        self.start(info.raw_cell, getattr(info, "cell_id", None), _exercise_of_request())
 
     def end(self, result):
         """Record how the last cell of IPython ended."""
@@ -79,8 +81,8 @@ class CellRuns:
 
         They are dicts, as `answer_cells.find_answer_cell` reads them.
         """
-        latest = {run.cell_id or number: run for number, run in enumerate(self._runs)}
-        return [_as_cell(number, run) for number, run in enumerate(latest.values())]
+        latest = {run.cell_id or count: (count, run) for count, run in enumerate(self._runs, 1)}
+        return [_as_cell(number, *counted) for number, counted in enumerate(latest.values())]
 
     def why_older(self, exercise_id, name, function):
         """Why the function is older than the learner's cell, and what to do; "" if it is not.
@@ -100,14 +102,24 @@ class CellRuns:
         return _explain_name(run, name, "class" if isinstance(function, type) else "function")
 
 
-def _as_cell(number, run):
+def _exercise_of_request():
+    """The exercise in the metadata of the cell that begins to run: JupyterLab sends them, a copy's too."""
+    shell = sys.modules["IPython"].get_ipython()
+    metadata = getattr(shell, "get_parent", dict)().get("metadata", {})
+    about = metadata.get("imgproc_course")
+    exercise = about.get("exercise") if isinstance(about, dict) else None
+    return exercise if isinstance(exercise, str) else ""
+
+
+def _as_cell(number, count, run):
     source = plain_python(run.source)
     names = bound_names(source)
     return {
         "number": number,
         "id": run.cell_id,
         "type": "code",
-        "exercise": "",
+        "exercise": run.exercise,
+        "count": count,
         "source": run.source,
         "functions": function_definitions(source),
         "answer": {"error": not run.is_read, "names": None if "*" in names else names},

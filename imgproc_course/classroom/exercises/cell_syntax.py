@@ -461,7 +461,7 @@ class CellDefinitions:
     def __init__(self, cells):
         self._cells = cells
 
-    def compose(self, position, function, given=(), preferred=None):
+    def compose(self, position, function, given=(), preferred=None, arguments=0):
         """The source by which an answer is graded: what it reads from other cells, then its own cell.
 
         A name has the value that it has after all cells above the answer ran: its last definition, and what
@@ -470,9 +470,10 @@ class CellDefinitions:
         above. `from module import *` may define every name that nothing else defines.
 
         `position` is that of the answer's cell; `preferred` is {name: position of the cell that defines it}
-        for other answers. Returns the source and a tuple of Taken.
+        for other answers; `arguments` is how many arguments every call gives: their default values count for
+        nothing. Returns the source and a tuple of Taken.
         """
-        answer = _without_stub(self._cells[position], function)
+        answer = _without_defaults(_without_stub(self._cells[position], function), function, arguments)
         statements = statements_of(answer)
         own_names = {name for statement in statements for name in statement.binds}
         slice_ = _Slice(self._places_by_name, position, set(given), own_names, preferred or {})
@@ -581,6 +582,45 @@ class _Slice:
             for place in self._index.get("*", ())
             if unknown_names and place.cell != self._position and (place.cell < self._position or needs_more)
         ]
+
+
+def argument_count(source, function):
+    """How many arguments without a default value a function of a source takes; 0 if it defines none."""
+    counts = [
+        len(definition.args.posonlyargs + definition.args.args) - len(definition.args.defaults)
+        for definition in _functions_named(source, function)
+    ]
+    return counts[-1] if counts else 0
+
+
+def _functions_named(source, name):
+    return [node for node in _top_level(source) if isinstance(node, _FUNCTIONS) and node.name == name]
+
+
+def _without_defaults(source, function, count):
+    """The source with None for the default values of the first arguments that read names.
+
+    Every call gives these arguments: `def luma(bgr=frame)` needs no frame. A function that names itself may
+    call itself without them.
+    """
+    for definition in _functions_named(source, function) if "\r" not in source else ():
+        if function in _names_read(ast.unparse(definition)):
+            continue
+        arguments = [*definition.args.posonlyargs, *definition.args.args]
+        defaults = zip(arguments[::-1], definition.args.defaults[::-1], strict=False)
+        for argument, default in defaults:  # from the last to the first: places before stay
+            if arguments.index(argument) < count and _names_read(ast.unparse(default)):
+                source = _replaced(source, default, "None")
+    return source
+
+
+def _replaced(source, node, text):
+    """The source with another text for a node, on as many lines."""
+    lines = source.encode("utf-8", "replace").split(b"\n")
+    first, last = node.lineno - 1, node.end_lineno - 1
+    before, after = lines[first][: node.col_offset], lines[last][node.end_col_offset :]
+    lines[first : last + 1] = [before + text.encode() + b"\n" * (last - first) + after]
+    return b"\n".join(lines).decode("utf-8")
 
 
 def _without_stub(source, function):

@@ -182,7 +182,10 @@ class Exercise(CheckData):
         return answer
 
     def arguments(self, case, seed=PUBLIC_SEED):
-        """A tuple of arguments for each call that a case makes; it depends only on the seed and the case."""
+        """A tuple of arguments for each call that a case makes; it depends only on the seed and the case.
+
+        A key's seed shuffles the calls. The seed of the lesson keeps the master's order: the simplest first.
+        """
         return next(self.draws(case, seed))
 
     def draws(self, case, seed=PUBLIC_SEED):
@@ -194,9 +197,9 @@ class Exercise(CheckData):
             raise MasterError(f"{place} does not define inputs(rng)")
         rng = np.random.default_rng([seed, zlib.crc32(case.id.encode())])
         while True:
-            yield self._draw(case, names["inputs"], rng, place)
+            yield self._draw(case, seed, names["inputs"], rng, place)
 
-    def _draw(self, case, inputs_of, rng, place):
+    def _draw(self, case, seed, inputs_of, rng, place):
         try:
             inputs = inputs_of(rng)
         except Exception as error:
@@ -206,7 +209,9 @@ class Exercise(CheckData):
             raise MasterError(
                 f"{place}: inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
             )
-        return [(_scenario(case, calls, place),)] if self.subject == "drive" else calls
+        if self.subject == "drive":
+            return [(_scenario(case, calls, place),)]
+        return calls if seed == PUBLIC_SEED else [calls[number] for number in rng.permutation(len(calls))]
 
 
 def _scenario(case, calls, place):

@@ -11,6 +11,7 @@ import ctypes
 import difflib
 import inspect
 import io
+import keyword
 import linecache
 import re
 import signal
@@ -36,6 +37,9 @@ _PATIENCE = 2  # time limits that a function may wait in addition, for the proce
 SUBJECTS = ("function", "node", "package", "drive")  # what an answer may be
 NODES = ("node", "package")  # those whose answer has a node, which `node_driver` drives
 _NODE_ARGUMENTS = ["look", "steps"]  # of a call in an exercise that drives, see `node_driver`
+
+
+MEANT = "Did you mean"  # before the name that is most like a misspelled one
 
 
 class TimeUp(BaseException):
@@ -272,7 +276,7 @@ def _closest(error):
         names = dir(error.obj)
     elif isinstance(error, NameError) and wanted:
         frame = list(traceback.walk_tb(error.__traceback__))[-1][0]
-        names = [*frame.f_locals, *frame.f_globals]
+        names = [*frame.f_locals, *frame.f_globals, *keyword.kwlist]  # retrun (x) is a call
     plain = {name.lower(): name for name in names if not name.startswith("_")}
     close = difflib.get_close_matches(wanted.lower(), plain, n=1, cutoff=0.75) if plain else []
     closest = plain[close[0]] if close else ""

@@ -35,8 +35,6 @@ def file_problem(status, largest):
         return "it is a link; links are not followed: submit the notebook itself"
     if not stat.S_ISREG(status.st_mode):
         return "it is not a regular file"
-    if status.st_nlink > 1:
-        return "it is a hard link: the same file has another name; submit a copy"
     if status.st_size > largest:
         return too_large(status.st_size, largest)
     return ""

@@ -16,6 +16,7 @@ from ..exercises.error_advice import advice_on
 from ..exercises.feedback import explain_failure
 from .archives import LARGEST, too_large
 from .notebook_reader import NotebookReader
+from .senders import notebook_name
 from .submission import AnswerState, SubmissionContent, read_submission
 
 _ADVICE = {
@@ -150,7 +151,7 @@ def _read(path):
             f"{path}: no such file; give the lesson that you want to submit, such as"
             " my_lessons/03_images_as_messages.ipynb"
         )
-    if path.suffix != ".ipynb":
+    if not notebook_name(path.name).endswith(".ipynb"):
         raise LessonFileError(
             f"{path} is not a notebook: its name does not end in .ipynb; give the lesson's own file"
         )

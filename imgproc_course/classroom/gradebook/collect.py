@@ -9,9 +9,9 @@
     submissions/class.zip                                     a platform's zip, as it was downloaded
     submissions/ada.zip                                       a learner's own zip: all of it is ada's
 
-A single zip can also be given alone. Only regular files are read, as bytes. Links are not followed, a
-file with a second name (a hard link) is refused, nothing is unpacked to disk, and a name from outside never
-becomes a path.
+A single zip can also be given alone. Only regular files are read, as bytes. Links are not followed; a
+file with several names (hard links, as `cp -al` makes) is read, and reported if two people have it. Nothing
+is unpacked to disk, and a name from outside never becomes a path.
 
 What arrives as one person's is theirs: names inside it are never believed. A zip is a platform's if it lies
 at the top (or in the folder of a lesson) and every file in it has the form that Moodle or Canvas gives it; a
@@ -38,6 +38,7 @@ from .senders import (
     Certainty,
     Sender,
     is_lesson_file,
+    notebook_name,
     numbered_learners,
     platform_sender,
     sender_of,
@@ -113,6 +114,7 @@ def collect(path, lessons=()):
     intake = _Intake(path.resolve(), tuple(lessons), collection)
     if path.is_dir():
         intake.add_everything()
+        intake.report_links()
     else:
         intake.add_file(path.resolve(), is_everything=True)
     collection.finish()
@@ -172,7 +174,7 @@ class Collection(AbstractContextManager):
             self.add_finding("sender", sender.learner, parts, sender.doubt)
         if not group and not sender.platform and len(parts) > 1:
             group = sanitize_line(parts[0], 120)
-        _, repetition = split_repetition(PurePosixPath(parts[-1]).stem)
+        _, repetition = split_repetition(PurePosixPath(notebook_name(parts[-1])).stem)
         moment, source = submitted_at.isoformat() if submitted_at else "", display_path(parts)
         order = (sender.sequence, moment, repetition, number, source)
         more |= {"source": source, "group": group, "submitted_at": submitted_at, "order": order}
@@ -197,6 +199,7 @@ class _Intake:
 
     def __init__(self, root, lessons, collection):
         self._root, self._lessons, self._collection = root, lessons, collection
+        self._linked = {}
         self._members, self._numbered = Counter(), frozenset()
 
     # ------------------------------------------------------------ folders
@@ -303,6 +306,8 @@ class _Intake:
             self._collection.ignore(sender.learner, parts)
             return
         about = {}
+        if status and status.st_nlink > 1:
+            self._linked.setdefault((status.st_dev, status.st_ino), []).append((path, sender))
         if status:
             location = (os.fspath(path), status.st_dev, status.st_ino)
             about["submitted_at"] = local_time(status.st_mtime)
@@ -314,6 +319,20 @@ class _Intake:
                 if not reason:
                     return
         self._collection.add(sender, parts, reason=reason, **about)
+
+    def report_links(self):
+        """Report files that several people have; the same file twice in one person's folder is no matter.
+
+        A link changes the time of the folder that it is made in, so the folder changed last has the copy.
+        """
+        for entries in self._linked.values():
+            entries.sort(key=lambda entry: (Path(entry[0]).parent.stat().st_mtime_ns, os.fspath(entry[0])))
+            first, owner = entries[0]
+            for path, sender in entries[1:]:
+                if sender.learner != owner.learner:
+                    text = f"it is the same file as {display_path(self._parts(first))} (a hard link)"
+                    text += f" of {owner.learner}; both are graded: ask whose it is"
+                    self._collection.add_finding("sender", sender.learner, self._parts(path), text)
 
     # ------------------------------------------------------------ zips
 
@@ -436,7 +455,7 @@ def _is_folder(entry):
 
 
 def _suffix(path):
-    return PurePosixPath(os.fspath(path).lower()).suffix
+    return PurePosixPath(notebook_name(os.fspath(path)).lower()).suffix
 
 
 def _counted_name(member):

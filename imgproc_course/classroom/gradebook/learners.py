@@ -6,6 +6,7 @@ import time
 from collections import Counter
 from dataclasses import dataclass, field
 from itertools import chain
+from pathlib import PurePosixPath
 
 from tqdm import tqdm
 
@@ -13,7 +14,7 @@ from ..autograder.answer_key import Key
 from .archives import CollectError
 from .collect import IntakeFinding, SubmittedFile, digest_of
 from .notebook_reader import NotebookReader
-from .senders import Certainty
+from .senders import Certainty, notebook_name, split_repetition
 from .submission import AnswerState, SubmissionContent, lesson_by_name, read_submission
 
 NOTEBOOK_SECONDS = 5  # of processor time, for reading one notebook; a usual one takes 0.02
@@ -91,7 +92,7 @@ def read_all(collection, answer_keys, store, *, quiet=None):
         for file in tqdm(collection.files, desc="reading", unit=" files", disable=quiet, leave=False):
             submissions.append(reader.read(file))
     learners = _learners(submissions)
-    collection.findings += _replaced_by_name(submissions)
+    collection.findings += [*_replaced_by_name(submissions), *_spelled_differently(submissions)]
     return learners
 
 
@@ -219,6 +220,31 @@ def _replaced_by_name(submissions):
         if lesson and file.certainty < counting.certainty:
             text = f"it names {file.learner}, whose own submission of {lesson} counts: {counting.source}"
             yield IntakeFinding("sender", file.group, file.source, text)
+
+
+def _spelled_differently(submissions):
+    """A finding for each file that counts as somebody's whose other file of this lesson is spelled otherwise.
+
+    "ada _20_light" and "ada_20_light" give one name, and could be two people's.
+    """
+    spelled = {}
+    for submission in sorted(submissions, key=lambda submission: submission.file.order):
+        file, lesson = submission.file, submission.lesson
+        if lesson and not file.platform and file.certainty is Certainty.OWN:
+            spelled.setdefault((file.learner, lesson), {}).setdefault(_spelling(file), file.source)
+    for (learner, lesson), sources in spelled.items():
+        first, *others = sources.values()
+        for source in others:
+            text = f"with {first} it gives one name, and the spelling differs; only one {lesson} counts:"
+            yield IntakeFinding("sender", learner, source, f"{text} if they are two people's, rename one")
+
+
+def _spelling(file):
+    """What names its sender: its folder, or its file without the mark of a repeated submission."""
+    parts = file.source.split("/")[len(file.place) :]
+    name = PurePosixPath(notebook_name(parts[0]))
+    stem = name.stem if len(parts) == 1 or name.suffix == ".zip" else name.name
+    return split_repetition(stem)[0]
 
 
 def unproven_dates(files, deadline):

@@ -3,7 +3,8 @@
     Canvas    Grades > Export: "Student", "ID", ..., "Section", "grayscale (1234)" per assignment
     Moodle    View all submissions > Download grading worksheet: "Identifier", ..., "Grade", one assignment
 
-Only the points of graded lessons are written; every other cell stays as it is. A row is matched to a learner
+Only the points of graded lessons are written; every other cell stays as it is, save for an apostrophe before
+what a spreadsheet would take for a formula. A row is matched to a learner
 by the platform's number, which is part of the names of the files that the platform hands out. Otherwise it is
 matched by a login, an e-mail address or a number that is the learner's name here.
 """
@@ -12,11 +13,13 @@ import re
 from pathlib import Path
 
 from ..authoring.lesson_names import lesson_name, lessons_named
+from ..autograder.sanitize import without_formulas
 from .csv_table import TableError, csv_text, read_csv
 from .lms_export import EXCUSED, lessons_of, platform_points
 from .roster import identities_of, number_of
 
 _CANVAS = ("Student", "ID"), ("LastName", "FirstName", "ID")
+_NUMBER = re.compile(r"\s*[+-]?[\d.,]*\s*")
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
 
 
@@ -75,8 +78,14 @@ def fill_table(table, grades):
         names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
         lines.append(f"  graded, but in no row of the table: {names}")
     lines += _different_points(table, columns, grades)
-    text = csv_text([table.columns, *rows], delimiter=table.delimiter)
+    cells = ([_harmless(cell) for cell in row] for row in (table.columns, *rows))
+    text = csv_text(cells, delimiter=table.delimiter)
     return table.byte_order_mark + text, lines
+
+
+def _harmless(cell):
+    """A cell of the platform's own without a formula; numbers, and the dash for no points, stay."""
+    return cell if _NUMBER.fullmatch(cell) else without_formulas(cell)
 
 
 def _graded_lessons(grades):

@@ -12,7 +12,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from ..autograder.outcomes import TEXTS, Outcome
-from ..autograder.sanitize import sanitize_line, sanitize_text
+from ..autograder.sanitize import sanitize_line, sanitize_text, without_machine_paths
 from ..exercises import values
 from ..exercises.error_advice import advice_on
 from .submission import NOT_PYTHON
@@ -26,8 +26,9 @@ _CELL_ADVICE = (
 _MAP_CAPTION = "The drive: a green dot is its start, a cross a bump, a ring the decisive moment."
 _DRIVES_WRONG = "does not drive as the task asks"
 _NAME_ADVICE = (
-    "The autograder runs the given cell of the exercise and your answer cell, and nothing else of the"
-    " notebook: everything that your answer needs must be in one of the two."
+    "The autograder runs the given cell of the exercise, your answer cell, and the functions, classes,"
+    " imports and constants of other cells that your answer reads. Nothing else of the notebook runs. Is the"
+    " name misspelled, or does no cell define it?"
 )
 
 
@@ -42,13 +43,18 @@ def _environment():
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.finalize = lambda value: sanitize_text(value, 20_000) if type(value) is str else value
+    environment.finalize = _shown
     environment.markup = jinja2.utils.markupsafe.Markup
     environment.filters["capital"] = _capital
     environment.filters["count"] = count_of
     environment.filters["numbered"] = lambda name: (name, "number")
     environment.filters["percent"] = lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0
     return environment
+
+
+def _shown(value):
+    """A text as pages show it; anything else unchanged."""
+    return without_machine_paths(sanitize_text(value, 20_000)) if type(value) is str else value
 
 
 def _capital(text):

@@ -18,6 +18,8 @@ _MOODLE = re.compile(r"_(?P<id>\d{1,20})_assignsubmission_[a-z]+_?")
 _CANVAS = re.compile(
     r"(?P<name>[^_]+)_(?:(?P<late>LATE)_)?(?P<id>\d{1,20})_(?P<order>\d{1,18})_(?P<file>.+)", re.S | re.I
 )
+# Some browsers save a notebook as text: 04_grayscale.ipynb.txt, and once more as 04_grayscale.ipynb (1).txt.
+_NOTEBOOK_AS_TEXT = re.compile(r"(?P<stem>.+)\.ipynb(?P<copy> ?\(\d{1,6}\))?\.(?:txt|json)", re.S | re.I)
 _REPEATED = re.compile(r"(?P<stem>.+?)(?:-(?P<number>\d{1,6})|[ _]?\((?P<copy>\d{1,6})\))", re.S)
 
 
@@ -59,6 +61,7 @@ def sender_of(parts, lessons, numbered=frozenset()):
 
     Folders with a lesson's name are ignored.
     """
+    parts = (*parts[:-1], notebook_name(parts[-1]))
     folders = (part in numbered or not is_lesson(part, lessons) for part in parts[:-1])
     depth = next((depth for depth, names_somebody in enumerate(folders) if names_somebody), len(parts) - 1)
     sender = platform_sender(parts[depth])
@@ -90,6 +93,12 @@ def numbered_learners(paths, lessons):
     return frozenset(votes) if 2 * learners >= len(votes) else frozenset()
 
 
+def notebook_name(name):
+    """The name of a file; of a notebook that a browser saved as text the notebook's own: ada.ipynb."""
+    match = _NOTEBOOK_AS_TEXT.fullmatch(name)
+    return f"{match['stem']}{match['copy'] or ''}.ipynb" if match else name
+
+
 def platform_sender(name):
     """The Sender in a name that Moodle or Canvas made, or None.
 
@@ -115,7 +124,7 @@ def name_in_stem(stem, lessons):
     unnumbered, _ = split_repetition(stem)
     named_lessons = lessons_named(unnumbered, lessons)
     stem = unnumbered if named_lessons and unnumbered.endswith(named_lessons[-1]) else stem
-    return without_lesson(stem, lessons) or stem
+    return (without_lesson(stem, lessons) if named_lessons else "") or stem
 
 
 def split_repetition(stem):
@@ -126,5 +135,5 @@ def split_repetition(stem):
 
 def is_lesson_file(name, lessons):
     """Whether a file is named after a lesson, and after nothing else."""
-    stem, _ = split_repetition(PurePosixPath(name).stem)
+    stem, _ = split_repetition(PurePosixPath(notebook_name(name)).stem)
     return platform_sender(name) is None and is_lesson(stem, lessons)

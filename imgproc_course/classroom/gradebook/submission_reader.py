@@ -34,6 +34,7 @@ MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what
 _COURSE_IDS = ("answer-", "check-", "given-", "predict-")
 _MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
+_MOST_COUNT = 1_000_000  # runs of cells
 _MOST_NAME = 200  # characters of a name or an id
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
 _PR_SET_PDEATHSIG = 1
@@ -51,10 +52,10 @@ def read_notebook(data):
     lesson, version, kernel  str, or None if the notebook does not name them
     cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
            `exercise` (the id in its metadata, or "") and `functions` (see `cell_syntax.function_definitions`;
-           of a cell that is no code only if its text is). A code cell and a cell of the course have `source`
-           (str, at most one character more than MOST_CHARACTERS; None if it is not text, or after MOST_CODE).
-           A cell of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`), a
-           check cell `output`
+           of a cell that is no code only if its text is); a code cell has `count`, int or None. A code cell
+           and a cell of the course have `source` (str, at most one character more than MOST_CHARACTERS; None
+           if it is not text, or after MOST_CODE). A cell of the course has `grader_tags`, an answer cell also
+           `answer` (see `_parsed_answer`), a check cell `output`
     """
     notebook = _parsed(data)
     nbformat = notebook.get("nbformat")
@@ -153,6 +154,8 @@ def _cell(cell, number, code_left):
         "exercise": _text(cell, "metadata", "imgproc_course", "exercise") or "",
         "functions": {},
     }
+    if content["type"] == "code":
+        content["count"] = _count(cell)
     source = _joined(cell.get("source"))
     if source is not None:
         source = source[: MOST_CHARACTERS + 1]
@@ -171,6 +174,12 @@ def _cell(cell, number, code_left):
     if content["id"].startswith("check-"):
         content["output"] = _output_text(cell)
     return content
+
+
+def _count(cell):
+    """The execution count of a code cell; None if it was not run, or if its count is none."""
+    count = cell.get("execution_count", cell.get("prompt_number"))
+    return count if type(count) is int and 0 < count < _MOST_COUNT else None
 
 
 def _may_define(content, source):

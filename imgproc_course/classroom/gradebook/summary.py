@@ -8,6 +8,7 @@ import numpy as np
 
 from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from ..autograder.sanitize import spreadsheet_text
+from ..exercises.running import MEANT
 from .csv_table import csv_text
 from .grades_json import lesson_names
 from .report import count_of, finding_text, render_page
@@ -142,6 +143,14 @@ def _about_outcomes(lesson, own_modules):
             yield name, exercise["id"], f"{exercise['id']}: {text}"
 
 
+def _about_misspelled_names(lesson, _):
+    """`retrun (x)` is a call of a name that nothing has; the public checks say which name was meant."""
+    for exercise in lesson["exercises"]:
+        for message in [case["message"] for case in exercise["cases"]]:
+            if message.startswith("NameError") and MEANT in message:
+                yield "unfair", exercise["id"], f"{exercise['id']}: {message}"
+
+
 def _about_broken_cells(lesson, _):
     """An answer whose cell does not run, unless it is listed as a slip already."""
     for exercise in lesson["exercises"]:
@@ -152,7 +161,13 @@ def _about_broken_cells(lesson, _):
             yield "broken", exercise["id"], f"{exercise['id']}: {[*texts, *messages][0]}"
 
 
-_RULES = (_about_submission, _about_findings, _about_outcomes, _about_broken_cells)
+_RULES = (
+    _about_submission,
+    _about_findings,
+    _about_outcomes,
+    _about_misspelled_names,
+    _about_broken_cells,
+)
 
 
 def _refused_module(cases):

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from ..authoring.lesson_names import lesson_name
-from ..autograder.sanitize import sanitize_line, without_apostrophes
+from ..autograder.sanitize import sanitize_line, spreadsheet_text, without_apostrophes
 from .anonymity import anonymous_id
 from .csv_table import TableError, is_comment, read_csv
 from .deadlines import Deadlines, local_time_of, read_late_policy
@@ -86,10 +86,11 @@ def _by_learner(rows, names):
 
     `names` are {name or anonymous id: the learner's name, or None: this person's rows are left out}.
     """
-    assigned = {}
+    assigned, as_written = {}, {spreadsheet_text(name): name for name in names}
     for row in rows:
-        # An apostrophe keeps a spreadsheet from taking a name, or a part of it, for a formula.
-        written = (row.learner, row.learner.removeprefix("'"), without_apostrophes(row.learner))
+        # As grades.csv writes it: an apostrophe keeps a spreadsheet from taking a name for a formula.
+        copied = as_written.get(row.learner, row.learner)
+        written = (copied, row.learner.removeprefix("'"), without_apostrophes(row.learner))
         name = next((text for text in written if text in names), None)
         if name is None:
             raise TableError(f"{row.place}: there is no learner {_unknown(row.learner, names)}")

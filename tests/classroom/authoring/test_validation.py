@@ -4,9 +4,12 @@ import pytest
 
 from imgproc_course.classroom.authoring.validation import validate_exercise
 from imgproc_course.classroom.exercises import read_exercises
+from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
 
 HIDDEN_INPUTS = "return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),) for _ in range(3)]"
 BRIGHT = "return (rng.integers(128, 256, (5, 5), dtype=np.uint8),)"  # whose doubles are all 255
+SAME_TWO_CALLS = "return [(np.full((5, 5), level, np.uint8),) for level in (3, 7)]"
+TWO_ANSWERS = "return [(np.full((5, n), 7, np.uint8),) for n in (3, 4, rng.integers(3, 5))]"
 ONE_TYPE, FIVE_TYPES = (
     "astype(np.uint8)\n\n# %% role",
     "astype('HIqde'[pixels[0, 0] // 10 % 5])\n\n# %% role",
@@ -59,6 +62,8 @@ def test_a_valid_exercise_has_no_problem(write_master):
         ([(HIDDEN_INPUTS, "return (np.full((5, 5), 7, np.uint8),)")], "", "inputs(rng) ignores rng"),
         ([(HIDDEN_INPUTS, BRIGHT)], "", "a constant passes it with several seeds"),
         ([(HIDDEN_INPUTS, BRIGHT), (ONE_TYPE, FIVE_TYPES)], "", "a constant passes it with several seeds"),
+        ([(HIDDEN_INPUTS, SAME_TWO_CALLS)], "", "inputs(rng) ignores rng"),
+        ([(HIDDEN_INPUTS, TWO_ANSWERS)], "", "only counts its calls passes it with several seeds"),
     ],
 )  # fmt: skip
 def test_an_invalid_exercise_is_named(write_master, replacements, added, message):
@@ -76,3 +81,13 @@ def test_a_mistake_costs_points_for_another_seed_too(write_master):
     )
     (problem,) = problems_of(write_master(add=mistake))
     assert "the mistake 'once' earns all points" in problem
+
+
+def test_a_key_shuffles_the_calls_of_a_check_and_the_lesson_keeps_their_order(write_master):
+    (exercise,) = read_exercises(write_master((HIDDEN_INPUTS, "return [(np.uint8([n]),) for n in range(9)]")))
+    (case,) = exercise.hidden
+    orders = [[int(call[0][0]) for call in exercise.arguments(case, seed)] for seed in (PUBLIC_SEED, 1, 2)]
+    assert orders[0] == list(range(9))
+    assert orders[1] != orders[2] and orders[0] not in orders[1:]
+    assert all(sorted(order) == orders[0] for order in orders)
+    assert exercise.arguments(case, 1) == exercise.arguments(case, 1)

@@ -53,6 +53,22 @@ def test_what_an_exercise_allows_is_there_and_nothing_remains_for_the_next(kerne
     assert run(kernel_factory, (), "import cv2\ncv2.add(1, 2)")[1][0] == "RefusedModule"
 
 
+SHOWS = [
+    ("from tqdm import tqdm\nprint([n * n for n in tqdm([1, 2, 3], desc='rows')])", "[1, 4, 9]"),
+    ("from tqdm.auto import trange\nprint(list(trange(1, 4, 2)))", "[1, 3]"),
+    ("import tqdm.notebook as t\nprint(*t.tqdm('ab'))", "a b"),
+    ("import tqdm\nwith tqdm.tqdm(total=9) as bar:\n    bar.update(3)\nbar.close()\nprint(1)", "1"),
+    ("import tqdm\ntqdm.tqdm.write('no')\nprint(len(tqdm.tqdm([4])))", "1"),
+    ("try:\n    from rich.progress import track\nfinally:\n    print(*track(range(2)))", "0 1"),
+    ("from rich import print as show\nshow('[red]7[/red]')\nprint('shown')", "shown"),
+]
+
+
+@pytest.mark.parametrize(("code", "printed"), SHOWS)
+def test_what_only_shows_something_is_allowed_and_silent(kernel_factory, code, printed):
+    assert run(kernel_factory, (), code) == (f"{printed}\n", ("", ""))
+
+
 def test_libraries_find_one_another(kernel_factory):
     code = "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.savefig('a.png')\n"
     code += "import imgproc_course.recording\nprint('found')"

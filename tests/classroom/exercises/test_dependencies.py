@@ -39,7 +39,8 @@ def test_numpy_the_standard_library_and_what_shows_something_need_no_permission(
     source = (
         "import json, math, numpy as np\nfrom IPython.display import display\n"
         "import matplotlib.pyplot as plt\nfrom imgproc_course.display import show\n"
-        "def f(a):\n    import xml.dom.minidom\n    return json, math, np, display, plt, show\n"
+        "from tqdm.notebook import tqdm\n"
+        "def f(a):\n    import xml.dom.minidom\n    return json, math, np, display, plt, show, tqdm(a)\n"
     )
     assert refused(source) == {}
 

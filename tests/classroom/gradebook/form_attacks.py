@@ -295,13 +295,6 @@ def _link(folder, light):
     (folder / f"{LESSON}.ipynb").symlink_to(right)
 
 
-@attack(57, "a hard link to a neighbour's notebook", "hard link")
-def _hard_link(folder, light):
-    right = write(folder.parents[1] / "right-too.ipynb", notebook(light, answers_of(light, "right")))
-    folder.mkdir(parents=True)
-    (folder / f"{LESSON}.ipynb").hardlink_to(right)
-
-
 @attack(57, "a folder that is a link")
 def _link_to_folder(folder, light):
     write(folder / f"{LESSON}.ipynb", wrong_notebook(light))

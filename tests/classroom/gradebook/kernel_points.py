@@ -48,7 +48,7 @@ class NotebookKernel:
         for cell in (*cells, *reruns):
             source = cell.get("source") if isinstance(cell, dict) else None
             if isinstance(source, str) and cell.get("cell_type") == "code":
-                self._execute(source, cell.get("id"))
+                self._execute(source, cell.get("id"), about=cell.get("metadata"))
         return self._evaluate(CALL.format(functions=functions))
 
     def _evaluate(self, expression):
@@ -56,10 +56,11 @@ class NotebookKernel:
         assert content["status"] == "ok", content
         return json.loads(literal_eval(content["data"]["text/plain"]))
 
-    def _execute(self, source, cell_id, expressions=None):
+    def _execute(self, source, cell_id, expressions=None, about=None):
         content = {"code": source.encode("utf-8", "replace").decode(), "silent": False}
         content |= {"user_expressions": expressions or {}, "store_history": False, "stop_on_error": False}
-        metadata = {"cellId": cell_id} if isinstance(cell_id, str) else {}
+        metadata = dict(about) if isinstance(about, dict) else {}  # JupyterLab sends those of the cell
+        metadata |= {"cellId": cell_id} if isinstance(cell_id, str) else {}
         message = self._client.session.msg("execute_request", content, metadata=metadata)
         self._client.shell_channel.send(message)
         while True:

@@ -258,6 +258,11 @@ def test_a_large_file_is_not_read(lesson, monkeypatch):
         check_lesson(lesson())
 
 
+def test_a_notebook_that_a_browser_saved_as_text_is_checked(lesson):
+    path = lesson()
+    assert check_lesson(path.rename(path.with_name("my_lesson.ipynb.txt"))).ready
+
+
 def test_a_file_of_another_kind_and_a_folder_are_one_line(tmp_path):
     (tmp_path / "notes.txt").write_text("hello")
     done = CliRunner().invoke(check, [str(tmp_path / "notes.txt")])
@@ -349,7 +354,7 @@ def test_an_answer_that_needs_another_cell_is_reported(lesson):
     cell_note, check_note = lesson_check.exercises[0].notes
     assert cell_note == "a statement in its cell fails: NameError: name 'y' is not defined"
     assert "double() raised NameError: name 'x' is not defined" in check_note
-    lesson_check = run(lesson(edit(ANSWER, source="def double(pixels=y): return 3")))
+    lesson_check = run(lesson(edit(ANSWER, source="def double(pixels, more=y): return 3")))
     (note,) = lesson_check.exercises[0].notes
     assert note == "its cell does not run by itself: NameError: name 'y' is not defined"
     assert not lesson_check.ready

@@ -26,6 +26,7 @@ def class_folder(masters, key_path, tmp_path_factory):
     write(folder / "in" / "Bob" / "20_light.ipynb", notebook(light, half), DEADLINE + timedelta(minutes=1))
     write(folder / "in" / "Bob" / "21_sound.ipynb", notebook(sound, answers_of(sound, "right")), DEADLINE)
     write(folder / "in" / "=Eve" / "20_light.ipynb", right, DEADLINE + timedelta(days=2, hours=1))
+    write(folder / "in" / "'=Eve" / "20_light.ipynb", right, DEADLINE)
     write(folder / "in" / "Zoe" / "20_light.ipynb", b"{", DEADLINE)
     grade_submissions(folder / "in", [key_path], folder / "out", workers=1, quiet=True)
     return folder
@@ -65,6 +66,14 @@ def test_a_decision_replaces_the_points_of_an_exercise(grade, class_folder):
     assert learners["Bob"]["points"] == light["points"] + 4
     page = (class_folder / "out" / learners["Bob"]["page"]).read_text()
     assert "Half of it, in class" in page
+
+
+@pytest.mark.parametrize(("written", "name"), [("'=Eve", "=Eve"), ("''=Eve", "'=Eve"), ("=Eve", "=Eve")])
+def test_a_decision_means_the_name_as_grades_csv_writes_it(grade, class_folder, written, name):
+    lessons, _, _ = grade(HEADER + f"{written},light,,1,mine\n")
+    assert [learner for learner, entries in lessons.items() if entries["light"]["decision"]] == [name]
+    table = (class_folder / "out" / "grades.csv").read_text(encoding="utf-8-sig")
+    assert '"\'=Eve"' in table and "\"''=Eve\"" in table
 
 
 def test_an_excused_exercise_counts_neither_for_nor_against(grade):
@@ -157,7 +166,7 @@ def test_a_row_about_somebody_of_the_roster_who_handed_in_nothing_waits(grade, t
     lessons, _, summary = grade(decisions, roster=tmp_path / "roster.csv", **options)
     assert "Illi" not in lessons
     assert not lessons["Bob"]["light"]["late"]  # by the address in the roster
-    assert "Of 3 in the roster, 1 have not submitted. Not in it: 2 learners" in summary.text
+    assert "Of 3 in the roster, 1 have not submitted. Not in it: 3 learners" in summary.text
     with pytest.raises(TableError, match=r"row 2: there is no learner 'Illi'; .* give the --roster"):
         grade(decisions, **options)
 

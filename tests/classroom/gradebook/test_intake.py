@@ -286,6 +286,29 @@ def test_names_that_look_alike_are_two_people(submissions, names, shown):
     assert findings(collection) == [(other, text)]
 
 
+@pytest.mark.parametrize(
+    "names",
+    [("ada", "Ada"), ("ada l", "ada  l"), ("ada", "\u0430da"), ("ada.ipynb", "ada .ipynb"), ("ada", "ada ")],
+)
+def test_names_that_differ_by_a_space_the_case_or_a_letter_replace_nobody(read, light, submissions, names):
+    for year, name in enumerate(names, 2026):
+        path = submissions / name / "20_light.ipynb" if ".ipynb" not in name else submissions / name
+        write(path, notebook(light), datetime(year, 1, 1))
+    _, learners = read(submissions)
+    assert len(learners) == 2 and not any(learner.earlier for learner in learners.values())
+
+
+@pytest.mark.parametrize("other", ["ada _20_light.ipynb", "ada-20_light.ipynb", "ada  20_light.ipynb"])
+def test_a_file_that_gives_one_name_in_another_spelling_is_reported(read, light, submissions, other):
+    write(submissions / "ada_20_light.ipynb", notebook(light), datetime(2026, 1, 1))
+    write(submissions / "ada_20_light-1.ipynb", notebook(light), datetime(2026, 1, 2))
+    write(submissions / other, notebook(light), datetime(2027, 1, 1))
+    write(submissions / "ada-21_sound.ipynb", b"{}")
+    collection, _ = read(submissions)
+    ((learner, text),) = findings(collection)
+    assert learner == "ada" and "with ada_20_light.ipynb it gives one name" in text
+
+
 def test_two_forms_of_one_letter_in_different_folders_are_one_person(submissions):
     write(submissions / "light" / "l\u00e9a.ipynb", b"{}")
     write(submissions / "sound" / "le\u0301a.ipynb", b"{}")

@@ -75,6 +75,25 @@ def test_canvas_gradebook_is_filled_and_nothing_else_changes(submitted, grade, t
     ]
 
 
+def test_what_a_spreadsheet_would_take_for_a_formula_gets_an_apostrophe(submitted, grade, table):
+    evil = CANVAS.replace('"Crane, Ichabod",44,s3', '"=HYPERLINK(1)",44,+A1').replace(",9.00,90.0", ",-9.0,-")
+    text, _ = filled(
+        table("gradebook.csv", evil.replace("Mo,5.00,N/A,", "@SUM(1),5.00,x;-y,")), grade(submitted)
+    )
+    rows = cells(text)
+    assert rows[5] == [
+        "'=HYPERLINK(1)",
+        "44",
+        "'+A1",
+        "ichabod@school.example",
+        "'@SUM(1)",
+        "5.00",
+        "x;'-y",
+        "",
+    ]
+    assert rows[3][6:] == ["-9.0", "-"]
+
+
 def test_empty_lines_of_a_table_stay(submitted, grade, table):
     grades = grade(submitted)
     text, lines = filled(table("gradebook.csv", CANVAS), grades)

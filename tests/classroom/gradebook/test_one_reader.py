@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from jupyterlab_cells import insert, new_cell, position_of
 from kernel_points import NotebookKernel
-from own_cells import FORMS, MORE, NODE, NODE_FORMS, NODE_MORE, ONCE_REFUSED
+from own_cells import FORMS, MORE, NODE, NODE_FORMS, NODE_MORE, ONCE_REFUSED, TIMES
 from submissions import SEED, answers_of, cell_of, notebook
 from template_master import write_carried_files
 
@@ -293,6 +293,78 @@ def test_a_right_answer_that_reads_a_value_of_an_own_cell_passes(light, checks, 
     path.write_text(json.dumps(made), encoding="utf-8")
     in_kernel, in_run, texts = verdicts(made, checked(path, checks)[1], kernel)
     assert in_kernel == in_run == {"light-double": 1, "light-halves": 2}, texts
+
+
+MARK = {"imgproc_course": {"exercise": "light-double"}}
+RIGHT, WRONG = TIMES.format(2), "def double(pixels):\n    return pixels"
+COUNTS = {  # (count of the answer cell, of its copy below, of the check), and which of them is graded
+    "corrected below": ((3, 7, 8), "copy"),
+    "corrected above": ((7, 3, 8), "answer"),
+    "tried above after the check": ((9, 4, 8), "copy"),
+    "tried below after the check": ((4, 9, 8), "answer"),
+    "the check never ran": ((4, 9, None), "copy"),
+    "the copy never ran": ((4, None, 8), "answer"),
+    "no counts": ((None, None, None), "copy"),
+}
+
+
+@pytest.mark.parametrize("name", COUNTS)
+def test_of_an_answer_cell_and_its_copy_the_one_that_the_check_used_is_graded(
+    light, answer_keys, checks, kernel, tmp_path, name
+):
+    (own, copied, checked_at), graded = COUNTS[name]
+    sources = {"answer": WRONG, "copy": WRONG} | {graded: RIGHT}
+    made = notebook(light, answers_of(light, "right") | {"light-double": sources["answer"]})
+    cell_of(made, "answer-light-double")["execution_count"] = own
+    cell_of(made, "check-light-double-1")["execution_count"] = checked_at
+    copy = new_cell(sources["copy"]) | {"id": "copied01", "metadata": MARK, "execution_count": copied}
+    insert(made, position_of(made, "answer-light-double") + 1, copy)
+    path = tmp_path / "20_light.ipynb"
+    path.write_text(json.dumps(made), encoding="utf-8")
+    content, lesson_check = checked(path, checks)
+    assert content == verdict_of_grade(path, answer_keys)
+    texts = [text for _, exercise, text in content["findings"] if exercise == "light-double"]
+    places = {"answer": "answer-light-double", "copy": "copied01"}
+    first, other = (places.pop(graded), *places.values())
+    assert texts == [f"2 cells define double(): {first} is graded, and not {other}"]
+    assert points_of_run(lesson_check)["light-double"] == 1
+    if own and copied and checked_at:  # the kernel runs them in the order of their counts
+        at = {
+            cell["id"]: cell["execution_count"] or 0 for cell in made["cells"] if cell["cell_type"] == "code"
+        }
+        cells = [cell for cell in made["cells"] if at.get(cell["id"], 0) < checked_at]
+        points, text = kernel.points(sorted(cells, key=lambda cell: at.get(cell["id"], 0)), FUNCTIONS)[
+            "light-double"
+        ]
+        assert points == 1 and "not the answer" not in text and "another cell" not in text, text
+
+
+DEFAULTS = {
+    "an image of the lesson": "def double(pixels=PICTURE):\n    "
+    "return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)",
+    "on three lines": "def double(\n    pixels=PICTURE[\n        0\n    ],\n):\n    "
+    "return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)",
+    "an own argument keeps its value": "def double(pixels=PICTURE, factor=FACTOR):\n    "
+    "return np.minimum(pixels.astype(int) * factor, LIMIT).astype(np.uint8)",
+}
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_a_default_value_of_an_argument_that_every_call_gives_needs_nothing(
+    light, answer_keys, checks, tmp_path, name
+):
+    own = ["import skimage.data\nPICTURE = skimage.data.camera()\nFACTOR = 2"]
+    path = tmp_path / "20_light.ipynb"
+    path.write_text(json.dumps(with_own_cells(light, own, DEFAULTS[name])), encoding="utf-8")
+    content, lesson_check = checked(path, checks)
+    assert content == verdict_of_grade(path, answer_keys)
+    assert points_of_run(lesson_check)["light-double"] == 1
+    assert "PICTURE" not in content["answers"]["light-double"]
+    lines = (
+        content["answers"]["light-double"].partition("# The answer cell:\n")[2]
+        or content["answers"]["light-double"]
+    )
+    assert lines.count("\n") == DEFAULTS[name].count("\n")
 
 
 # ---------------------------------------------------------------- an answer that is a class

@@ -5,7 +5,9 @@ import io
 import json
 import re
 import shutil
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -65,6 +67,21 @@ class Tags(html.parser.HTMLParser):
     def handle_starttag(self, tag, attrs):
         self.found.add(tag)
         self.attributes += attrs
+
+
+def test_no_page_shows_a_folder_of_this_machine(masters, key_path, tmp_path):
+    """An answer finds them in /proc; a printed part of a folder is replaced, too."""
+    here = str(Path(__file__).parents[3])
+    end = here[here.find("/", 1) :]
+    found = f"re.findall({here!r} + '.*', open('/proc/self/mountinfo').read())"
+    folder = f"import re\n    print('/usr/lib', {end!r}, {sys.prefix!r}, {found}[:3])"
+    answer = f"def double(pixels):\n    {folder}\n    return 0"
+    write(tmp_path / "in" / "eve.ipynb", notebook(masters["light"], {"light-double": answer}))
+    grade_submissions(tmp_path / "in", [key_path], tmp_path / "out", workers=1, quiet=True)
+    (page,) = (tmp_path / "out" / "learners").iterdir()
+    text = page.read_text(encoding="utf-8")
+    assert "/usr/lib" in text and "…" in text
+    assert here not in text and sys.prefix not in text and end not in text
 
 
 def test_no_page_contains_anything_that_runs_or_loads(pages):
@@ -204,6 +221,8 @@ ALIKE = {
     "endless": "def double(pixels):\n    while True:\n        pass",
     "ending": "import os\n\ndef double(pixels):\n    os._exit(0)",
     "overflow": "def double(pixels):\n    return (pixels * 300) // 150",
+    "slip": "def double(pixels):\n    retrun (pixels * 2)",
+    "mistyped": "def double(pixels):\n    result = pixels * 2\n    return reslut",
     "nameless": "def double(pixels):\n    return cv9.add(pixels, pixels)",
     "at-times": "def double(pixels):\n    assert len(pixels) < 9\n    return pixels",
     "quotes": "def double(pixels):\n    I don\u2019t know",
@@ -260,8 +279,23 @@ def test_one_cause_of_every_failure_replaces_the_hints(alike, name, cause, advic
     assert "Double()" not in text and "answer cell is missing" not in text
 
 
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [("slip", "is not defined. Did you mean return?"), ("mistyped", "Did you mean result?")],
+)
+def test_a_misspelled_name_is_said_with_the_right_one(alike, name, meant):
+    assert meant in alike[name] and "Nothing else of the notebook runs." in alike[name]
+    _, _, looked_at = alike["summary"].partition("<h2>May have lost points unfairly</h2>")
+    (row,) = [
+        row for row in looked_at.partition("</section>")[0].split("<tr>") if f"<bdi>{name}</bdi>" in row
+    ]
+    assert meant in row
+
+
 def test_an_undefined_name_shows_what_grading_runs_and_the_hints(alike):
-    assert alike["nameless"].count("nothing else of the notebook") == 1
+    assert alike["nameless"].count("Nothing else of the notebook runs.") == 1
+    assert alike["nameless"].count("imports and constants of other cells that your answer reads") == 1
+    assert "Did you mean" not in alike["nameless"]
     assert alike["nameless"].count("Hint:") == 2
 
 

@@ -92,6 +92,7 @@ def test_text_about_a_function_is_no_answer(read, made):
 def test_a_duplicated_answer_cell(read, made):
     copy = dict(cell_of(made, DOUBLE), source="def double(p):\n    return p")
     made["cells"].append(copy)
+    made["cells"].insert(0, made["cells"].pop())
     content = read(made)
     assert "astype" in content.answers["light-double"]
     assert content.states["light-double"] is AnswerState.ANSWERED

@@ -63,7 +63,9 @@ def call_to_json(result):
         return {"timed_out": True}
     data = {"changed": list(result.changed), "printed": result.printed}
     if result.error:
-        return data | {"error": result.error, "message": result.message, "line": result.line}
+        is_slip = result.error == "NameError" and result.closest
+        message = f"{result.message}. {running.MEANT} {result.closest}?" if is_slip else result.message
+        return data | {"error": result.error, "message": message, "line": result.line}
     return data | {"value": shorten_form(result.value)}
 
 

@@ -2,7 +2,8 @@
 
 They are refused by their names, and only where the learner's own code imports them: libraries find each
 other. An unused import gives an empty module. An import inside a try or a with statement fails, so that the
-answer's own way without the module is taken. Using an empty module raises RefusedModule.
+answer's own way without the module is taken. Using an empty module raises RefusedModule. In the place of a
+module that only shows something stands one that shows nothing.
 """
 
 import builtins
@@ -44,10 +45,49 @@ class _EmptyModule(types.ModuleType):
         return _Unusable(self.__name__)
 
 
-def _empty_modules(name):
-    """Empty modules for a dotted name and its packages, the outermost first."""
+class _Silent:
+    """What a module that only shows something holds; called with values, as a progress bar, it gives them."""
+
+    def __init__(self, values=()):
+        self._values = values
+
+    def __call__(self, values=(), *_arguments, **_options):
+        return _Silent(values if hasattr(values, "__iter__") else ())
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return _silent_named(name)
+
+    def __iter__(self):
+        return iter(self._values)
+
+    def __len__(self):
+        return len(self._values)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_error):
+        return False
+
+
+def _silent_named(name):
+    return range if name in ("trange", "tnrange") else _Silent()
+
+
+class _SilentModule(types.ModuleType):
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return _silent_named(name)
+
+
+def _stand_ins(name):
+    """Modules that stand for a dotted name and its packages, the outermost first: silent ones, or empty."""
     parts = name.split(".")
-    modules = [_EmptyModule(".".join(parts[:count])) for count in range(1, len(parts) + 1)]
+    kind = _SilentModule if parts[0] in course.DISPLAY_ONLY else _EmptyModule
+    modules = [kind(".".join(parts[:count])) for count in range(1, len(parts) + 1)]
     for package, module, part in zip(modules, modules[1:], parts[1:], strict=False):
         setattr(package, part, module)
     return modules
@@ -70,12 +110,12 @@ def allow_modules(allowed):
         return name in names or name in sys.stdlib_module_names
 
     def refused(name, frame):
-        """The empty modules for a name that this frame may not import, [] if it may."""
+        """What stands for the module that this frame may not import, [] if it may."""
         if frame.f_globals.get("__name__") != "__main__" or is_allowed(name):
             return []
-        if _is_guarded(frame):
+        if _is_guarded(frame) and name.partition(".")[0] not in course.DISPLAY_ONLY:
             raise RefusedModule(f"write this exercise without {name}", name=name)
-        return _empty_modules(name)
+        return _stand_ins(name)
 
     def import_(name, globals=None, locals=None, fromlist=(), level=0):
         frame = sys._getframe(1)
