@@ -591,7 +591,7 @@ def test_a_client_says_what_is_wrong(robot, monkeypatch):
         robot.drive(0, 0, seconds=-1)
     monkeypatch.setattr(module, "TIMEOUT", 0.3)
     other = Robot("/other")
-    with pytest.raises(RuntimeError, match=r"no robot subscribes to /other/manual_control/cmd_vel: open_cam"):
+    with pytest.raises(RuntimeError, match=r"no robot answers on /other/manual_control/cmd_vel: open_camera"):
         other.drive(0.1, 0)
     for arrived in ({}, {"scan": (time.monotonic() - 5, "of a robot that is gone")}):
         other._messages.update(arrived)
@@ -601,6 +601,32 @@ def test_a_client_says_what_is_wrong(robot, monkeypatch):
     other.close()
     with pytest.raises(RuntimeError, match="closed"):
         other.drive(0.1, 0)
+
+
+def test_a_robot_of_another_machine_answers_by_its_odometry(robot, wait_until):
+    from geometry_msgs.msg import Twist
+    from nav_msgs.msg import Odometry
+    from rclpy.qos import qos_profile_sensor_data
+
+    from imgproc_course.ros import Robot, RosSession
+
+    node, commands = RosSession().node, []
+    subscription = node.create_subscription(Twist, "/other/manual_control/cmd_vel", commands.append, 10)
+    odometry = node.create_publisher(Odometry, "/other/odometry/odometry", qos_profile_sensor_data)
+    with Robot("/other") as other:
+        with pytest.raises(RuntimeError, match="no robot answers"):
+            other.drive(0.1, 0)
+        timer = node.create_timer(0.05, lambda: odometry.publish(Odometry()))
+        other.drive(0.1, 0)
+        wait_until(lambda: commands)
+        assert commands[0].linear.x == 0.1
+        RosSession().run(lambda: node.destroy_timer(timer))
+
+    def remove():
+        node.destroy_subscription(subscription)
+        node.destroy_publisher(odometry)
+
+    RosSession().run(remove)
 
 
 def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
@@ -635,6 +661,7 @@ def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
 
 def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, caplog):
     from imgproc_course.ros import ImageSubscriber, open_camera
+    from imgproc_course.ros.robot_process import robot_runs
 
     robot.restart(start=(0.4, -0.3, 0.0))
     robot.drive(0.2, 0.0, seconds=1.0)
@@ -647,6 +674,10 @@ def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, ca
             if is_robot and command[-3] == os.environ["ROS_DOMAIN_ID"]:
                 process.kill()
         wait_until(lambda: any("ended unexpectedly" in record.message for record in caplog.records))
+        wait_until(lambda: not robot_runs(int(os.environ["ROS_DOMAIN_ID"])))
+        assert robot._commands.get_subscription_count() == 1  # ROS does not know yet
+        with pytest.raises(RuntimeError, match="no robot answers on /kachaka/manual_control/cmd_vel"):
+            robot.drive(0.2, 0.0, seconds=30.0)  # while it drives, too
         with open_camera("room", rate=15):
             assert subscriber.wait(60).shape == (360, 640, 3)
             assert robot.pose[0] == pytest.approx(0, abs=1e-9)  # it has begun again
