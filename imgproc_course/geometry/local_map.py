@@ -43,13 +43,13 @@ class LocalMap:
             nothing is measured
         """
         x, y, yaw = pose
-        ranges = np.asarray(ranges, float)
-        angles = yaw + np.arange(len(ranges)) * (2 * math.pi / len(ranges))
-        angles, ranges = angles[~np.isnan(ranges)], ranges[~np.isnan(ranges)]
+        lengths = np.asarray(ranges, float)
+        angles = yaw + np.arange(len(lengths)) * (2 * math.pi / len(lengths))
+        angles, lengths = angles[~np.isnan(lengths)], lengths[~np.isnan(lengths)]
         start = np.array([x + offset * math.cos(yaw), y + offset * math.sin(yaw)])
-        rays = np.minimum(ranges, RANGE)[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+        rays = np.minimum(lengths, RANGE)[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
         self.log_odds = update_grid(
-            self.log_odds, self._cells(start), self._cells(start + rays), hits=ranges < RANGE
+            self.log_odds, self._cells(start), self._cells(start + rays), hits=lengths < RANGE
         )
 
     def add_low_points(

@@ -227,7 +227,9 @@ class Robot:
 
     def _is_room_starting(self):
         """Whether the room's robot runs, and has not subscribed to the commands yet."""
-        status = running_robot(self._session.context.get_domain_id()) if self._is_of_the_room() else None
+        if not self._is_of_the_room():
+            return False
+        status: Any = running_robot(self._session.context.get_domain_id())
         return bool(status) and status["request"].get("source") == "room"
 
     def _is_of_the_room(self):

@@ -68,7 +68,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · The depth image ([[minutes]])
 #
-# You know the depth image from [[what_is_image_processing#4]]: for every second row and every second column of the frame, it has a distance in millimetres. This distance is the *[[term:depth]]* of a point: how far it is in front of the camera, measured straight ahead. 0 means: no depth; a depth image of floats has NaN there.
+# You know the depth image from [[what_is_image_processing#4]]: for every second row and every second column of the frame, it has a distance in millimetres. This distance is the *[[term:depth]]* of a point: how far it is in front of the camera, measured straight ahead. 0 means: no depth; other cameras send NaN.
 
 # %%
 frame = recording.frame(30)
@@ -848,10 +848,8 @@ def free_distance(depth):
     seen = robot_rays * (depth / 1000)[:, :, np.newaxis]
     forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
     measured = forward > 0  # False where the depth is 0 or NaN
-    if measured.mean() < 0.5:
-        return 0.0
     mask = measured & (np.abs(left) <= 0.20) & (height > 0.03) & (height < 0.40)
-    return forward[mask].min(initial=np.inf) - 0.03
+    return forward[mask].min(initial=np.inf) - 0.03 if measured.mean() > 0.5 else 0.0
 
 
 def drive_and_brake(speed, limit):
@@ -895,8 +893,6 @@ assert all(0.15 <= kept[speed] < 0.19 for speed in kept)
 # %% [markdown]
 # Now it keeps its distance at every speed. How large must the margin be? This camera sees the floor straight ahead only from a distance of 0.38 m. A toy that is nearer is below the image. So with low obstacles, use a margin of 0.35 m or more.
 #
-# A pixel without a depth, 0 or NaN, is no obstacle. But it is no free way either: if less than half of the pixels have a depth, `free_distance` returns 0, and the robot brakes.
-#
 # Finally, a node does the same in ROS. It subscribes to the depth image, publishes a `LaserScan` on `/scan` for everybody, and the command for the robot. The camera of the room has the same rays as that of the simulation.
 
 # %%
@@ -932,11 +928,10 @@ if ros_available():
                 qos_profile_sensor_data)
 
         def on_depth(self, msg):
-            depth = image_to_array(msg)
-            seen = self.rays * (depth / 1000)[:, :, np.newaxis]
-            forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
-            self.publish_scan(msg.header, scan_of(forward, left, height))
-            self.distance = free_distance(depth)
+            seen = self.rays * (image_to_array(msg) / 1000)[:, :, np.newaxis]
+            scan = scan_of(seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1])
+            self.publish_scan(msg.header, scan)
+            self.distance = free_distance(image_to_array(msg))
             # 0.2 s: one frame, and the latency
             stopping = self.speed * 0.2 + self.speed**2 / (2 * 0.6)
             command = Twist()

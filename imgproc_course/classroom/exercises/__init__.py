@@ -6,6 +6,7 @@ from .check_files import CheckFileError
 from .checking import CheckResult, check, run_cases
 from .declaration import MasterError, exercise, read_exercises
 from .drive_check import with_progress
+from .error_advice import advise_everywhere
 from .guesses import GuessComparison, compare_guess
 from .help_steps import hint, solution
 from .overview import Overview, overview
@@ -31,3 +32,4 @@ __all__ = [
 ]
 
 watch_cells()
+advise_everywhere()
