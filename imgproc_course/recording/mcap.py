@@ -35,9 +35,7 @@ class _CheckedMcapWriter(McapWriter):
 class CheckedWriter(Writer):
     """rosbags' Writer, with a CRC in each chunk of an MCAP file."""
 
-    STORAGE_PLUGINS = MappingProxyType(
-        {**Writer.STORAGE_PLUGINS, StoragePlugin.MCAP: _CheckedMcapWriter}
-    )
+    STORAGE_PLUGINS = MappingProxyType({**Writer.STORAGE_PLUGINS, StoragePlugin.MCAP: _CheckedMcapWriter})
 
 
 class Chunk(NamedTuple):

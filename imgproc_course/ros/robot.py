@@ -117,6 +117,11 @@ class Robot:
         q = pose.orientation
         return pose.position.x, pose.position.y, 2 * math.atan2(q.z, q.w)
 
+    @property
+    def bumps(self) -> int | None:
+        """How often the simulated robot has bumped into something; None if this is not known."""
+        return self._status().get("bumps")
+
     def restart(
         self,
         *,
@@ -127,8 +132,8 @@ class Robot:
     ) -> None:
         """Begins again in the room, in other light, at another place, or in another room.
 
-        Its odometry begins at zero. With `seed` or `room`, person, car and ball begin again too, as in a new
-        `Simulation`; otherwise they go on.
+        Its odometry begins at zero. With `seed` or `room`, or without any argument, person, car and ball
+        begin again too, as in a new `Simulation`; otherwise they go on.
 
         Parameters
         ----------
@@ -150,6 +155,8 @@ class Robot:
                 )
             room = int(room)  # also one of NumPy
         changes = {"seed": seed, "lighting": lighting, "start": start, "room": room}
+        if not any(value is not None for value in changes.values()):
+            changes["seed"] = self._status().get("seed")
         parameters = [Parameter(name, value=value) for name, value in changes.items() if value is not None]
         result = self._set_parameters(parameters)
         if not result.successful:
@@ -227,10 +234,13 @@ class Robot:
 
     def _is_room_starting(self):
         """Whether the room's robot runs, and has not subscribed to the commands yet."""
-        if not self._is_of_the_room():
-            return False
-        status: Any = running_robot(self._session.context.get_domain_id())
-        return bool(status) and status["request"].get("source") == "room"
+        return self._status().get("request", {}).get("source") == "room"
+
+    def _status(self) -> dict[str, Any]:
+        """What the robot process says of itself; empty without one."""
+        return (
+            running_robot(self._session.context.get_domain_id()) if self._is_of_the_room() else None
+        ) or {}
 
     def _is_of_the_room(self):
         return self._topics["commands"] == COMMANDS

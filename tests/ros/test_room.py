@@ -603,6 +603,43 @@ def test_a_client_says_what_is_wrong(robot, monkeypatch):
         other.drive(0.1, 0)
 
 
+@pytest.mark.parametrize("arguments", [{"seed": 5}, {}])
+def test_a_restart_is_the_scene_of_a_new_simulation(robot, collect, wait_until, arguments):
+    from geometry_msgs.msg import PoseStamped
+
+    from imgproc_course.ros.room_images import MOTION_RATE
+    from imgproc_course.simulation import Simulation
+
+    start, names = (0.4, -0.3, 0.0), ("person", "toycar", "ball")
+
+    def time_of_scene():
+        """The time at which a new simulation has person, car and ball where they are now."""
+        poses = [collect(f"/truth/pose/{name}", PoseStamped) for name in names]
+
+        def together():
+            stamps = [{stamp(msg): vector(msg) for msg in messages} for messages in poses]
+            return [[s[moment] for s in stamps] for moment in sorted(set.intersection(*map(set, stamps)))]
+
+        wait_until(together)
+        live = together()[0]
+        with Simulation(seed=5, start=start, sensor=False) as room:
+            for _ in range(100 * MOTION_RATE):
+                if all(
+                    np.allclose(room.pose(name), pose, atol=1e-6)
+                    for name, pose in zip(names, live, strict=True)
+                ):
+                    return room.time
+                room.step(0.0, 0.0, 1 / MOTION_RATE)
+        pytest.fail("the live scene is at no time that of the simulation")
+
+    robot.restart(seed=5, start=start)
+    robot.drive(0.0, 1.0, seconds=15.0)  # the scene goes on
+    before = time_of_scene()
+    robot.restart(**arguments)
+    assert before > 10 and time_of_scene() < before
+    assert isinstance(robot.bumps, int)
+
+
 def test_a_robot_of_another_machine_answers_by_its_odometry(robot, wait_until):
     from geometry_msgs.msg import Twist
     from nav_msgs.msg import Odometry
