@@ -114,6 +114,7 @@ class DriveView(LiveView):
         self._commanded = threading.Condition()
         self._fastest = math.inf  # seconds from the browser's clock to ours, at best
         self._map = _Map()
+        self._restarts = getattr(robot, "restarts", 0)
         self._threads: list[threading.Thread] = []
         self._warnings = _RobotWarnings(lambda text: self._screen.say(text))
         super().__init__(source, None, look, {})
@@ -197,6 +198,9 @@ class DriveView(LiveView):
                 continue
             try:
                 scan = self._scan()  # first: it is drawn between two odometries
+                if self._restarts != (restarts := getattr(self._robot, "restarts", 0)):
+                    self._restarts = restarts
+                    self._map.forget()
                 message = self._map.update(self._robot.odometry, scan)
                 self._pad.send(message | {"bumps": getattr(self._robot, "bumps", None)})
             except (RuntimeError, TimeoutError) as error:
@@ -232,6 +236,13 @@ class _Map:
     def begin_again(self):
         """The next update has everything. Any thread may call it."""
         self._begins = True
+
+    def forget(self):
+        """Begins a new map."""
+        self.trace = []
+        self._forget_cells()
+        self._places.clear()
+        self.begin_again()
 
     def update(self, odometry, scan):
         """The message for the browser; of trace and cells, what is new since the message before."""
@@ -283,10 +294,7 @@ class _Map:
             before, *last = self._places[-1]
             is_far = math.dist(last[:2], place[:2]) > FASTEST * abs(moment - before) + CELL
             if is_far or (not any(place) and any(last)):
-                self.trace = []
-                self._forget_cells()
-                self._places.clear()
-                self.begin_again()
+                self.forget()
         self._places.append((moment, *place))
         return place
 

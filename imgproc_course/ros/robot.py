@@ -49,6 +49,7 @@ class Robot:
         self._change = threading.Condition()
         self._messages: dict[str, tuple[float, Any]] = {}
         self._subscribed: set[str] = set()
+        self.restarts = 0  # of this object: a map of the time before is of no use
         self._topics = {
             name: self._session.resolve_topic(f"/{namespace.strip('/')}/{topic.partition('/kachaka/')[2]}")
             for name, topic in (("commands", COMMANDS), ("odometry", ODOMETRY), ("scan", SCAN))
@@ -177,6 +178,7 @@ class Robot:
             raise RuntimeError(f"the simulated robot has not answered in {3 * TIMEOUT:g} s; {_START_IT}")
         with self._change:
             self._messages.clear()  # they are of the time before
+            self.restarts += 1
         return future.result().result
 
     def close(self) -> None:
