@@ -21,6 +21,8 @@ DRIVE_ENVIRONMENT = f"{NAME}.simulation.room_env:RoomEnv"
 DRIVE_OBSERVATION = f"{NAME}.simulation.room_env:controller_observation"
 DRIVE_ROOM = f"{NAME}.simulation.room_env:room_of"
 DRIVE_MAP = f"{NAME}.simulation.room_map:draw_map"
+# The list of functions that give advice on an error of a learner's function, wherever it is called.
+ERROR_ADVISERS = f"{NAME}.learner_errors:advisers"
 # The league: the scenario of a room by two secret numbers, what a drive in it is worth, and the packages that
 # a controller may use.
 LEAGUE_SCENARIO = f"{NAME}.simulation.exploration:scenario_of"

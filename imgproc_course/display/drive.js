@@ -3,6 +3,7 @@
 
 const PERIOD = 100;  // milliseconds between commands
 const SILENCE = 2000;  // milliseconds without the robot's odometry until the pad says so
+const FREE = 0.05;  // metres from the place of a bump
 const DEAD_ZONE = 0.15;  // of a stick
 const SLOW = 0.5;  // with Shift
 const KEYS = {
@@ -47,6 +48,7 @@ function makeMap(root) {
     const map = add(svg, "g", {transform: "rotate(-90) scale(1 -1)"});
     const grid = add(map, "path", {class: "imgproc-grid"});
     const walls = add(map, "path", {class: "imgproc-walls"});
+    const movers = add(map, "path", {class: "imgproc-movers"});
     const trace = add(map, "polyline", {class: "imgproc-trace"});
     const robot = add(map, "path", {class: "imgproc-robot", d: "M -.15 .12 H .14 L .237 0 L .14 -.12 H -.15 Z"});
     const cells = new Map();  // "x,y" of a corner: the square as a path
@@ -77,7 +79,9 @@ function makeMap(root) {
     return message => {
         if (message.begins) clear();
         for (const [x, y] of [...message.trace, ...message.cells]) grow(x, y);
-        for (const [x, y] of message.cells) cells.set(`${x},${y}`, `M${x} ${y}h.05v.05h-.05z`);
+        const square = ([x, y]) => `M${x} ${y}h.05v.05h-.05z`;
+        for (const corner of message.cells) cells.set(corner.join(), square(corner));
+        movers.setAttribute("d", message.moving.map(square).join(""));
         for (const corner of message.gone) cells.delete(corner.join());
         walls.setAttribute("d", [...cells.values()].join(""));
         const points = message.trace.map(point => point.join()).join(" ");
@@ -98,8 +102,8 @@ function render({model, el}) {
     });
     const showMap = makeMap(root);
     const legend = add(root, "div", {class: "imgproc-legend"});
-    for (const name of ["robot", "way so far", "seen by the laser scanner"]) add(legend, "span", {}, name);
-    add(legend, "div", {}, "One square of the grid is 1 m wide.");
+    for (const name of ["robot", "path", "walls", "what moves"]) add(legend, "span", {}, name);
+    add(legend, "div", {}, "Seen by the laser scanner. One square of the grid is 1 m wide.");
     const controls = add(root, "div", {class: "imgproc-controls"});
     const buttons = add(controls, "div", {class: "imgproc-buttons"});
     for (const [name, sign] of BUTTONS) {
@@ -110,9 +114,12 @@ function render({model, el}) {
     const state = add(texts, "div", {class: "imgproc-state", role: "status"});
     const numbers = add(texts, "div", {class: "imgproc-numbers"});
     add(texts, "div", {class: "imgproc-help"}, HELP);
+    const restart = add(controls, "button", {type: "button", class: "imgproc-restart"}, "Restart");
+    restart.title = "Everything in the room begins again";
 
     const held = new Map();
     let isSlow = false, isMoving = false, lastMap = performance.now();
+    let bumps = null, bumpPlace = null;  // how many so far, and where the last one was
 
     const send = command => model.send({...command, time: Date.now() / 1000});
     const hasFocus = () => document.hasFocus() && root.contains(document.activeElement);
@@ -129,6 +136,7 @@ function render({model, el}) {
         else if (isMoving) send({kind: "stop", linear: 0, angular: 0});
         isMoving = moves;
         if (performance.now() - lastMap > SILENCE) say("no odometry comes");
+        else if (bumpPlace) say("bumped: drive back");
         else if (!hasFocus()) say("not driving: no focus");
         else say(moves ? "driving" : "ready");
     }
@@ -177,6 +185,7 @@ function render({model, el}) {
             button.addEventListener(end, () => letGo(source));
         }
     }
+    restart.addEventListener("click", () => send({kind: "restart"}));
     root.addEventListener("focusin", tick);
     root.addEventListener("focusout", () => setTimeout(tick));  // the focus may go to one of the buttons
     const ends = new AbortController();
@@ -187,6 +196,9 @@ function render({model, el}) {
         lastMap = performance.now();
         showMap(message);
         const [x, y, yaw] = message.pose, [linear, angular] = message.speed;
+        if (bumps !== null && message.bumps > bumps) bumpPlace = [x, y];
+        else if (bumpPlace && Math.hypot(x - bumpPlace[0], y - bumpPlace[1]) > FREE) bumpPlace = null;
+        bumps = message.bumps;
         numbers.textContent = `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m, ${Math.round(yaw * 180 / Math.PI)}°\n`
             + `${linear.toFixed(2)} m/s, ${angular.toFixed(2)} rad/s`;
     };

@@ -25,6 +25,8 @@ STALE = 0.3  # seconds; a command that the kernel reads so late is of a key that
 MAP_PERIOD = 0.1  # seconds
 CELL = 0.05  # metres: of the map's obstacles
 BEHIND = 0.2  # metres; if the rays around a cell reach so far behind it, what stood there has moved away
+FARTHEST = 4.0  # metres: farther away, the odometry's error would make walls move
+STILL = 30  # scans in which something that has come stays in a cell until it counts as a wall
 FEW = 20  # cells that can disappear at once in the same room
 FASTEST = 0.6  # m/s: what is farther from the last odometry is of a robot that has begun again
 # Where the Kachaka's scanner stands on it: x in metres, and turned to the left.
@@ -47,7 +49,7 @@ def drive(
     The keys work while the map beside the image has the focus: click on it, or reach it with Tab. The robot
     drives only while a key, a button or a stick is held (Shift: at half the speed). It stops when the key is
     released, and when the map loses the focus, the page is closed or the kernel is busy or gone. The map from
-    above shows the way by odometry, and what the laser scanner has seen, in the frame of the odometry.
+    above shows the path by odometry, and by the laser scanner walls and what moves, in the odometry's frame.
 
     Parameters
     ----------
@@ -112,6 +114,7 @@ class DriveView(LiveView):
         self._commanded = threading.Condition()
         self._fastest = math.inf  # seconds from the browser's clock to ours, at best
         self._map = _Map()
+        self._restarts = getattr(robot, "restarts", 0)
         self._threads: list[threading.Thread] = []
         self._warnings = _RobotWarnings(lambda text: self._screen.say(text))
         super().__init__(source, None, look, {})
@@ -154,6 +157,9 @@ class DriveView(LiveView):
             self._fastest = math.inf
             self._map.begin_again()
             return
+        if kind == "restart":
+            threading.Thread(target=self._restart, daemon=True).start()
+            return
         delay = time.time() - content["time"]
         self._fastest = min(self._fastest, delay)
         if kind == "drive" and delay - self._fastest > STALE:
@@ -178,6 +184,12 @@ class DriveView(LiveView):
             except (RuntimeError, ValueError) as error:
                 self._say_error(str(error))
 
+    def _restart(self):
+        try:
+            self._robot.restart()
+        except (AttributeError, RuntimeError, TimeoutError, ValueError) as error:
+            self._say_error(f"this robot cannot restart: {error}")
+
     # ------------------------------------------------------------ the map
 
     def _draw_map(self, stopping):
@@ -186,7 +198,11 @@ class DriveView(LiveView):
                 continue
             try:
                 scan = self._scan()  # first: it is drawn between two odometries
-                self._pad.send(self._map.update(self._robot.odometry, scan))
+                if self._restarts != (restarts := getattr(self._robot, "restarts", 0)):
+                    self._restarts = restarts
+                    self._map.forget()
+                message = self._map.update(self._robot.odometry, scan)
+                self._pad.send(message | {"bumps": getattr(self._robot, "bumps", None)})
             except (RuntimeError, TimeoutError) as error:
                 if not stopping.is_set():
                     self._say_error(str(error))
@@ -209,6 +225,10 @@ class _Map:
     def __init__(self):
         self.trace: list[tuple[float, float]] = []
         self._cells: set[tuple[int, int]] = set()
+        self._passed: set[tuple[int, int]] = set()  # cells that were empty once
+        self._met: collections.Counter[tuple[int, int]] = (
+            collections.Counter()
+        )  # in the last scans, one by one
         # (time, x, y, yaw): a scan is older than the odometry.
         self._places: collections.deque[tuple[float, ...]] = collections.deque(maxlen=20)
         self.begin_again()
@@ -217,18 +237,27 @@ class _Map:
         """The next update has everything. Any thread may call it."""
         self._begins = True
 
+    def forget(self):
+        """Begins a new map."""
+        self.trace = []
+        self._forget_cells()
+        self._places.clear()
+        self.begin_again()
+
     def update(self, odometry, scan):
         """The message for the browser; of trace and cells, what is new since the message before."""
         x, y, yaw = self._follow(odometry)
         begins, self._begins = self._begins, False
-        count, new_cells, gone = len(self.trace), set(), set()
+        count, new_cells, gone, moving = len(self.trace), set(), set(), set()
         if not self.trace or math.dist(self.trace[-1], (x, y)) > 0.01:
             self.trace.append((x, y))
         if scan is not None and (place := self._place_at(seconds(scan.header.stamp))):
             met = cells_of(scan, *place)
             gone = seen_through(self._cells, scan, *place) - met
             if len(gone) > max(len(self._cells) / 2, FEW):  # this is another room
-                self._cells, gone, begins = set(), set(), True
+                self._forget_cells()
+                gone, begins = set(), True
+            met, moving = self._still_and_moving(met, scan, place)
             new_cells = met - self._cells
             self._cells = (self._cells | met) - gone
         if begins:
@@ -240,8 +269,21 @@ class _Map:
             "trace": [[round(u, 3), round(v, 3)] for u, v in self.trace[count:]],
             "cells": [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(new_cells)],
             "gone": [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(gone)],
+            "moving": [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(moving)],
             "begins": begins,
         }
+
+    def _still_and_moving(self, met, scan, place):
+        """The cells in which something stands, and those in which something has come; both of `met`."""
+        self._met = collections.Counter({cell: self._met[cell] + 1 for cell in met})
+        at_walls = {(i + a, j + b) for i, j in self._cells for a in (-1, 0, 1) for b in (-1, 0, 1)}
+        moving = {cell for cell in met & self._passed - at_walls if self._met[cell] < STILL}
+        self._passed |= cells_before(scan, *place) - met
+        return met - moving, moving
+
+    def _forget_cells(self):
+        self._cells, self._passed = set(), set()
+        self._met.clear()
 
     def _follow(self, odometry):
         """(x, y, yaw) of the odometry; what it cannot have reached since the last one begins a new map."""
@@ -252,9 +294,7 @@ class _Map:
             before, *last = self._places[-1]
             is_far = math.dist(last[:2], place[:2]) > FASTEST * abs(moment - before) + CELL
             if is_far or (not any(place) and any(last)):
-                self.trace, self._cells = [], set()
-                self._places.clear()
-                self.begin_again()
+                self.forget()
         self._places.append((moment, *place))
         return place
 
@@ -287,6 +327,18 @@ def cells_of(scan, x, y, yaw):
     angles = (first + scan.angle_increment * np.arange(len(ranges)))[ranges > 0]
     points = place + ranges[ranges > 0, None] * np.stack([np.cos(angles), np.sin(angles)], -1)
     return set(map(tuple, np.floor(points / CELL).astype(int).tolist()))
+
+
+def cells_before(scan, x, y, yaw):
+    """The cells {(i, j)} that the scan's rays have passed, well before what they have met."""
+    place, first, ranges = _rays(scan, x, y, yaw)
+    steps = np.arange(CELL, FARTHEST, CELL)
+    angles = first + scan.angle_increment * np.arange(len(ranges))
+    # Along a wall, a ray touches what its neighbours have met.
+    shortest = np.min([np.roll(ranges, k) for k in range(-3, 4)], axis=0)
+    rows, columns = np.nonzero(steps < shortest[:, None] - BEHIND)
+    points = place + steps[columns, None] * np.stack([np.cos(angles), np.sin(angles)], -1)[rows]
+    return set(map(tuple, np.unique(np.floor(points / CELL).astype(int), axis=0).tolist()))
 
 
 def seen_through(cells, scan, x, y, yaw):

@@ -2,8 +2,6 @@
 
 import html
 import linecache
-import traceback
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import cv2
@@ -13,11 +11,11 @@ from traitlets import Unicode
 
 from imgproc_course.display.controls import Controls, name_of
 from imgproc_course.display.figures import check_image, is_scaled, resize, to_rgb
+from imgproc_course.learner_errors import advice_on, learners_calls
 
 GAP = 6
 WIDTH, WIDTH_OF_SEVERAL, HIGHEST = 640, 960, 480
 QUALITY = 80
-DISPLAY_FOLDER = Path(__file__).parent
 
 
 class Look(NamedTuple):
@@ -191,22 +189,11 @@ def _encode(image):
 
 
 def describe_error(error, function):
-    """Type and message of an error, and the learner's line that raised it, in at most three lines."""
-    text = f"{type(error).__name__}: {error}".strip()
-    if "readonly" in text:
-        text += "\nThe frame shares the message's memory: draw on frame.copy()."
-    calls = [call for call in traceback.extract_tb(error.__traceback__) if _is_learners(call.filename)]
+    """Type and message of an error, the advice, and the learner's line that raised it, a line each."""
+    text = "\n".join(filter(None, [f"{type(error).__name__}: {error}".strip(), advice_on(error)]))
+    calls = learners_calls(error)
     if not calls:
         return f"{text}\n(called as {name_of(function)})"
     call = calls[-1]
     line = linecache.getline(call.filename, call.lineno or 0).strip()
     return f"{text}\nin {call.name}, line {call.lineno}:  {line}"
-
-
-def _is_learners(filename):
-    path = Path(filename)
-    return (
-        path.parent != DISPLAY_FOLDER
-        and "site-packages" not in path.parts
-        and not filename.startswith("<frozen")
-    )

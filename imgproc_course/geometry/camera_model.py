@@ -18,7 +18,8 @@ class CameraModel:
 
     Raises
     ------
-    ValueError : a size or focal length that is not positive, or a distortion that has not 5 numbers
+    ValueError : a size or focal length that is not positive, a distortion that has not 5 numbers, NaN or
+        infinity
     """
 
     width: int
@@ -35,6 +36,9 @@ class CameraModel:
                 f"a camera needs a positive size and focal length, got {self.width}×{self.height} pixels, "
                 f"fx {self.fx}, fy {self.fy}"
             )
+        numbers = (self.fx, self.fy, self.cx, self.cy, *self.distortion)
+        if not np.isfinite(numbers).all():
+            raise ValueError(f"a camera needs finite numbers, got {', '.join(map(str, numbers))}")
         if len(self.distortion) != 5:
             raise ValueError(
                 f"plumb_bob distortion is 5 numbers (k1, k2, p1, p2, k3), got {len(self.distortion)}"

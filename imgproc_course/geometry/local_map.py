@@ -39,15 +39,17 @@ class LocalMap:
         """Adds a turn of a laser scanner.
 
         pose : (x, y, yaw) of the robot; offset : metres from its axle ahead to the scanner
-        ranges : (N,) metres, counterclockwise from straight ahead; inf where nothing is hit
+        ranges : (N,) metres, counterclockwise from straight ahead; inf where nothing is hit, NaN where
+            nothing is measured
         """
         x, y, yaw = pose
-        ranges = np.asarray(ranges, float)
-        angles = yaw + np.arange(len(ranges)) * (2 * math.pi / len(ranges))
+        lengths = np.asarray(ranges, float)
+        angles = yaw + np.arange(len(lengths)) * (2 * math.pi / len(lengths))
+        angles, lengths = angles[~np.isnan(lengths)], lengths[~np.isnan(lengths)]
         start = np.array([x + offset * math.cos(yaw), y + offset * math.sin(yaw)])
-        rays = np.minimum(ranges, RANGE)[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+        rays = np.minimum(lengths, RANGE)[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
         self.log_odds = update_grid(
-            self.log_odds, self._cells(start), self._cells(start + rays), hits=ranges < RANGE
+            self.log_odds, self._cells(start), self._cells(start + rays), hits=lengths < RANGE
         )
 
     def add_low_points(
@@ -55,14 +57,15 @@ class LocalMap:
     ) -> None:
         """Adds what a camera sees and a scan does not; what was seen there before, and not now, is forgotten.
 
-        pose : (x, y, yaw) of the robot; points : (N, 2), metres ahead and to the left of it
+        pose : (x, y, yaw) of the robot; points : (N, 2), metres ahead and to the left of it; NaN is no point
         near, far, slope : the camera sees places from near to far ahead, and up to slope · ahead beside that
         """
         ahead, left = self._seen_from(pose)
         self.low &= ~((ahead > near) & (ahead < far) & (np.abs(left) < slope * ahead))
         x, y, yaw = pose
         c, s = math.cos(yaw), math.sin(yaw)
-        ahead, left = np.asarray(points, float).reshape(-1, 2).T
+        points = np.asarray(points, float).reshape(-1, 2)
+        ahead, left = points[np.isfinite(points).all(1)].T
         cells = self._cells(np.column_stack([x + c * ahead - s * left, y + s * ahead + c * left]))
         self.low[tuple(cells[((cells >= 0) & (cells < self.low.shape)).all(-1)].T)] = True
 

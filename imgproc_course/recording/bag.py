@@ -13,12 +13,13 @@ import apsw
 from backports.zstd import ZstdError
 from rosbags.highlevel import AnyReader
 from rosbags.highlevel.anyreader import AnyReaderError
-from rosbags.rosbag2 import Reader, ReaderError
+from rosbags.rosbag2 import ReaderError
 from rosbags.serde import SerdeError
 from rosbags.typesys import Stores, TypesysError, get_typestore
 
 from ..messages.message_classes import message_types
 from .errors import FrameIndexError, NotRecordedError, RecordingError
+from .mcap import CutReader, damaged_spans
 
 STORAGE_SUFFIXES = (".mcap", ".db3")
 # The exceptions of rosbags on damaged bytes. tests/recording flips and cuts bytes to check this list.
@@ -108,6 +109,21 @@ def _remedy(path, error):
     )
 
 
+def _damage(path):
+    """When an MCAP recording is damaged, in seconds after its first message; "" if no chunk is."""
+    files = sorted(path.glob("*.mcap")) if path.is_dir() else [path]
+    if path.suffix != ".mcap" and len(files) != 1:
+        return ""
+    try:
+        spans, first = damaged_spans(files[0])
+    except READ_ERRORS:
+        return ""
+    return " and ".join(
+        f"from {(start - first) / 1e9:.1f} to {(end - first) / 1e9:.1f} s after its first message"
+        for start, end in spans[:3]
+    )
+
+
 @contextmanager
 def reading(path):
     """Turns every error that a reader raises on damaged bytes into a RecordingError of one line."""
@@ -121,9 +137,34 @@ def reading(path):
         ) from error
     except READ_ERRORS as error:
         reason = " ".join(str(error).split()) or type(error).__name__
+        if damage := _damage(Path(path)):
+            raise RecordingError(
+                f"{path} is damaged {damage} ({reason[:200]}); read what lies before, and copy it again"
+            ) from error
         raise RecordingError(
             f"{path} cannot be read ({reason[:200]}); {_remedy(Path(path), error)}"
         ) from error
+
+
+def _opened(path, stack):
+    any_reader = AnyReader([path], default_typestore=get_typestore(Stores.ROS2_JAZZY))
+    any_reader.readers = [CutReader(path)]
+    return stack.enter_context(any_reader)
+
+
+def _missing(path, any_reader):
+    """What a recording lacks that was cut off, in a sentence; None if it is complete, or in several files."""
+    storage = any_reader.readers[0].storage
+    storages = getattr(storage, "storages", [storage])
+    if len(storages) != 1 or getattr(storages[0], "missing", None) is None:
+        return None
+    (file,) = storages
+    count, chunks = file.statistics.message_count, file.chunks
+    seconds = (max(chunk[1] for chunk in chunks) - min(chunk[0] for chunk in chunks)) / 1e9
+    stated = f"{any_reader.message_count - count} of {any_reader.message_count} messages are missing"
+    lost = stated if path.is_dir() else "how many messages are missing is not known"
+    tail = f", and its last {file.missing / 1e6:.2f} MB cannot be read" if file.missing else ""
+    return f"{path.name} was cut off: it has {count} messages of {seconds:.1f} s; {lost}{tail}"
 
 
 class TopicIndex:
@@ -177,8 +218,12 @@ class Bag:
         stack = ExitStack()
         self._close = weakref.finalize(self, stack.close)
         with reading(self.path):
-            any_reader = AnyReader([self.path], default_typestore=get_typestore(Stores.ROS2_JAZZY))
-            stack.enter_context(any_reader)
+            any_reader = _opened(self.path, stack)
+            self.missing = _missing(self.path, any_reader)
+            if self.missing and self.path.is_dir():
+                # The counts of metadata.yaml are those of the complete file.
+                self.path = any_reader.readers[0].storage.storages[0].path
+                any_reader = _opened(self.path, stack)
             self._stack = stack
             self._reader = any_reader.readers[0]
             self.types = any_reader.typestore
@@ -226,7 +271,7 @@ class Bag:
                         f"{self.path.name} has no topic {topic}; it has {', '.join(self.topics)}"
                     )
                 # A separate reader: its position in the file must not move when another message is read.
-                reader = self._stack.enter_context(Reader(self.path))
+                reader = self._stack.enter_context(CutReader(self.path))
                 messages = _messages(reader, topic)
                 # Runs first: sqlite does not close a file that is being read.
                 self._stack.callback(messages.close)
@@ -238,7 +283,7 @@ class Bag:
     def read(self):
         """Yields (topic, serialized message, message type) in the order of recording."""
         self.check_open()
-        with reading(self.path), Reader(self.path) as reader:
+        with reading(self.path), CutReader(self.path) as reader:
             for connection, _, raw in reader.messages():
                 yield connection.topic, bytes(raw), connection.msgtype
 

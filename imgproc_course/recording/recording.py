@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Self
@@ -38,8 +39,9 @@ def open_recording(source: str | Path = "drive", *, camera_topic: str | None = N
 
     Raises
     ------
-    RecordingError : the recording is missing, empty, cut short, not a recording, or has no images; the text
-        is one line that says what to do
+    RecordingError : the recording is missing, empty, not a recording, or has no images; the text is one line
+        that says what to do
+    UserWarning : the recording was cut off, and opens with what it has; see `Recording.missing`
 
     Examples
     --------
@@ -72,6 +74,8 @@ class Recording:
                 "the course's own recording is missing or damaged; restore it: "
                 f"git checkout -- imgproc_course/recording/drive ({error})"
             ) from error
+        if self.missing:
+            warnings.warn(self.missing, stacklevel=3)
         self.name = "drive" if is_drive else self._bag.path.name
         try:
             self._camera = self._find_camera(camera_topic)
@@ -98,6 +102,11 @@ class Recording:
 
     def __repr__(self):
         return f"<Recording {self.name!r}: {len(self)} frames on {self._camera}, {len(self.topics)} topics>"
+
+    @property
+    def missing(self) -> str | None:
+        """What a recording that was cut off lacks, in a sentence; None if it is complete."""
+        return self._bag.missing
 
     @property
     def topics(self) -> dict[str, str]:

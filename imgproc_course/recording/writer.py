@@ -1,5 +1,6 @@
 """Writes a rosbag2 recording in MCAP, which `open_recording`, Foxglove and ROS read."""
 
+import contextlib
 import shutil
 from pathlib import Path
 from typing import Final, Self
@@ -7,12 +8,13 @@ from typing import Final, Self
 import numpy as np
 from numpy.typing import NDArray
 from rosbags.interfaces import Connection
-from rosbags.rosbag2 import StoragePlugin, Writer
+from rosbags.rosbag2 import StoragePlugin
 from rosbags.rosbag2.errors import WriterError
 
 from ..messages import array_to_compressed
 from ..messages.message_classes import message_types
 from .errors import RecordingError
+from .mcap import CheckedWriter
 
 METADATA_VERSION: Final = 8  # the newest that `ros2 bag` of both Humble and Jazzy reads
 
@@ -50,7 +52,9 @@ class RecordingWriter:
                 f"{self.path} is the name of a file, but a recording is a folder; give {self.path.stem}"
             )
         try:
-            self._writer = Writer(self.path, version=METADATA_VERSION, storage_plugin=StoragePlugin.MCAP)
+            self._writer = CheckedWriter(
+                self.path, version=METADATA_VERSION, storage_plugin=StoragePlugin.MCAP
+            )
             self._writer.open()
         except WriterError as error:
             raise RecordingError(
@@ -126,7 +130,11 @@ class RecordingWriter:
         try:
             self._writer.close()
         except OSError as error:
-            raise RecordingError(f"{self.path} cannot be completed: {error.strerror}") from error
+            with contextlib.suppress(OSError):  # of what waits for the disk
+                self._writer.abort()  # closes the file
+            raise RecordingError(
+                f"{self.path} cannot be completed: {error.strerror}; open_recording opens what it has"
+            ) from error
 
     def __enter__(self) -> Self:
         return self

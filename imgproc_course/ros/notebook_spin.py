@@ -5,12 +5,16 @@ context of the process, also the session's.
 """
 
 import functools
+import itertools
 import sys
+from pathlib import Path
+from typing import Any
 
 import rclpy
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.signals import uninstall_signal_handlers
 
+RCLPY, OURS = Path(rclpy.__file__).parent, Path(__file__).parents[1]
 INTERRUPT_PERIOD = 0.1  # seconds; without rclpy's handler, a signal does not end a wait
 
 _default_global_executor = rclpy.get_global_executor
@@ -24,7 +28,12 @@ class InterruptibleExecutor(SingleThreadedExecutor):
         self._take_back = take_back
 
     def spin_once(self, timeout_sec=None):
-        super().spin_once(INTERRUPT_PERIOD if timeout_sec is None else timeout_sec)
+        try:
+            super().spin_once(INTERRUPT_PERIOD if timeout_sec is None else timeout_sec)
+        except Exception as learners_error:  # of a callback
+            error: Any = learners_error
+            error._render_traceback_ = functools.partial(_learners_traceback, error)  # IPython calls it
+            raise
 
     def remove_node(self, node):
         super().remove_node(node)
@@ -48,3 +57,17 @@ def install(context, take_back):
 def uninstall():
     """Gives rclpy its own executor back."""
     rclpy.get_global_executor = _default_global_executor
+
+
+def _learners_traceback(error):
+    """The lines that IPython shows of an error, without the frames that are rclpy's or ours."""
+    entries, trace = [], error.__traceback__
+    while trace is not None:
+        path = Path(trace.tb_frame.f_code.co_filename)
+        if path.parent != RCLPY and OURS not in path.parents:
+            entries.append(trace)
+        trace = trace.tb_next
+    for entry, following in itertools.pairwise([*entries, None]):
+        entry.tb_next = following
+    shell = sys.modules["IPython"].get_ipython()
+    return shell.InteractiveTB.structured_traceback(type(error), error, entries[0])

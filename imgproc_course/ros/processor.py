@@ -20,6 +20,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from std_msgs.msg import String
 
+from imgproc_course.learner_errors import RepeatedErrors, advice_on
 from imgproc_course.messages import ConversionError
 from imgproc_course.ros.diagnostics import explain_missing_messages
 from imgproc_course.ros.node_log import NodeLog
@@ -85,6 +86,7 @@ class ImageProcessor(Node):
         self._statistics = ProcessingStatistics()
         self._stream = StreamMonitor()
         self._log = NodeLog(self)
+        self._errors = RepeatedErrors()
         self._node_parameters = NodeParameters(self, parameters, check)
         self._outputs = OutputPublishers(self, outputs, SENSOR_DATA, self._log)
         self._statistics_publisher = self.create_publisher(String, "~/statistics", 1)
@@ -159,7 +161,7 @@ class ImageProcessor(Node):
             arrays = call_process(self._process, frame, self._node_parameters.values, outputs)
             return self._outputs.publish(arrays, msg.header)
         except SkippedImageError as error:
-            self._count_failure(str(error))
+            self._count_failure(str(error), error.__cause__)
             return False
 
     def _frame_of(self, msg):
@@ -175,11 +177,15 @@ class ImageProcessor(Node):
         # If nothing has to be converted, the frame is a read-only view of the message.
         return frame if frame.flags.writeable else frame.copy()
 
-    def _count_failure(self, text):
+    def _count_failure(self, text, cause):
         statistics = self._statistics
         statistics.failed += 1
         statistics.last_error = text
-        self._log.warn("failure", text, f" (skipped; {statistics.failed} of {statistics.received} failed)")
+        count = f" (skipped; {statistics.failed} of {statistics.received} failed)"
+        if cause is None or isinstance(cause, ConversionError):
+            self._log.warn("failure", text, count)
+        elif news := self._errors.news(cause, "\n".join(filter(None, [text + count, advice_on(cause)]))):
+            self.get_logger().warning(news)
 
     def _report(self):
         if self._statistics_publisher.get_subscription_count():

@@ -106,8 +106,9 @@ class Recorder(Stoppable):
             try:
                 self._writer.close()
             except RecordingError as error:
+                if not self.last_error:
+                    log.warning("%s", error)
                 self.last_error = str(error)
-                log.warning("%s", error)
         self._entities.close()
 
     def __repr__(self):

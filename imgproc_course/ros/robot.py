@@ -14,11 +14,13 @@ from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import LaserScan
 
 from imgproc_course.ros.entities import Entities, weak_callback
+from imgproc_course.ros.robot_process import robot_runs, running_robot
 from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, ROOM_NODE, SCAN, is_room_number
 from imgproc_course.ros.session import RosSession
 
 COMMAND_PERIOD = 0.1  # seconds between the commands of a drive that lasts
-TIMEOUT = 10.0  # seconds that a message, or a robot, may take to appear
+TIMEOUT = 10.0  # seconds that a message, or the room's robot, may take to appear
+ANSWER = 0.9  # seconds that another robot may take to subscribe to commands and to send its odometry
 SETTLING = 0.2  # seconds: see Robot._require_robot
 FRESH = 1.0  # seconds: an older message is of a robot that is gone, so the next one is waited for
 _START_IT = 'open_camera("room") starts a simulated robot'
@@ -47,6 +49,7 @@ class Robot:
         self._change = threading.Condition()
         self._messages: dict[str, tuple[float, Any]] = {}
         self._subscribed: set[str] = set()
+        self.restarts = 0  # of this object: a map of the time before is of no use
         self._topics = {
             name: self._session.resolve_topic(f"/{namespace.strip('/')}/{topic.partition('/kachaka/')[2]}")
             for name, topic in (("commands", COMMANDS), ("odometry", ODOMETRY), ("scan", SCAN))
@@ -67,7 +70,7 @@ class Robot:
         Raises
         ------
         ValueError : a speed or duration that is not finite
-        RuntimeError : no robot subscribes to the commands
+        RuntimeError : no robot answers; this takes a second
         """
         for name, value in (("linear", linear), ("angular", angular), ("seconds", seconds or 0.0)):
             if not math.isfinite(value) or (name == "seconds" and value < 0):
@@ -79,6 +82,7 @@ class Robot:
         end = time.monotonic() + seconds
         try:
             while (left := end - time.monotonic()) > 0:
+                self._require_robot()
                 self._send(linear, angular)
                 time.sleep(min(left, COMMAND_PERIOD))
         finally:
@@ -114,6 +118,11 @@ class Robot:
         q = pose.orientation
         return pose.position.x, pose.position.y, 2 * math.atan2(q.z, q.w)
 
+    @property
+    def bumps(self) -> int | None:
+        """How often the simulated robot has bumped into something; None if this is not known."""
+        return self._status().get("bumps")
+
     def restart(
         self,
         *,
@@ -124,8 +133,8 @@ class Robot:
     ) -> None:
         """Begins again in the room, in other light, at another place, or in another room.
 
-        Its odometry begins at zero. With `seed` or `room`, person, car and ball begin again too, as in a new
-        `Simulation`; otherwise they go on.
+        Its odometry begins at zero. With `seed` or `room`, or without any argument, person, car and ball
+        begin again too, as in a new `Simulation`; otherwise they go on.
 
         Parameters
         ----------
@@ -147,6 +156,8 @@ class Robot:
                 )
             room = int(room)  # also one of NumPy
         changes = {"seed": seed, "lighting": lighting, "start": start, "room": room}
+        if not any(value is not None for value in changes.values()):
+            changes["seed"] = self._status().get("seed")
         parameters = [Parameter(name, value=value) for name, value in changes.items() if value is not None]
         result = self._set_parameters(parameters)
         if not result.successful:
@@ -167,6 +178,7 @@ class Robot:
             raise RuntimeError(f"the simulated robot has not answered in {3 * TIMEOUT:g} s; {_START_IT}")
         with self._change:
             self._messages.clear()  # they are of the time before
+            self.restarts += 1
         return future.result().result
 
     def close(self) -> None:
@@ -199,21 +211,52 @@ class Robot:
             # Not before: the robot would warn of two publishers while another program drives it.
             publisher = self._entities.node.create_publisher(Twist, self._topics["commands"], 10)
             self._commands = self._entities.add(publisher)
-        end = time.monotonic() + TIMEOUT
-        while not self._entities.closed and not self._commands.get_subscription_count():
-            if time.monotonic() > end:
-                raise RuntimeError(f"no robot subscribes to {self._topics['commands']}: {_START_ANY}")
+        start = time.monotonic()
+        while not self._entities.closed and not self._is_robot_there():
+            if time.monotonic() > start + ANSWER and (
+                time.monotonic() > start + TIMEOUT or not self._is_room_starting()
+            ):
+                raise RuntimeError(f"no robot answers on {self._topics['commands']}: {_START_ANY}")
             time.sleep(0.01)
         if is_new:
             # The robot notices this publisher a moment later, and would miss a command before.
             time.sleep(SETTLING)
 
-    def _newest(self, name, message_type):
-        topic = self._topics[name]
+    def _is_robot_there(self):
+        """Whether one subscribes to the commands, and its process runs here or its odometry comes."""
+        if not self._commands.get_subscription_count():
+            return False
+        # ROS lists the subscription of a robot that was killed for 20 s more.
+        if self._is_of_the_room() and robot_runs(self._session.context.get_domain_id()):
+            return True
+        self._subscribe("odometry", Odometry)
+        with self._change:
+            arrival = self._messages.get("odometry", (-math.inf, None))[0]
+        return self._session.is_spinning_thread() or time.monotonic() - arrival < FRESH
+
+    def _is_room_starting(self):
+        """Whether the room's robot runs, and has not subscribed to the commands yet."""
+        return self._status().get("request", {}).get("source") == "room"
+
+    def _status(self) -> dict[str, Any]:
+        """What the robot process says of itself; empty without one."""
+        return (
+            running_robot(self._session.context.get_domain_id()) if self._is_of_the_room() else None
+        ) or {}
+
+    def _is_of_the_room(self):
+        return self._topics["commands"] == COMMANDS
+
+    def _subscribe(self, name, message_type):
         if name not in self._subscribed:
             self._require_open()
-            self._entities.subscribe(message_type, topic, qos_profile_sensor_data, self._on_message, name)
+            qos = qos_profile_sensor_data
+            self._entities.subscribe(message_type, self._topics[name], qos, self._on_message, name)
             self._subscribed.add(name)
+
+    def _newest(self, name, message_type):
+        topic = self._topics[name]
+        self._subscribe(name, message_type)
         with self._change:
             arrived = self._messages.get(name)
             if arrived is not None and time.monotonic() - arrived[0] < FRESH:

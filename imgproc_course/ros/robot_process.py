@@ -83,6 +83,14 @@ def runtime_file(domain, kind):
     return folder / f"robot-{domain}.{kind}"
 
 
+def robot_runs(domain):
+    """Whether a robot's process runs in a domain; it need not be able to answer now."""
+    connection = _connect(domain) if shareable() else None
+    if connection is not None:
+        connection.close()
+    return connection is not None
+
+
 def running_robot(domain):
     """The status of the robot that runs in a domain, or None. The caller does not become a user of it."""
     connection = _connect(domain) if shareable() else None

@@ -46,7 +46,8 @@ class RoomPublisher(CameraPublisher):
 
     def status(self):
         images = self._images
-        return super().status() | {"reached_rate": images.reached_rate, "bumps": images.bumps}
+        seed = images.options["seed"]
+        return super().status() | {"reached_rate": images.reached_rate, "bumps": images.bumps, "seed": seed}
 
     def _create_publishers(self):
         super()._create_publishers()

@@ -28,6 +28,7 @@ from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.logging import LoggingSeverity, set_logger_level
 from rclpy.node import Node
 
+from imgproc_course import learner_errors
 from imgproc_course.ros import notebook_log, notebook_spin
 from imgproc_course.ros.profile import lost_ports, remove_stale_segments
 
@@ -282,7 +283,7 @@ class _Spinner:
         self._leaving = threading.Event()
         self._tasks: collections.deque[Callable[[], Any]] = collections.deque()
         self._shutdown_callbacks = {}
-        self._may_log = Throttle(while_it_lasts=True)
+        self._errors = learner_errors.RepeatedErrors()
         notebook_spin.install(self.context, self._take_back)
         # A daemon thread, so that a callback that never returns cannot keep the interpreter alive.
         self.thread = threading.Thread(target=self._spin, name="imgproc_course ROS session", daemon=True)
@@ -317,7 +318,7 @@ class _Spinner:
         if node not in self._nodes:
             self.remove_namesakes(node.get_fully_qualified_name())
             self._nodes.append(node)
-            self._may_log = Throttle(while_it_lasts=True)  # what fails again was not mended
+            self._errors = learner_errors.RepeatedErrors()  # what fails again was not mended
             self.executor.add_node(node)
 
     def nodes(self):
@@ -358,15 +359,11 @@ class _Spinner:
         except InvalidHandle:
             pass  # something was destroyed between the wait and its callback; the next round is in order
         except Exception as error:  # noqa: BLE001  callbacks are other people's code; the graph must live on
-            failure = failed_line(error)
-            self.last_callback_error = f"a callback failed {failure}"
-            if self._may_log(failure):
-                in_cell_of_node = notebook_log.in_cell_of(self.executor.name_of_node)
-                if isinstance(error, NameError) and not isinstance(error, UnboundLocalError):
-                    text = f"a callback failed {failure}. Run the cell that imports or defines {error.name}."
-                    in_cell_of_node(log.error, "%s", text)  # that cell was left out
-                else:
-                    in_cell_of_node(log.error, "a ROS callback failed; the graph continues", exc_info=error)
+            self.last_callback_error = f"a callback failed {failed_line(error)}"
+            lines = learner_errors.describe(error) or "".join(traceback.format_exception(error)).rstrip()
+            text = self._errors.news(error, f"a ROS callback failed; the graph continues\n{lines}")
+            if text:
+                notebook_log.in_cell_of(self.executor.name_of_node)(log.error, "%s", text)
 
     def _close(self):
         notebook_spin.uninstall()

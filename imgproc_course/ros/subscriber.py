@@ -11,6 +11,7 @@ from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import QoSPolicyKind, QoSProfile, qos_profile_sensor_data
 from sensor_msgs.msg import CompressedImage, Image
 
+from imgproc_course.learner_errors import RepeatedErrors, describe
 from imgproc_course.messages import ConversionError, compressed_to_array, encoding_info, image_to_array
 from imgproc_course.ros.diagnostics import explain_missing_messages
 from imgproc_course.ros.entities import Entities, Stoppable, weak_callback
@@ -98,6 +99,7 @@ class ImageSubscriber(Stoppable):
         self._change = threading.Condition()
         self._arrivals: collections.deque[float] = collections.deque(maxlen=RECENT)
         self._causes: set[str] = set()
+        self._errors = RepeatedErrors()
         self._may_log = Throttle()
         self._latest: Any = None
         self._converted = 0
@@ -273,12 +275,19 @@ class ImageSubscriber(Stoppable):
         try:
             self._on_image(frame, msg)
         except Exception as error:  # noqa: BLE001  it is the learner's code; the graph must live on
-            self._count_failure(f"on_image failed {failed_line(error)}")
+            self._count(f"on_image failed {failed_line(error)}")
+            lines = describe(error) or failed_line(error)
+            text = self._errors.news(error, f"on_image failed; the subscriber continues\n{lines}")
+            if text:
+                log.error("%s", text)
 
-    def _count_failure(self, text):
+    def _count(self, failure):
         with self._change:
             self.failed += 1
-            self.last_error = text
+            self.last_error = failure
+
+    def _count_failure(self, text):
+        self._count(text)
         if text not in self._causes and self._may_log():
             self._causes.add(text)
             log.warning("%s (skipped; %d failed so far)", text, self.failed)

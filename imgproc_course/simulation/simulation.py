@@ -25,6 +25,7 @@ TOF_CAMERA = CameraModel(160, 120, 80.0, 80.0, 79.5, 59.5)
 TOF_MOUNT, TOF_TILT = (0.221, 0.0418), math.pi / 4
 LONGEST_STEP = 0.02  # seconds
 LONGEST_HELD, PLAY = 1.0, 0.01  # seconds, metres per second: see _is_held and _blocked
+LONGEST_PINNED = 3.0  # seconds: see _is_pinned
 DEPTH_WIDTH = 640
 OPTICAL = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # columns: the optical frame's axes in the body's
 
@@ -95,6 +96,7 @@ class Simulation:
                     f"choose another {remedy}"
                 )
         self._held: tuple[Any, float, frozenset[float]] = self._drive.place, 0.0, frozenset()  # _note_held
+        self._pinned = self._held
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
         self._sensor = Sensor(self._model, seed, lighting) if sensor else None
         self._look: Pose | None = None
@@ -134,7 +136,7 @@ class Simulation:
                     break
             touched = True
         self._note_held(place, linear, angular, dt)
-        if touched and self._is_held:
+        if touched and (self._is_held or self._is_pinned):
             self._movers.give_way(dt, place)
         body.place = place
         body.linear, body.angular = speeds
@@ -144,18 +146,21 @@ class Simulation:
 
     def _note_held(self, place, linear, angular, dt):
         """Notes for how long the body has hardly moved although it should, and which ways were tried."""
-        old, seconds, tried = self._held
-        way = math.hypot(place[0] - old[0], place[1] - old[1])
-        turned = abs(math.remainder(place[2] - old[2], 2 * math.pi))
-        if way > 0.01 or turned > 0.3 or linear == angular == 0:
-            old, seconds, tried = place, 0.0, frozenset()
-        self._held = old, round(seconds + dt, 9), tried | {np.sign(linear)}
+        stands = linear == angular == 0
+        self._held = _held_longer(self._held, place, linear, dt, -1 if stands else 0.01)
+        self._pinned = _held_longer(self._pinned, place, linear, dt, -1 if stands else 0.1)
 
     @property
     def _is_held(self):
         """Whether the body can move neither forwards nor backwards, for a second."""
         _, seconds, tried = self._held
         return seconds > LONGEST_HELD and {-1, 1} <= tried
+
+    @property
+    def _is_pinned(self):
+        """Whether it has only moved to and fro in some centimetres for some seconds, as before the car."""
+        _, seconds, tried = self._pinned
+        return seconds > LONGEST_PINNED and {-1, 1} <= tried
 
     def _blocked(self, place):
         """Whether the body at (x, y, yaw) would be in something, and not merely leave it.
@@ -334,6 +339,15 @@ class Simulation:
 
     def __exit__(self, *exception):
         self.close()
+
+
+def _held_longer(held, place, linear, dt, reach):
+    """(place, seconds, ways that were tried) after a step; a body beyond the reach in metres begins again."""
+    old, seconds, tried = held
+    way = math.hypot(place[0] - old[0], place[1] - old[1])
+    if way > reach or abs(math.remainder(place[2] - old[2], 2 * math.pi)) > 0.3:
+        old, seconds, tried = place, 0.0, frozenset()
+    return old, round(seconds + dt, 9), tried | {np.sign(linear)}
 
 
 def front_camera(size, lens=True):

@@ -68,7 +68,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · The depth image ([[minutes]])
 #
-# You know the depth image from [[what_is_image_processing#4]]: for every second row and every second column of the frame, it has a distance in millimetres. This distance is the *[[term:depth]]* of a point: how far it is in front of the camera, measured straight ahead. 0 means: no depth.
+# You know the depth image from [[what_is_image_processing#4]]: for every second row and every second column of the frame, it has a distance in millimetres. This distance is the *[[term:depth]]* of a point: how far it is in front of the camera, measured straight ahead. 0 means: no depth; other cameras send NaN.
 
 # %%
 frame = recording.frame(30)
@@ -633,7 +633,8 @@ exercise(
     ),
     explanation="The middle of the corridor is straight ahead, so it reaches width / 2 to each side: np.abs(left) treats both"
     " sides alike. The minimum of no points is an error in NumPy, but a free corridor is the normal case for a robot:"
-    " infinitely far away is the answer that every comparison understands.",
+    " infinitely far away is the answer that every comparison understands. forward > 0 is for a depth that is missing:"
+    " 0 would be an obstacle at the camera, and with NaN the minimum is NaN, which is not less than any stopping distance.",
     another_way="You can also write np.where(mask, forward, math.inf).min(), or forward[mask].min(initial=math.inf).",
 )
 
@@ -653,7 +654,7 @@ def nearest_obstacle(forward, left, height, width):
 
 # %% role="solution"
 def nearest_obstacle(forward, left, height, width):
-    mask = (np.abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)
+    mask = (np.abs(left) <= width / 2) & (height > 0.03) & (height < 0.40) & (forward > 0)
     if not mask.any():
         return math.inf
     return float(forward[mask].min())
@@ -690,7 +691,7 @@ def inputs(rng):
 
 # %%
 def scan_of(forward, left, height):
-    stands = (height > 0.03) & (height < 0.40)
+    stands = (height > 0.03) & (height < 0.40) & (forward > 0)  # 0 and NaN are no depth
     angle = np.degrees(np.arctan2(left[stands], forward[stands]))
     distance = np.hypot(forward[stands], left[stands])
     beam = np.floor(angle + 45).astype(int)  # 0 is 45 degrees to the right
@@ -843,24 +844,25 @@ robot = Simulation(seed=1, start=(0.95, -1.3, 0.0), time=5.0)
 show(robot.frame(), text="obstacles_ahead/boxes")
 
 # %% tags=["long"]
-def free_distance(robot):
-    """Metres between the front of the robot and the nearest obstacle."""
-    seen = robot_rays * (robot.depth() / 1000)[:, :, np.newaxis]
+def free_distance(depth):
+    """Metres between the robot's front and the nearest obstacle; 0 if it sees too little."""
+    seen = robot_rays * (depth / 1000)[:, :, np.newaxis]
     forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
-    mask = (np.abs(left) <= 0.20) & (height > 0.03) & (height < 0.40)
-    return forward[mask].min() - 0.03
+    measured = forward > 0  # False where the depth is 0 or NaN
+    mask = measured & (np.abs(left) <= 0.20) & (height > 0.03) & (height < 0.40)
+    return forward[mask].min(initial=np.inf) - 0.03 if measured.mean() > 0.5 else 0.0
 
 
 def drive_and_brake(speed, limit):
     """Drives until limit metres are left, then brakes; the distance kept."""
     robot = Simulation(seed=1, start=(0.95, -1.3, 0.0), time=5.0)
-    while free_distance(robot) > limit:
+    while free_distance(robot.depth()) > limit:
         robot.step(speed, 0.0, dt=0.1)  # until the next look
     while robot.speeds[0] > 0 and not robot.bumped:
         robot.step(0.0, 0.0)
     if robot.bumped:
         return "bump!"
-    return round(float(free_distance(robot)), 2)
+    return round(float(free_distance(robot.depth())), 2)
 
 # %% [markdown]
 # **Predict** at which of the speeds 0.1, 0.2 and 0.3 m/s the robot bumps into the boxes.
@@ -895,8 +897,13 @@ assert all(0.15 <= kept[speed] < 0.19 for speed in kept)
 # Finally, a node does the same in ROS. It subscribes to the depth image, publishes a `LaserScan` on `/scan` for everybody, and the command for the robot. The camera of the room has the same rays as that of the simulation.
 
 # %%
-# Check: where the image begins to show the floor
+# Check: where the image begins to show the floor; and what a missing depth changes
 assert round(0.20 / robot_rays[-1, 320, 1], 2) == 0.38
+some = np.where(np.arange(360)[:, np.newaxis] % 3 > 0, robot.depth(), np.nan)
+most = np.where(np.arange(360)[:, np.newaxis] % 3 > 0, np.nan, robot.depth())
+assert abs(free_distance(some) - free_distance(robot.depth())) < 0.02
+assert free_distance(most) == free_distance(np.nan_to_num(most)) == 0
+assert scan_of(np.array([0, np.nan, 1.5]), np.zeros(3), np.full(3, 0.2)).min() == 1.5
 
 # %% tags=["long"]
 if ros_available():
@@ -923,10 +930,9 @@ if ros_available():
 
         def on_depth(self, msg):
             seen = self.rays * (image_to_array(msg) / 1000)[:, :, np.newaxis]
-            forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
-            self.publish_scan(msg.header, scan_of(forward, left, height))
-            mask = (np.abs(left) <= 0.20) & (height > 0.03) & (height < 0.40)
-            self.distance = forward[mask].min(initial=np.inf) - 0.03
+            scan = scan_of(seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1])
+            self.publish_scan(msg.header, scan)
+            self.distance = free_distance(image_to_array(msg))
             # 0.2 s: one frame, and the latency
             stopping = self.speed * 0.2 + self.speed**2 / (2 * 0.6)
             command = Twist()

@@ -207,7 +207,8 @@ exercise(
         "    cells.append((start[0] + rows * (1 if row_way > 0 else -1), ...))\nreturn cells",
     ),
     explanation="The formula is the exact way, k * way / steps, rounded to the nearest whole number, with halves away from the start."
-    " Along the longer way it gives k itself, so no cell is left out. The same formula works for rows and columns.",
+    " Along the longer way it gives k itself, so no cell is left out. The same formula works for rows and columns."
+    " A ray of one cell has no step, and the formula would divide by zero: its only cell is the start.",
     another_way="Bresenham's way: add 2 * abs(way) to a counter in each step; if it reaches steps, go one row on and subtract 2 * steps.",
 )
 
@@ -228,6 +229,8 @@ def ray_cells(start, end):
 def ray_cells(start, end):
     row_way, col_way = end[0] - start[0], end[1] - start[1]
     steps = max(abs(row_way), abs(col_way))
+    if steps == 0:
+        return [start]
     cells = []
     for k in range(steps + 1):
         rows = (2 * k * abs(row_way) + steps) // (2 * steps)

@@ -213,7 +213,8 @@ exercise(
         "return histogram / grad_row.size",
     ),
     explanation="ravel() makes a row of all pixels, so one loop is enough. A strong edge counts more than a weak one, because it"
-    " adds its magnitude. Where the gray levels do not change, the magnitude is 0, and the orientation does not matter.",
+    " adds its magnitude. Where the gray levels do not change, the magnitude is 0, and the orientation does not matter."
+    " np.minimum is for an angle of almost 0, such as -1e-20: % 180 rounds it to 180.0, and its bin would be 9.",
     another_way="Without a loop: np.bincount(bins.ravel(), weights=magnitudes.ravel(), minlength=9) / grad_row.size.",
 )
 
@@ -238,7 +239,7 @@ def cell_histogram(grad_row, grad_col):
 # %% role="solution"
 def cell_histogram(grad_row, grad_col):
     angles = np.degrees(np.arctan2(grad_row, grad_col)) % 180
-    bins = (angles // 20).astype(int)
+    bins = np.minimum(angles // 20, 8).astype(int)
     magnitudes = np.hypot(grad_row, grad_col)
     histogram = np.zeros(9)
     for i, magnitude in zip(bins.ravel(), magnitudes.ravel(), strict=True):

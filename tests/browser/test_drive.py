@@ -36,6 +36,7 @@ CELLS = [
     """,
     'robot.restart(lighting="evening")',
     "view.stop(); robot.close(); camera.stop()",
+    "robot.restart(seed=1, start=(0.95, -1.3, 0.0))",  # before the boxes
 ]
 PAD = ".imgproc-drive"
 HELD_KEYS = ("ArrowUp", "ArrowLeft", "ArrowRight", "w", "a", "s", "d", "Space")
@@ -127,6 +128,25 @@ def test_keys_buttons_and_gamepad_drive_while_they_are_held(page):
     assert (
         abs((numbers(page)[2] - heading + 180) % 360 - 180) < 12
     )  # degrees; without a dead zone it turns by 26
+
+
+def test_a_bump_is_said_and_restart_begins_again(page):
+    page.run_cell(5)
+    wait_for(page, lambda x, y, yaw, v, w: x == y == yaw == 0)
+    state, keyboard = page.page.locator(".imgproc-state"), page.page.keyboard
+    page.page.locator(PAD).focus()
+    keyboard.down("w")
+    page.wait_until(lambda: state.inner_text() == "bumped: drive back", timeout=150)
+    keyboard.up("w")
+    page.screenshot("drive_bumped", PAD)
+    keyboard.down("s")
+    page.wait_until(lambda: state.inner_text() == "driving", timeout=150)
+    keyboard.up("s")
+    wait_for_stop(page)
+    page.page.locator(".imgproc-restart").click()
+    wait_for(page, lambda x, y, yaw, v, w: x == y == yaw == 0)
+    assert page.page.locator(".imgproc-trace").get_attribute("points").split() == ["0,0"]
+    assert state.inner_text() == "ready"
 
 
 def test_everybody_can_read_and_use_it(page):

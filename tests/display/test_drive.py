@@ -2,6 +2,7 @@
 
 import logging
 import math
+import sys
 import threading
 import time
 
@@ -160,6 +161,30 @@ def test_the_map_begins_again_in_another_room():
     other = map_.update(odometry_at(10.6, *still), scan(10.5, 2.0))
     assert (other["begins"], other["gone"]) == (True, [])
     assert all(1.9 < math.hypot(x - 0.6, y) < 2.2 for x, y in other["cells"])
+
+
+def test_what_comes_is_no_wall_until_it_stays(monkeypatch):
+    from imgproc_course.display.drive import _Map
+
+    def scan(moment, ball):
+        msg = scan_at(moment, [])
+        msg.angle_increment = math.pi / 180
+        ranges = np.full(360, 2.0)
+        ranges[ball : ball + 10] = 1.0
+        msg.ranges = ranges.tolist()
+        return msg
+
+    monkeypatch.setattr(sys.modules[_Map.__module__], "STILL", 4)
+    map_, messages = _Map(), []
+    map_.update(odometry_at(10.0, 0.0, 0.0, 0.0), None)
+    for k, ball in enumerate([90, 60, 60, 60, 60]):  # it rolls once, and then it stays
+        moment = 10.5 + k / 2
+        messages.append(map_.update(odometry_at(moment, 0.0, 0.0, 0.0), scan(moment - 0.25, ball)))
+    near = [[c for c in m["cells"] if math.hypot(c[0] - 0.156, c[1]) < 1.5] for m in messages]
+    moving = [len(m["moving"]) for m in messages]
+    assert near[0] and not any(near[1:4]) and near[4]  # at first, nobody knows what moves
+    assert moving[0] == 0 and min(moving[1:4]) >= 3 and moving[4] == 0
+    assert len(messages[1]["gone"]) >= 3  # where it was
 
 
 def test_what_has_moved_away_disappears_from_the_map_and_walls_stay():

@@ -1,5 +1,7 @@
 """The camera model against OpenCV's."""
 
+import math
+
 import cv2
 import numpy as np
 import pytest
@@ -38,6 +40,10 @@ def test_every_second_pixel_and_a_resized_image():
     [
         ((0, 720, 705.0, 700.0, 1, 1), "got 0×720 pixels"),
         ((1280, 720, -705.0, 700.0, 1, 1), "fx -705.0"),
+        ((1280, 720, math.nan, 700.0, 1, 1), "finite numbers, got nan, 700.0, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0"),
+        ((1280, 720, 705.0, math.inf, 1, 1), "finite numbers, got 705.0, inf"),
+        ((1280, 720, 705.0, 700.0, 1, math.nan), "finite"),
+        ((1280, 720, 705.0, 700.0, 1, 1, (0, 0, math.nan, 0, 0)), "finite"),
         ((1280, 720, 705.0, 700.0, 1, 1, (0.1, 0.2)), r"5 numbers \(k1, k2, p1, p2, k3\), got 2"),
     ],
 )

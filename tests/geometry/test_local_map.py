@@ -59,6 +59,19 @@ def low_places(local_map, pose=(0.0, 0.0, 0.0)):
     return sorted(local_map.low_points(pose).round(3).tolist())
 
 
+def test_nan_in_a_scan_or_a_point_is_no_measurement():
+    local_map, expected = LocalMap((-1.225, -1.225), (49, 49)), LocalMap((-1.225, -1.225), (49, 49))
+    pose, ranges = (0.1, 0.2, 0.3), room_scan(0.1, 0.2, 0.3, 0.1)
+    expected.add_scan(pose, 0.1, ranges)
+    ahead = (np.arange(360) + 5) % 360 < 10
+    local_map.add_scan(pose, 0.1, np.where(ahead, np.nan, ranges))
+    assert (local_map.log_odds != expected.log_odds).any()  # the rays ahead are missing
+    local_map.add_scan(pose, 0.1, np.where(ahead, ranges, np.nan))
+    assert (occupied(local_map) == occupied(expected)).all() and occupied(local_map).any()
+    local_map.add_low_points(pose, [(np.nan, 0.1), (0.5, np.nan), (0.5, 0.1)], near=0.3, far=1, slope=1)
+    assert local_map.low.sum() == 1
+
+
 def test_low_points_are_in_the_frame_of_the_robot():
     local_map = LocalMap((-2.0, -2.0), (80, 80))
     pose = (0.5, 0.25, math.pi / 2)

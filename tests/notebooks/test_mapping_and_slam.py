@@ -32,11 +32,13 @@ def test_ray_cells_is_scikit_images_line_and_the_packages(solutions):
     rng = np.random.default_rng(0)
     for _ in range(1000):
         start, end = rng.integers(0, 60, (2, 2)).tolist()
-        if start == end:
-            continue
         cells = solutions["ray_cells"](tuple(start), tuple(end))
         assert cells == list(zip(*(axis.tolist() for axis in line(*start, *end)), strict=True))
         assert cells == [tuple(cell) for cell in grid_ray(start, end).tolist()]
+
+
+def test_a_ray_of_one_cell(solutions):
+    assert solutions["ray_cells"]((3, 4), (3, 4)) == [(3, 4)] == [tuple(grid_ray((3, 4), (3, 4))[0].tolist())]
 
 
 def test_add_scan_is_the_packages_update_grid(solutions):

@@ -50,6 +50,12 @@ def test_hog_of_solved_cells_is_skimage(solutions):
         np.testing.assert_allclose(np.concatenate(blocks), tool, atol=1e-6)
 
 
+def test_an_orientation_that_is_rounded_to_180_degrees_is_in_the_last_bin(solutions):
+    grad_row, grad_col = np.array([[-1e-20, 0.0]]), np.array([[1.0, 1.0]])
+    assert np.degrees(np.arctan2(grad_row, grad_col))[0, 0] % 180 == 180
+    assert solutions["cell_histogram"](grad_row, grad_col).tolist() == [0.5, *[0] * 7, 0.5]
+
+
 def test_nearest_mean_is_nearest_centroid(solutions):
     rng = np.random.default_rng(1)
     for _ in range(40):

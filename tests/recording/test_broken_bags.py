@@ -2,6 +2,7 @@
 
 import re
 import shutil
+import warnings
 
 import numpy as np
 import pytest
@@ -160,7 +161,10 @@ def test_a_bag_that_may_not_be_read(tmp_path, monkeypatch):
 
 
 def read_everything(path):
-    with open_recording(path) as opened:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # that it was cut off
+        opened = open_recording(path)
+    with opened:
         for k in range(min(len(opened), 8)):
             try:
                 opened.frame(k)
@@ -187,7 +191,7 @@ def test_a_bag_cut_anywhere_opens_or_raises_an_error_of_one_line(tmp_path, stora
                 assert re.search(r"[:;] ", str(error))
                 assert "\n" not in str(error)
                 assert ("mcap recover" if storage == "sqlite3" else "sqlite3 broken") not in str(error)
-    assert refused >= 80
+    assert refused >= {"mcap": 40, "sqlite3": 80}[storage]
 
 
 @pytest.mark.parametrize(

@@ -591,7 +591,7 @@ def test_a_client_says_what_is_wrong(robot, monkeypatch):
         robot.drive(0, 0, seconds=-1)
     monkeypatch.setattr(module, "TIMEOUT", 0.3)
     other = Robot("/other")
-    with pytest.raises(RuntimeError, match=r"no robot subscribes to /other/manual_control/cmd_vel: open_cam"):
+    with pytest.raises(RuntimeError, match=r"no robot answers on /other/manual_control/cmd_vel: open_camera"):
         other.drive(0.1, 0)
     for arrived in ({}, {"scan": (time.monotonic() - 5, "of a robot that is gone")}):
         other._messages.update(arrived)
@@ -601,6 +601,69 @@ def test_a_client_says_what_is_wrong(robot, monkeypatch):
     other.close()
     with pytest.raises(RuntimeError, match="closed"):
         other.drive(0.1, 0)
+
+
+@pytest.mark.parametrize("arguments", [{"seed": 5}, {}])
+def test_a_restart_is_the_scene_of_a_new_simulation(robot, collect, wait_until, arguments):
+    from geometry_msgs.msg import PoseStamped
+
+    from imgproc_course.ros.room_images import MOTION_RATE
+    from imgproc_course.simulation import Simulation
+
+    start, names = (0.4, -0.3, 0.0), ("person", "toycar", "ball")
+
+    def time_of_scene():
+        """The time at which a new simulation has person, car and ball where they are now."""
+        poses = [collect(f"/truth/pose/{name}", PoseStamped) for name in names]
+
+        def together():
+            stamps = [{stamp(msg): vector(msg) for msg in messages} for messages in poses]
+            return [[s[moment] for s in stamps] for moment in sorted(set.intersection(*map(set, stamps)))]
+
+        wait_until(together)
+        live = together()[0]
+        with Simulation(seed=5, start=start, sensor=False) as room:
+            for _ in range(100 * MOTION_RATE):
+                if all(
+                    np.allclose(room.pose(name), pose, atol=1e-6)
+                    for name, pose in zip(names, live, strict=True)
+                ):
+                    return room.time
+                room.step(0.0, 0.0, 1 / MOTION_RATE)
+        pytest.fail("the live scene is at no time that of the simulation")
+
+    robot.restart(seed=5, start=start)
+    robot.drive(0.0, 1.0, seconds=15.0)  # the scene goes on
+    before = time_of_scene()
+    robot.restart(**arguments)
+    assert before > 10 and time_of_scene() < before
+    assert isinstance(robot.bumps, int)
+
+
+def test_a_robot_of_another_machine_answers_by_its_odometry(robot, wait_until):
+    from geometry_msgs.msg import Twist
+    from nav_msgs.msg import Odometry
+    from rclpy.qos import qos_profile_sensor_data
+
+    from imgproc_course.ros import Robot, RosSession
+
+    node, commands = RosSession().node, []
+    subscription = node.create_subscription(Twist, "/other/manual_control/cmd_vel", commands.append, 10)
+    odometry = node.create_publisher(Odometry, "/other/odometry/odometry", qos_profile_sensor_data)
+    with Robot("/other") as other:
+        with pytest.raises(RuntimeError, match="no robot answers"):
+            other.drive(0.1, 0)
+        timer = node.create_timer(0.05, lambda: odometry.publish(Odometry()))
+        other.drive(0.1, 0)
+        wait_until(lambda: commands)
+        assert commands[0].linear.x == 0.1
+        RosSession().run(lambda: node.destroy_timer(timer))
+
+    def remove():
+        node.destroy_subscription(subscription)
+        node.destroy_publisher(odometry)
+
+    RosSession().run(remove)
 
 
 def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
@@ -635,6 +698,7 @@ def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
 
 def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, caplog):
     from imgproc_course.ros import ImageSubscriber, open_camera
+    from imgproc_course.ros.robot_process import robot_runs
 
     robot.restart(start=(0.4, -0.3, 0.0))
     robot.drive(0.2, 0.0, seconds=1.0)
@@ -647,6 +711,10 @@ def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, ca
             if is_robot and command[-3] == os.environ["ROS_DOMAIN_ID"]:
                 process.kill()
         wait_until(lambda: any("ended unexpectedly" in record.message for record in caplog.records))
+        wait_until(lambda: not robot_runs(int(os.environ["ROS_DOMAIN_ID"])))
+        assert robot._commands.get_subscription_count() == 1  # ROS does not know yet
+        with pytest.raises(RuntimeError, match="no robot answers on /kachaka/manual_control/cmd_vel"):
+            robot.drive(0.2, 0.0, seconds=30.0)  # while it drives, too
         with open_camera("room", rate=15):
             assert subscriber.wait(60).shape == (360, 640, 3)
             assert robot.pose[0] == pytest.approx(0, abs=1e-9)  # it has begun again

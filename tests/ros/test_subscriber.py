@@ -154,7 +154,20 @@ def test_an_exception_in_on_image_is_logged_counted_and_kills_nothing(send, subs
     assert "(frame.no_such_thing" in subscriber.last_error
     ending = "AttributeError: 'numpy.ndarray' object has no attribute 'no_such_thing'"
     assert subscriber.last_error.endswith(ending)
-    assert ending in caplog.text
+    (record,) = caplog.records
+    heading, line, error = record.message.splitlines()
+    assert heading == "on_image failed; the subscriber continues" and error == ending
+    assert line.startswith("in on_image, line ") and line.endswith(":  frame.no_such_thing  # noqa: B018")
+
+
+def test_an_on_image_that_fails_with_every_frame_is_shown_once(send, subscribe, wait_until, caplog):
+    subscriber = subscribe(TOPIC, lambda frame, msg: frame[frame.shape[0] + subscriber.failed])
+    for count in range(1, 13):
+        send(colours())
+        wait_until(lambda count=count: subscriber.failed == count)
+    first, again = [record.message for record in caplog.records]
+    assert first.splitlines()[-1].startswith("IndexError: index ")
+    assert again.startswith("again, 10 times: IndexError: index ")
 
 
 def test_a_reliable_subscriber_learns_why_it_receives_nothing(send, subscribe, wait_until, caplog):

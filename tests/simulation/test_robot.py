@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from imgproc_course.geometry import Pose
-from imgproc_course.simulation import Simulation, recorded_room
+from imgproc_course.simulation import Simulation, furnished, recorded_room
 from imgproc_course.simulation.drive import ANGULAR_ACCELERATION, LINEAR_ACCELERATION, nearest_on_body
 from imgproc_course.simulation.laser import MOUNT, cast, cut
 from imgproc_course.simulation.movers import BALL_RADIUS, Ball
@@ -152,6 +152,15 @@ def test_the_car_goes_back_for_a_robot_that_it_holds():
         room._drive.place = (2.081686465, 0.955950364, 1.411943624)  # between furniture and car
         room._movers.walkers["toycar"].time = 7.6
         assert max(way_of(room, linear, 0, 200) for linear in (0.3, -0.3) * 2) > 0.1
+
+
+def test_the_car_goes_back_for_a_robot_that_can_only_move_to_and_fro():
+    with Simulation(1, room=furnished(32), sensor=False) as room:
+        room._drive.place = (-0.762153225, -1.628152218, -1.611798562)  # in a corner; the car is behind it
+        room._held = room._drive.place, 28.9, frozenset({1.0})  # after it has chased the ball
+        room._movers.walkers["toycar"].time = 27.32
+        room._movers.ball.x, room._movers.ball.y = -0.773003969, -1.974999974
+        assert max(way_of(room, linear, 0, 150) for linear in (0.3, -0.3) * 4) > 0.1
 
 
 def test_a_robot_that_is_stuck_in_furniture_gets_some_play():

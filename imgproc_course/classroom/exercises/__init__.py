@@ -7,6 +7,7 @@ from .check_files import CheckFileError
 from .checking import CheckResult, check, run_cases
 from .declaration import MasterError, exercise, read_exercises
 from .drive_check import with_progress
+from .error_advice import advise_everywhere
 from .guesses import GuessComparison, compare_guess
 from .help_steps import hint, solution
 from .overview import Overview, overview
@@ -34,3 +35,4 @@ __all__ = [
 ]
 
 watch_cells()
+advise_everywhere()

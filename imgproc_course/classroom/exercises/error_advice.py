@@ -11,6 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
+from imgproc_course.classroom import course
+from imgproc_course.classroom.exercises.drive import load
+
 
 def advice_on(error, message, line="", parameters=None, function="", closest=""):
     """What an error (its type's name and message) means and what to do; "" if nothing is certain.
@@ -29,6 +32,13 @@ def advice_on(error, message, line="", parameters=None, function="", closest="")
             text = advice(match, source) if callable(advice) else match.expand(advice)
             return text if text.startswith("The name") else did_you_mean or text
     return did_you_mean
+
+
+def advise_everywhere():
+    """Gives this advice also on errors that the course shows elsewhere, such as those of a ROS callback."""
+    advisers = load(course.ERROR_ADVISERS)
+    if advice_on not in advisers:
+        advisers.append(advice_on)
 
 
 # ---------------------------------------------------------------- errors that several mistakes can cause
