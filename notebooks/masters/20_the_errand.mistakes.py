@@ -725,3 +725,39 @@ def believe(readings, names, votes):
 # %% role="mistake" name="an empty text for none" says="If no name has enough votes, return None, not an empty text."
 def believe(readings, names, votes):
     return solution(readings, names, votes) or ""
+
+# %% [markdown]
+# # errand-drive
+
+# %% role="mistake" name="it stays at the sign" says="Your robot reads the sign, but does not come back. Drive to (0, 0) of the odometry; the direction is math.atan2(-y, -x), less the yaw."
+def control(observation, memory):
+    speeds = solution(observation, memory)
+    return speeds if memory["task"] == "go" else (0.0, 0.0)
+
+# %% role="mistake" name="it does not answer" says="Your robot comes back and looks at the sign, but does not tell the word. Turn on by ANSWERS[word]; this is in degrees, so use math.radians."
+def control(observation, memory):
+    speeds = solution(observation, memory)
+    return (0.0, 0.0) if memory["task"] == "answer" else speeds
+
+# %% role="mistake" name="it counts from its first direction" says="Your robot counts the answer from the direction in which it looked at the start. Count it from the sign: look at the sign again, and add the answer to the yaw."
+def control(observation, memory):
+    speeds = solution(observation, memory)
+    if memory["task"] == "answer":
+        memory["yaw"] = math.radians(ANSWERS[memory["word"]])
+    return speeds
+
+# %% role="mistake" name="it answers to the other side" says="Your robot turns to the wrong side for its answer. Positive angles are to the left: add math.radians(ANSWERS[word]) to the yaw at which the robot sees the sign."
+def control(observation, memory):
+    was_looking = memory.get("task") != "answer"
+    speeds = solution(observation, memory)
+    if was_looking and memory["task"] == "answer":
+        memory["yaw"] -= 2 * math.radians(ANSWERS[memory["word"]])
+    return speeds
+
+# %% role="mistake" name="it turns without an end" says="Your robot turns on the spot, whatever it sees. Drive to the sign when find_sign sees it."
+def control(observation, memory):
+    return 0.03, 0.6
+
+# %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use find_sign and the odometry."
+def control(observation, memory):
+    return 0.25, 0.3
