@@ -41,5 +41,5 @@ def read_scenario(value):
         raise ValueError(f"a scenario is wrong: {error}; got {value!r}"[:1000]) from error
     for metric, needed in _NEEDED.items():
         if metric in scenario["thresholds"] and scenario[needed] is None:
-            raise ValueError(f"a threshold of {metric} needs a {needed} in the scenario, got none")
+            raise ValueError(f"a threshold of {metric} needs {needed!r} in the scenario, got none")
     return json.loads(json.dumps(scenario))
