@@ -1474,7 +1474,7 @@ def normalized(ink):
 
 
 bits = [np.unpackbits(np.frombuffer(bytes.fromhex(line), np.uint8)) for line in SHAPES.split()]
-shapes = {word: normalized(shape.reshape(10, 48).astype(np.float32)) for word, shape in zip(ANSWERS, bits)}
+shapes = {word: normalized(shape.reshape(10, 48).astype(np.float32)) for word, shape in zip(ANSWERS, bits, strict=True)}
 
 
 def ink_above(image, red, box):
@@ -1494,7 +1494,7 @@ def ink_above(image, red, box):
     filled = np.flatnonzero(np.diff(np.pad(dark.sum(1) >= 2, 1).astype(int)))
     if white < 90 or ink.max() < 40 or len(filled) == 0:
         return None
-    first, last = max(zip(filled[::2], filled[1::2]), key=lambda rows: dark[rows[0]:rows[1]].sum())
+    first, last = max(zip(filled[::2], filled[1::2], strict=True), key=lambda rows: dark[rows[0]:rows[1]].sum())
     across = np.flatnonzero(dark[first:last].any(0))
     return ink[first:last, across[0]:across[-1] + 1]
 
@@ -1507,7 +1507,9 @@ def find_sign(image):
     best, sign = 0.25, None
     for box in cv2.connectedComponentsWithStats(joined)[2][1:, :4].tolist():
         col, row, width, height = box
-        if not (width >= 12 and 2.2 < width / height < 8 and col > 2 and col + width < 317 and row < 90):
+        # the sign hangs at a known height: the nearer it is, the higher in the image
+        height_in_widths = (90 - row - height / 2) / width
+        if not (12 <= width < 54 and 2.2 < width / height < 8 and 1.2 < height_in_widths < 2.2):
             continue
         ink = ink_above(image, is_red, box)
         if ink is None or not 0.9 < ink.shape[1] / width < 2.0:

@@ -190,7 +190,7 @@ def test_a_scenario_becomes_plain_data():
         ({"thresholds": {"bumps": ["<", 1]}}, r"Invalid enum value '<' - at `\$.thresholds\[...\]\[0\]`"),
         ({"thresholds": {"bumps": 0}}, "Expected `array`, got `int`"),
         ({"thresholds": {"goal_time": ["<=", 9]}}, "a threshold of goal_time needs 'goal' in the scenario"),
-        ({"thresholds": {"answer_error": ["<=", 9]}}, "a threshold of answer_error needs 'answer' in the scenario"),
+        ({"thresholds": {"answer_error": ["<=", 9]}}, "answer_error needs 'answer' in the scenario"),
         ({"time": float("nan")}, "Out of range float values are not JSON compliant"),
         ({"goal": object()}, "no attribute 'tolist'"),
     ],
