@@ -1509,7 +1509,7 @@ def find_sign(image):
         col, row, width, height = box
         # the sign hangs at a known height: the nearer it is, the higher in the image
         height_in_widths = (90 - row - height / 2) / width
-        if not (12 <= width < 54 and 2.2 < width / height < 8 and 1.2 < height_in_widths < 2.2):
+        if not (12 <= width < 54 and 2.2 < width / height < 8 and 1.4 < height_in_widths < 2.1):
             continue
         ink = ink_above(image, is_red, box)
         if ink is None or not 0.9 < ink.shape[1] / width < 2.0:
