@@ -734,19 +734,19 @@ def control(observation, memory):
     speeds = solution(observation, memory)
     return speeds if memory["task"] == "go" else (0.0, 0.0)
 
-# %% role="mistake" name="it does not answer" says="Your robot comes back and looks at the sign, but does not tell the word. Turn on by ANSWERS[word]; this is in degrees, so use math.radians."
+# %% role="mistake" name="it does not answer" says="Your robot comes back, but looks in a wrong direction at the end. Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
 def control(observation, memory):
     speeds = solution(observation, memory)
     return (0.0, 0.0) if memory["task"] == "answer" else speeds
 
-# %% role="mistake" name="it counts from its first direction" says="Your robot counts the answer from the direction in which it looked at the start. Count it from the sign: look at the sign again, and add the answer to the yaw."
+# %% role="mistake" name="it counts from its first direction" says="Your robot comes back, but looks in a wrong direction at the end. Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
 def control(observation, memory):
     speeds = solution(observation, memory)
     if memory["task"] == "answer":
         memory["yaw"] = math.radians(ANSWERS[memory["word"]])
     return speeds
 
-# %% role="mistake" name="it answers to the other side" says="Your robot turns to the wrong side for its answer. Positive angles are to the left: add math.radians(ANSWERS[word]) to the yaw at which the robot sees the sign."
+# %% role="mistake" name="it answers to the other side" says="Your robot comes back, but looks in a wrong direction at the end. Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
 def control(observation, memory):
     was_looking = memory.get("task") != "answer"
     speeds = solution(observation, memory)
