@@ -737,21 +737,8 @@ def control(observation, memory):
 # %% role="mistake" name="it does not answer" says="Your robot comes back, but looks in a wrong direction at the end. Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
 def control(observation, memory):
     speeds = solution(observation, memory)
-    return (0.0, 0.0) if memory["task"] == "answer" else speeds
-
-# %% role="mistake" name="it counts from its first direction" says="Your robot comes back, but looks in a wrong direction at the end. Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
-def control(observation, memory):
-    speeds = solution(observation, memory)
-    if memory["task"] == "answer":
-        memory["yaw"] = math.radians(ANSWERS[memory["word"]])
-    return speeds
-
-# %% role="mistake" name="it answers to the other side" says="Your robot comes back, but looks in a wrong direction at the end. Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
-def control(observation, memory):
-    was_looking = memory.get("task") != "answer"
-    speeds = solution(observation, memory)
-    if was_looking and memory["task"] == "answer":
-        memory["yaw"] -= 2 * math.radians(ANSWERS[memory["word"]])
+    if "yaw" in memory:
+        memory["yaw"] = memory["seen"]  # it looks at the sign itself
     return speeds
 
 # %% role="mistake" name="it turns without an end" says="Your robot turns on the spot, whatever it sees. Drive to the sign when find_sign sees it."

@@ -81,6 +81,10 @@ figure_texts = {
         "Four of the images that the robot looked at: at the start, at the lookout, and twice before the sign, where the person walks past.",
         "Four dim images of the living room from near the floor: a rug with a chair and a ball far away; a table, the toy car and the ball in front of the sign; legs in front of the sign, of which one can read only a part; the same a second later, with the whole word KITCHEN.",
     ),
+    "unseen_sign": (
+        "The sign of room 17 from three distances, as find_sign gets it.",
+        "Three small images of a white sign on a wall, above a wooden floor. In the first image, the sign is small, and a chair stands beside it. In the second one can read LIBRARY and, below it in red, ROOM 204. In the third, only ROOM 204 and the line below it are in the image, at its top.",
+    ),
 }
 
 # %% [markdown]
@@ -1435,7 +1439,7 @@ assert not ros_available() or not in_time or not in_corner
 # |---|---|---|---|---|---|
 # | **word** | LIBRARY | NURSERY | OFFICE | PANTRY | STUDIO |
 #
-# At the start, the sign is 2.7 to 3.4 m away, and not in the image: the robot looks to another side. The straight way to the sign is free until 1.3 m before it.
+# At the start, the sign is 2.7 to 3.4 m away, and not in the image: the robot looks to another side. The straight way to the sign is free until 1.2 m before it.
 #
 # Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds: linear in m/s (at most 0.3) and angular in rad/s, to the left (at most 1.57). One call may take 0.5 s, and 0.05 s on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
 #
@@ -1445,7 +1449,7 @@ assert not ros_available() or not in_time or not in_corner
 # | `"odometry"` | (3,) float64: x, y (metres) and yaw (radians), as the wheels count them: (0, 0, 0) at the start, x points to where the robot looks then |
 # | `"time"` | float: seconds since the start |
 #
-# The network of section 5 is too slow for ten looks per second. `find_sign` is given in its place. It looks for the red line ROOM 204, cuts out what stands above it, and compares this with the shapes of the ten words, as in template matching. It returns three things, or `None` if it sees no sign: the **word**, the **angle** to the sign in radians (to the left is positive), and the **distance** in metres, not exactly. The word is `None` if the letters are too small (the camera must be nearer than about 1.8 m), or if no shape is similar enough: from nearer than 1.5 m the top of the sign is above the image. Sometimes the word is wrong.
+# The network of section 5 is too slow for ten looks per second. `find_sign` is given in its place. It looks for the red line ROOM 204, cuts out what stands above it, and compares this with the shapes of the ten words, as in template matching. It returns `None` if it sees no sign, else three values: the **word**, the **angle** to the sign in radians (positive to the left), and the **distance** in metres, not exactly. The word is `None` if the letters are too small, or if no shape is similar enough. Sometimes the word is wrong. You need not read the code of these functions: the cell below them shows what they return.
 
 # %% role="given" exercise="errand-drive" tags=["long"]
 import cv2
@@ -1523,7 +1527,7 @@ def find_sign(image):
     return sign
 
 # %% [markdown]
-# We try it in front of the sign of room 17:
+# We try it at three distances from the sign of room 17:
 
 # %%
 from imgproc_course.simulation import furnished
@@ -1532,18 +1536,29 @@ from imgproc_course.simulation.furnished import outwards
 unseen = furnished(17)
 sign_x, sign_y = unseen.poses["sign"][:2]
 out_x, out_y = outwards(unseen.poses["sign"])  # the direction out of the wall
-for way in (1.8, 1.2):
-    before = (sign_x + way * out_x, sign_y + way * out_y, math.atan2(-out_y, -out_x))
-    looking = Simulation(seed=1, room=unseen, start=before, movers=False, size=(320, 180))
-    sign_frame = looking.frame()
-    print(f"from {way} m:", find_sign(sign_frame))
-    looking.close()
-print("the truth:", unseen.word)
+sign_frames = {}
+for way in (2.4, 1.8, 1.2):
+    place = (sign_x + way * out_x, sign_y + way * out_y, math.atan2(-out_y, -out_x))
+    looking = Simulation(seed=1, room=unseen, start=place, movers=False, size=(320, 180))
+    sign_frames[way] = looking.frame()
+    print(f"from {way} m:", find_sign(sign_frames[way]))
 
 # %%
-# Check: the sign is read from 1.8 m; nearer, the word is above the image
-assert find_sign(sign_frame) is None or find_sign(sign_frame)[0] is None
-assert set(ANSWERS) >= {unseen.word} and sign_frame.shape == (180, 320, 3) and 54 / 30 == 1.8
+show(list(sign_frames.values()), [f"from {way} m" for way in sign_frames], text="the_errand/unseen_sign")
+
+# %% [markdown]
+# From 2.4 m, the letters are too small: the word is `None`, but the robot can drive to the sign. From 1.8 m, `find_sign` reads the word. From 1.2 m, the word is above the image.
+
+# %%
+# Check: what is seen from each distance; the table of the answers; the limits of the robot
+from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
+
+far, good, near = map(find_sign, sign_frames.values())
+assert far[0] is None and good[0] == unseen.word == "LIBRARY" and (near is None or near[0] is None)
+assert max(abs(far[1]), abs(good[1])) < 0.03 and abs(far[2] - 2.4) < 0.4 and abs(good[2] - 1.8) < 0.4
+assert list(ANSWERS) == "BEDROOM CELLAR GARAGE KITCHEN LAUNDRY LIBRARY NURSERY OFFICE PANTRY STUDIO".split()
+assert list(ANSWERS.values()) == [30, 60, 90, 120, 150, -30, -60, -90, -120, -150]
+assert sign_frames[1.8].shape == (180, 320, 3) and (MAX_LINEAR, MAX_ANGULAR) == (0.3, 1.57)
 
 # %% [markdown]
 # ### Your turn: do the errand
