@@ -1570,7 +1570,7 @@ assert sign_frames[1.8].shape == (180, 320, 3) and (MAX_LINEAR, MAX_ANGULAR) == 
 # - The **distance from the start at the end**: at most 0.4 m.
 # - The **error of the answer**: at the end, the robot looks at most 15° beside the direction of the word.
 #
-# A drive gives all its points or none. The yaw of the odometry drifts by several degrees on the way, so do not trust the direction in which the sign was before: look at it again. `math`, `np`, `ANSWERS` and `find_sign` are there for you. The stub drives straight ahead. Check it first, and look at what happens; then add one task after the other, as in the class `Errand`: a task is a word in `memory`. The check drives three times and takes a while.
+# A drive gives all its points or none. The yaw of the odometry drifts on the way, sometimes by more than that. So do not trust the direction in which the sign was before: look at it again. `math`, `np`, `ANSWERS` and `find_sign` are there for you. The stub drives straight ahead. Check it first, and look at what happens; then add one task after the other, as in the class `Errand`: a task is a word in `memory`. The check drives three times and takes a while.
 #
 # | Input | Output | Example call |
 # |---|---|---|
