@@ -1522,8 +1522,8 @@ def find_sign(image):
         word = max(scores, key=scores.get)
         if scores[word] > best:
             best = scores[word]
-            angle = math.atan((159.5 - col - width / 2) / 176.25)
-            sign = word if best > 0.42 and width > 29 else None, angle, 54 / width
+            angle = round(math.atan((159.5 - col - width / 2) / 176.25), 3)
+            sign = word if best > 0.42 and width > 29 else None, angle, round(54 / width, 2)
     return sign
 
 # %% [markdown]
@@ -1570,11 +1570,11 @@ assert sign_frames[1.8].shape == (180, 320, 3) and (MAX_LINEAR, MAX_ANGULAR) == 
 # - The **distance from the start at the end**: at most 0.4 m.
 # - The **error of the answer**: at the end, the robot looks at most 15° beside the direction of the word.
 #
-# A drive gives all its points or none. The yaw of the odometry drifts on the way, sometimes by more than that. So do not trust the direction in which the sign was before: look at it again. `math`, `np`, `ANSWERS` and `find_sign` are there for you. The stub drives straight ahead. Check it first, and look at what happens; then add one task after the other, as in the class `Errand`: a task is a word in `memory`. The check drives three times and takes a while.
+# A drive gives all its points or none. The yaw of the odometry drifts on the way, sometimes by more than that. So do not trust the direction in which the sign was before: look at it again. `math`, `np`, `ANSWERS` and `find_sign` are there for you. The stub drives straight ahead. Check it first, and look at what happens: on the map, a green circle is around the sign. Then add one task after the other, as in the class `Errand`: a task is a word in `memory`. The check drives in three rooms, and takes about ten seconds.
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `observation`: the dict of the table above; `memory`: a dict that is yours | two numbers: the linear speed in m/s (at most 0.3) and the angular speed in rad/s (positive: to the left) | `control({"image": sign_frame, "odometry": np.zeros(3), "time": 0.0}, {})` |
+# | `observation`: the dict of the table above; `memory`: a dict that is yours | two numbers: the linear speed in m/s (at most 0.3) and the angular speed in rad/s (positive: to the left) | `control({"image": sign_frames[1.8], "odometry": np.zeros(3), "time": 0.0}, {})` |
 
 # %% role="exercise"
 exercise(
@@ -1627,7 +1627,7 @@ def far_from_a_sign(rng, duration):
                 start = [round(float(v), 3) for v in (*between[-1], yaw)]
                 thresholds = {"bumps": ["<=", 0], "reach": [">=", 0.5], "home": ["<=", 0.4], "answer_error": ["<=", 15]}
                 return {"seed": int(rng.integers(1 << 31)), "room": number, "start": start, "duration": duration,
-                        "answer": ANSWERS[room.word], "thresholds": thresholds}
+                        "answer": ANSWERS[room.word], "goal": [round(x, 3), round(y, 3), 0.3], "thresholds": thresholds}
 
 
 # %% role="answer"
