@@ -11,8 +11,8 @@ MOVING = 0.02  # m/s: who is slower stands, and is not judged by what is near
 class Metrics:
     """Counts, look after look, what the robot of a Simulation does."""
 
-    def __init__(self, simulation, goal=None):
-        self._simulation, self._goal = simulation, goal
+    def __init__(self, simulation, goal=None, answer=None):
+        self._simulation, self._goal, self._answer = simulation, goal, answer
         self._place, self._touching = simulation.place, False
         self._start, self._places = self._place, {cell_of(self._place)}
         self._ball_errors: list[float] = []
@@ -24,6 +24,8 @@ class Metrics:
             "places": 1,
             "time": 0.0,
             "goal_time": None,
+            "home": 0.0,
+            "answer_error": self._error_of_answer,
             "ball_gap": None,
             "bumped_into": "",
         }
@@ -36,7 +38,9 @@ class Metrics:
         self._places.add(cell_of(place))
         values["time"], values["places"] = time, len(self._places)
         values["distance"] += metres
-        values["reach"] = max(values["reach"], math.dist(self._start[:2], place[:2]))
+        values["home"] = math.dist(self._start[:2], place[:2])
+        values["reach"] = max(values["reach"], values["home"])
+        values["answer_error"] = self._error_of_answer
         if values["goal_time"] is None and self._is_in_goal:
             values["goal_time"] = time
         self._note_ball(time)
@@ -45,6 +49,16 @@ class Metrics:
     @property
     def _is_in_goal(self):
         return self._goal is not None and math.dist(self._place[:2], self._goal[:2]) < self._goal[2]
+
+    @property
+    def _error_of_answer(self):
+        """Degrees from where the robot looks to where it would look for the right answer."""
+        if self._answer is None:
+            return None
+        x, y, yaw = self._place
+        sign_x, sign_y = self._simulation.pose("sign")[:2]
+        right = math.atan2(sign_y - y, sign_x - x) + math.radians(self._answer)
+        return abs(math.degrees(math.remainder(yaw - right, 2 * math.pi)))
 
     def _note_contact(self):
         bumped = self._simulation.bumped

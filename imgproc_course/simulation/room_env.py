@@ -33,6 +33,7 @@ OPTIONS: dict[str, Any] = {
     "duration": 40.0,
     "ball": None,
     "goal": None,
+    "answer": None,
 }
 START_CLEARANCE = 0.45  # metres around the body at a start that is drawn
 KEPT_ROOMS = 2  # so many rooms stay ready for the next drive: up to 220 MB each, if images are drawn
@@ -68,6 +69,8 @@ class RoomEnv(gymnasium.Env):
     - "distance": driven, metres; "reach": the greatest distance from the start, metres
     - "places": number of cells of 0.5 m that the robot has been in; "time": seconds
     - "goal_time": seconds until the robot was in the goal
+    - "home": distance from the start now, metres
+    - "answer_error": from where the robot looks now to where the answer is, degrees
     - "ball_gap": of | distance from camera to ball - 0.6 m |, the mean after 5 s, metres
 
     The reward of a look is the distance driven in it, less 1 for a bump. An episode is truncated after its
@@ -79,6 +82,7 @@ class RoomEnv(gymnasium.Env):
     - "movers": those of "person", "toycar" and "ball" that take part, else none; "time": where they begin
     - "ball": (x, y, dx, dy): a ball begins at (x, y), and rolls along (dx, dy), 0.88 of it in all
     - "goal": (x, y, radius)
+    - "answer": degrees to the left of the sign: there the robot is to look at the end
 
     `path` has the true (x, y, yaw) at the start and after each look, `bump_places` (look, (x, y, yaw)) of the
     bumps.
@@ -139,7 +143,7 @@ class RoomEnv(gymnasium.Env):
         self._goal, self._ball, self._duration = scenario["goal"], scenario["ball"], scenario["duration"]
         self.path = [self._simulation.place]
         self.bump_places: list[tuple[int, tuple[float, float, float]]] = []
-        self._metrics = Metrics(self._simulation, self._goal)
+        self._metrics = Metrics(self._simulation, self._goal, scenario["answer"])
         return self._observation(0.0), self._metrics.info()
 
     def step(self, action: Sequence[float]) -> tuple[dict[str, NDArray], float, bool, bool, dict[str, Any]]:

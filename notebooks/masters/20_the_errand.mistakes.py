@@ -725,3 +725,26 @@ def believe(readings, names, votes):
 # %% role="mistake" name="an empty text for none" says="If no name has enough votes, return None, not an empty text."
 def believe(readings, names, votes):
     return solution(readings, names, votes) or ""
+
+# %% [markdown]
+# # errand-drive
+
+# %% role="mistake" name="it stays at the sign" says="Your robot reads the sign, but does not come back. Drive to (0, 0) of the odometry; the direction is math.atan2(-y, -x), less the yaw."
+def control(observation, memory):
+    speeds = solution(observation, memory)
+    return speeds if memory["task"] == "go" else (0.0, 0.0)
+
+# %% role="mistake" name="it does not answer" says="Your robot comes back, but looks in a wrong direction at the end. Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
+def control(observation, memory):
+    speeds = solution(observation, memory)
+    if "yaw" in memory:
+        memory["yaw"] = memory["seen"]  # it looks at the sign itself
+    return speeds
+
+# %% role="mistake" name="it turns without an end" says="Your robot turns on the spot, whatever it sees. Drive to the sign when find_sign sees it."
+def control(observation, memory):
+    return 0.03, 0.6
+
+# %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use find_sign and the odometry."
+def control(observation, memory):
+    return 0.25, 0.3

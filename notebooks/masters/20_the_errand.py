@@ -18,7 +18,7 @@
 #
 # **Time** [[minutes]], with a long pause after section 4. **You need** the lessons since [[drive_the_robot]], above all [[obstacles_ahead]], [[mapping_and_slam]] and [[reading_text]].
 
-# %% role="given" exercise=["errand-frame", "errand-speed", "errand-direction", "errand-believe"]
+# %% role="given" exercise=["errand-frame", "errand-speed", "errand-direction", "errand-believe", "errand-drive"]
 import math
 
 import numpy as np
@@ -80,6 +80,10 @@ figure_texts = {
     "album": (
         "Four of the images that the robot looked at: at the start, at the lookout, and twice before the sign, where the person walks past.",
         "Four dim images of the living room from near the floor: a rug with a chair and a ball far away; a table, the toy car and the ball in front of the sign; legs in front of the sign, of which one can read only a part; the same a second later, with the whole word KITCHEN.",
+    ),
+    "unseen_sign": (
+        "The sign of room 17 from three distances, as find_sign gets it.",
+        "Three small images of a white sign on a wall, above a wooden floor. In the first image, the sign is small, and a chair stands beside it. In the second one can read LIBRARY and, below it in red, ROOM 204. In the third, only ROOM 204 and the line below it are in the image, at its top.",
     ),
 }
 
@@ -1421,7 +1425,279 @@ assert not ros_available() or not in_time or not in_corner
 
 # %% [markdown]
 # **On the real robot**, this node would wait for ever: there is no depth image of the floor. You have to change three things. Do without `low_points`, and clear low things away. Give the place of the sign yourself (`errand.sign`), because `look_around` takes it from the depth image. And in place of `flat_markers`, write a dictionary with the poses of your own markers, measured in the same map as `START`. We have not tried this on a Kachaka; be ready to catch it.
+
+# %% [markdown]
+# ## 9 · An errand in a room that you have not seen ([[minutes]], deeper)
 #
+# In this exercise your function does a whole errand: **find a sign in a furnished room, go nearer and read it, come back to the start, and tell the word**. You do not know these rooms. The robot has no voice: it tells the word by the direction in which it looks at the end. Each word has an angle, counted from the direction of the sign to the left:
+#
+# | to the left of the sign | 30° | 60° | 90° | 120° | 150° |
+# |---|---|---|---|---|---|
+# | **word** | BEDROOM | CELLAR | GARAGE | KITCHEN | LAUNDRY |
+#
+# | to the right of the sign | 30° | 60° | 90° | 120° | 150° |
+# |---|---|---|---|---|---|
+# | **word** | LIBRARY | NURSERY | OFFICE | PANTRY | STUDIO |
+#
+# At the start, the sign is 2.7 to 3.4 m away, and not in the image: the robot looks to another side. The straight way to the sign is free until 1.2 m before it.
+#
+# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds: linear in m/s (at most 0.3) and angular in rad/s, to the left (at most 1.57). One call may take 0.5 s, and 0.05 s on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
+#
+# | key | value |
+# |---|---|
+# | `"image"` | (180, 320, 3) uint8 BGR: the image of the front camera |
+# | `"odometry"` | (3,) float64: x, y (metres) and yaw (radians), as the wheels count them: (0, 0, 0) at the start, x points to where the robot looks then |
+# | `"time"` | float: seconds since the start |
+#
+# The network of section 5 is too slow for ten looks per second. `find_sign` is given in its place. It looks for the red line ROOM 204, cuts out what stands above it, and compares this with the shapes of the ten words, as in template matching. It returns `None` if it sees no sign, else three values: the **word**, the **angle** to the sign in radians (positive to the left), and the **distance** in metres, not exactly. The word is `None` if the letters are too small, or if no shape is similar enough. Sometimes the word is wrong. You need not read the code of these functions: the cell below them shows what they return.
+
+# %% role="given" exercise="errand-drive" tags=["long"]
+import cv2
+
+ANSWERS = {"BEDROOM": 30, "CELLAR": 60, "GARAGE": 90, "KITCHEN": 120, "LAUNDRY": 150,
+           "LIBRARY": -30, "NURSERY": -60, "OFFICE": -90, "PANTRY": -120, "STUDIO": -150}
+SHAPES = """
+e3de3c3c1c61f39f347636639211b64363739210b6c3417df3d0bcc1416df390bcc141698a10b4c341618a11b2426361fb9f327e3e61f3de313c1c41
+1f3f60c030f873be60c030dc603060c070c4c03060c058ccc03f60c0c8fcc03e60c0ccf8c03060c1fccc603060c186c67bbf7efd06c61f3f7eff0243
+3e083c080f9f770c3e0c199ec01c261c3010c0162614201080363c36601f87323c36639fc33f263f2090c361226130907741a3411f9f3e40a1c18f9f
+8cbf8f209ec198bf19a09ee19084302090e1b084202090f1e084603f9ed9e084603f9ec9b084202090cd9884302090c78c841fa09ec386840f209ec1
+8188486f8e2381884c6fcb3281884c68491683c84e68691c82484b686f0c824849686e0887e849e86908842c48e84988f427c86fc888fc23886f0888
+833c781878c3833e7c186c668326443c662483264c3c663c833c7c247c18833e78667c1883234c7e6c18832344436618c32646c36218fb3e43816318
+824378f7de63c2437c979e22e2434c861336a2434c86131cb24378e7de089a4378779e088e434c161208864244161308867e46b7d108823c42e7d088
+1f07efd83f3f79c7cf98e73e60660c198030c0660c198030c027efd9003fc0260c19003ec0660c19803060e60c1980303bc60c18f73f1f060c183e3f
+f861837f78c3f861c37f6c668c71c30866348cf1e308663cf891b3087c18f1999b087c1881f98f086c18810d8f086618830d87086218820583086318
+7bfd067e10f8c9f9067f11cec06106419302c06106409303706106409303386106409303086106419303086186419106d861fc7f11fe7060787c1078
+"""  # each word as 48 x 10 pixels of one bit
+
+
+def normalized(ink):
+    """48 x 10 values with mean 0 and length 1, a little blurred: their products are correlations."""
+    small = cv2.GaussianBlur(cv2.resize(ink, (48, 10), interpolation=cv2.INTER_AREA), (0, 0), 1.0)
+    small = small - small.mean()
+    return small / max(np.linalg.norm(small), 1e-6)
+
+
+bits = [np.unpackbits(np.frombuffer(bytes.fromhex(line), np.uint8)) for line in SHAPES.split()]
+shapes = {word: normalized(shape.reshape(10, 48).astype(np.float32)) for word, shape in zip(ANSWERS, bits, strict=True)}
+
+
+def ink_above(image, red, box):
+    """How dark the word above a red line is, cut out along its borders; None if there is none."""
+    col, row, width, height = box
+    rows, cols = np.nonzero(red[row:row + height, col:col + width])
+    slope = np.polyfit(cols, rows, 1)[0]  # of the line, because of the perspective
+    middle, line = col + cols.mean(), row + rows.mean()
+    size = (round(2.06 * width), round(0.48 * width))
+    left, top = -size[0] / 2, -0.62 * width
+    turn = np.float32([[1, 0, middle + left], [slope, 1, line + slope * left + top]])
+    part = cv2.warpAffine(image, turn, size, flags=cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP,
+                          borderMode=cv2.BORDER_REPLICATE).min(axis=2).astype(np.float32)
+    white = np.percentile(part, 80)
+    ink = np.maximum(white - part, 0)
+    dark = ink > 0.45 * ink.max()
+    filled = np.flatnonzero(np.diff(np.pad(dark.sum(1) >= 2, 1).astype(int)))
+    if white < 90 or ink.max() < 40 or len(filled) == 0:
+        return None
+    first, last = max(zip(filled[::2], filled[1::2], strict=True), key=lambda rows: dark[rows[0]:rows[1]].sum())
+    across = np.flatnonzero(dark[first:last].any(0))
+    return ink[first:last, across[0]:across[-1] + 1]
+
+
+def find_sign(image):
+    """(word or None, angle to the left, distance) of the sign in an image; None without a sign."""
+    blue, green, red = cv2.split(image.astype(np.int16))
+    is_red = (red - np.maximum(blue, green) > 30).astype(np.uint8)
+    joined = cv2.morphologyEx(is_red, cv2.MORPH_CLOSE, np.ones((3, 7), np.uint8))
+    best, sign = 0.25, None
+    for box in cv2.connectedComponentsWithStats(joined)[2][1:, :4].tolist():
+        col, row, width, height = box
+        # the sign hangs at a known height: the nearer it is, the higher in the image
+        height_in_widths = (90 - row - height / 2) / width
+        if not (12 <= width < 54 and 2.2 < width / height < 8 and 1.4 < height_in_widths < 2.1):
+            continue
+        ink = ink_above(image, is_red, box)
+        if ink is None or not 0.9 < ink.shape[1] / width < 2.0:
+            continue
+        scores = {word: float((normalized(ink) * shape).sum()) for word, shape in shapes.items()}
+        word = max(scores, key=scores.get)
+        if scores[word] > best:
+            best = scores[word]
+            angle = round(math.atan((159.5 - col - width / 2) / 176.25), 3)
+            sign = word if best > 0.42 and width > 29 else None, angle, round(54 / width, 2)
+    return sign
+
+# %% [markdown]
+# We try it at three distances from the sign of room 17:
+
+# %%
+from imgproc_course.simulation import furnished
+from imgproc_course.simulation.furnished import outwards
+
+unseen = furnished(17)
+sign_x, sign_y = unseen.poses["sign"][:2]
+out_x, out_y = outwards(unseen.poses["sign"])  # the direction out of the wall
+sign_frames = {}
+for way in (2.4, 1.8, 1.2):
+    place = (sign_x + way * out_x, sign_y + way * out_y, math.atan2(-out_y, -out_x))
+    looking = Simulation(seed=1, room=unseen, start=place, movers=False, size=(320, 180))
+    sign_frames[way] = looking.frame()
+    print(f"from {way} m:", find_sign(sign_frames[way]))
+
+# %%
+show(list(sign_frames.values()), [f"from {way} m" for way in sign_frames], text="the_errand/unseen_sign")
+
+# %% [markdown]
+# From 2.4 m, the letters are too small: the word is `None`, but the robot can drive to the sign. From 1.8 m, `find_sign` reads the word. From 1.2 m, the word is above the image.
+
+# %%
+# Check: what is seen from each distance; the table of the answers; the limits of the robot
+from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
+
+far, good, near = map(find_sign, sign_frames.values())
+assert far[0] is None and good[0] == unseen.word == "LIBRARY" and (near is None or near[0] is None)
+assert max(abs(far[1]), abs(good[1])) < 0.03 and abs(far[2] - 2.4) < 0.4 and abs(good[2] - 1.8) < 0.4
+assert " ".join(ANSWERS) == "BEDROOM CELLAR GARAGE KITCHEN LAUNDRY LIBRARY NURSERY OFFICE PANTRY STUDIO"
+assert list(ANSWERS.values()) == [30, 60, 90, 120, 150, -30, -60, -90, -120, -150]
+assert sign_frames[1.8].shape == (180, 320, 3) and (MAX_LINEAR, MAX_ANGULAR) == (0.3, 1.57)
+
+# %% [markdown]
+# ### Your turn: do the errand
+#
+# Write `control(observation, memory)`. Each drive takes 35 s in the check and 40 s in grading. It is judged by four metrics:
+#
+# - The **bumps**: none.
+# - The **reach**: at some time, the robot is at least 0.5 m away from its start. (It cannot read the sign from there.)
+# - The **distance from the start at the end**: at most 0.4 m.
+# - The **error of the answer**: at the end, the robot looks at most 15° beside the direction of the word.
+#
+# A drive gives all its points or none. The yaw of the odometry drifts on the way, sometimes by more than that. So do not trust the direction in which the sign was before: look at it again. `math`, `np`, `ANSWERS` and `find_sign` are there for you. The stub drives straight ahead. Check it first, and look at what happens: on the map, a green circle is around the sign. Then add one task after the other, as in the class `Errand`: a task is a word in `memory`. The check drives in three rooms, and takes about ten seconds.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `observation`: the dict of the table above; `memory`: a dict that is yours | two numbers: the linear speed in m/s (at most 0.3) and the angular speed in rad/s (positive: to the left) | `control({"image": sign_frames[1.8], "odometry": np.zeros(3), "time": 0.0}, {})` |
+
+# %% role="exercise"
+exercise(
+    "errand-drive",
+    title="An errand in a room that you have not seen",
+    function="control",
+    subject="drive",
+    sensors=("image", "odometry"),
+    allowed=("cv2",),
+    hint="Four tasks, one after the other: drive to the sign until two looks read the same word; drive back to (0, 0) of the odometry; turn until the sign is straight ahead; turn on by ANSWERS[word], in radians, and stay.",
+    hints=(
+        "Which tasks has the errand, and what ends each of them? What must the robot remember from one task to the next? And what does it do when it does not see the sign?",
+        "1. Store the name of the task in memory; begin with \"go\".\n"
+        "2. go: without a sign, turn on the spot. With a sign, turn in proportion to its angle, and drive while the angle is small. When two looks have read the same word, store it, and begin \"back\".\n"
+        "3. back: the direction of the start is math.atan2(-y, -x); turn to it, less the yaw, and drive. At less than 0.1 m, begin \"look\".\n"
+        "4. look: turn until two looks find the sign in the same direction, yaw plus angle. Then store this direction plus math.radians(ANSWERS[word]), and begin \"answer\".\n"
+        "5. answer: turn until the yaw is the stored one. Use math.remainder for the difference of two yaws.",
+        "x, y, yaw = observation[\"odometry\"]\nsign = find_sign(observation[\"image\"])\ntask = memory.setdefault(\"task\", \"go\")\n"
+        "if task == \"go\":\n    if sign is None:\n        return 0.0, 0.7\n    word, angle, distance = sign\n"
+        "    words = memory.setdefault(\"words\", [])\n    words.append(word)\n    if word and words.count(word) >= 2:\n"
+        "        memory[\"task\"], memory[\"word\"] = \"back\", ...\n    return (0.25 if abs(angle) < 0.3 else 0.0), 1.5 * angle\n"
+        "if task == \"back\":\n    turn = math.remainder(math.atan2(-y, -x) - yaw, 2 * math.pi)\n    ...",
+    ),
+    explanation="The errand is a state machine, as in section 5. Two looks must agree before the robot believes a word: this"
+    " is a short form of believe. The yaw drifts, because no wheel has exactly the size that is written down: so the"
+    " answer is counted from the sign, which the robot sees again, and not from a yaw that it remembers.",
+    another_way="You can call believe with the words of all looks, and drive back without turning around: at a negative speed"
+    " the errors of the wheels on the way there are undone on the way back.",
+)
+
+
+def far_from_a_sign(rng, duration):
+    """A scenario: a furnished room, in which the robot stands before the sign and looks to another side."""
+    from imgproc_course.simulation import furnished
+    from imgproc_course.simulation.furnished import outwards
+
+    while True:
+        number = int(rng.integers(1, 100_000))
+        room = furnished(number)
+        x, y = room.poses["sign"][:2]
+        out_x, out_y = outwards(room.poses["sign"])
+        for _ in range(100):
+            angle, way = math.atan2(out_y, out_x) + rng.uniform(-0.4, 0.4), rng.uniform(2.7, 3.4)
+            between = [(x + d * math.cos(angle), y + d * math.sin(angle)) for d in np.arange(1.2, way + 0.01, 0.05)]
+            is_free = min(room.free_space.distance(*place) for place in between) > 0.4
+            # the robot would look below the table's top, and not see the sign
+            is_seen = min(math.dist(place, room.places["table"][:2]) for place in between) > 1.0
+            if is_free and is_seen and room.free_space.distance(*between[-1]) > 0.5:
+                yaw = math.remainder(angle + math.pi + rng.uniform(1.2, 2 * math.pi - 1.2), 2 * math.pi)
+                start = [round(float(v), 3) for v in (*between[-1], yaw)]
+                thresholds = {"bumps": ["<=", 0], "reach": [">=", 0.5], "home": ["<=", 0.4], "answer_error": ["<=", 15]}
+                return {"seed": int(rng.integers(1 << 31)), "room": number, "start": start, "duration": duration,
+                        "answer": ANSWERS[room.word], "goal": [round(x, 3), round(y, 3), 0.3], "thresholds": thresholds}
+
+
+# %% role="answer"
+def control(observation, memory):
+    return 0.2, 0.0  # your turn: this robot drives straight ahead, whatever it sees
+
+# %% role="solution"
+def control(observation, memory):
+    x, y, yaw = observation["odometry"]
+    word, angle, _ = find_sign(observation["image"]) or (None, None, None)
+    task = memory.setdefault("task", "go")
+    if task == "go":
+        words = memory.setdefault("words", [])
+        words.append(word)
+        if word and words.count(word) >= 2:
+            memory["task"], memory["word"] = "back", word
+            return 0.0, 0.0
+        memory["lost"] = memory.get("lost", 9) + 1 if angle is None else 0
+        if angle is None:  # for some looks, the sign may only be hard to see
+            return (0.0, 0.7) if memory["lost"] > 9 else (0.15, 0.0)
+        return (0.25 if abs(angle) < 0.3 else 0.0), 1.5 * angle
+    if task == "back":
+        turn = math.remainder(math.atan2(-y, -x) - yaw, 2 * math.pi)
+        if math.hypot(x, y) > 0.08:
+            return (0.25 if abs(turn) < 0.3 else 0.0), min(max(2 * turn, -1.0), 1.0)
+        memory["task"] = task = "look"
+    if task == "look":
+        if angle is None:
+            return 0.0, 0.7
+        before, memory["seen"] = memory.get("seen", math.inf), yaw + angle
+        if not abs(memory["seen"] - before) < 0.05:  # two looks must agree here, too
+            return 0.0, 0.4
+        memory["task"], memory["yaw"] = "answer", memory["seen"] + math.radians(ANSWERS[memory["word"]])
+    rest = math.remainder(memory["yaw"] - yaw, 2 * math.pi)
+    return 0.0, min(max(2 * rest, -1.0), 1.0)
+
+# %% role="check" tags=["long"]
+check("errand-drive", control)
+
+# %% role="case" title="a sign" points=1 hint="Does the robot turn until it sees the sign?"
+def inputs(rng):
+    return (far_from_a_sign(rng, 35.0),)
+
+
+# %% role="case" title="another sign" points=1 hint="Is the robot near its start again, at the end?"
+def inputs(rng):
+    return (far_from_a_sign(rng, 35.0),)
+
+
+# %% role="case" title="a third sign" points=1 hint="Is the answer counted from the direction of the sign, to the left?"
+def inputs(rng):
+    return (far_from_a_sign(rng, 35.0),)
+
+
+# %% role="hidden" title="an unseen sign" points=3 hint="Look at the map and at the images: which task did not end?"
+def inputs(rng):
+    return (far_from_a_sign(rng, 40.0),)
+
+
+# %% role="hidden" title="a second unseen sign" points=3 hint="Look at the map and at the images: which task did not end?"
+def inputs(rng):
+    return (far_from_a_sign(rng, 40.0),)
+
+
+# %% role="hidden" title="a third unseen sign" points=3 hint="Look at the map and at the images: which task did not end?"
+def inputs(rng):
+    return (far_from_a_sign(rng, 40.0),)
+
+
+# %% [markdown]
 # ## Recap
 #
 # An errand is more than its parts. The odometry counts in `odom`, and markers correct where `odom` stands in the map. The free way says how fast the robot may be. The robot drives in the free direction nearest to its route, and believes a text only if two looks agree. What is harmless in one part can be a failure in the whole: so measure the whole, with many seeds.

@@ -2,7 +2,7 @@
 
 python tests/benchmarks/bench_room_env.py                       milliseconds of processor time, by part
 python tests/benchmarks/bench_room_env.py --controllers [-n 20] [--seed 1] [--lesson 12] [--only NAME]
-                                                                the solution, the stub and each known mistake
+                                                                solution, stub, known mistakes and a replay
 """
 
 import argparse
@@ -16,9 +16,13 @@ from rich.table import Table
 
 from imgproc_course.classroom.exercises.declaration import read_exercises
 from imgproc_course.simulation import Simulation
-from imgproc_course.simulation.room_env import RoomEnv, controller_observation
+from imgproc_course.simulation.room_env import OPTIONS, RoomEnv, controller_observation
 
-LESSONS = {12: "notebooks/masters/12_obstacles_ahead.py", 13: "notebooks/masters/13_object_tracking.py"}
+LESSONS = {
+    12: "notebooks/masters/12_obstacles_ahead.py",
+    13: "notebooks/masters/13_object_tracking.py",
+    20: "notebooks/masters/20_the_errand.py",
+}
 BUDGETS = {("scan",): 40, ("scan", "depth"): 18, ("image",): 16, ("scan", "depth", "image"): 9}
 CONSOLE = Console(width=110)
 
@@ -80,7 +84,7 @@ def after_a_step(simulation, look):
 
 def drive(env, control, scenario):
     """The metrics of a drive, and whether it keeps the thresholds."""
-    options = {name: scenario[name] for name in ("room", "start", "ball", "duration") if name in scenario}
+    options = {name: scenario[name] for name in OPTIONS if name in scenario}
     observation, info = env.reset(seed=scenario["seed"], options=options)
     memory, over = {}, False
     while not over:
@@ -90,6 +94,22 @@ def drive(env, control, scenario):
         info[name] is not None and signs[sign](info[name], limit)
         for name, (sign, limit) in scenario["thresholds"].items()
     )
+
+
+def replay_of(env, control, scenario):
+    """A controller that repeats what another one did in a scenario, and then stands."""
+    actions = []
+
+    def recorded(observation, memory):
+        actions.append(control(observation, memory))
+        return actions[-1]
+
+    def replay(_, memory):
+        memory["look"] = memory.get("look", -1) + 1
+        return (actions + [(0.0, 0.0)] * memory["look"])[memory["look"]]
+
+    drive(env, recorded, scenario)
+    return replay
 
 
 def print_controllers(lesson, seed, count, only):
@@ -105,6 +125,8 @@ def print_controllers(lesson, seed, count, only):
         f"{exercise.id}: {count} scenarios of seed {seed}, {scenarios[0]['duration']} s; {limits}", flush=True
     )
     env = RoomEnv(exercise.sensors)
+    public_scenario = exercise.arguments(exercise.cases[0])[0][0]
+    functions["replay"] = replay_of(env, functions["solution"], public_scenario)
     for name, control in functions.items():
         if only and name not in only:
             continue

@@ -13,10 +13,12 @@ import pytest
 
 from imgproc_course import geometry
 from imgproc_course.classroom.exercises import read_exercises
+from imgproc_course.classroom.exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS
 from imgproc_course.classroom.exercises.percent_script import read_script
 from imgproc_course.geometry import compose_poses, relative_pose, wrap_angle
 from imgproc_course.recording import open_recording
-from imgproc_course.simulation import Simulation
+from imgproc_course.simulation import Simulation, furnished
+from imgproc_course.simulation.drive import gap
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "20_the_errand.py"
 SIGNS = ("KITCHEN", "BATHROOM", "OFFICE")
@@ -218,3 +220,51 @@ def test_the_readings_of_the_lesson_are_those_of_the_network(solutions):
             assert min(nearest, 2) == min(stored, 2)
     assert solutions["believe"](readings, SIGNS, 5) == "KITCHEN"
     assert solutions["believe"](readings, SIGNS, 6) is None
+
+
+@pytest.fixture(scope="module")
+def errand_drive():
+    (exercise,) = (exercise for exercise in read_exercises(MASTER) if exercise.subject == "drive")
+    return exercise
+
+
+def test_a_drive_begins_and_is_judged_as_the_lesson_says(errand_drive):
+    answers = errand_drive.namespace()["ANSWERS"]
+    limits = {"bumps": ["<=", 0], "reach": [">=", 0.5], "home": ["<=", 0.4], "answer_error": ["<=", 15]}
+    for case, seconds in (errand_drive.cases[0], 35.0), (errand_drive.hidden[0], 40.0):
+        for seed in range(4):
+            ((scenario,),) = errand_drive.arguments(case, seed)
+            room, (x, y, yaw) = furnished(scenario["room"]), scenario["start"]
+            sign_x, sign_y = room.poses["sign"][:2]
+            way, direction = math.dist((x, y), (sign_x, sign_y)), math.atan2(sign_y - y, sign_x - x)
+            assert 2.699 < way < 3.401
+            # half of the camera's field of view and of the sign
+            assert abs(math.remainder(direction - yaw, 2 * math.pi)) > math.atan(160 / 176.25) + 0.3 / way
+            for driven in np.arange(0.0, way - 1.2, 0.02).tolist():
+                place = x + driven * math.cos(direction), y + driven * math.sin(direction)
+                assert gap(room.free_space.distance, *place, direction) > 0.1
+            assert scenario["thresholds"] == limits and scenario["duration"] == seconds
+            assert scenario["answer"] == answers[room.word]
+    assert (LOOK_SECONDS, MEAN_LOOK_SECONDS) == (0.5, 0.05)
+
+
+def test_find_sign_reads_the_words_on_the_way_and_never_a_wrong_one(errand_drive):
+    find_sign, answers = map(errand_drive.namespace().get, ("find_sign", "ANSWERS"))
+    scenarios, seed, unread = {}, 0, []
+    while len(scenarios) < len(answers):
+        ((scenario,),) = errand_drive.arguments(errand_drive.hidden[0], seed)
+        scenarios[scenario["answer"]], seed = scenario, seed + 1
+    for scenario in scenarios.values():
+        room, (x, y, _) = furnished(scenario["room"]), scenario["start"]
+        sign_x, sign_y = room.poses["sign"][:2]
+        direction, signs = math.atan2(sign_y - y, sign_x - x), []
+        for way in (2.0, 1.8, 1.6, 1.4):
+            place = sign_x - way * math.cos(direction), sign_y - way * math.sin(direction), direction
+            simulation = Simulation(1, room=room, start=place, movers=False, size=(320, 180))
+            signs.append(find_sign(simulation.frame()))
+            simulation.close()
+            assert signs[-1] is None or (abs(signs[-1][1]) < 0.03 and abs(signs[-1][2] - way) < 0.3)
+        readings = {sign[0] for sign in signs if sign} - {None}
+        assert signs[0][0] is None and readings <= {room.word}
+        unread += [room.word] * (not readings)
+    assert len(unread) < 4  # some are seen from the side

@@ -184,6 +184,24 @@ def test_metrics_of_a_drive_into_the_boxes():
     env.close()
 
 
+def test_home_and_answer_are_those_of_the_end():
+    env = RoomEnv(())
+    _, info = env.reset(seed=0, options={"start": (1.4, -0.1, 0.0), "answer": -30.0})
+    to_sign = math.degrees(math.atan2(-0.29 + 0.1, 5.59 - 1.4))
+    assert info["home"] == 0 and info["answer_error"] == pytest.approx(abs(0 - to_sign + 30), abs=0.2)
+    for speed in (0.2, -0.2):
+        for _ in range(20):
+            *_, info = env.step((speed, 0.0))
+    assert info["reach"] > 0.3 and info["home"] < 0.1
+    for _ in range(20):
+        *_, info = env.step((0.0, -0.3))
+    x, y, yaw = env.path[-1]
+    right = math.degrees(math.atan2(-0.29 - y, 5.59 - x)) - 30
+    assert info["answer_error"] == pytest.approx(abs(math.degrees(yaw) - right), abs=0.2)
+    assert env.reset(seed=0, options={"start": (1.4, -0.1, 0.0)})[1]["answer_error"] is None
+    env.close()
+
+
 def test_clearance_is_the_true_distance_of_the_body(env):
     """Against points of the body's outline, in a drive past furniture."""
     env.reset(seed=11, options={"start": (2.2, -0.6, -1.2)})

@@ -21,7 +21,7 @@ MEAN_LOOK_SECONDS = 0.05  # of processor time, how long it may take on average o
 PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
 SENSORS = ("scan", "depth", "image", "odometry")
 # The keys of a scenario that the environment's `reset` takes.
-OPTIONS = ("room", "start", "time", "lighting", "movers", "duration", "ball", "goal")
+OPTIONS = ("room", "start", "time", "lighting", "movers", "duration", "ball", "goal", "answer")
 DURATION = 40.0  # seconds, of a scenario that does not say it
 PLACES = ("DRIVE_ENVIRONMENT", "DRIVE_OBSERVATION", "DRIVE_ROOM", "DRIVE_MAP")  # entries of `course`
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
@@ -48,6 +48,12 @@ METRICS = {
     "places": _Metric("places", "{:.0f}", "The robot came to {} places (cells of 0.5 m)"),
     "time": _Metric("time", "{:.1f} s", "The robot drove for {}"),
     "goal_time": _Metric("time to the goal", "{:.1f} s", "The robot reached the goal after {}"),
+    "home": _Metric(
+        "distance from the start at the end", "{:.2f} m", "At the end, the robot was {} away from its start"
+    ),
+    "answer_error": _Metric(
+        "error of the answer", "{:.0f}°", "At the end, the robot looked {} beside the right answer"
+    ),
     "ball_gap": _Metric(
         "error of the distance", "{:.2f} m", "The robot's distance to the ball was wrong by {}"
     ),

@@ -14,7 +14,7 @@ from imgproc_course.classroom.exercises.drive import METRICS
 
 _Number = Annotated[int, Meta(ge=0)]
 _Metric = Literal[tuple(METRICS)]
-_NEEDED = {"goal_time": "goal", "ball_gap": "ball"}
+_NEEDED = {"goal_time": "goal", "answer_error": "answer", "ball_gap": "ball"}
 
 
 class _Scenario(msgspec.Struct, forbid_unknown_fields=True):
@@ -29,6 +29,7 @@ class _Scenario(msgspec.Struct, forbid_unknown_fields=True):
     duration: Annotated[float, Meta(ge=0.1, le=120)] = 40.0
     ball: tuple[float, float, float, float] | None = None
     goal: tuple[float, float, float] | None = None
+    answer: float | None = None
 
 
 def read_scenario(value):
@@ -39,6 +40,6 @@ def read_scenario(value):
     except (TypeError, ValueError, AttributeError) as error:
         raise ValueError(f"a scenario is wrong: {error}; got {value!r}"[:1000]) from error
     for metric, needed in _NEEDED.items():
-        if metric in scenario["thresholds"] and not scenario[needed]:
-            raise ValueError(f"a threshold of {metric} needs a {needed} in the scenario, got none")
+        if metric in scenario["thresholds"] and scenario[needed] is None:
+            raise ValueError(f"a threshold of {metric} needs {needed!r} in the scenario, got none")
     return json.loads(json.dumps(scenario))
