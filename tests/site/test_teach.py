@@ -9,9 +9,7 @@ from imgproc_course.classroom.authoring.masters import find_masters, read_master
 
 ROOT = Path(__file__).parents[2]
 TEACH = ROOT / "docs/teach"
-MASTERS = {
-    master.name: master for master in map(read_master, find_masters(ROOT / "notebooks/masters"))
-}
+MASTERS = {master.name: master for master in map(read_master, find_masters(ROOT / "notebooks/masters"))}
 EXERCISES = {exercise.id: exercise for master in MASTERS.values() for exercise in master.exercises}
 LESSON_OF = {exercise.id: name for name, master in MASTERS.items() for exercise in master.exercises}
 SECTIONS = ["What learners get wrong", "Where they stop", "Ask the room", "What can be left out"]
