@@ -51,10 +51,10 @@ def test_the_points_of_the_plans_add_up():
     lengths = []
     for rows, together in plans():
         lengths.append(len(rows))
-        assert [sum(points for _, points in exercises_in(row[3])) for row in rows] == [
-            int(row[4]) for row in rows
+        assert [sum(points for _, points in exercises_in(row[4])) for row in rows] == [
+            int(row[5]) for row in rows
         ]
-        assert sum(int(row[4]) for row in rows) == together
+        assert sum(int(row[5]) for row in rows) == together
     assert lengths == [6, 6]
 
 
@@ -62,10 +62,10 @@ def test_what_is_handed_in_are_the_lessons_of_the_exercises():
     for rows, _ in plans():
         for row in rows:
             lessons = re.findall(r"\[\[(\w+)\]\]", row[1])
-            owners = dict.fromkeys(LESSON_OF[name] for name, _ in exercises_in(row[3]))
-            assert re.findall(r"`(\w+)`", row[5]) == list(owners), row[0]
+            owners = dict.fromkeys(LESSON_OF[name] for name, _ in exercises_in(row[4]))
+            assert re.findall(r"`(\w+)`", row[6]) == list(owners), row[0]
             assert set(owners) <= set(lessons), row[0]
-            assert row[2] == f"[[core: {', '.join(lessons)}]]", row[0]
+            assert row[2:4] == [f"[[{part}: {', '.join(lessons)}]]" for part in ("core", "whole")]
 
 
 def test_a_built_page_says_the_minutes_and_the_points(built):
