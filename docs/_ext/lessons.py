@@ -15,6 +15,8 @@ import shutil
 import sys
 from pathlib import Path
 
+from teach import write_teach
+
 ROOT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = ROOT / "notebooks"
 LESSONS = sorted(NOTEBOOKS.glob("[0-9]*.ipynb"))
@@ -280,6 +282,7 @@ def write_routes(path):
 
 
 def main(source):
+    write_teach(source / "teach")
     write_lessons(source / "lessons", Figures(source / "_static" / "figures"))
     write_table(source / "lessons" / "table.md")
     write_routes(source / "lessons" / "routes.md")
