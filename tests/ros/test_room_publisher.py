@@ -196,7 +196,9 @@ def test_without_panda3d_the_room_says_so_before_anything_is_published(run_pytho
     )
 
 
-CHECKLIST = re.compile(r"^# \| `(/kachaka/[a-z_/]+)` \| `([a-z_]+)/msg/(\w+)` \| best effort \| (?:`(\w+)`)? ?\|", re.M)
+CHECKLIST = re.compile(
+    r"^# \| `(/kachaka/\S+)` \| `([a-z_]+)/msg/(\w+)` \| best effort \| (?:`(\w+)`)? ?\|", re.M
+)
 
 
 def test_the_checklist_for_a_real_robot_says_what_the_room_has(body, session, wait_until):
@@ -207,7 +209,8 @@ def test_the_checklist_for_a_real_robot_says_what_the_room_has(body, session, wa
     rows = CHECKLIST.findall(master)
     assert len(rows) == 5
     for topic, package, name, frame in rows:
-        find = session.node.get_publishers_info_by_topic if frame else session.node.get_subscriptions_info_by_topic
+        ends = "publishers" if frame else "subscriptions"
+        find = getattr(session.node, f"get_{ends}_info_by_topic")
         wait_until(lambda find=find, topic=topic: find(topic))
         (end,) = find(topic)
         assert end.topic_type == f"{package}/msg/{name}"

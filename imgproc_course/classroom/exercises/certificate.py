@@ -1,6 +1,6 @@
 """A certificate: a page with what a learner has passed, for the browser to print."""
 
-import datetime
+import datetime as dt
 from pathlib import Path
 
 from ..course import TITLE
@@ -24,7 +24,7 @@ class Certificate:
 
 
 def certificate(name, folder=None):
-    """Writes certificate.html beside the lessons: the lessons in which an exercise has passed, points and date.
+    """Writes certificate.html beside the lessons: lessons with exercises that passed, points and date.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def certificate(name, folder=None):
         raise ValueError(f'name is {name!r}, expected your name as a text: certificate("Ada Lovelace")')
     lessons = [lesson for lesson in overview(folder).lessons if lesson.passed]
     if not lessons:
-        raise ValueError("no exercise has passed yet; run the checks of a lesson, then call certificate again")
+        raise ValueError("nothing has passed yet; run the checks of a lesson, then call certificate again")
     path = Path(folder or Path.cwd()) / CERTIFICATE
     path.write_text(_page(name.strip(), lessons), encoding="utf-8")
     return Certificate(path)
@@ -50,7 +50,7 @@ def _page(name, lessons):
 
     template = Path(__file__).with_name(CERTIFICATE).read_text(encoding="utf-8")
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
-    today = datetime.date.today()
+    today = dt.date.today()
     return environment.from_string(template).render(
         title=TITLE, name=name, lessons=lessons, date=f"{today:%d %B %Y}"
     )
