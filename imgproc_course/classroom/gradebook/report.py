@@ -1,8 +1,9 @@
 """The page of a learner, to give back; and what it shares with the teacher's pages.
 
 Each page is one file that loads nothing: it contains its style, and its Content-Security-Policy allows that
-style (by its hash), images drawn by `answer_images`, and nothing else. The template escapes every text, and
-characters that a reader would not see are made visible before.
+style (by its hash), images drawn by `answer_images`, and nothing else; on the pages on which a teacher
+decides, one script of ours, too. The template escapes every text, and characters that a reader would not see
+are made visible before.
 """
 
 import base64
@@ -69,26 +70,42 @@ def prepare_templates():
         _environment().get_template(path.name)
 
 
-def render_page(name, **content):
-    """A page: the template `name` of pages/ with its content."""
-    style = (TEMPLATES / "style.css").read_text(encoding="utf-8")
-    digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode("ascii")
-    policy = f"default-src 'none'; style-src 'sha256-{digest}'; img-src data:"
-    style = _environment().markup(style)  # our file: escaping would change what the hash covers
-    return _environment().get_template(name).render(style=style, policy=policy, **content)
+def render_page(name, *, script=None, **content):
+    """A page: the template `name` of pages/ with its content, and perhaps with a script of pages/."""
+    content["style"], style_hash = _own_code("style.css")
+    policy = f"default-src 'none'; style-src {style_hash}; img-src data:"
+    if script:
+        content["script"], script_hash = _own_code(script)
+        policy += f"; script-src {script_hash}; connect-src 'self'"
+    return _environment().get_template(name).render(policy=policy, **content)
+
+
+def _own_code(name):
+    """A file of ours that a page contains as it is, and its hash, by which the page's policy allows it."""
+    text = (TEMPLATES / name).read_text(encoding="utf-8")
+    digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
+    return _environment().markup(text), f"'sha256-{digest}'"
+
+
+def _rendered(name, **content):
+    """A part of a page, for another template."""
+    return _environment().markup(_environment().get_template(name).render(**content))
 
 
 # ---------------------------------------------------------------- a learner's page
 
 
-def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False):
+def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, keep=None):
     """The page of one learner, HTML; `entry` is the learner's part of grades.json.
 
     Of a lesson without a GradedSubmission in `results`, {lesson: result}, the page shows only the points.
-    `policy` is the LatePolicy or None; `incomplete`: the page says that its details are missing.
+    `policy` is the LatePolicy or None; `incomplete`: the page says that its details are missing. `keep` is
+    called with each lesson's name and its exercises, whose `body` is what the page shows of the checks.
     """
     content = {"learner": entry, "late_policy": policy and policy.text, "incomplete": incomplete}
     lessons = [_lesson_view(one, results.get(one["lesson"]), answer_keys) for one in entry["lessons"]]
+    for lesson in lessons if keep else ():
+        keep(lesson["lesson"], lesson["exercises"])
     return render_page("learner.html", lessons=lessons, **content)
 
 
@@ -129,7 +146,9 @@ def _exercise_view(exercise, notes, key_exercise):
     if replaces_hints and not exercise.message:
         messages += list(dict.fromkeys(filter(None, map(_message_of, exercise.cases))))[:1]
     notes = [*notes, *messages]
-    return {"function": key_exercise.function, "notes": notes, "advice": advice, "cases": cases}
+    view = {"mistake": exercise.mistake, "mistake_explanation": exercise.mistake_explanation}
+    body = _rendered("exercise.html", exercise=view | {"notes": notes, "advice": advice, "cases": cases})
+    return {"function": key_exercise.function, "body": body}
 
 
 def _case_view(case, key_exercise, replaced_by_advice, show_values):
