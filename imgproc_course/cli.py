@@ -413,7 +413,12 @@ def _would_be_committed(path):
     help="Table of all learners, as Moodle or Canvas exports it: who has not submitted is reported.",
 )
 @option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
-def grade(submissions, keys, out, **options):
+@option(
+    "--review",
+    is_flag=True,
+    help="Afterwards, serve the pages on this machine until Ctrl-C, and count what you decide on them.",
+)
+def grade(submissions, keys, out, review, **options):
     """Grade everything in SUBMISSIONS: a folder, or the zip file of a learning platform.
 
     A submission that was graded before, with the same key and the same answers, is not graded again: after an
@@ -431,10 +436,16 @@ def grade(submissions, keys, out, **options):
         # Imported while the workers start.
         from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
         from imgproc_course.classroom.gradebook.grade import grade_submissions
+        from imgproc_course.classroom.gradebook.review_server import serve_review
 
         try:
             with _in_one_line(SandboxError, ValueError):  # the other errors of grading are ValueErrors
                 report = grade_submissions(submissions, keys, out, **options)
+                if review:
+                    click.echo(report.text)
+                    serve_review(out, keys, options["decisions"], say=click.echo)
+                    options |= {"fresh": False, "regrade": ()}
+                    report = grade_submissions(submissions, keys, out, **options)
         except KeyboardInterrupt:
             click.echo(
                 "\nStopped. Finished grades are saved: run the same command again to continue.", err=True

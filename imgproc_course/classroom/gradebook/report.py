@@ -62,8 +62,15 @@ def count_of(number, noun):
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
+def anchor_of(entry):
+    """The id of a learner's answer on the teacher's pages of an exercise."""
+    return entry["page"].rpartition("/")[2].removesuffix(".html")
+
+
 def prepare_templates():
     """Import what draws pages, and compile the templates: the autograder can start in this time."""
+    import pygments.lexers.python  # noqa: F401
+
     import imgproc_course.classroom.exercises.answer_images  # noqa: F401 - Pillow
 
     for path in TEMPLATES.glob("*.html"):
