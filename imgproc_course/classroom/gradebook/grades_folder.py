@@ -2,6 +2,7 @@
 
 grades.json        everything, as grades.schema.json describes it
 grades.csv         one row per learner and lesson, for a spreadsheet
+checks.csv         one row per learner and check: the autograder's points
 summary.html       the teacher's page
 learners/*.html    one page per learner, to give back
 review.html        for the teacher's decisions: the exercises, each with a page of all answers in review/
@@ -24,7 +25,7 @@ from .changes import PREVIOUS, changes_page, read_grades
 from .drives import drives_page
 from .feedback_zips import feedback_zips
 from .grades_json import grades_text, learner_entry
-from .lms_export import exports, grades_csv
+from .lms_export import checks_csv, exports, grades_csv
 from .predictions import predictions_page
 from .report import learner_page
 from .result_store import write_grades_file
@@ -106,6 +107,7 @@ def write_grades(out, grades, learners, lessons, pages, groups, store):
     changed = before is not None and grades_text(before) != text
     write_grades_file(out / "grades.json", text)
     write_grades_file(out / "grades.csv", grades_csv(grades))
+    write_grades_file(out / "checks.csv", checks_csv(grades))
     page_grades = without_names(grades) if grades["anonymous_pages"] else grades
     entries = zip(grades["learners"], page_grades["learners"], strict=True)
     names = {entry["name"]: shown_entry["name"] for entry, shown_entry in entries}

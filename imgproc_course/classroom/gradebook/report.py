@@ -48,6 +48,8 @@ def _environment():
     environment.filters["capital"] = _capital
     environment.filters["count"] = count_of
     environment.filters["numbered"] = lambda name: (name, "number")
+    environment.filters["anchor"] = anchor_of
+    environment.filters["submitted"] = submitted_lessons
     environment.filters["percent"] = lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0
     return environment
 
@@ -110,6 +112,7 @@ def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, 
     called with each lesson's name and its exercises, whose `body` is what the page shows of the checks.
     """
     content = {"learner": entry, "late_policy": policy and policy.text, "incomplete": incomplete}
+    content |= {"submitted": submitted_lessons(entry), "offered": len(answer_keys.lessons)}
     lessons = [_lesson_view(one, results.get(one["lesson"]), answer_keys) for one in entry["lessons"]]
     for lesson in lessons if keep else ():
         keep(lesson["lesson"], lesson["exercises"])
@@ -131,6 +134,11 @@ def _lesson_view(lesson, result, answer_keys):
         "input_set": key.variant if key and key.secret else None,
         "before_late": plain_number(lesson["points"] + lesson["late_deduction"]),
     }
+
+
+def submitted_lessons(entry):
+    """How many lessons of the key a learner submitted."""
+    return sum(bool(lesson["lesson"] and lesson["sha256"]) for lesson in entry["lessons"])
 
 
 def finding_text(finding):
@@ -164,6 +172,7 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
         view["images"] = [map_of(case)]
     if case.failed_call and not case.hidden and TEXTS[case.outcome].shows_values and show_values:
         view = _values_view(case, key_exercise)
+    is_open = case.outcome == Outcome.NOT_ATTEMPTED  # a hint would give away what nobody asked for
     is_wrong_drive = case.drive and case.outcome == Outcome.WRONG
     return (
         view
@@ -172,7 +181,8 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
             "passed": case.passed,
             "label": _DRIVES_WRONG if is_wrong_drive else TEXTS[case.outcome].label,
             "message": "" if replaced_by_advice else _message_of(case),
-            "hint": "" if replaced_by_advice else case.hint,
+            "hint": "" if replaced_by_advice or is_open else case.hint,
+            "state": "passed" if case.passed else "open" if is_open else "failed",
             "open": False,
         }
     )
