@@ -56,9 +56,11 @@ def grades_csv(grades):
 def checks_csv(grades):
     """The text of checks.csv."""
     rows = [
-        (learner["name"], lesson["lesson"], exercise["id"], case["id"], case["title"])
-        + ("hidden" if case["hidden"] else "", case["points"], case["max_points"])
-        + (case["outcome"], case["message"], exercise["mistake"])
+        (
+            *(learner["name"], lesson["lesson"], exercise["id"], case["id"], case["title"]),
+            *("hidden" if case["hidden"] else "", case["points"], case["max_points"]),
+            *(case["outcome"], case["message"], exercise["mistake"]),
+        )
         for learner in grades["learners"]
         for lesson in learner["lessons"]
         for exercise in lesson["exercises"]
