@@ -232,6 +232,16 @@ def test_the_zips_of_feedback_have_the_names_that_moodle_and_canvas_read(graded)
         assert archive.namelist() == ["lovelacebob_LATE_77_100_20_light-1.html"]
 
 
+def test_a_learner_of_no_platform_has_a_zip_alone(graded):
+    names = {path.name for path in (graded[1] / "exports").glob("feedback-*.zip")}
+    pages = {path.stem: path for path in (graded[1] / "learners").iterdir()}
+    own = [stem for stem in pages if stem.startswith(("eve-", "zoe-"))]
+    assert names == {f"feedback-{stem}.zip" for stem in own} and len(own) == 2
+    for stem in own:
+        with zipfile.ZipFile(graded[1] / "exports" / f"feedback-{stem}.zip") as archive:
+            assert [archive.read(name) for name in archive.namelist()] == [pages[stem].read_bytes()]
+
+
 def test_an_excused_lesson_is_a_change_by_that_word():
     lesson = {"lesson": "light", "status": "graded", "points": 4, "max_points": 6, "exercises": []}
     before, after = (
@@ -240,6 +250,48 @@ def test_an_excused_lesson_is_a_change_by_that_word():
     )
     (change,) = changes_between(before, after)
     assert (change["before"], change["after"]) == ("4 of 6", "excused")
+
+
+def test_every_change_is_named(light, submissions, key_path, tmp_path):
+    out, options = tmp_path / "out", {"workers": 1, "quiet": True}
+    early, late = datetime(2026, 11, 1), datetime(2026, 11, 3)
+    right = answers_of(light, "right")
+    write(submissions / "ada" / "20_light.ipynb", notebook(light, right), late)
+    write(submissions / "bob" / "20_light.ipynb", notebook(light, right), early)
+    grade_submissions(submissions, [key_path], out, deadline=datetime(2026, 11, 2), **options)
+    wrong = {"light-double": "def double(pixels):\n    return pixels"}
+    write(submissions / "bob" / "20_light.ipynb", notebook(light, right | wrong), early)
+    write(submissions / "cy" / "20_light.ipynb", notebook(light, right), early)
+    (out / "decisions.csv").write_text("learner,lesson,exercise,points,comment\nbob,light,light-double,3,so")
+    grade_submissions(submissions, [key_path], out, **options)
+    before, after = (json.loads((out / name).read_text()) for name in ("grades.previous.json", "grades.json"))
+    rows = {
+        (row["learner"], row["exercise"] or row["lesson"], row["aspect"]): (row["before"], row["after"])
+        for row in changes_between(before, after)
+    }
+    assert rows.pop(("", "the whole run", "deadline")) == ("2026-11-02T00:00:00", "none")
+    assert rows.pop(("ada", "light", "lateness")) == ("1 day late", "in time")
+    assert rows.pop(("bob", "light-double", "")) == ("3 of 3", "3 of 3, decided by hand")
+    assert rows.pop(("bob", "light-double", "comment")) == ("", "so")
+    assert rows.pop(("bob", "light", "file"))[1].startswith("bob/20_light.ipynb (")
+    was, now = rows.pop(("bob", "light-double", "checks"))
+    assert was == "An image: passed; Any image: passed" and now.startswith("An image: wrong 4")
+    assert rows.pop(("cy", "light", "")) == ("not there", "6 of 6")
+    assert rows.pop(("cy", "light-halves", "")) == ("not there", "3 of 3")
+    assert rows.pop(("cy", "light-double", "")) == ("not there", "3 of 3")
+    assert rows == {}
+    words = re.sub(r"<.*?>", " ", (out / "changes.html").read_text()).split()
+    assert "light: lateness 1 day late in time" in " ".join(words)
+
+
+def test_a_change_without_words_of_its_own_names_its_fields():
+    lesson = {"lesson": "light", "status": "graded", "points": 4, "max_points": 6, "exercises": []}
+    before, after = (
+        {"learners": [{"name": "Bob", "page": "", "lessons": [lesson | {"version": version}]}]}
+        for version in ("1", "2")
+    )
+    (change,) = changes_between(before, after)
+    assert (change["aspect"], change["after"]) == ("details", "changed: version")
 
 
 def test_the_changes_since_the_run_before(light, submissions, key_path, tmp_path):
