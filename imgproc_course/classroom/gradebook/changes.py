@@ -26,7 +26,7 @@ def changes_page(before, after, names):
     `names` are {learner's name: the name to show}.
     """
     rows = [
-        row | {"learner": row["learner"] and names.get(row["learner"], "(gone)")}
+        row | {"learner": names.get(row["learner"], "(gone)") if row["learner"] else "everybody"}
         for row in changes_between(before, after)
     ]
     return render_page("changes.html", rows=rows)

@@ -15,7 +15,7 @@ from operator import itemgetter
 from pathlib import Path
 
 from ..authoring.lesson_names import lesson_name
-from ..autograder.sanitize import without_apostrophes
+from ..autograder.sanitize import spreadsheet_text
 from .answer_keys import load_keys
 from .csv_table import TableError, csv_text, read_csv
 from .report import count_of
@@ -130,5 +130,6 @@ def _without(table, targets):
 
 
 def _target(row):
-    learner = without_apostrophes(row.get("learner", "")).removeprefix("'")
+    learner = row.get("learner", "")  # as grades.csv writes it, or by hand without an apostrophe
+    learner = learner if "'" in learner else spreadsheet_text(learner)
     return learner, lesson_name(row.get("lesson", "")), row.get("exercise", "")

@@ -123,7 +123,7 @@ def page(chromium):
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("name", ["review.html", "review/light-double.html"])
+@pytest.mark.parametrize("name", ["summary.html", "review.html", "review/light-double.html"])
 def test_everybody_can_read_the_pages_in_both_themes(graded, page, name):
     for theme in ("light", "dark"):
         page.emulate_media(color_scheme=theme)
@@ -268,9 +268,15 @@ def test_a_line_without_points_and_comment_takes_a_decision_back(server, answer_
     assert server.decisions.read_text() == HEADER + "# mine\nCy,light,,1,\n"
 
 
-def test_a_table_of_a_spreadsheet_keeps_its_form(tmp_path, answer_keys):
+@pytest.mark.parametrize("learner", ["=Eve", "'=Eve"])
+def test_a_table_of_a_spreadsheet_keeps_its_form(tmp_path, answer_keys, learner):
     table = tmp_path / "decisions.csv"
     header = "\ufefflesson;learner;points;exercise;comment\r\n"
-    table.write_bytes(f"{header}light;'=Eve;1;light-double;x\r\n".encode())
+    table.write_bytes(
+        f"{header}light;''=Eve;3;light-double;\r\nlight;{learner};1;light-double;x\r\n".encode()
+    )
     save_decisions(table, '\'=Eve,light,light-double,2,"a; b"', answer_keys)
-    assert table.read_bytes().decode() == f'{header}light;\'=Eve;2;light-double;"a; b"\r\n'
+    assert (
+        table.read_bytes().decode()
+        == f"{header}light;''=Eve;3;light-double;\r\nlight;'=Eve;2;light-double;\"a; b\"\r\n"
+    )

@@ -282,6 +282,7 @@ def test_every_change_is_named(light, submissions, key_path, tmp_path):
     assert rows == {}
     words = re.sub(r"<.*?>", " ", (out / "changes.html").read_text()).split()
     assert "light: lateness 1 day late in time" in " ".join(words)
+    assert "everybody the whole run: deadline 2026-11-02T00:00:00 none" in " ".join(words)
 
 
 def test_a_change_without_words_of_its_own_names_its_fields():
