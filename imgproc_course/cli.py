@@ -361,8 +361,7 @@ def _would_be_committed(path):
     "keys",
     type=_FOLDER,
     multiple=True,
-    default=["key"],
-    help="Folder of a key; repeat the option for keys of other versions or other lessons.",
+    help="Folder of a key; repeat the option for keys of other versions or other lessons.  [default: key]",
 )
 @option("--out", type=_FOLDER, default="grades", help="Folder for the grades.")
 @option(
@@ -413,15 +412,27 @@ def _would_be_committed(path):
     help="Table of all learners, as Moodle or Canvas exports it: who has not submitted is reported.",
 )
 @option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
-def grade(submissions, keys, out, **options):
+@option(
+    "--review",
+    is_flag=True,
+    help="Afterwards, serve the pages on this machine until Ctrl-C, and count what you decide on them.",
+)
+@option("--forget-rules", is_flag=True, help="Do not use the rules of the run before.")
+@option("--yes", is_flag=True, help="Ask nothing, even if a rule of the run before gets lost.")
+def grade(submissions, keys, out, review, forget_rules, yes, **options):
     """Grade everything in SUBMISSIONS: a folder, or the zip file of a learning platform.
 
     A submission that was graded before, with the same key and the same answers, is not graded again: after an
-    interruption, the same command continues. Exit codes: 0 all graded, 3 some could not be graded (they get
-    0 points and a reason) or a page is incomplete, 1 nothing was graded, 130 interrupted.
+    interruption, the same command continues. Key, deadline, late policy, extensions, decisions and roster are
+    those of the run before into the same folder, unless you give others. Exit codes: 0 all graded, 3 some
+    could not be graded (they get 0 points and a reason) or a page is incomplete, 1 nothing was graded, 130
+    interrupted.
     """
     from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
 
+    rules = _rules_of_run(out, options | {"keys": keys}, forget_rules, yes)
+    options |= rules.rules
+    keys = options.pop("keys")
     with contextlib.ExitStack() as stack:
         if not options["scheduler"]:
             # After a first run, perhaps nothing is left to do.
@@ -431,10 +442,17 @@ def grade(submissions, keys, out, **options):
         # Imported while the workers start.
         from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
         from imgproc_course.classroom.gradebook.grade import grade_submissions
+        from imgproc_course.classroom.gradebook.review_server import serve_review
 
         try:
             with _in_one_line(SandboxError, ValueError):  # the other errors of grading are ValueErrors
                 report = grade_submissions(submissions, keys, out, **options)
+                rules.keep()
+                if review:
+                    click.echo(report.text)
+                    serve_review(out, keys, options["decisions"], say=click.echo)
+                    options |= {"fresh": False, "regrade": ()}
+                    report = grade_submissions(submissions, keys, out, **options)
         except KeyboardInterrupt:
             click.echo(
                 "\nStopped. Finished grades are saved: run the same command again to continue.", err=True
@@ -443,6 +461,20 @@ def grade(submissions, keys, out, **options):
     click.echo(report.text)
     if report.not_graded or report.failed_pages:
         raise SystemExit(_COULD_NOT_GRADE)
+
+
+def _rules_of_run(out, given, forget, yes):
+    """The RunRules; asks if a rule of the run before would be lost."""
+    from imgproc_course.classroom.gradebook.run_rules import NAMES, RunRules
+
+    with _in_one_line(ValueError):
+        rules = RunRules(out, {name: given[name] for name in NAMES}, forget=forget)
+    if rules.kept:
+        click.echo(f"As in the run before: {', '.join(rules.kept)}.")
+    if rules.lost and not yes:
+        text = f"The run before had {', '.join(rules.lost)}; this one would not. Grade all the same (--yes)?"
+        click.confirm(text, abort=True, err=True)
+    return rules
 
 
 @main.command()

@@ -59,7 +59,12 @@ TEXTS = {
     Outcome.PASSED: OutcomeTexts("passed"),
     Outcome.WRONG: OutcomeTexts("returns another value"),
     Outcome.RAISED: OutcomeTexts("raised an exception"),
-    Outcome.NOT_ATTEMPTED: OutcomeTexts("not attempted", shows_values=False),
+    Outcome.NOT_ATTEMPTED: OutcomeTexts(
+        "not attempted",
+        advice="You have not started this exercise yet, and that is fine. Begin with the example in the"
+        " lesson: its check tells you as often as you like how far you are.",
+        shows_values=False,
+    ),
     Outcome.MISSING: OutcomeTexts(
         "the answer is missing",
         advice="No cell of the notebook defines a function or class of this name, with a def or class that"

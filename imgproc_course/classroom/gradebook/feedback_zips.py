@@ -1,4 +1,4 @@
-"""The learners' pages as zips that Moodle and Canvas hand out themselves, one per lesson.
+"""The pages as zips: those that Moodle and Canvas hand out themselves, one per lesson; else one per learner.
 
 exports/moodle-feedback-<lesson>.zip
     for "Upload multiple feedback files in a zip". Moodle reads the participant's number and the kind of file
@@ -6,6 +6,8 @@ exports/moodle-feedback-<lesson>.zip
 exports/canvas-feedback-<lesson>.zip
     for "Re-Upload Submissions". Canvas reads the numbers of the learner and of the submitted file from the
     file's name, lovelaceada_77_100_20_light.html, and attaches the page to the submission as a comment
+exports/feedback-<learner>.zip
+    of a learner who submitted through no platform: nobody else's page is in it
 """
 
 import io
@@ -16,12 +18,15 @@ from .lms_export import lessons_of
 
 
 def feedback_zips(grades, read_page):
-    """The zips of all lessons that came from a platform, {file name: bytes}.
+    """The zips of all lessons that came from a platform, and of the other learners, {file name: bytes}.
 
     `read_page` gives the bytes of the page of a learner's entry.
     """
     members, lessons = {}, lessons_of(grades)
     for learner in grades["learners"]:
+        page = PurePosixPath(learner["page"])
+        if not any(lesson["platform"] for lesson in learner["lessons"]):
+            members[f"feedback-{page.stem}.zip"] = [(page.name, learner)]
         for lesson in learner["lessons"]:
             if lesson["platform"] and lesson["file"] and lesson["lesson"] in lessons:
                 archive = f"{lesson['platform']}-feedback-{lesson['lesson']}.zip"

@@ -87,6 +87,7 @@ def grade_submissions(
         rules.assign(learners, roster or ())
         again = result_store.answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
+        stack.callback(pages.parts.close)
         comparison = stack.enter_context(ThreadPoolExecutor(1)).submit(compare, learners, answer_keys, store)
         threading.Thread(target=prepare_templates, daemon=True).start()
         options |= {"quiet": quiet, "on_result": pages.result_stored}
@@ -104,7 +105,7 @@ def grade_submissions(
             similar=similar_entries(groups),
             anonymous=anonymous,
         )
-        write_grades(out, grades, learners, answer_keys.lessons, pages.failed, groups, store)
+        write_grades(out, grades, learners, answer_keys.lessons, pages, groups, store)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, table_lines, pages.failed)
 

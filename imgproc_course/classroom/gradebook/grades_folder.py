@@ -2,8 +2,10 @@
 
 grades.json        everything, as grades.schema.json describes it
 grades.csv         one row per learner and lesson, for a spreadsheet
+checks.csv         one row per learner and check: the autograder's points
 summary.html       the teacher's page
 learners/*.html    one page per learner, to give back
+review.html        for the teacher's decisions: the exercises, each with a page of all answers in review/
 predictions.html   what learners predicted
 drives.html        maps of the drives, for the teacher: those of hidden scenarios, too
 similar.html       similar submissions, side by side
@@ -14,6 +16,7 @@ results/*.json     every result, by a digest of key and answers: an interrupted 
 """
 
 import shutil
+from functools import partial
 from pathlib import Path
 
 from ..autograder.sanitize import sanitize_line
@@ -22,15 +25,17 @@ from .changes import PREVIOUS, changes_page, read_grades
 from .drives import drives_page
 from .feedback_zips import feedback_zips
 from .grades_json import grades_text, learner_entry
-from .lms_export import exports, grades_csv
+from .lms_export import checks_csv, exports, grades_csv
 from .predictions import predictions_page
 from .report import learner_page
 from .result_store import write_grades_file
+from .review import FOLDER, AnswerParts, review_pages
 from .similarity import similarity_page
 from .summary import summary_page
 
 _GIVEN_BACK = ("learners", "exports")
 _OTHER_PAGES = {
+    "review.html": "Answers and decisions, by exercise",
     "predictions.html": "What the learners predicted",
     "changes.html": "What changed since the run before",
     "drives.html": "The drives, on maps",
@@ -43,10 +48,11 @@ class LearnerPages:
 
     entries  {learner's name: entry in grades.json}
     failed   {learner's name as pages show it: why their page lacks its details}
+    parts    the AnswerParts for the teacher's pages
     """
 
     def __init__(self, out, learners, answer_keys, store, rules, *, anonymous=False):
-        self.entries, self.failed = {}, {}
+        self.entries, self.failed, self.parts = {}, {}, AnswerParts()
         self._out, self._learners, self._answer_keys, self._store = out, learners, answer_keys, store
         self._rules, self._anonymous = rules, anonymous
         self._missing = {learner.name: set(learner.digests.values()) for learner in learners}
@@ -76,22 +82,32 @@ class LearnerPages:
         policy = self._rules.deadlines.policy
         try:
             results = {lesson: self._store.result(digest) for lesson, digest in learner.digests.items()}
-            page = learner_page(page_entry, results, self._answer_keys, policy)
+            keep = partial(self._keep_parts, learner)
+            page = learner_page(page_entry, results, self._answer_keys, policy, keep=keep)
         except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
             self.failed[page_entry["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
             page = learner_page(page_entry, {}, self._answer_keys, policy, incomplete=True)
         write_grades_file(self._out / entry["page"], page)
 
+    def _keep_parts(self, learner, lesson, exercises):
+        """Keep what the teacher's pages show of a lesson's answers; the lesson may have none."""
+        digest = learner.digests.get(lesson)
+        answers = self._store.answers(digest)[2] if digest else {}
+        for exercise in exercises:
+            self.parts.keep(learner.name, exercise["id"], answers.get(exercise["id"], ""), exercise["body"])
 
-def write_grades(out, grades, learners, lessons, failed_pages, groups, store):
+
+def write_grades(out, grades, learners, lessons, pages, groups, store):
     """Write everything but the learners' pages and the results, which are in the ResultStore.
 
-    `learners` are in the order of grades["learners"]; `groups` are the SimilarGroups.
+    `learners` are in the order of grades["learners"]; `pages` are their LearnerPages, `groups` the
+    SimilarGroups.
     """
     before, text = read_grades(out / "grades.json"), grades_text(grades)
     changed = before is not None and grades_text(before) != text
     write_grades_file(out / "grades.json", text)
     write_grades_file(out / "grades.csv", grades_csv(grades))
+    write_grades_file(out / "checks.csv", checks_csv(grades))
     page_grades = without_names(grades) if grades["anonymous_pages"] else grades
     entries = zip(grades["learners"], page_grades["learners"], strict=True)
     names = {entry["name"]: shown_entry["name"] for entry, shown_entry in entries}
@@ -101,13 +117,23 @@ def write_grades(out, grades, learners, lessons, failed_pages, groups, store):
     _write_or_remove(out / "predictions.html", predictions_page(learners, lessons, names))
     _write_or_remove(out / "drives.html", drives_page(learners, store, names))
     _write_or_remove(out / "similar.html", similarity_page(groups, names))
+    _write_review(out, page_grades, pages.parts, {shown: name for name, shown in names.items()})
     files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         write_grades_file(out / "exports" / name, data)
     for pattern in ("*.csv", "*.zip"):
         _remove_others(out / "exports", pattern, files)
     other_pages = {name: title for name, title in _OTHER_PAGES.items() if (out / name).exists()}
-    write_grades_file(out / "summary.html", summary_page(page_grades, failed_pages, other_pages))
+    write_grades_file(out / "summary.html", summary_page(page_grades, pages.failed, other_pages))
+
+
+def _write_review(out, page_grades, parts, names):
+    written = {"review.html": ""}
+    for name, page in review_pages(page_grades, parts, names):
+        written[name] = ""
+        write_grades_file(out / name, page)
+    _remove_others(out / FOLDER, "*.html", {Path(name).name for name in written})
+    _remove_others(out, "review.html", written)
 
 
 def set_pages_aside(out):

@@ -3,6 +3,8 @@
 grades.csv
     one row per learner and lesson: the final points, the autograder's, and what makes the difference; UTF-8
     with a byte order mark, by which spreadsheets recognize it
+checks.csv
+    one row per learner and check, in the same form
 exports/moodle-<lesson>.csv, for submissions from Moodle
     the offline grading worksheet of one assignment, for "Upload grading worksheet": Identifier
     ("Participant 123"), Full name, Grade, Last modified (grade), Feedback comments. Moodle finds the columns
@@ -38,6 +40,10 @@ COLUMNS = (
     *("status", "findings", "file", "platform_id", "autograded_points", "days_late", "late_deduction"),
     *("decisions", "page"),
 )
+CHECK_COLUMNS = (
+    *("learner", "lesson", "exercise", "check", "title", "hidden", "points", "max_points"),
+    *("outcome", "message", "mistake"),
+)
 EXCUSED = "EX"  # what Canvas writes
 
 
@@ -45,6 +51,22 @@ def grades_csv(grades):
     """The text of grades.csv."""
     rows = [_grades_row(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
     return "\ufeff" + _text(COLUMNS, rows)
+
+
+def checks_csv(grades):
+    """The text of checks.csv."""
+    rows = [
+        (
+            *(learner["name"], lesson["lesson"], exercise["id"], case["id"], case["title"]),
+            *("hidden" if case["hidden"] else "", case["points"], case["max_points"]),
+            *(case["outcome"], case["message"], exercise["mistake"]),
+        )
+        for learner in grades["learners"]
+        for lesson in learner["lessons"]
+        for exercise in lesson["exercises"]
+        for case in exercise["cases"]
+    ]
+    return "\ufeff" + _text(CHECK_COLUMNS, rows)
 
 
 def _grades_row(learner, lesson):

@@ -1,8 +1,9 @@
 """The page of a learner, to give back; and what it shares with the teacher's pages.
 
 Each page is one file that loads nothing: it contains its style, and its Content-Security-Policy allows that
-style (by its hash), images drawn by `answer_images`, and nothing else. The template escapes every text, and
-characters that a reader would not see are made visible before.
+style (by its hash), images drawn by `answer_images`, and nothing else; on the pages on which a teacher
+decides, one script of ours, too. The template escapes every text, and characters that a reader would not see
+are made visible before.
 """
 
 import base64
@@ -48,6 +49,8 @@ def _environment():
     environment.filters["capital"] = _capital
     environment.filters["count"] = count_of
     environment.filters["numbered"] = lambda name: (name, "number")
+    environment.filters["anchor"] = anchor_of
+    environment.filters["submitted"] = submitted_lessons
     environment.filters["percent"] = lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0
     return environment
 
@@ -67,34 +70,58 @@ def count_of(number, noun):
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
+def anchor_of(entry):
+    """The id of a learner's answer on the teacher's pages of an exercise."""
+    return entry["page"].rpartition("/")[2].removesuffix(".html")
+
+
 def prepare_templates():
     """Import what draws pages, and compile the templates: the autograder can start in this time."""
+    import pygments.lexers.python  # noqa: F401
+
     import imgproc_course.classroom.exercises.answer_images  # noqa: F401 - Pillow
 
     for path in TEMPLATES.glob("*.html"):
         _environment().get_template(path.name)
 
 
-def render_page(name, **content):
-    """A page: the template `name` of pages/ with its content."""
-    style = (TEMPLATES / "style.css").read_text(encoding="utf-8")
-    digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode("ascii")
-    policy = f"default-src 'none'; style-src 'sha256-{digest}'; img-src data:"
-    style = _environment().markup(style)  # our file: escaping would change what the hash covers
-    return _environment().get_template(name).render(style=style, policy=policy, **content)
+def render_page(name, *, script=None, **content):
+    """A page: the template `name` of pages/ with its content, and perhaps with a script of pages/."""
+    content["style"], style_hash = _own_code("style.css")
+    policy = f"default-src 'none'; style-src {style_hash}; img-src data:"
+    if script:
+        content["script"], script_hash = _own_code(script)
+        policy += f"; script-src {script_hash}; connect-src 'self'"
+    return _environment().get_template(name).render(policy=policy, **content)
+
+
+def _own_code(name):
+    """A file of ours that a page contains as it is, and its hash, by which the page's policy allows it."""
+    text = (TEMPLATES / name).read_text(encoding="utf-8")
+    digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
+    return _environment().markup(text), f"'sha256-{digest}'"
+
+
+def _rendered(name, **content):
+    """A part of a page, for another template."""
+    return _environment().markup(_environment().get_template(name).render(**content))
 
 
 # ---------------------------------------------------------------- a learner's page
 
 
-def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False):
+def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, keep=None):
     """The page of one learner, HTML; `entry` is the learner's part of grades.json.
 
     Of a lesson without a GradedSubmission in `results`, {lesson: result}, the page shows only the points.
-    `policy` is the LatePolicy or None; `incomplete`: the page says that its details are missing.
+    `policy` is the LatePolicy or None; `incomplete`: the page says that its details are missing. `keep` is
+    called with each lesson's name and its exercises, whose `body` is what the page shows of the checks.
     """
     content = {"learner": entry, "late_policy": policy and policy.text, "incomplete": incomplete}
+    content |= {"submitted": submitted_lessons(entry), "offered": len(answer_keys.lessons)}
     lessons = [_lesson_view(one, results.get(one["lesson"]), answer_keys) for one in entry["lessons"]]
+    for lesson in lessons if keep else ():
+        keep(lesson["lesson"], lesson["exercises"])
     return render_page("learner.html", lessons=lessons, **content)
 
 
@@ -113,6 +140,11 @@ def _lesson_view(lesson, result, answer_keys):
         "input_set": key.variant if key and key.secret else None,
         "before_late": plain_number(lesson["points"] + lesson["late_deduction"]),
     }
+
+
+def submitted_lessons(entry):
+    """How many lessons of the key a learner submitted."""
+    return sum(bool(lesson["lesson"] and lesson["sha256"]) for lesson in entry["lessons"])
 
 
 def finding_text(finding):
@@ -135,7 +167,9 @@ def _exercise_view(exercise, notes, key_exercise):
     if replaces_hints and not exercise.message:
         messages += list(dict.fromkeys(filter(None, map(_message_of, exercise.cases))))[:1]
     notes = [*notes, *messages]
-    return {"function": key_exercise.function, "notes": notes, "advice": advice, "cases": cases}
+    view = {"mistake": exercise.mistake, "mistake_explanation": exercise.mistake_explanation}
+    body = _rendered("exercise.html", exercise=view | {"notes": notes, "advice": advice, "cases": cases})
+    return {"function": key_exercise.function, "body": body}
 
 
 def _case_view(case, key_exercise, replaced_by_advice, show_values):
@@ -144,6 +178,7 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
         view["images"] = [map_of(case)]
     if case.failed_call and not case.hidden and TEXTS[case.outcome].shows_values and show_values:
         view = _values_view(case, key_exercise)
+    is_open = case.outcome == Outcome.NOT_ATTEMPTED  # a hint would give away what nobody asked for
     is_wrong_drive = case.drive and case.outcome == Outcome.WRONG
     return (
         view
@@ -152,7 +187,8 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
             "passed": case.passed,
             "label": _DRIVES_WRONG if is_wrong_drive else TEXTS[case.outcome].label,
             "message": "" if replaced_by_advice else _message_of(case),
-            "hint": "" if replaced_by_advice else case.hint,
+            "hint": "" if replaced_by_advice or is_open else case.hint,
+            "state": "passed" if case.passed else "open" if is_open else "failed",
             "open": False,
         }
     )

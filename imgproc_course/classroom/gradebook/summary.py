@@ -12,6 +12,7 @@ from ..exercises.running import MEANT
 from .csv_table import csv_text
 from .grades_json import lesson_names
 from .report import count_of, finding_text, render_page
+from .teacher_tables import plain_number
 
 _BIN_COUNT = 10
 _MOST_UNKNOWN = 3  # files of one learner that belong to no lesson
@@ -35,6 +36,7 @@ def summary_page(grades, failed_pages=(), other_pages=()):
         grades=grades,
         failed_pages=dict(failed_pages),
         other_pages=dict(other_pages),
+        offered=len(lesson_names(grades)),
         names=[name for name in lesson_names(grades) if name in submitted],
         submissions=submissions,
         graded=graded,
@@ -177,10 +179,15 @@ def _refused_module(cases):
 
 
 def _line_to_copy(name, learner, lesson, exercise, entry):
-    """The line of decisions.csv that gives full points, or none; "" where no lesson is known."""
+    """The line of decisions.csv that takes back an unfair loss; "" where no lesson is known.
+
+    Where nothing tells how many points are fair, "?" stands for them, which no run accepts.
+    """
     if not lesson["lesson"]:
         return ""
-    points = entry["max_points"] if name == "unfair" else 0
+    points = entry["max_points"] if exercise else plain_number(entry["points"] + entry["late_deduction"])
+    if name == "dishonest" or lesson["status"] != "graded":
+        points = "?"
     cells = (learner["name"], lesson["lesson"], exercise, points, "looked at by hand")
     return csv_text([map(spreadsheet_text, cells)], lineterminator="")
 

@@ -197,12 +197,14 @@ def _other_lesson(lesson):
     lesson["metadata"]["imgproc_course"]["lesson"] = "../../../etc/passwd"
 
 
-@of_cells(61, "widget state with a script", never=(("**/*.html", "<script"),))
+@of_cells(61, "widget state with a script", never=(("**/*.html", "<script>alert"),))
 def _widget_state(lesson):
-    lesson["metadata"]["widgets"] = {"application/vnd.jupyter.widget-state+json": {"state": "<script>"}}
+    lesson["metadata"]["widgets"] = {
+        "application/vnd.jupyter.widget-state+json": {"state": "<script>alert(1)</script>"}
+    }
 
 
-@of_cells(61, "outputs with a script", never=(("**/*.html", "<script"), ("**/*.html", "onload=")))
+@of_cells(61, "outputs with a script", never=(("**/*.html", "<script>alert"), ("**/*.html", "onload=")))
 def _script_in_outputs(lesson):
     html = {"text/html": "<script>alert(1)</script>", "image/svg+xml": "<svg onload=alert(1)>"}
     shown = {"output_type": "display_data", "data": html, "metadata": {}}
@@ -563,7 +565,9 @@ def _circle(lesson):
 
 
 @of_cells(
-    303, "predictions that are markup and formulas", never=(("**/*.html", "<script"), ("**/*.csv", "=x9"))
+    303,
+    "predictions that are markup and formulas",
+    never=(("**/*.html", "<script>alert"), ("**/*.csv", "=x9")),
 )
 def _predictions(lesson):
     for text in ("<script>alert(1)</script>", "=x9|' /C calc'!A0", "\u202e\x1b[31m", "x" * 3_000_000):

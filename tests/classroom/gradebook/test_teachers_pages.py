@@ -1,5 +1,6 @@
 """The teacher's pages: what to look at, lines for decisions, predictions, changes, ids, feedback zips."""
 
+import csv
 import html
 import io
 import json
@@ -84,19 +85,24 @@ def test_the_top_names_whose_zip_has_names_of_others(light, submissions, key_pat
     assert ["mallory" in rows[0], "noah" in rows[1], len(rows)] == [True, True, 2]
 
 
-def test_each_line_can_be_copied_into_the_decisions(graded, class_folder, key_path, tmp_path):
+def test_a_line_about_a_broken_file_or_a_suspicion_needs_points(graded, class_folder, key_path, tmp_path):
     lines = [
         html.unescape(re.search(r"<code>(.*?)</code>", row)[1])
         for heading in ("May have lost points unfairly", "Perhaps dishonest")
         for row in rows_of(graded[1], heading)
     ]
     assert lines == [
-        '"Zoe, =1+1",light,,6,looked at by hand',
-        "eve,light,light-double,0,looked at by hand",
+        '"Zoe, =1+1",light,,?,looked at by hand',
+        "eve,light,light-double,?,looked at by hand",
     ]
+    assert 'href="review/light-double.html#eve-' in rows_of(graded[1], "Perhaps dishonest")[0]
     decisions = tmp_path / "decisions.csv"
-    decisions.write_text("\n".join(["learner,lesson,exercise,points,comment", *lines]))
+    text = "\n".join(["learner,lesson,exercise,points,comment", *lines])
+    decisions.write_text(text)
     out = tmp_path / "out"
+    with pytest.raises(ValueError, match=r"row 2: the points are '\?'; expected 0 to 6"):
+        grade_submissions(class_folder / "in", [key_path], out, decisions=decisions, quiet=True)
+    decisions.write_text(text.replace(",?,", ",6,", 1).replace(",?,", ",1,"))
     grade_submissions(class_folder / "in", [key_path], out, decisions=decisions, workers=1, quiet=True)
     grades = json.loads((out / "grades.json").read_text())
     assert {entry["name"]: entry["points"] for entry in grades["learners"]}["Zoe, =1+1"] == 6
@@ -226,6 +232,16 @@ def test_the_zips_of_feedback_have_the_names_that_moodle_and_canvas_read(graded)
         assert archive.namelist() == ["lovelacebob_LATE_77_100_20_light-1.html"]
 
 
+def test_a_learner_of_no_platform_has_a_zip_alone(graded):
+    names = {path.name for path in (graded[1] / "exports").glob("feedback-*.zip")}
+    pages = {path.stem: path for path in (graded[1] / "learners").iterdir()}
+    own = [stem for stem in pages if stem.startswith(("eve-", "zoe-"))]
+    assert names == {f"feedback-{stem}.zip" for stem in own} and len(own) == 2
+    for stem in own:
+        with zipfile.ZipFile(graded[1] / "exports" / f"feedback-{stem}.zip") as archive:
+            assert [archive.read(name) for name in archive.namelist()] == [pages[stem].read_bytes()]
+
+
 def test_an_excused_lesson_is_a_change_by_that_word():
     lesson = {"lesson": "light", "status": "graded", "points": 4, "max_points": 6, "exercises": []}
     before, after = (
@@ -234,6 +250,49 @@ def test_an_excused_lesson_is_a_change_by_that_word():
     )
     (change,) = changes_between(before, after)
     assert (change["before"], change["after"]) == ("4 of 6", "excused")
+
+
+def test_every_change_is_named(light, submissions, key_path, tmp_path):
+    out, options = tmp_path / "out", {"workers": 1, "quiet": True}
+    early, late = datetime(2026, 11, 1), datetime(2026, 11, 3)
+    right = answers_of(light, "right")
+    write(submissions / "ada" / "20_light.ipynb", notebook(light, right), late)
+    write(submissions / "bob" / "20_light.ipynb", notebook(light, right), early)
+    grade_submissions(submissions, [key_path], out, deadline=datetime(2026, 11, 2), **options)
+    wrong = {"light-double": "def double(pixels):\n    return pixels"}
+    write(submissions / "bob" / "20_light.ipynb", notebook(light, right | wrong), early)
+    write(submissions / "cy" / "20_light.ipynb", notebook(light, right), early)
+    (out / "decisions.csv").write_text("learner,lesson,exercise,points,comment\nbob,light,light-double,3,so")
+    grade_submissions(submissions, [key_path], out, **options)
+    before, after = (json.loads((out / name).read_text()) for name in ("grades.previous.json", "grades.json"))
+    rows = {
+        (row["learner"], row["exercise"] or row["lesson"], row["aspect"]): (row["before"], row["after"])
+        for row in changes_between(before, after)
+    }
+    assert rows.pop(("", "the whole run", "deadline")) == ("2026-11-02T00:00:00", "none")
+    assert rows.pop(("ada", "light", "lateness")) == ("1 day late", "in time")
+    assert rows.pop(("bob", "light-double", "")) == ("3 of 3", "3 of 3, decided by hand")
+    assert rows.pop(("bob", "light-double", "comment")) == ("", "so")
+    assert rows.pop(("bob", "light", "file"))[1].startswith("bob/20_light.ipynb (")
+    was, now = rows.pop(("bob", "light-double", "checks"))
+    assert was == "An image: passed; Any image: passed" and now.startswith("An image: wrong 4")
+    assert rows.pop(("cy", "light", "")) == ("not there", "6 of 6")
+    assert rows.pop(("cy", "light-halves", "")) == ("not there", "3 of 3")
+    assert rows.pop(("cy", "light-double", "")) == ("not there", "3 of 3")
+    assert rows == {}
+    words = re.sub(r"<.*?>", " ", (out / "changes.html").read_text()).split()
+    assert "light: lateness 1 day late in time" in " ".join(words)
+    assert "everybody the whole run: deadline 2026-11-02T00:00:00 none" in " ".join(words)
+
+
+def test_a_change_without_words_of_its_own_names_its_fields():
+    lesson = {"lesson": "light", "status": "graded", "points": 4, "max_points": 6, "exercises": []}
+    before, after = (
+        {"learners": [{"name": "Bob", "page": "", "lessons": [lesson | {"version": version}]}]}
+        for version in ("1", "2")
+    )
+    (change,) = changes_between(before, after)
+    assert (change["aspect"], change["after"]) == ("details", "changed: version")
 
 
 def test_the_changes_since_the_run_before(light, submissions, key_path, tmp_path):
@@ -262,15 +321,16 @@ def test_anonymous_pages_show_no_name(class_folder, graded, key_path, tmp_path):
     for learner in grades["learners"]:
         assert re.fullmatch(r"learners/learner-[0-9a-f]{10}\.html", learner["page"])
     pages = [*out.glob("*.html"), *(out / "learners").iterdir()]
-    assert len(pages) == 6
+    pages += (out / "review").iterdir()
+    assert len(pages) == 9
     for path in pages:
         text = path.read_text(encoding="utf-8")
-        assert not re.search("lovelace|zoe|eve\\b|20_light", text, re.I), path.name
+        assert not re.search("lovelace|zoe|\\beve\\b|20_light", text, re.I), path.name
     (row,) = rows_of(out, "Perhaps dishonest")
     line = re.search(r"<code>(.*?)</code>", row)[1]
-    assert re.match("learner-[0-9a-f]{10},light,light-double,0,", line)
+    assert re.match("learner-[0-9a-f]{10},light,light-double,\\?,", line)
     (out / "decisions.csv").write_text(
-        "learner,lesson,exercise,points,comment\n" + line.replace(",0,", ",1,")
+        "learner,lesson,exercise,points,comment\n" + line.replace(",?,", ",1,")
     )
     grade_submissions(class_folder / "in", [key_path], out, **shown)
     grades = json.loads((out / "grades.json").read_text())
@@ -278,3 +338,46 @@ def test_anonymous_pages_show_no_name(class_folder, graded, key_path, tmp_path):
     assert eve["lessons"][0]["exercises"][0]["points"] == 1
     with zipfile.ZipFile(io.BytesIO((out / "exports" / "moodle-feedback-light.zip").read_bytes())) as archive:
         assert archive.namelist() == ["Ada B Lovelace_12345_assignsubmission_file/feedback.html"]
+
+
+def test_a_lesson_that_lost_points_by_lateness_alone_gets_back_only_those(
+    light, submissions, key_path, tmp_path
+):
+    half = notebook(light, answers_of(light, "right") | {"light-double": "def double(p):\n    return p"})
+    write(submissions / "ada" / "a.ipynb", half, datetime(2026, 11, 1))
+    write(submissions / "ada" / "b.ipynb", half, datetime(2026, 11, 4))
+    late = {"deadline": datetime(2026, 11, 2), "late": "50% a day, 1 day"}
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True, **late)
+    (row,) = rows_of(tmp_path / "out", "May have lost points unfairly")
+    assert "0 of 6" in row and "<code>ada,light,,3,looked at by hand</code>" in row
+
+
+def test_each_check_of_each_learner_is_a_row(graded):
+    with (graded[1] / "checks.csv").open(encoding="utf-8-sig", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 3 * 4
+    (row,) = [row for row in rows if row["learner"] == "eve" and row["title"] == "An image"]
+    about = ("lesson", "exercise", "hidden", "points", "max_points", "outcome", "mistake")
+    assert [row[name] for name in about] == ["light", "light-double", "", "0", "1", "crashed", ""]
+    hidden = [row["hidden"] for row in rows if row["title"] == "Any image"]
+    assert hidden == ["hidden"] * 3 and sum(int(row["points"]) for row in rows) == 6 + 6 + 3
+
+
+def test_a_total_says_how_many_lessons_were_submitted(graded):
+    (page,) = (graded[1] / "learners").glob("eve-*.html")
+    assert "of 2 lessons, 1 submitted" in page.read_text(encoding="utf-8")
+    summary = (graded[1] / "summary.html").read_text(encoding="utf-8")
+    assert summary.count('<td class="number">1 of 2</td>') == 4
+
+
+def test_not_attempted_is_neutral_without_a_hint_and_with_a_kind_sentence(
+    light, submissions, key_path, tmp_path
+):
+    answers = {"light-halves": "def halves(pixels):\n    return pixels, pixels"}
+    write(submissions / "ada.ipynb", notebook(light, answers))
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    (page,) = (tmp_path / "out" / "learners").iterdir()
+    double, halves = page.read_text(encoding="utf-8").split('<div class="exercise">')[1:]
+    assert double.count('<li class="open">') == 2 and "You have not started this exercise yet" in double
+    assert "failed" not in double and "Hint" not in double
+    assert halves.count('<li class="failed">') == 2 and halves.count("Hint") == 2
