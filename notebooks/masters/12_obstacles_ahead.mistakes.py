@@ -486,6 +486,17 @@ def control(observation, memory):
         return 0.0, 0.0
     return 0.3, 0.0
 
+# %% role="mistake" name="it does not look for its goal" says="Your robot turns left while the way is blocked, and then drives straight on, wherever that leads. Compute the direction of the goal from the odometry, and turn back to it when the way there is free."
+def control(observation, memory):
+    if free_way(obstacles(observation), 0.0) < 0.45:
+        return 0.0, 0.8
+    return 0.3, 0.0
+
+# %% role="mistake" name="it forgets" says="Your robot turns away from something low, then the camera does not see it any more, and the robot turns back to it. Store the points of the last seconds in memory, in the frame of the odometry."
+def control(observation, memory):
+    memory.clear()
+    return solution(observation, memory)
+
 # %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use the observation."
 def control(observation, memory):
     return 0.25, 0.3

@@ -969,7 +969,7 @@ assert not ros_available() or 0 < node.distance < 0.6
 # %% [markdown]
 # ## 9 · Drive through rooms that you have not seen ([[minutes]], deeper)
 #
-# Braking is not enough: a robot must also find a way on. In this exercise your function drives the robot through furnished rooms, for 30 s in the check and for 40 s in grading. You do not know these rooms, and the robot starts in front of something low: slippers or building blocks. The laser scanner looks over them; the depth camera sees them, but not when they are nearer than 0.38 m.
+# Braking is not enough: a robot must also find a way past an obstacle. In this exercise your function drives the robot through furnished rooms that you do not know. Something low is in its way: slippers or building blocks. The goal is behind it, on the floor, 2.2 m straight ahead of the start. The laser scanner looks over low things; the depth camera sees them, but only ahead, and not when they are nearer than 0.38 m. So the robot must remember them, or it turns back to the goal too early.
 #
 # Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds: linear in m/s and angular in rad/s, to the left. The robot drives at most 0.3 m/s and turns at most 1.57 rad/s; more is reduced to that. One call may take 0.5 s, and 0.05 s on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
 #
@@ -980,7 +980,7 @@ assert not ros_available() or 0 < node.distance < 0.6
 # | `"odometry"` | (3,) float64: x, y (metres) and yaw (radians), as the wheels count them: (0, 0, 0) at the start, x points to where the robot looks then |
 # | `"time"` | float: seconds since the start |
 #
-# Two functions are given. `obstacles` makes points of both sensors, as in sections 5 and 6. `free_way` measures how far the robot can go in any direction: it turns the points, and finds the nearest one in a corridor of 0.64 m: the robot is 0.24 m wide, so 0.20 m stay free on each side. All numbers are counted from the middle of the robot's axle; its front is 0.24 m ahead of it.
+# The goal is the place (2.2, 0) of the odometry. Two functions are given. `obstacles` makes points of both sensors, as in sections 5 and 6. `free_way` measures how far the robot can go in any direction: it turns the points, and finds the nearest one in a corridor of 0.64 m: the robot is 0.24 m wide, so 0.20 m stay free on each side. All numbers are counted from the middle of the robot's axle; its front is 0.24 m ahead of it. The check and grading take `obstacles` and `free_way` as they stand here: to change one of them, write a function with another name in your answer cell.
 
 # %% role="given" exercise="obstacles-drive" tags=["long"]
 from imgproc_course.geometry import CameraModel
@@ -1028,7 +1028,7 @@ assert free_way(np.array([[0.24, 0.1]]), 0.0) == 0 and 2 * 0.32 == 0.64
 # %% [markdown]
 # ### Your turn: drive
 #
-# Write `control(observation, memory)`. Each drive is judged by three metrics. The **bumps**: none. The **clearance**: the body comes no nearer than 0.10 m to anything while it moves. And the **reach**: at some time, the robot is at least 1 m away from its start. A drive goes on after a bump, but gives its points only if it keeps all three. `math`, `np`, `obstacles` and `free_way` are imported for you.
+# Write `control(observation, memory)`. Each drive takes 30 s, and is judged by three metrics. The **bumps**: none. The **clearance**: the body comes no nearer than 0.10 m to anything while it moves. And the **time to the goal**: within the 30 s, the middle of the axle is at most 0.5 m from the goal. A drive goes on after a bump, but gives its points only if it keeps all three. `math`, `np`, `obstacles` and `free_way` are imported for you.
 #
 # The stub drives straight ahead. Check it first, and look at what happens; then improve it step by step. The check drives in three rooms, and takes about ten seconds. What your function prints is shown below the first drive that fails.
 #
@@ -1044,45 +1044,60 @@ exercise(
     subject="drive",
     sensors=("depth", "scan", "odometry"),
     allowed=("imgproc_course.geometry",),
-    hint="Drive while free_way ahead is more than about 0.45 m; otherwise turn until it is. Keep the direction of a turn in memory, or the robot turns to and fro. And remember what the camera saw: it forgets low things that are near.",
+    hint="Of all directions with a long free way, take the one that is nearest to the direction of the goal. And remember what the camera saw: it forgets low things that are beside the robot, or near.",
     hints=(
-        "When must the robot stop? Where does it then want to go, and how does it know when it has turned enough? And what stands beside it that no sensor sees any more?",
-        "1. Drive at 0.3 m/s while free_way(points, 0.0) is more than 0.45.\n"
-        "2. Otherwise compute free_way for directions all around, and take the direction with the longest way.\n"
-        "3. Store the yaw of this direction in memory, and turn on the spot until the odometry's yaw is near it. Use math.remainder for the difference of two angles.\n"
-        "4. Store the points of the last 40 looks in memory, in the frame of the odometry, and turn them back into the frame of the robot at each look. Then the robot knows also what is below its image.",
-        "x, y, yaw = observation[\"odometry\"]\nerror = math.remainder(memory.setdefault(\"heading\", yaw) - yaw, 2 * math.pi)\n"
-        "if abs(error) > 0.1:\n    return 0.0, ...\nif free_way(points, error) > 0.45:\n    return 0.3, error\n"
-        "directions = np.radians(np.arange(-165, 181, 15))\nways = [free_way(points, d) for d in directions]\n"
-        "memory[\"heading\"] = yaw + ...\nreturn 0.0, 0.0",
+        "In which direction is the goal, seen from the robot? Which direction near it has a long free way? And what stands beside the robot that no sensor sees any more?",
+        "1. Compute the direction of the goal from the odometry: math.atan2(0 - y, 2.2 - x) minus yaw.\n"
+        "2. Compute free_way for directions all around. Of those with more than 0.5 m take the one nearest to the goal's. Use math.remainder for the difference of two angles.\n"
+        "3. Turn on the spot while this direction is more than about 0.2 rad away from straight ahead; else drive, and steer to it.\n"
+        "4. Store the points of the last ten seconds in memory, in the frame of the odometry, and turn them back into the frame of the robot at each look. Then the robot knows also what is below its image and beside it.\n"
+        "5. Stand when the goal is near.",
+        "x, y, yaw = observation[\"odometry\"]\nto_goal = math.remainder(math.atan2(-y, 2.2 - x) - yaw, 2 * math.pi)\n"
+        "directions = [to_goal, *np.radians(np.arange(-165, 181, 15))]\n"
+        "free = [d for d in directions if free_way(points, d) > 0.5]\n"
+        "best = min(free, key=lambda d: abs(math.remainder(d - to_goal, 2 * math.pi)), default=...)\n"
+        "if abs(best) > 0.2:\n    return 0.0, ...\nreturn 0.3, 1.5 * best",
     ),
-    explanation="The corridor is 0.64 m wide, so the robot keeps 0.2 m on each side of what it knows. It decides only when it"
-    " stands: then it compares all directions, and turns to the best one. Between the looks it remembers its points in the"
-    " frame of the odometry, which does not turn with the robot. So slippers that are too near for the camera are still"
-    " there. Long ways count up to 3 m only, and a large turn costs a little: else it would turn back again and again.",
-    another_way="You can also steer while driving, with several arcs as candidates (the dynamic window approach of robot"
+    explanation="The corridor is 0.64 m wide, so the robot keeps 0.2 m on each side of what it knows. At each look it compares"
+    " all directions: a blocked one costs a lot, one that leads away from the goal costs its angle, and a turn costs a little,"
+    " or the robot turns to and fro. Between the looks it remembers its points in the frame of the odometry, which does not"
+    " turn with the robot. So slippers that are beside the robot or too near for the camera are still there, and it does not"
+    " turn into them. Two looks a second are enough to remember, and ten seconds are long enough to pass.",
+    another_way="You can also steer with several arcs as candidates (the dynamic window approach of robot"
     " navigation), or keep the remembered points in a grid.",
 )
 
 
-def before_something_low(rng, duration):
-    """A scenario: a furnished room, in which the robot looks at slippers or blocks, 0.9 to 1.6 m ahead."""
+def past_something_low(rng):
+    """A scenario: a furnished room, in which slippers or blocks are between the robot and its goal."""
     from imgproc_course.simulation import furnished
 
+    shares = np.linspace(0, 1, 15)[:, np.newaxis]
     while True:
         number = int(rng.integers(1, 100_000))
         room = furnished(number)
-        x, y, _ = room.places[("slippers", "blocks")[int(rng.integers(2))]]
+
+        def nearest(places):
+            return min(room.free_space.distance(*place) for place in places)
+
+        thing = np.array(room.places[("slippers", "blocks")[int(rng.integers(2))]][:2])
         for _ in range(100):
-            angle, way = rng.uniform(-math.pi, math.pi), rng.uniform(0.9, 1.6)
-            c, s = math.cos(angle), math.sin(angle)
-            between = [room.free_space.distance(x + d * c, y + d * s) for d in np.arange(0.35, way, 0.05)]
-            if min(between) > 0.15 and room.free_space.distance(x + way * c, y + way * s) > 0.65:
-                yaw = math.remainder(angle + math.pi + rng.uniform(-0.1, 0.1), 2 * math.pi)
-                start = [round(x + way * c, 3), round(y + way * s, 3), round(yaw, 3)]
-                thresholds = {"bumps": ["<=", 0], "clearance": [">=", 0.10], "reach": [">=", 1.0]}
-                return {"seed": int(rng.integers(1 << 31)), "room": number, "start": start,
-                        "duration": duration, "thresholds": thresholds}
+            yaw, way = rng.uniform(-math.pi, math.pi), rng.uniform(0.9, 1.2)
+            along = np.array([math.cos(yaw), math.sin(yaw)])
+            across = np.array([-along[1], along[0]])
+            start = thing - way * along + rng.uniform(-0.1, 0.1) * across
+            goal = start + 2.2 * along
+            if min(nearest([start]) - 0.6, nearest([goal]) - 0.65) < 0:
+                continue
+            if nearest(start + shares * (way - 0.35) * along) < 0.15:
+                continue
+            turns = [thing + side * across for side in (-0.8, 0.8)]
+            ways = [[*(start + shares * (turn - start)), *(turn + shares * (goal - turn))] for turn in turns]
+            if max(map(nearest, ways)) > 0.5:  # there is room to pass on one side
+                return {"seed": int(rng.integers(1 << 31)), "room": number, "duration": 30.0,
+                        "start": [*start.round(3).tolist(), round(yaw, 3)],
+                        "goal": [*goal.round(3).tolist(), 0.5],
+                        "thresholds": {"bumps": ["<=", 0], "clearance": [">=", 0.10], "goal_time": ["<=", 30]}}
 
 
 # %% role="answer"
@@ -1094,60 +1109,60 @@ def control(observation, memory):
     x, y, yaw = observation["odometry"]
     c, s = math.cos(yaw), math.sin(yaw)
     to_room = np.array([[c, s], [-s, c]])
-    looks = memory.setdefault("looks", [])
-    looks.append(obstacles(observation) @ to_room + (x, y))
-    del looks[:-40]
-    points = (np.concatenate(looks) - (x, y)) @ to_room.T
+    looks = memory.setdefault("looks", {})
+    looks[int(2 * observation["time"])] = obstacles(observation) @ to_room + (x, y)
+    points = (np.concatenate(list(looks.values())[-20:]) - (x, y)) @ to_room.T
 
-    error = math.remainder(memory.setdefault("heading", yaw) - yaw, 2 * math.pi)
-    if abs(error) > 0.1:
-        return 0.0, min(max(2.5 * error, -1.0), 1.0)
-    if free_way(points, error) > 0.45:
-        return 0.3, 1.5 * error
+    way = math.hypot(2.2 - x, y)
+    to_goal = math.remainder(math.atan2(-y, 2.2 - x) - yaw, 2 * math.pi)
+    if way < 0.15:
+        return 0.0, 0.0
 
-    def worth(direction):
-        return min(free_way(points, direction), 3.0) - 0.1 * abs(direction)
+    def cost(direction):
+        is_blocked = free_way(points, direction) < min(0.5, way - 0.2)
+        return 10 * is_blocked + abs(math.remainder(direction - to_goal, 2 * math.pi)) + 0.3 * abs(direction)
 
-    best = max(np.radians(np.arange(-165, 181, 15)), key=worth)
-    memory["heading"] = yaw + float(best)
-    return 0.0, 0.0
+    best = float(min([to_goal, *np.radians(np.arange(-165, 181, 15))], key=cost))
+    if abs(best) > 0.2:
+        return 0.0, min(max(2 * best, -1.0), 1.0)
+    return 0.3, 1.5 * best
 
 # %% role="check" tags=["long"]
 check("obstacles-drive", control)
 
-# %% role="case" title="a room with slippers or blocks" points=1
+# %% role="case" title="a room with slippers or blocks" points=1 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 30.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="case" title="another room" points=1
+# %% role="case" title="another room" points=1 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 30.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="case" title="a third room" points=1
+# %% role="case" title="a third room" points=1 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 30.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="hidden" title="an unseen room" points=2
+# %% role="hidden" title="an unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 40.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="hidden" title="a second unseen room" points=2
+# %% role="hidden" title="a second unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 40.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="hidden" title="a third unseen room" points=2
+# %% role="hidden" title="a third unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 40.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="hidden" title="a fourth unseen room" points=2
+# %% role="hidden" title="a fourth unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 40.0),)
+    return (past_something_low(rng),)
 
 
 # %% [markdown]
