@@ -16,9 +16,13 @@ from rich.table import Table
 
 from imgproc_course.classroom.exercises.declaration import read_exercises
 from imgproc_course.simulation import Simulation
-from imgproc_course.simulation.room_env import RoomEnv, controller_observation
+from imgproc_course.simulation.room_env import OPTIONS, RoomEnv, controller_observation
 
-LESSONS = {12: "notebooks/masters/12_obstacles_ahead.py", 13: "notebooks/masters/13_object_tracking.py"}
+LESSONS = {
+    12: "notebooks/masters/12_obstacles_ahead.py",
+    13: "notebooks/masters/13_object_tracking.py",
+    21: "notebooks/masters/21_unknown_rooms.py",
+}
 BUDGETS = {("scan",): 40, ("scan", "depth"): 18, ("image",): 16, ("scan", "depth", "image"): 9}
 CONSOLE = Console(width=110)
 
@@ -80,7 +84,7 @@ def after_a_step(simulation, look):
 
 def drive(env, control, scenario):
     """The metrics of a drive, and whether it keeps the thresholds."""
-    options = {name: scenario[name] for name in ("room", "start", "ball", "duration") if name in scenario}
+    options = {name: scenario[name] for name in OPTIONS if name in scenario}
     observation, info = env.reset(seed=scenario["seed"], options=options)
     memory, over = {}, False
     while not over:
