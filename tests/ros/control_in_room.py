@@ -1,29 +1,64 @@
-"""The solution of obstacles-drive: in the node of its lesson, and in RoomEnv."""
+"""The solution of obstacles-drive drives the robot twice: by the node of its lesson, and in RoomEnv."""
+
+import math
+import time
 
 from lesson_nodes import MASTERS, lesson_definitions
 
 from imgproc_course.classroom.exercises.declaration import read_exercises
-from imgproc_course.simulation.room_env import RoomEnv, controller_observation
+from imgproc_course.simulation.room_env import OPTIONS, RoomEnv, controller_observation
 
-SENSORS = ("depth", "scan", "odometry")
+
+def exercise():
+    (master,) = MASTERS.glob("*_obstacles_ahead.py")
+    (found,) = (e for e in read_exercises(master) if e.id == "obstacles-drive")
+    return found
 
 
 def solution():
-    (master,) = MASTERS.glob("*_obstacles_ahead.py")
-    (exercise,) = (e for e in read_exercises(master) if e.id == "obstacles-drive")
-    return exercise.function_of(exercise.solution, "solution", prepared=True)
+    return exercise().function_of(exercise().solution, "solution", prepared=True)
 
 
-def control_node(context):
-    lesson = lesson_definitions("obstacles_ahead", robot_rays=[])
-    return lesson["ControlNode"](solution(), context=context)
-
-
-def path_in_env(room, start, goal, seconds=40.0):
-    """The path of a drive in RoomEnv, and its metrics."""
-    env, control, memory, over = RoomEnv(SENSORS), solution(), {}, False
-    options = {"room": room, "start": start, "goal": goal, "duration": seconds}
+def drive_in_env(scenario):
+    """The places (x, y, yaw) of a drive in RoomEnv, and its metrics."""
+    env, control, memory, over = RoomEnv(exercise().sensors), solution(), {}, False
+    options = {name: scenario[name] for name in OPTIONS if name in scenario}
     observation, info = env.reset(seed=1, options=options)
     while not over:
         observation, _, _, over, info = env.step(control(controller_observation(observation), memory))
     return env.path, info
+
+
+def drive_in_ros(session, scenario, is_over):
+    """The true places of a drive by the lesson's node until is_over(simulation), and its bumps.
+
+    The robot is in this process, and nothing else moves in its room.
+    """
+    from imgproc_course.ros.robot_topics import TOPIC
+    from imgproc_course.ros.room_images import RoomImages
+    from imgproc_course.ros.room_publisher import RoomPublisher
+
+    options = {"room": scenario["room"], "start": tuple(scenario["start"]), "movers": False}
+    images = RoomImages(10, seed=1, size=(640, 360), lighting="day", **options)
+    body = RoomPublisher(TOPIC, images)
+    body.start()
+    lesson = lesson_definitions("obstacles_ahead", robot_rays=[])
+    node = session.add_node(lesson["ControlNode"](solution(), context=session.context))
+    places = []
+    try:
+        while not is_over(images.simulation):
+            places.append(images.simulation.place)
+            time.sleep(0.05)
+    finally:
+        session.remove_node(node)
+        body.stop()
+    return places, images.bumps
+
+
+def is_in(goal, place):
+    return math.dist(place[:2], goal[:2]) < goal[2]
+
+
+def farthest(places, path):
+    """The greatest distance of one of the places from a path, in metres."""
+    return max(min(math.dist(place[:2], known[:2]) for known in path) for place in places)

@@ -7,40 +7,20 @@ import pytest
 
 pytestmark = pytest.mark.ros
 
-ROOM, START = 17, (3.6, 0.6, -2.6)
+START = (3.6, 0.6, -2.6)
 GOAL = (START[0] + 2.2 * math.cos(START[2]), START[1] + 2.2 * math.sin(START[2]), 0.6)
+SCENARIO = {"room": 17, "start": START, "goal": GOAL, "duration": 40.0}
+LONGEST = 150  # seconds in the room
 
 
-@pytest.fixture
-def body(session):
-    """The robot in this process, in a room in which nothing moves but the robot."""
-    from imgproc_course.ros.robot_topics import TOPIC
-    from imgproc_course.ros.room_images import RoomImages
-    from imgproc_course.ros.room_publisher import RoomPublisher
-
-    images = RoomImages(10, room=ROOM, start=START, seed=1, size=(640, 360), lighting="day", movers=False)
-    body = RoomPublisher(TOPIC, images)
-    body.start()
-    yield body
-    body.stop()
-
-
-def test_the_lessons_node_drives_to_the_goal_as_in_the_environment(body, session, wait_until, monkeypatch):
+def test_the_lessons_node_drives_to_the_goal_as_in_the_environment(session, monkeypatch):
     monkeypatch.syspath_prepend(Path(__file__).parent)
-    from control_in_room import control_node, path_in_env
+    from control_in_room import drive_in_env, drive_in_ros, farthest, is_in
 
-    path, info = path_in_env(ROOM, START, GOAL)
+    path, info = drive_in_env(SCENARIO)
     assert info["bumps"] == 0 and info["goal_time"] is not None
-    node = session.add_node(control_node(session.context))
-    images = body._images
-    places = []
-
-    def is_at_goal():
-        x, y, _ = images.simulation.place
-        places.append((x, y))
-        return math.dist((x, y), GOAL[:2]) < GOAL[2]
-
-    wait_until(is_at_goal, 150)
-    session.remove_node(node)
-    assert images.bumps == 0
-    assert max(min(math.dist(place, known[:2]) for known in path) for place in places) < 0.5
+    places, bumps = drive_in_ros(
+        session, SCENARIO, lambda room: is_in(GOAL, room.place) or room.time > LONGEST
+    )
+    assert bumps == 0 and math.dist(places[-1][:2], GOAL[:2]) < GOAL[2] + 0.1
+    assert farthest(places, path) < 0.5
