@@ -1138,7 +1138,7 @@ def control(observation, memory):
     goal = memory.setdefault("goal", (2.2, 0.0))
     to_goal = turn_to(math.atan2(goal[1] - y, goal[0] - x))
     is_there = memory["is_there"] = memory.get("is_there") or math.dist(goal, (x, y)) < 0.2
-    if is_there and free_way(points, to_goal) < 0.45 or math.dist(goal, (x, y)) < 0.2:
+    if (is_there and free_way(points, to_goal) < 0.45) or math.dist(goal, (x, y)) < 0.2:
         to_goal = max(around, key=worth)
         memory["goal"] = x + 3 * math.cos(yaw + to_goal), y + 3 * math.sin(yaw + to_goal)
 

@@ -38,12 +38,12 @@ def drive_in_ros(session, scenario, is_over):
     from imgproc_course.ros.room_images import RoomImages
     from imgproc_course.ros.room_publisher import RoomPublisher
 
+    lesson, control = lesson_definitions("obstacles_ahead", robot_rays=[]), solution()
     options = {"room": scenario["room"], "start": tuple(scenario["start"]), "movers": False}
     images = RoomImages(10, seed=1, size=(640, 360), lighting="day", **options)
     body = RoomPublisher(TOPIC, images)
     body.start()
-    lesson = lesson_definitions("obstacles_ahead", robot_rays=[])
-    node = session.add_node(lesson["ControlNode"](solution(), context=session.context))
+    node = session.add_node(lesson["ControlNode"](control, context=session.context))
     places = []
     try:
         while not is_over(images.simulation):
