@@ -486,6 +486,35 @@ def control(observation, memory):
         return 0.0, 0.0
     return 0.3, 0.0
 
+# %% role="mistake" name="it does not look for its goal" says="Your robot turns left while the way is blocked, and then drives straight on, wherever that leads. Compute the direction of the goal from the odometry, and turn back to it when the way there is free."
+def control(observation, memory):
+    if free_way(obstacles(observation), 0.0) < 0.45:
+        return 0.0, 0.8
+    return 0.3, 0.0
+
+# %% role="mistake" name="it forgets" says="Your robot turns away from something low, then the camera does not see it any more, and the robot turns back to it. Store the points of the last seconds in memory, in the frame of the odometry."
+def control(observation, memory):
+    memory.pop("looks", None)
+    return solution(observation, memory)
+
 # %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use the observation."
 def control(observation, memory):
     return 0.25, 0.3
+
+# %% role="mistake" name="it stands at the goal" says="Your robot reaches the goal, and stays there. Choose another goal in a direction in which free_way is long, and drive on."
+def control(observation, memory):
+    x, y, _ = observation["odometry"]
+    if memory.setdefault("stands", False) or math.dist((x, y), (2.2, 0.0)) < 0.4:
+        memory["stands"] = True
+        return 0.0, 0.0
+    return solution(observation, memory)
+
+# %% role="mistake" name="the same detour in each room" says="Your robot drives the same way in each room, whatever it sees. Use the observation: things stand at other places each time."
+def control(observation, memory):
+    x, y, yaw = observation["odometry"]
+    if memory.setdefault("is_there", False) or math.dist((x, y), (2.2, 0.0)) < 0.4:
+        memory["is_there"] = True
+        return 0.25, 0.3
+    aim = (1.1, 0.8) if x < 1.0 else (2.2, 0.0)
+    error = math.remainder(math.atan2(aim[1] - y, aim[0] - x) - yaw, 2 * math.pi)
+    return (0.3 if abs(error) < 0.2 else 0.0), 2 * error

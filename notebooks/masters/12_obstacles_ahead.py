@@ -28,7 +28,7 @@ import time
 
 from matplotlib.figure import Figure
 
-from imgproc_course.display import show, show_figure
+from imgproc_course.display import live_view, show, show_figure
 from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.geometry import CameraModel, Pose
 from imgproc_course.recording import open_recording
@@ -39,6 +39,10 @@ recording = open_recording("drive")
 
 # %% role="texts"
 figure_texts = {
+    "try": (
+        "The room from above, with the path of the robot: from the green dot to the outline of its body.",
+        "A plan of a room with furniture in gray, and the path of the robot as a blue line.",
+    ),
     "depth": (
         "A frame of the recorded drive and its depth image: dark is near. The depth of the floor grows with each row upward.",
         "Left, the living room in colour; right, the same in gray levels: dark floor in front, bright walls behind.",
@@ -976,7 +980,9 @@ assert not ros_available() or 0 < node.distance < 0.6
 # %% [markdown]
 # ## 9 · Drive through rooms that you have not seen ([[minutes]], deeper)
 #
-# Braking is not enough: a robot must also find a way on. In this exercise your function drives the robot through furnished rooms, for 30 s in the check and for 40 s in grading. You do not know these rooms, and the robot starts in front of something low: slippers or building blocks. The laser scanner looks over them; the depth camera sees them, but not when they are nearer than 0.38 m.
+# Braking is not enough: a robot must also find a way past an obstacle, and drive on. In this exercise your function drives the robot through furnished rooms that you do not know, for 40 s in each. At the start something low is in its way: slippers or building blocks. A goal is behind it, on the floor, 2.2 m straight ahead of the start. First the robot drives to this goal, then it drives on through the room.
+#
+# The laser scanner looks over low things. The depth camera sees them, but only ahead, and not when they are nearer than 0.38 m. So the robot must remember them, or it turns back to the goal too early.
 #
 # Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds: linear in m/s and angular in rad/s, to the left. The robot drives at most 0.3 m/s and turns at most 1.57 rad/s; more is reduced to that. One call may take 0.5 s, and 0.05 s on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
 #
@@ -987,7 +993,7 @@ assert not ros_available() or 0 < node.distance < 0.6
 # | `"odometry"` | (3,) float64: x, y (metres) and yaw (radians), as the wheels count them: (0, 0, 0) at the start, x points to where the robot looks then |
 # | `"time"` | float: seconds since the start |
 #
-# Two functions are given. `obstacles` makes points of both sensors, as in sections 5 and 6. `free_way` measures how far the robot can go in any direction: it turns the points, and finds the nearest one in a corridor of 0.64 m: the robot is 0.24 m wide, so 0.20 m stay free on each side. All numbers are counted from the middle of the robot's axle; its front is 0.24 m ahead of it.
+# The goal is the place (2.2, 0) of the odometry. Two functions are given. `obstacles` makes points of both sensors, as in sections 5 and 6. `free_way` measures how far the robot can go in any direction: it turns the points, and finds the nearest one in a corridor of 0.64 m: the robot is 0.24 m wide, so 0.20 m stay free on each side. All numbers are counted from the middle of the robot's axle; its front is 0.24 m ahead of it. The check and grading take `obstacles` and `free_way` as they stand here: to change one of them, write a function with another name in your answer cell.
 
 # %% role="given" exercise="obstacles-drive" tags=["long"]
 from imgproc_course.geometry import CameraModel
@@ -1035,7 +1041,14 @@ assert free_way(np.array([[0.24, 0.1]]), 0.0) == 0 and 2 * 0.32 == 0.64
 # %% [markdown]
 # ### Your turn: drive
 #
-# Write `control(observation, memory)`. Each drive is judged by three metrics. The **bumps**: none. The **clearance**: the body comes no nearer than 0.10 m to anything while it moves. And the **reach**: at some time, the robot is at least 1 m away from its start. A drive goes on after a bump, but gives its points only if it keeps all three. `math`, `np`, `obstacles` and `free_way` are imported for you.
+# Write `control(observation, memory)`. Each drive takes 40 s, and is judged by four metrics:
+#
+# - **bumps**: none.
+# - **clearance**: the body comes no nearer than 0.08 m to anything while it moves.
+# - **time to the goal**: within 15 s, the middle of the axle is at most 0.6 m from the goal.
+# - **places**: in the whole drive, the robot is in at least 10 cells of 0.5 m. So it does not stop at the goal.
+#
+# A drive goes on after a bump, but gives its points only if it keeps all four. `math`, `np`, `obstacles` and `free_way` are imported for you.
 #
 # The stub drives straight ahead. Check it first, and look at what happens; then improve it step by step. The check drives in three rooms, and takes about ten seconds. What your function prints is shown below the first drive that fails.
 #
@@ -1051,45 +1064,62 @@ exercise(
     subject="drive",
     sensors=("depth", "scan", "odometry"),
     allowed=("imgproc_course.geometry",),
-    hint="Drive while free_way ahead is more than about 0.45 m; otherwise turn until it is. Keep the direction of a turn in memory, or the robot turns to and fro. And remember what the camera saw: it forgets low things that are near.",
+    hint="Of all directions with a long free way, take the one that is nearest to the direction of the goal. Remember what the camera saw: it forgets low things that are beside the robot, or near. At the goal, choose another goal.",
     hints=(
-        "When must the robot stop? Where does it then want to go, and how does it know when it has turned enough? And what stands beside it that no sensor sees any more?",
-        "1. Drive at 0.3 m/s while free_way(points, 0.0) is more than 0.45.\n"
-        "2. Otherwise compute free_way for directions all around, and take the direction with the longest way.\n"
-        "3. Store the yaw of this direction in memory, and turn on the spot until the odometry's yaw is near it. Use math.remainder for the difference of two angles.\n"
-        "4. Store the points of the last 40 looks in memory, in the frame of the odometry, and turn them back into the frame of the robot at each look. Then the robot knows also what is below its image.",
-        "x, y, yaw = observation[\"odometry\"]\nerror = math.remainder(memory.setdefault(\"heading\", yaw) - yaw, 2 * math.pi)\n"
-        "if abs(error) > 0.1:\n    return 0.0, ...\nif free_way(points, error) > 0.45:\n    return 0.3, error\n"
-        "directions = np.radians(np.arange(-165, 181, 15))\nways = [free_way(points, d) for d in directions]\n"
-        "memory[\"heading\"] = yaw + ...\nreturn 0.0, 0.0",
+        "In which direction is the goal, seen from the robot? Which direction near it has a long free way? What stands beside the robot that no sensor sees any more? And where does it drive after the goal?",
+        "1. Compute the direction of the goal from the odometry: math.atan2(0 - y, 2.2 - x) minus yaw.\n"
+        "2. Compute free_way for directions all around: for headings of 0, 15, 30 degrees and so on, minus yaw. Of those with more than 0.5 m take the one nearest to the goal's. Use math.remainder for the difference of two angles.\n"
+        "3. Turn on the spot while this direction is more than about 0.2 rad away from straight ahead; else drive, and steer to it.\n"
+        "4. Store the points of the last ten seconds in memory, in the frame of the odometry, and turn them back into the frame of the robot at each look. Then the robot knows also what is below its image and beside it.\n"
+        "5. Near the goal, store another goal in memory: 3 m away, in the direction with the longest free way. Do so again each time that the way to it is blocked.",
+        "x, y, yaw = observation[\"odometry\"]\ngoal = memory.setdefault(\"goal\", (2.2, 0.0))\n"
+        "to_goal = math.remainder(math.atan2(goal[1] - y, goal[0] - x) - yaw, 2 * math.pi)\n"
+        "directions = [to_goal, *(math.remainder(h - yaw, 2 * math.pi) for h in np.radians(np.arange(0, 360, 15)))]\n"
+        "free = [d for d in directions if free_way(points, d) > 0.5]\n"
+        "best = min(free, key=lambda d: abs(math.remainder(d - to_goal, 2 * math.pi)), default=...)\n"
+        "if abs(best) > 0.2:\n    return 0.0, ...\nreturn 0.3, 1.5 * best",
     ),
-    explanation="The corridor is 0.64 m wide, so the robot keeps 0.2 m on each side of what it knows. It decides only when it"
-    " stands: then it compares all directions, and turns to the best one. Between the looks it remembers its points in the"
-    " frame of the odometry, which does not turn with the robot. So slippers that are too near for the camera are still"
-    " there. Long ways count up to 3 m only, and a large turn costs a little: else it would turn back again and again.",
-    another_way="You can also steer while driving, with several arcs as candidates (the dynamic window approach of robot"
+    explanation="The corridor is 0.64 m wide, so the robot keeps 0.2 m on each side of what it knows. At each look it compares"
+    " all directions: a blocked one costs a lot, one that leads away from the goal costs its angle, and a turn costs a little."
+    " The directions are fixed in the room: if they turned with the robot, it would turn to and fro. Between the looks it"
+    " remembers its points in the frame of the odometry, so slippers that are beside the robot or too near for the camera are"
+    " still there. Two looks a second are enough to remember, and ten seconds are long enough to pass. After the goal, the"
+    " next goal is 3 m away in the direction with the longest way, and again when the way to it is blocked.",
+    another_way="You can also steer with several arcs as candidates (the dynamic window approach of robot"
     " navigation), or keep the remembered points in a grid.",
 )
 
 
-def before_something_low(rng, duration):
-    """A scenario: a furnished room, in which the robot looks at slippers or blocks, 0.9 to 1.6 m ahead."""
+def past_something_low(rng):
+    """A scenario: a furnished room, in which slippers or blocks are between the robot and its goal."""
     from imgproc_course.simulation import furnished
 
+    shares = np.linspace(0, 1, 15)[:, np.newaxis]
     while True:
         number = int(rng.integers(1, 100_000))
         room = furnished(number)
-        x, y, _ = room.places[("slippers", "blocks")[int(rng.integers(2))]]
+
+        def nearest(places):
+            return min(room.free_space.distance(*place) for place in places)
+
+        thing = np.array(room.places[("slippers", "blocks")[int(rng.integers(2))]][:2])
         for _ in range(100):
-            angle, way = rng.uniform(-math.pi, math.pi), rng.uniform(0.9, 1.6)
-            c, s = math.cos(angle), math.sin(angle)
-            between = [room.free_space.distance(x + d * c, y + d * s) for d in np.arange(0.35, way, 0.05)]
-            if min(between) > 0.15 and room.free_space.distance(x + way * c, y + way * s) > 0.65:
-                yaw = math.remainder(angle + math.pi + rng.uniform(-0.1, 0.1), 2 * math.pi)
-                start = [round(x + way * c, 3), round(y + way * s, 3), round(yaw, 3)]
-                thresholds = {"bumps": ["<=", 0], "clearance": [">=", 0.10], "reach": [">=", 1.0]}
-                return {"seed": int(rng.integers(1 << 31)), "room": number, "start": start,
-                        "duration": duration, "thresholds": thresholds}
+            yaw, way = rng.uniform(-math.pi, math.pi), rng.uniform(0.9, 1.2)
+            along = np.array([math.cos(yaw), math.sin(yaw)])
+            across = np.array([-along[1], along[0]])
+            start = thing - way * along + rng.uniform(-0.1, 0.1) * across
+            goal = start + 2.2 * along
+            if min(nearest([start]) - 0.6, nearest([goal]) - 0.65) < 0:
+                continue
+            if nearest(start + shares * (way - 0.35) * along) < 0.15:
+                continue
+            turns = [thing + side * across for side in (-0.8, 0.8)]
+            ways = [[*(start + shares * (turn - start)), *(turn + shares * (goal - turn))] for turn in turns]
+            if max(map(nearest, ways)) > 0.5:  # there is room to pass on one side
+                return {"seed": int(rng.integers(1 << 31)), "room": number, "duration": 40.0,
+                        "start": [*start.round(3).tolist(), round(yaw, 3)],
+                        "goal": [*goal.round(3).tolist(), 0.6],
+                        "thresholds": {"bumps": ["<=", 0], "clearance": [">=", 0.08], "goal_time": ["<=", 15], "places": [">=", 10]}}
 
 
 # %% role="answer"
@@ -1101,61 +1131,149 @@ def control(observation, memory):
     x, y, yaw = observation["odometry"]
     c, s = math.cos(yaw), math.sin(yaw)
     to_room = np.array([[c, s], [-s, c]])
-    looks = memory.setdefault("looks", [])
-    looks.append(obstacles(observation) @ to_room + (x, y))
-    del looks[:-40]
-    points = (np.concatenate(looks) - (x, y)) @ to_room.T
+    looks = memory.setdefault("looks", {})
+    looks[int(2 * observation["time"])] = obstacles(observation) @ to_room + (x, y)
+    points = (np.concatenate(list(looks.values())[-20:]) - (x, y)) @ to_room.T
 
-    error = math.remainder(memory.setdefault("heading", yaw) - yaw, 2 * math.pi)
-    if abs(error) > 0.1:
-        return 0.0, min(max(2.5 * error, -1.0), 1.0)
-    if free_way(points, error) > 0.45:
-        return 0.3, 1.5 * error
+    def turn_to(heading):
+        return math.remainder(heading - yaw, 2 * math.pi)
 
     def worth(direction):
-        return min(free_way(points, direction), 3.0) - 0.1 * abs(direction)
+        return min(free_way(points, direction), 3.0) - 0.5 * abs(direction)
 
-    best = max(np.radians(np.arange(-165, 181, 15)), key=worth)
-    memory["heading"] = yaw + float(best)
-    return 0.0, 0.0
+    around = [turn_to(heading) for heading in np.radians(np.arange(0, 360, 15)).tolist()]
+    goal = memory.setdefault("goal", (2.2, 0.0))
+    to_goal = turn_to(math.atan2(goal[1] - y, goal[0] - x))
+    is_there = memory["is_there"] = memory.get("is_there") or math.dist(goal, (x, y)) < 0.2
+    if (is_there and free_way(points, to_goal) < 0.45) or math.dist(goal, (x, y)) < 0.2:
+        to_goal = max(around, key=worth)
+        memory["goal"] = x + 3 * math.cos(yaw + to_goal), y + 3 * math.sin(yaw + to_goal)
+
+    def cost(direction):
+        is_blocked = free_way(points, direction) < min(0.5, math.dist(goal, (x, y)))
+        return 10 * is_blocked + abs(math.remainder(direction - to_goal, 2 * math.pi)) + 0.3 * abs(direction)
+
+    best = min([to_goal, *around], key=cost)
+    if abs(best) > 0.2:
+        return 0.0, min(max(2 * best, -1.0), 1.0)
+    return 0.3, 1.5 * best
 
 # %% role="check" tags=["long"]
 check("obstacles-drive", control)
 
-# %% role="case" title="a room with slippers or blocks" points=1
+# %% role="case" title="a room with slippers or blocks" points=1 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 30.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="case" title="another room" points=1
+# %% role="case" title="another room" points=1 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 30.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="case" title="a third room" points=1
+# %% role="case" title="a third room" points=1 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 30.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="hidden" title="an unseen room" points=2
+# %% role="hidden" title="an unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 40.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="hidden" title="a second unseen room" points=2
+# %% role="hidden" title="a second unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 40.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="hidden" title="a third unseen room" points=2
+# %% role="hidden" title="a third unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 40.0),)
+    return (past_something_low(rng),)
 
 
-# %% role="hidden" title="a fourth unseen room" points=2
+# %% role="hidden" title="a fourth unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
 def inputs(rng):
-    return (before_something_low(rng, 40.0),)
+    return (past_something_low(rng),)
 
+
+# %% [markdown]
+# ### Look at one drive
+#
+# To look at a single drive, write a room's number in place of `None`, such as 17, and run both cells. `RoomEnv` is the room with the robot, without ROS, as the check has it. Change the start (x, y and yaw in the map), or print what you want to know of each look.
+
+# %%
+try_room = None  # such as 17
+
+# %% tags=["long"]
+from imgproc_course.simulation.room_env import RoomEnv, controller_observation
+from imgproc_course.simulation.room_map import draw_map
+
+if try_room is not None:
+    env = RoomEnv(("depth", "scan", "odometry"))
+    observation, info = env.reset(seed=1, options={"room": try_room, "start": (3.6, 0.6, -2.6), "duration": 40.0})
+    memory, over = {}, False
+    while not over:
+        speeds = control(controller_observation(observation), memory)
+        observation, _, _, over, info = env.step(speeds)
+    print(info)
+    bumps = [(look, x, y) for look, (x, y, _) in env.bump_places]
+    show(draw_map(env.path, bumps, room=env.room), text="obstacles_ahead/try")
+
+# %% [markdown]
+# ### The same function in ROS
+#
+# The robot in ROS can be driven by the same function. This node makes the observation of three topics. It calls `control` with each depth image, and publishes the two speeds.
+
+# %% tags=["long"]
+if ros_available():
+    from nav_msgs.msg import Odometry
+
+    class ControlNode(Node):
+        def __init__(self, control, context=None):
+            super().__init__("control", context=context)
+            self.control, self.memory, self.seen, self.begin = control, {}, {}, None
+            self.commands = self.create_publisher(
+                Twist, "/kachaka/manual_control/cmd_vel", qos_profile_sensor_data)
+            for kind, topic in ((LaserScan, "lidar/scan"), (Odometry, "odometry/odometry"),
+                                (Image, "front_camera/depth")):
+                self.create_subscription(
+                    kind, f"/kachaka/{topic}", self.on_message, qos_profile_sensor_data)
+
+        def on_message(self, msg):
+            self.seen[type(msg)] = msg
+            if isinstance(msg, Image) and len(self.seen) == 3:
+                linear, angular = self.control(self.observation(), self.memory)
+                command = Twist()
+                command.linear.x, command.angular.z = float(linear), float(angular)
+                self.commands.publish(command)
+
+        def observation(self):
+            depth, scan, pose = self.seen[Image], self.seen[LaserScan], self.seen[Odometry].pose.pose
+            stamp = depth.header.stamp.sec + depth.header.stamp.nanosec / 1e9
+            self.begin = self.begin or stamp
+            yaw = 2 * math.atan2(pose.orientation.z, pose.orientation.w)
+            return {"depth": image_to_array(depth)[2::4, 2::4],  # each fourth pixel: 160 columns
+                    "scan": np.roll(scan.ranges, -90).astype(np.float32),  # straight ahead is ray 90
+                    "odometry": np.array([pose.position.x, pose.position.y, yaw]),
+                    "time": stamp - self.begin}
+
+# %% [markdown]
+# To watch your robot, write 40 in place of 0, and run both cells. Here a person walks through the room and a toy car drives, so a bump is possible.
+
+# %%
+live_seconds = 0  # such as 40
+
+# %%
+if ros_available() and live_seconds:
+    camera = open_camera("room", room=17, rate=10)
+    live_view(camera)
+    Robot().restart(start=(3.6, 0.6, -2.6))
+    session = RosSession.current()
+    node = session.add_node(ControlNode(control, context=session.context))
+    time.sleep(live_seconds)
+    session.remove_node(node)
+    print("bumps:", camera.bumps)
+    camera.stop()
 
 # %% [markdown]
 # ## Recap

@@ -1,7 +1,7 @@
 """RoomEnv: where its time goes, and how controllers do in scenarios that nobody has seen.
 
 python tests/benchmarks/bench_room_env.py                       milliseconds of processor time, by part
-python tests/benchmarks/bench_room_env.py --controllers [-n 20] [--seed 1] [--lesson 12] [--only NAME]
+python tests/benchmarks/bench_room_env.py --controllers [-n 20] [--seed 1] [--lesson NAME] [--only NAME]
                                                                 solution, stub, known mistakes and a replay
 """
 
@@ -18,11 +18,8 @@ from imgproc_course.classroom.exercises.declaration import read_exercises
 from imgproc_course.simulation import Simulation
 from imgproc_course.simulation.room_env import OPTIONS, RoomEnv, controller_observation
 
-LESSONS = {
-    12: "notebooks/masters/12_obstacles_ahead.py",
-    13: "notebooks/masters/13_object_tracking.py",
-    20: "notebooks/masters/20_the_errand.py",
-}
+MASTERS = Path(__file__).parents[2] / "notebooks/masters"
+LESSONS = ("obstacles_ahead", "object_tracking", "the_errand", "unknown_rooms")  # with a drive
 BUDGETS = {("scan",): 40, ("scan", "depth"): 18, ("image",): 16, ("scan", "depth", "image"): 9}
 CONSOLE = Console(width=110)
 
@@ -113,7 +110,7 @@ def replay_of(env, control, scenario):
 
 
 def print_controllers(lesson, seed, count, only):
-    (exercise,) = (e for e in read_exercises(LESSONS[lesson]) if e.subject == "drive")
+    (exercise,) = (e for e in read_exercises(next(MASTERS.glob(f"*_{lesson}.py"))) if e.subject == "drive")
     case = exercise.hidden[0]
     scenarios = [exercise.arguments(case, 1000 * seed + k)[0][0] for k in range(count)]
     answers = {"solution": exercise.solution, "stub": exercise.stub}
@@ -143,7 +140,7 @@ def main():
     cv2.setNumThreads(1)
     parser = argparse.ArgumentParser()
     parser.add_argument("--controllers", action="store_true")
-    parser.add_argument("--lesson", type=int, default=12)
+    parser.add_argument("--lesson", choices=LESSONS, default=LESSONS[0])
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("-n", type=int, default=20)
     parser.add_argument("--only", action="append")
