@@ -34,7 +34,7 @@ from imgproc_course.simulation import Simulation
 figure_texts = {
     "readings": (
         "100 readings of one ray of the laser scanner. The robot stands still; the gray band is one standard deviation on each side of the mean.",
-        "Dots scattered around a horizontal line, most of them inside a gray band.",
+        "Dots scattered around a horizontal gray band, most of them inside it.",
     ),
     "robots": (
         "Left, where the wheels of 200 robots say that they are. Right, the same robots: who is too far to the left also looks to the left. The lines are the ellipses of the covariances.",
@@ -43,10 +43,6 @@ figure_texts = {
     "later": (
         "The 200 robots after 0.95 m, and what 1 m more makes of the same doubt: the ellipse becomes longer and turns.",
         "Two thin ellipses with dots. The second one is more than three times as wide as the first one, and equally high.",
-    ),
-    "wall": (
-        "The points of the scan on one wall, and the line with the smallest sum of squares.",
-        "Twelve dots on a line that falls a little from left to right.",
     ),
     "valley": (
         "The sum of squares for each place, and the parabola of the first step. The step goes to the lowest point of the parabola, not yet of the curve.",
@@ -86,13 +82,12 @@ print("variance", variance.round(4), "  standard deviation", round(math.sqrt(var
 # Why squared? The deviations themselves always add up to 0. Squares are never negative, and large deviations count more. The variance has a strange unit (m²), so people often say its root, the [[term:standard deviation]] σ: here 0.158 m. It is the typical error of **one** reading. NumPy has both: `few.var()` and `few.std()`.
 
 # %%
-deviation = readings.std()
-print("mean", readings.mean().round(3), "m   standard deviation", round(1000 * deviation, 1), "mm")
+mean, deviation = readings.mean().round(4), readings.std().round(4)
+print("mean", mean, "m   standard deviation", deviation, "m")
 figure = Figure(figsize=(7, 2.4), layout="constrained")
 axes = figure.subplots()
 axes.plot(readings.round(4), ".")
-axes.axhline(readings.mean().round(4), color="0.5")
-axes.axhspan(*(readings.mean() + deviation * np.array([-1, 1])).round(4), color="0.5", alpha=0.3)
+axes.axhspan(mean - deviation, mean + deviation, color="0.5", alpha=0.3)
 axes.set(xlabel="reading", ylabel="distance (m)")
 show_figure(figure, text="numbers_with_doubt/readings")
 
@@ -113,9 +108,9 @@ compare_guess(guess_means, round(1000 * means.std(), 1), "mm")
 
 # %%
 # Check: the numbers in this section
-assert mean == 5.1 and round(variance, 4) == 0.025 and round(math.sqrt(variance), 3) == 0.158 and abs(deviations.sum()) < 1e-9
+assert few.mean() == 5.1 and round(variance, 4) == 0.025 and round(math.sqrt(variance), 3) == 0.158 and abs(deviations.sum()) < 1e-9
 assert few.var() == variance and few.std() == math.sqrt(variance)
-assert round(1000 * deviation, 1) == 5.1 and round(1000 * means.std(), 1) == 2.5
+assert deviation == 0.0051 and round(1000 * means.std(), 1) == 2.5
 distances = np.abs(readings - readings.mean()) / deviation
 assert (distances < 1).mean() == 0.68 and (distances < 2).mean() == 0.96
 
@@ -241,14 +236,14 @@ def inputs(rng):
 # A covariance matrix can be drawn. Take any place in the plane, and its way d from the mean. How far is that? In metres, no answer is fair: 3 cm in y are normal, 3 cm in x are impossible. So we measure in units of the doubt. With one number, this is d² / σ². With two numbers, the inverse matrix takes the place of the division: `d @ np.linalg.inv(C) @ d`. All places with the same value form an *ellipse*.
 
 # %%
+# The squared distance of each sample from the mean, in units of the doubt C
 def squared_distances(samples, C):
-    """The squared distance of each sample from the mean, in units of the doubt C."""
     d = samples - samples.mean(axis=0)
     return ((d @ np.linalg.inv(C)) * d).sum(axis=1)
 
 
+# Points (N, 2) on the ellipse around 0 whose squared distance is the limit
 def ellipse(C, limit=9.21):
-    """Points (N, 2) on the ellipse around 0 whose squared distance is the limit."""
     angles = np.linspace(0, 2 * math.pi, 1000)
     ways = np.column_stack([np.cos(angles), np.sin(angles)]) * np.sqrt(np.diag(C))
     squared = ((ways @ np.linalg.inv(C)) * ways).sum(axis=1)
@@ -256,14 +251,14 @@ def ellipse(C, limit=9.21):
 
 # %% tags=["long"]
 figure = Figure(figsize=(8, 3.4), layout="constrained")
-names = ("x (m)", "y (m)", "yaw (rad)")
-parts = figure.subplots(1, 2, width_ratios=[1, 3])
-for axes, (i, j) in zip(parts, ((0, 1), (1, 2)), strict=True):
+left, right = figure.subplots(1, 2, width_ratios=[1, 3])
+for axes, i, j in ((left, 0, 1), (right, 1, 2)):
     pair = places[:, [i, j]]
     edge = ellipse(np.cov(pair.T, bias=True)) + pair.mean(axis=0)
     axes.plot(*pair.round(4).T, ".", markersize=3)
     axes.plot(*edge.round(4).T, "k", linewidth=1)
-    axes.set(xlabel=names[i], ylabel=names[j], aspect=("equal", "auto")[i])
+left.set(xlabel="x (m)", ylabel="y (m)", xticks=[0.93, 0.97], aspect="equal")
+right.set(xlabel="y (m)", ylabel="yaw (rad)")
 show_figure(figure, text="numbers_with_doubt/robots")
 
 # %% [markdown]
@@ -326,7 +321,7 @@ axes.legend()
 show_figure(figure, text="numbers_with_doubt/later")
 
 # %% [markdown]
-# Both are exactly equal. With nothing but F, the robot knows how its doubt grows. This is the line F C Fᵀ of the Kalman filter in [[object_tracking#6]].
+# Both are equal. With nothing but F, the robot knows how its doubt grows. This is the line F C Fᵀ of the Kalman filter in [[object_tracking#6]].
 #
 # And the 200 robots that really drove on? Their wheels are wrong on the second metre too, so y is uncertain by 13 cm, not by 10. F knows nothing about this, and a filter adds the missing part: a second covariance matrix, Q.
 
@@ -387,15 +382,6 @@ ranges, angles = robot.scan().ranges[numbers], np.radians(numbers)
 wall = np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)])
 slope, offset = np.linalg.lstsq(np.column_stack([wall[:, 0], np.ones(12)]), wall[:, 1])[0]
 print("slope", slope.round(3), "  angle", round(math.degrees(math.atan(slope)), 1), "degrees")
-
-# %%
-figure = Figure(figsize=(7, 2.4), layout="constrained")
-axes = figure.subplots()
-axes.plot(*wall.round(3).T, "o")
-ends = np.array([-0.9, 0.9])
-axes.plot(ends, (slope * ends + offset).round(3))
-axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
-show_figure(figure, text="numbers_with_doubt/wall")
 
 # %%
 # Check: the angle of the wall
@@ -520,28 +506,17 @@ def inputs(rng):
 # %% [markdown]
 # ## 6 · One step of Gauss-Newton ([[minutes]])
 #
-# Where on the floor is the robot? Say that it drives along a straight line, and only **one** number is unknown: the x of its camera at the first look. It knows where the marker hangs, and its depth camera measures the distance to the marker, at three looks. Between them, the wheels count how far it drives.
+# Where is the robot? It drives along a straight line, and only **one** number is unknown: the x of its camera at the first look. It knows where the marker hangs, and its depth camera measures the distance to the marker, at three looks. Between them, the wheels count how far it drives:
 
-# %% tags=["long"]
-robot = Simulation(seed=3, start=(0.6, 1.0, 0.0), movers=False)
-camera = robot.depth_camera()
-distances, ways = [], []
-for _ in range(3):
-    rows, cols = np.nonzero(robot.labels() == 13)  # 13 is the marker
-    depth = np.median(robot.depth()[rows, cols]) / 1000
-    ray = camera.unproject((cols.mean(), rows.mean()))
-    distances.append(round(float(depth * np.linalg.norm(ray)), 2))
-    ways.append(round(robot.odometry().x, 2))
-    for _ in range(5):
-        robot.step(0.25, 0.0, dt=0.2)
-print("distances", distances, "  driven until then", ways)
+# %%
+distances = np.array([3.88, 3.70, 3.47])  # to the marker, metres
+ways = np.array([0.0, 0.20, 0.45])  # driven until then, metres
 
 # %% [markdown]
 # The marker is at x = 4.34 m, and 1.62 m to the right of the robot's line. If the camera began at x, then at each look the marker is `4.34 - way - x` ahead, and the law of Pythagoras gives the distance. The *errors* are what x would give, less what was measured:
 
 # %%
-ahead = 4.34 - np.array(ways)  # of the place x = 0
-distances = np.array(distances)
+ahead = 4.34 - ways  # of the place x = 0
 
 
 def errors_of(x):
@@ -549,18 +524,16 @@ def errors_of(x):
 
 
 for x in (0.0, 1.0, 2.8):
-    errors = errors_of(x)
-    print("x", x, "  errors", errors.round(2), "  sum of squares", (errors**2).sum().round(2))
+    print("x", x, "  errors", errors_of(x).round(2), "  sum of squares", (errors_of(x)**2).sum().round(2))
 
 # %% [markdown]
-# One could try all x. The *Gauss-Newton method* needs only a few tries. It asks: if x grows a little, how do the errors change? For each error, this is one number: its change, divided by the change of x. All of them together are the *[[term:Jacobian]]* J. Try it with a tiny change at x = 2.8. Calculus gives the same as a formula, −(ahead − x) / distance:
+# The *[[term:Gauss-Newton method]]* needs only a few tries. It asks: if x grows a little, how do the errors change? For each error, this is one number: its change, divided by the change of x. All of them together are the *[[term:Jacobian]]* J. Try it with a tiny change at x = 2.8. Calculus gives the same as a formula, −(ahead − x) / distance:
 
 # %%
 x = 2.8
 tried = (errors_of(x + 1e-6) - errors_of(x)) / 1e-6
 J = -(ahead - x) / np.hypot(ahead - x, 1.62)
-print("tried  ", tried.round(3))
-print("formula", J.round(3))
+print(tried.round(3), J.round(3))
 
 # %% [markdown]
 # So near x, the errors are about `errors + J * step`, a straight line in the step. And the best step for straight lines is least squares again, with J in the place of A and −errors in the place of y: the normal equations JᵀJ · step = −Jᵀ · errors. With one unknown, JᵀJ is one number, and we only divide:
@@ -583,7 +556,7 @@ near = np.linspace(-1.5, 3.2, 60)
 parabola = [((errors_of(x) + J * (value - x))**2).sum() for value in near]
 figure = Figure(figsize=(7, 3), layout="constrained")
 axes = figure.subplots()
-axes.plot(places_x, np.round(sums, 3), color="0.5", linewidth=3, label="sum of squares")
+axes.plot(places_x, np.round(sums, 3), color="0.5", label="sum of squares")
 axes.plot(near, np.round(parabola, 3), "b--", label="parabola of the step")
 axes.plot([x, x + step], np.round([(errors_of(x)**2).sum(), ((errors_of(x) + J * step)**2).sum()], 3), "bo")
 axes.set(xlabel="x (m)", ylabel="sum of squares (m²)", ylim=(-0.5, 12))
@@ -609,10 +582,7 @@ steps_from(2.8)
 
 # %%
 # Check: the numbers in this section
-marker, place = robot.pose("marker"), 0.6 + 0.21
-assert marker[:2].round(2).tolist() == [4.34, -0.62] and round(1.0 - marker[1], 2) == 1.62 and round(place, 2) == 0.81
-assert np.allclose(tried, J, atol=1e-4) and robot.label_names[13] == "marker" and len(distances) == 3
-assert abs(0.816 - place) < 0.01 and np.abs(errors_of(0.816)).max() < 0.01
+assert np.allclose(tried, J, atol=1e-4) and np.abs(errors_of(0.816)).max() < 0.01 and 0.816 - 0.81 < 0.01
 
 # %% [markdown]
 # ### Your turn: one step
@@ -661,10 +631,9 @@ def place_step(x, ahead, aside, distances, sigmas):
 # %% role="solution"
 def place_step(x, ahead, aside, distances, sigmas):
     expected = np.hypot(ahead - x, aside)
-    errors = expected - distances
     J = -(ahead - x) / expected
     w = 1 / sigmas**2
-    return float(x - (w * J * errors).sum() / (w * J * J).sum())
+    return float(x - (w * J * (expected - distances)).sum() / (w * J * J).sum())
 
 
 # %% role="check"
@@ -703,9 +672,30 @@ assert round(float(np.abs(errors_of(7.426)).max()), 2) == 0.42 and np.abs(errors
 # How does the robot notice this? By the errors that are left: up to 42 cm, and less than 1 cm in the right valley. So look at the errors at the end, or start from several guesses.
 
 # %% [markdown]
+# ### How the distances were measured ([[minutes]], deeper)
+#
+# The depth image gives the depth of the marker, and its ray makes a distance of it, as in [[obstacles_ahead#2]]. The camera is 0.21 m before the middle of the robot.
+
+# %% tags=["long"]
+robot = Simulation(seed=3, start=(0.6, 1.0, 0.0), movers=False)
+marker, camera = robot.pose("marker"), robot.depth_camera()
+for _ in range(3):
+    rows, cols = np.nonzero(robot.labels() == 13)  # 13 is the marker
+    ray = camera.unproject((cols.mean(), rows.mean()))
+    depth = np.median(robot.depth()[rows, cols]) / 1000
+    print("distance", (depth * np.linalg.norm(ray)).round(2), "  driven", round(robot.odometry().x, 2))
+    for _ in range(5):
+        robot.step(0.25, 0.0, dt=0.2)
+
+# %%
+# Check: these are the numbers of this section
+assert marker[:2].round(2).tolist() == [4.34, -0.62] and round(1.0 - marker[1], 2) == 1.62 and round(0.6 + 0.21, 2) == 0.81
+assert abs(depth * np.linalg.norm(ray) - 3.47) < 0.006 and robot.label_names[13] == "marker"
+
+# %% [markdown]
 # ## 7 · Rotate, stretch, rotate ([[minutes]])
 #
-# What does a matrix do to the plane? There is a surprising answer, and it is the same for every matrix: it **rotates**, then **stretches** along the two axes, then **rotates** again. (One of the rotations may also be a mirror.) The *[[term:singular value decomposition]]*, SVD, finds the three parts: `U, s, V = np.linalg.svd(M)`, and M is `U @ np.diag(s) @ V`. Read it from the right: first V, then s, then U. (Many books call the third part Vᵀ.)
+# What does a matrix do to the plane? Every matrix does the same three things: it **rotates**, then **stretches** along the two axes, then **rotates** again. (One of the rotations may also be a mirror.) The *[[term:singular value decomposition]]*, SVD, finds the three parts: `U, s, V = np.linalg.svd(M)`, and M is `U @ np.diag(s) @ V`. Read it from the right: first V, then s, then U. (Many books call the third part Vᵀ.)
 #
 # We take F of section 3. The signs of U and V are not unique: if the first column of U and the first row of V are multiplied by −1, the product is the same, and each computer may choose another one. So we choose: V has positive numbers on its diagonal.
 
@@ -728,13 +718,6 @@ for axes, (title, M) in zip(figure.subplots(1, 4, sharey=True), stages.items(), 
         axes.plot([0, a], [0, b], f"{colour}o-", markevery=[1])
     axes.set(title=title, xlim=(-1.8, 1.8), ylim=(-1.8, 1.8), aspect="equal")
 show_figure(figure, text="numbers_with_doubt/svd")
-
-# %% [markdown]
-# For a covariance matrix, both rotations cancel each other, and s are the **variances along the axes of its ellipse**. So the roots of s are the half axes: how far the doubt goes in its worst and in its best direction.
-
-# %%
-variances = np.linalg.svd(C)[1]
-print("y and yaw, worst and best direction:", np.sqrt(variances).round(3))
 
 # %%
 # Check: the numbers in this section
@@ -857,6 +840,19 @@ def inputs(rng):
 def inputs(rng):
     return [(about(rng, 2.0, 0.9, 10),), (in_room(rng, 9, 0.8),), (in_room(rng, 2, 0.5),)]
 
+
+# %% [markdown]
+# ### The axes of an ellipse ([[minutes]], deeper)
+#
+# For a covariance matrix, the two rotations undo each other, and s are the variances along the axes of its ellipse. So the roots of s say how far the doubt goes in its worst and in its best direction.
+
+# %%
+worst, best = np.sqrt(np.linalg.svd(C)[1])
+print("y and yaw: worst", worst.round(3), "  best", best.round(3))
+
+# %%
+# Check: the best direction is nearly certain
+assert round(worst, 3) == 0.076 and round(best, 3) == 0.003
 
 # %% [markdown]
 # ## Recap
