@@ -18,7 +18,7 @@ from imgproc_course.classroom.exercises.declaration import read_exercises
 from imgproc_course.simulation import Simulation
 from imgproc_course.simulation.room_env import RoomEnv, controller_observation
 
-LESSONS = {12: "notebooks/masters/12_obstacles_ahead.py", 13: "notebooks/masters/13_object_tracking.py"}
+LESSONS = {12: "notebooks/masters/12_obstacles_ahead.py", 14: "notebooks/masters/14_object_tracking.py"}
 BUDGETS = {("scan",): 40, ("scan", "depth"): 18, ("image",): 16, ("scan", "depth", "image"): 9}
 CONSOLE = Console(width=110)
 

@@ -18,7 +18,7 @@ from imgproc_course.geometry import compose_poses, relative_pose, wrap_angle
 from imgproc_course.recording import open_recording
 from imgproc_course.simulation import Simulation
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "20_the_errand.py"
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "21_the_errand.py"
 SIGNS = ("KITCHEN", "BATHROOM", "OFFICE")
 
 

@@ -321,7 +321,7 @@ axes.legend()
 show_figure(figure, text="numbers_with_doubt/later")
 
 # %% [markdown]
-# Both are equal. With nothing but F, the robot knows how its doubt grows. This is the line F C Fᵀ of the Kalman filter in [[object_tracking#6]].
+# Both are equal. With nothing but F, the robot knows how its doubt grows. This is the line F C Fᵀ of the [[term:Kalman filter]] in [[object_tracking#6]].
 #
 # And the 200 robots that really drove on? Their wheels are wrong on the second metre too, so y is uncertain by 13 cm, not by 10. F knows nothing about this, and a filter adds the missing part: a second covariance matrix, Q.
 
@@ -746,7 +746,7 @@ print(mean.round(4))
 print("lengths of its columns:", np.linalg.norm(mean, axis=0).round(4))
 
 # %% [markdown]
-# This is nearly half a turn, but no rotation: it makes everything a little shorter. **Repair it** with the SVD: rotate, stretch, rotate, and leave the stretching out. `U @ V` is the *nearest rotation*: no other one has a smaller sum of squared differences from the matrix. (If the determinant is negative, it is a mirror; [[where_am_i#5]] shows what to do then.) The signs of U and V do not matter here, because they cancel each other.
+# This is nearly half a turn, but no rotation: it makes everything a little shorter. **Repair it** with the SVD: rotate, stretch, rotate, and leave the stretching out. `U @ V` is the *nearest rotation*: no other one has a smaller sum of squared differences from the matrix. (If the [[term:determinant]] is negative, it is a mirror; [[where_am_i#5]] shows what to do then.) The signs of U and V do not matter here, because they cancel each other.
 
 # %%
 U, s, V = np.linalg.svd(mean)
