@@ -8,6 +8,7 @@ python tests/benchmarks/bench_room_env.py --controllers [-n 20] [--seed 1] [--le
 import argparse
 import statistics
 import time
+from pathlib import Path
 
 import cv2
 from bench_room import remap_of

@@ -12,7 +12,7 @@ from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.imaging import to_gray
 from imgproc_course.simulation import draw_face, random_identity
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "18_faces.py"
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "19_faces.py"
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ from scipy.sparse.csgraph import dijkstra
 from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.simulation import GESTURES, gesture_track, hand_mask, random_hand
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "19_gestures.py"
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "20_gestures.py"
 
 
 @pytest.fixture(scope="module")

@@ -16,7 +16,7 @@ from imgproc_course.geometry import (
     wrap_angle,
 )
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "15_mapping_and_slam.py"
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "16_mapping_and_slam.py"
 
 
 @pytest.fixture(scope="module")

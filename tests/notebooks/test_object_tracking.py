@@ -8,7 +8,7 @@ import pytest
 
 from imgproc_course.classroom.exercises import read_exercises, run_cases
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "13_object_tracking.py"
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "14_object_tracking.py"
 
 
 @pytest.fixture(scope="module")

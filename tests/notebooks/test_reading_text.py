@@ -10,7 +10,7 @@ import rapidocr
 
 from imgproc_course.classroom.exercises import read_exercises
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "16_reading_text.py"
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "17_reading_text.py"
 
 
 @pytest.fixture(scope="module")

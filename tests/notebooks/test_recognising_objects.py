@@ -12,7 +12,7 @@ from sklearn.neighbors import NearestCentroid
 from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.recording import open_recording
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "17_recognising_objects.py"
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "18_recognising_objects.py"
 
 
 @pytest.fixture(scope="module")

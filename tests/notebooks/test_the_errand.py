@@ -20,7 +20,7 @@ from imgproc_course.recording import open_recording
 from imgproc_course.simulation import Simulation, furnished
 from imgproc_course.simulation.drive import gap
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "20_the_errand.py"
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "21_the_errand.py"
 SIGNS = ("KITCHEN", "BATHROOM", "OFFICE")
 
 

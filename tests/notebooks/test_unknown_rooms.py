@@ -18,7 +18,7 @@ def functions_of(source):
 
 
 def test_the_baseline_in_the_lesson_is_the_shipped_controller():
-    master = read_master(NOTEBOOKS / "masters" / "21_unknown_rooms.py")
+    master = read_master(NOTEBOOKS / "masters" / "22_unknown_rooms.py")
     cells = [functions_of(cell.source) for cell in master.cells if cell.source.startswith("def baseline")]
     (in_lesson,) = cells
     shipped = functions_of((NOTEBOOKS / "controllers" / "baseline.py").read_text("utf-8"))

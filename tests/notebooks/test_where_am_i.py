@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.geometry import CameraModel, Pose, homography, rigid_motion
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "14_where_am_i.py"
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "15_where_am_i.py"
 
 
 @pytest.fixture(scope="module")

@@ -1071,6 +1071,9 @@ for seen, ((left, top, width, height), _) in zip(seen_names, things, strict=True
 
 # %% [markdown]
 # Three are right. A classifier with twelve classes has no answer "none of them": slippers must become one of the twelve. So the node stays silent if the margin is not above 0.4: two names remain, and both are right. But we chose 0.4 after we had seen these eight margins, so this is no test: it would be leakage again. Test it from other places. The price: it also says nothing about the ball. And a thing on the wall, such as the door or the sign, does not stand free on the floor; `find_things` does not find it.
+
+# %% [markdown]
+# ### The same as a node ([[minutes]], deeper)
 #
 # The node publishes a `MarkerArray` with a text above each thing, which RViz and Foxglove draw. (A `Marker` of RViz is something drawn; it has nothing to do with the class marker.) It sees published topics only: image, depth, camera info and odometry. In the live room it is day, so the node is sure more often than in the evening: the classifier has learnt by day. The camera stands 0.21 m before the robot's axle and 0.20 m above the floor, and looks ahead.
 

@@ -7,16 +7,16 @@
 # %% [markdown]
 # # Where am I?
 #
-# A robot that counts the turns of its wheels believes that it knows where it is, and it is wrong: its odometry drifts. In this lesson the robot *looks*. First it sees a marker, and computes its own place from four corners. Then it does without a marker: it follows hundreds of points of the room from image to image. At the end, a node draws the way of the robot, beside the way that the wheels count.
+# A robot that counts the turns of its wheels believes that it knows where it is, and it is wrong: its odometry drifts. In this lesson the robot *looks*. First it sees a marker, and computes its own place from four corners. Then it does without a marker: it follows hundreds of points of the room from image to image. At the end, you see the way of the robot, beside the way that the wheels count.
 #
 # **You will be able to**
 # - compute the homography of a flat thing from four corners,
 # - read the number of a marker from its black and white cells,
 # - find the motion between two clouds of points (Kabsch), also if many of the pairs are wrong (RANSAC),
-# - chain motions to a path, and keep its drift small with keyframes,
-# - measure the error of a path against the truth.
+# - chain motions to a path, and measure its error against the truth,
+# - deeper: choose keyframes, and write a node that computes the path of the robot.
 #
-# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]] and [[drive_the_robot]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]], [[drive_the_robot]] and [[numbers_with_doubt]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["where-homography", "where-decode", "where-motion", "where-inliers", "where-keyframes"]
 import math
@@ -84,7 +84,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · Two ways to know the place ([[minutes]])
 #
-# In [[drive_the_robot#4]] the robot drove a small square, and its wheels were wrong by 15 cm at the end. The wheels count only steps, and each small error stays. There are two better ways:
+# In [[drive_the_robot#5]] the robot drove a small square, and its wheels were wrong by 15 cm at the end. The wheels count only steps, and each small error stays. There are two better ways:
 #
 # - **Look at something whose place you know.** A [[term:marker]] stands in front of the wall; we know its place in the room. From how it looks in the image, the robot computes where it is itself. This has no [[term:drift]], but it needs the marker.
 # - **Look at how the room moves.** From one frame to the next, all points of the room move a little. From this, the robot computes how it moved itself. This is called *[[term:visual odometry]]*.
@@ -178,7 +178,7 @@ print("row of u times the matrix:", abs(round(float(row_u @ H.ravel()), 6)))
 print("row of v times the matrix:", abs(round(float(row_v @ H.ravel()), 6)))
 
 # %% [markdown]
-# Four corners give eight rows. We look for the vector that gives 0 with each of them. The *[[term:singular value decomposition]]* finds it (`np.linalg.svd`): it is the **last row** of its third result. First a small example with two rows, and a vector of three numbers:
+# Four corners give eight rows. We look for the vector that gives 0 with each of them. The SVD of [[numbers_with_doubt#7]] finds it: "rotate, stretch, rotate", and here one direction is stretched to 0. Which one? V rotates it to the last axis, so it is the **last row** of V, the third result. First a small example with two rows, and a vector of three numbers:
 
 # %%
 rows = np.array([[1.0, 2, -3], [2, -1, -1]])
@@ -497,7 +497,7 @@ print("truth  ", true_places[60].round(2))
 # %% [markdown]
 # Now all 90 frames. To measure a whole path, we take the distance between the computed and the true place in each frame, square it, take the mean, and then the root: the *[[term:absolute trajectory error]]* (ATE).
 #
-# And once more, with another setting: without the *refinement* of the corners, which shifts each corner by parts of a pixel until it is at the edge between black and white. Without it, the corners are whole pixels, so they are wrong by half a pixel at most. **Predict** the largest error of the place in the 90 frames, in centimetres.
+# And once more, with another setting: without the *refinement* of the corners, which shifts each corner by parts of a pixel until it is at the edge between black and white. Without it, the corners are whole pixels, and up to 1.5 pixels away from the refined ones. **Predict** the largest error of the place in the 90 frames, in centimetres.
 
 # %% role="predict"
 guess_flip = None  # your guess: how many centimetres?
@@ -531,15 +531,21 @@ show_figure(figure, text="where_am_i/flips")
 
 # %%
 # Check: the numbers in this section
+rough_corners = np.array([find_corners(gray, rough) for gray in grays])
+true_corners = np.array([camera.project((pose.inverse() @ marker).apply(square_3d)) for pose in true_poses])
+assert 1.45 < np.linalg.norm(rough_corners - corners, axis=2).max() < 1.5
+assert np.linalg.norm(rough_corners - true_corners, axis=2)[rough_errors > 1].max() < 1.9
+sizes = [np.abs(np.array(found) - np.mean(found, axis=1, keepdims=True)) for found in (true_corners, corners)]
+assert 0.65 < (sizes[0] - sizes[1]).mean() < 0.8
 assert round(100 * refined_errors.max()) == 28 and round(100 * ate(refined_places, true_places)) == 14
 assert round(100 * rough_errors.max()) == 261 and (rough_errors > 1).sum() == 6
 assert (rough_errors > 1.5).sum() == 6 == (rough_errors > 0.6).sum() and round(100 * 4 * math.sin(math.radians(1))) == 7
 assert max(math.dist(place_by_hand(corners[k]), refined_places[k]) for k in range(90)) < 0.01
 
 # %% [markdown]
-# In 6 of the 90 frames, half a pixel moves the robot by more than 1.5 m! A small square far away looks almost the same if it is turned to the left or to the right by the same angle. There are always **two poses** with almost the same corners, and a small error makes the wrong one fit better: the *[[term:two-fold ambiguity]]*. And even a turn of one degree, at a distance of 4 m, moves the robot by 7 cm.
+# In 6 of the 90 frames, an error of less than two pixels moves the robot by more than 1.5 m! A small square far away looks almost the same if it is turned to the left or to the right by the same angle. There are always **two poses** with almost the same corners, and a small error makes the wrong one fit better: the *[[term:two-fold ambiguity]]*. And even a turn of one degree, at a distance of 4 m, moves the robot by 7 cm.
 #
-# **Repair it**: refine the corners. On a robot, one also compares with the place of the frame before, and uses larger markers, or several.
+# **Repair it**: refine the corners. They are better, but not exact either: they lie about 0.7 pixels inside the edges of the marker, to the side and in height. On a robot, one also compares with the place of the frame before, and uses larger markers, or several.
 #
 # This is a good place for a pause.
 #
@@ -613,7 +619,7 @@ print(few_centered.tolist())
 print(after_centered.tolist())
 
 # %% [markdown]
-# The *[[term:Kabsch algorithm]]* has two steps. First multiply the clouds with each other: `after_centered.T @ few_centered`, a small matrix. Then its singular value decomposition U, s, V: the rotation is U @ V. NumPy returns the three parts in this order. (Many books call the third part Vᵀ.)
+# The *[[term:Kabsch algorithm]]* has two steps. First multiply the clouds with each other: `after_centered.T @ few_centered`, a small matrix. It holds the sums of all products, as a covariance matrix does, but of one cloud with the other one: it turns and stretches. Then take the nearest rotation, U @ V, as in [[numbers_with_doubt#7]]. No other rotation brings the two clouds nearer to each other.
 
 # %%
 U, sizes, V = np.linalg.svd(after_centered.T @ few_centered)
@@ -965,8 +971,9 @@ assert 2.2 < np.linalg.norm(np.diff(true_places[:81], axis=0), axis=1).sum() < 2
 # More images, more drift! Each step has a small error of its own, however short it is: the depth of a pixel, and the place of a point, are never exact. 89 steps add up 89 such errors, and 8 steps only 8. But steps cannot be as large as you like: then too few points are found again.
 #
 # So visual odometry uses **[[term:keyframe|keyframes]]**. Each frame is compared with the last keyframe, not with the frame before. Only when the robot has moved or turned far enough, the frame becomes the next keyframe.
-#
-# ### Your turn: keyframes
+
+# %% [markdown]
+# ### Your turn: keyframes ([[minutes]], deeper)
 #
 # Write `keyframes(places, distance, angle)`, in plain Python.
 #
@@ -1136,6 +1143,9 @@ assert round(error_wheels) == 22 and error_camera < 6 and not robot.bumped and l
 
 # %% [markdown]
 # And where it sees nothing? A bare wall has no corners, so there are no points to follow. The class then takes the pose from before, and the camera is worse than the wheels. Real robots combine both, with a Kalman filter as in [[object_tracking#6]].
+
+# %% [markdown]
+# ### The same as a node ([[minutes]], deeper)
 #
 # Now the same as a node. It sees only what the robot publishes. It begins where the wheels say that it is, and then goes its own way. It publishes its pose as `Odometry`, and the way until now as a `Path`; RViz and Foxglove draw both.
 
@@ -1235,8 +1245,9 @@ if ros_available():
 assert not ros_available() or node.looks == len(node.path.poses) > 0
 
 # %% [markdown]
-# **On the real robot**, the depth image comes from another camera, which looks at the floor; so one uses points without depth, and more of them.
-#
+# **On the real robot**, the depth image comes from another camera, which looks up and does not see the floor; so one uses points without depth, and more of them.
+
+# %% [markdown]
 # ## Recap
 #
 # A marker says where the robot is, if its corners are exact. Two clouds of points say how it moved; RANSAC leaves out what moves by itself. Every step adds its error, so take few steps: compare with keyframes.

@@ -1135,7 +1135,7 @@ def paint_over(frame, boxes):
     return frame
 
 # %% [markdown]
-# ## 8 · Hidden before it is stored ([[minutes]])
+# ## 8 · Hidden before it is stored ([[minutes]], deeper)
 #
 # The person in the room of our robot does not turn a face to the camera. So a node of ours, the *visitor*, draws a visitor into each image of the camera, who moves from the left to the right. The second node, the *anonymiser*, subscribes to these images. It looks for faces, paints over them, and publishes the result on a topic of its own. It does not know where the visitor is. `record` stores only the anonymiser's topic.
 
@@ -1251,7 +1251,8 @@ assert found[0.0] == 30 and 8 <= found[0.5] <= 18
 # **Planned failure.** About half of them stay visible, because the cascade learned from people who look at the camera. And in the room? The benchmark `faces` let this node run for a minute, with a visitor who came nearer, turned up to 20 degrees and stood in light from the side: of 302 stored images, the face was hidden in 250, hidden in part in 5, and visible in 47. To paint over what was found is a help, and not a guarantee. To store nothing is one.
 #
 # To use your own function, pass it to the node: `AnonymiserNode(find_faces, lambda frame, boxes: hide_boxes(frame, boxes, 40))`. With your own webcam, `open_camera("webcam")` publishes images on the same topic as the robot, and `AnonymiserNode(..., topic="/kachaka/front_camera/image_raw")` hides your face. Nothing is stored as long as you do not call `record`. Before you switch it on: does everybody who can be seen know it, and agree?
-#
+
+# %% [markdown]
 # ## Recap
 #
 # An integral image gives the sum of any box with four numbers. A Haar feature compares boxes, and a cascade rejects most windows after a few features. Eigenfaces describe a face by its difference from the mean; LBP by the order of neighbouring gray levels. Each fails somewhere. And what shows a face need not be stored.

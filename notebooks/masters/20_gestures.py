@@ -13,8 +13,8 @@
 # - compute the convex hull of points,
 # - find the valleys between the fingers (convexity defects),
 # - count fingers on a circle around the palm,
-# - train a small neural network, and test it honestly,
-# - compare two movements by dynamic time warping.
+# - compare two movements by dynamic time warping,
+# - deeper: train a small neural network and test it honestly, and let the robot obey your hand.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[canny_stages]] and [[recognising_objects]]. Only the last part of section 7 needs ROS 2.
 
@@ -763,8 +763,9 @@ assert np.trace(circle_matrix) == 116 and set(by_valleys) <= set(range(6)) and c
 # Valleys plus one takes all 20 fists for one finger, and makes no other error. The circle tells them apart; it makes four errors, each of them one finger too many: at the ragged edge of a finger, a single pixel of noise can be a run of its own. How would you repair that?
 #
 # This is a good place for a pause.
-#
-# ## 5 · A small network ([[minutes]])
+
+# %% [markdown]
+# ## 5 · A small network ([[minutes]], deeper)
 #
 # Somebody had to invent the circle. A *[[term:neural network]]* learns from examples what to look at. The linear classifier of [[recognising_objects#5]] multiplied and added once. A network does it several times, in *layers*, and after each layer but the last, negative numbers become 0. A network with two inputs, two numbers in its *[[term:hidden layer]]*, and two classes:
 
@@ -849,11 +850,12 @@ compare_guess(guess_turned, (~wrong).sum())
 # Check: the network only guesses, and often it is sure
 assert 4 <= (~wrong).sum() <= 20 and (wrong & (sure > 0.9)).sum() > 30
 assert [fingers_of(mask) for mask in turned_masks] == turned_fingers.tolist()
-assert np.degrees(max(abs(hand.turn) for hand in hands)) < 23
+assert np.degrees(max(abs(hand.turn) for hand in hands)) < 23 and crop_of(mask).dtype == np.float32
 
 # %% [markdown]
 # The network has no more right than somebody who only guesses among the six classes. **The second planned failure:** the network has learnt these 600 hands, and not what a finger is. It knows nothing of turned hands, and does not say so: it gives a class, often with a high probability. The circle is the same from all sides. What would you change: the training data, or the crop?
-#
+
+# %% [markdown]
 # ## 6 · Movements ([[minutes]])
 #
 # A wave is a movement, so one image is not enough. We follow the palm's center from frame to frame: its *[[term:tracking|track]]*, an array of points x, y. `gesture_track` makes such tracks of six gestures, with noise. No two people are equally fast, so the tracks have different lengths. A gesture is the same on the left and on the right of the image, so we subtract the mean of all points.
@@ -1120,8 +1122,9 @@ for _, track in tracks:
 
 # %% [markdown]
 # A movement in one direction is easy: a swipe is a swipe at any speed. What goes to and fro, the wave and the circle, needs time warping.
-#
-# ## 7 · In the room ([[minutes]])
+
+# %% [markdown]
+# ## 7 · In the room ([[minutes]], deeper)
 #
 # Now the robot obeys. Images of your hand come on the topic `/webcam/image_raw`. The node looks at each of them:
 # - Five fingers are a **palm**: the robot stops at once, and forgets what it was doing. Stop always wins: how a palm moves does not matter.
@@ -1315,4 +1318,4 @@ assert not ros_available() or node.looks > 0
 # %%
 # Check: the numbers in the table
 assert mask.shape == (180, 240) and mask.dtype == np.uint8 and outline.dtype == hull.dtype == np.int32
-assert crop_of(mask).dtype == np.float32 and examples["wave"].dtype == np.float64
+assert examples["wave"].dtype == np.float64

@@ -14,9 +14,10 @@
 # - add up what many scans say about a cell, as log-odds,
 # - compute how much two poses disagree with a measured motion,
 # - recognize a place with two laser scans,
-# - correct all poses of a path with the Gauss-Newton method, and measure how much better the map becomes.
+# - correct all poses of a path with the Gauss-Newton method, and measure how much better the map becomes,
+# - deeper: write the step for a whole graph, and a node that maps while the robot drives.
 #
-# **Time** [[minutes]], with a pause after section 4. **You need** [[where_am_i]] and [[drive_the_robot]]. Only the last part of section 9 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[where_am_i]], [[numbers_with_doubt]] and [[drive_the_robot]]. Only the last part of section 9 needs ROS 2.
 
 # %% role="given" exercise=["mapping-ray", "mapping-scan", "mapping-error", "mapping-loops", "mapping-step"]
 import math
@@ -483,7 +484,7 @@ precision, recall = grid_precision_recall(true_map, real)
 print("true poses:  precision", round(precision, 2), "  recall", round(recall, 2))
 
 # %% [markdown]
-# That is with the true poses, which a robot does not know. It knows its wheels. In [[drive_the_robot#4]], they were wrong by 15 cm after a small square. Now the robot is back at its start, after 6.3 m in a circle. **Predict** how far from its true place it is according to the wheels, in centimetres.
+# That is with the true poses, which a robot does not know. It knows its wheels. In [[drive_the_robot#5]], they were wrong by 15 cm after a small square. Now the robot is back at its start, after 6.3 m in a circle. **Predict** how far from its true place it is according to the wheels, in centimetres.
 
 # %% role="predict"
 guess_wheels = None  # your guess: how many centimetres?
@@ -651,7 +652,7 @@ def inputs(rng):
 #
 # With the edges of the wheels alone, nothing can be corrected: each pose follows from the one before, and no edge contradicts another. We need an edge that goes back: the robot must notice that it is at a place where it has been. This is a *[[term:loop closure]]*. A person would recognize the sofa. The robot compares two scans: if they come from almost the same place, they lie on each other after a small shift and turn. This is called *[[term:scan matching]]*.
 #
-# If we knew which point of one scan belongs to which point of the other, this would be the motion of a cloud, as in [[where_am_i#5]]. In the plane we need no singular value decomposition: two sums give the angle.
+# If we knew which point of one scan belongs to which point of the other, this would be the motion of a cloud, as in [[where_am_i#5]]. There U @ V was the nearest rotation. In the plane we need no SVD: two sums give the angle.
 
 # %%
 def planar_motion(before, after):
@@ -826,7 +827,7 @@ errors = np.array([x[1] - x[0] - 1.0, x[2] - x[1] - 1.0, x[2] - x[0] - 1.7])
 print(errors.round(2))
 
 # %% [markdown]
-# We look for the poses with the smallest sum of squared errors. The first pose stays where it is. For this we need to know how each error changes if a pose moves by 1. This table is called the *[[term:Jacobian]]*, J: one row for each edge, one column for each pose. The first edge is x₁ − x₀ − 1: its error grows by 1 with x₁, and falls by 1 with x₀.
+# We look for the poses with the smallest sum of squared errors. The first pose stays where it is. In [[numbers_with_doubt#6]] one number was unknown, and J had one number for each error. Now there are several unknowns, so the [[term:Jacobian]] J is a table: one row for each edge, one column for each pose. It says how each error changes if a pose moves by 1. The first edge is x₁ − x₀ − 1: its error grows by 1 with x₁, and falls by 1 with x₀.
 
 # %%
 J = np.array([[-1.0, 1, 0],
@@ -837,7 +838,7 @@ J = J[:, 1:]  # the first pose is fixed: leave its column out
 # %% [markdown]
 # Why leave the column out? All poses could move together without changing any error, so there would be no single solution: `solve` would stop with *Singular matrix*.
 #
-# The step that makes the sum of squares smallest follows from one equation, which `np.linalg.solve` solves:
+# The step that makes the sum of squares smallest follows from the normal equations of [[numbers_with_doubt#4]], with J in the place of A and −errors in the place of y. `np.linalg.solve` solves them:
 #
 # $$J^T J \cdot \text{step} = -J^T \cdot \text{errors}$$
 #
@@ -853,7 +854,7 @@ print("step:", step.round(3))
 compare_guess(guess_middle, round(float(x[1] + step[0]), 2))
 
 # %% [markdown]
-# The contradiction of 0.3 is shared: each edge now has an error of 0.1. But a scan is more exact than the wheels. So each edge has a *weight*, 1 / σ², with its standard deviation σ. The weights stand in a diagonal matrix W:
+# The contradiction of 0.3 is shared: each edge now has an error of 0.1. But a scan is more exact than the wheels. So each edge has the weight 1 / σ² of [[numbers_with_doubt#5]], in a diagonal matrix W:
 
 # %%
 W = np.diag([1.0, 1.0, 100.0])  # the third edge is ten times as exact
@@ -862,6 +863,11 @@ print("step:", step.round(3))
 
 # %% [markdown]
 # Now the wheels give way, and the exact edge keeps its 1.7 almost exactly.
+#
+# In the plane, a pose has three numbers. The error is not a linear function of the yaw, so one step does not reach the goal: after it, errors and Jacobian are computed again, and so on. This is the [[term:Gauss-Newton method]]; `optimize_pose_graph` of the course's package does it for a whole graph.
+
+# %% [markdown]
+# ### The step for a whole graph ([[minutes]], deeper)
 #
 # In the plane each pose has three numbers, and each edge has three errors: three rows of J, and for each of its two poses three columns. These two blocks of 3 × 3 numbers are the same for all edges, if c, s, ahead and left of the edge are put in. The function below returns the error and both blocks:
 
@@ -897,7 +903,7 @@ J[0:3, 6:9] = by_second  # ... to pose 2
 print(J.round(1) + 0.0)
 
 # %% [markdown]
-# The error is not a linear function of the yaw, so one step does not reach the goal: after it, we compute errors and Jacobian again, and do the next step. This is the *[[term:Gauss-Newton method]]*.
+# Gauss-Newton repeats this step: errors and Jacobian again, then the next step.
 
 # %%
 # Check: the numbers in this section
@@ -905,7 +911,7 @@ assert np.allclose(errors, [0, 0, 0.3]) and np.allclose(x[1:] + np.linalg.solve(
 assert np.allclose(step, [-0.1493, -0.2985], atol=1e-4) and np.allclose((turned - error) / 1e-6, by_first[:, 2], atol=1e-4)
 
 # %% [markdown]
-# ### Your turn: one step of Gauss-Newton
+# ### Your turn: one step of Gauss-Newton ([[minutes]], deeper)
 #
 # Write `graph_step(poses, edges)`. Use `linearize` for the errors and the blocks.
 #
@@ -1015,7 +1021,7 @@ loops = [pair for pair in motions if shares[pair] >= 0.7]
 print("tried:", len(motions), "pairs   loops:", loops)
 
 # %% [markdown]
-# The edges of the wheels have a standard deviation of 2 cm and 0.05 radians, those of the scans 1 cm and 0.01 radians. `optimize_pose_graph` of the course's package repeats your step until nothing changes any more. On real robots, the libraries GTSAM, g2o and Ceres do the same, for hundreds of thousands of poses.
+# The edges of the wheels have a standard deviation of 2 cm and 0.05 radians, those of the scans 1 cm and 0.01 radians. `optimize_pose_graph` repeats the step of section 7 until nothing changes any more. On real robots, the libraries GTSAM, g2o and Ceres do the same, for hundreds of thousands of poses.
 
 # %%
 edges = []
@@ -1072,7 +1078,7 @@ print("ATE with one wrong loop:", "more than 30 cm" if ate(bent[:, :2], truth[:,
 assert ate(bent[:, :2], truth[:, :2]) > 0.3
 
 # %% [markdown]
-# ## 9 · Live: the map snaps ([[minutes]])
+# ## 9 · Live: the map snaps ([[minutes]], deeper)
 #
 # Now everything together, step by step while the robot drives. A `Mapper` takes a new *[[term:keyframe]]* after 20 cm or 20 degrees. It compares each keyframe with the nearest one that is at least 12 keyframes older. If they match, it corrects all poses.
 
@@ -1215,7 +1221,8 @@ assert not ros_available() or (node.looks > 0 and len(node.mapper.poses) > 0)
 
 # %% [markdown]
 # **Try it**: let the robot drive for two rounds. With each keyframe of the second round, a loop is closed, and the wheels have no time to drift.
-#
+
+# %% [markdown]
 # ## Recap
 #
 # A map needs exact poses, and the poses come from the map: SLAM finds both. Rays fill the cells, and log-odds add up what they say. Edges hold the poses together, and one place that is recognized corrects the whole path.

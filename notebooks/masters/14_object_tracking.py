@@ -11,12 +11,13 @@
 #
 # **You will be able to**
 # - measure how well two boxes agree (IoU),
-# - find the pixels that have the colour of an object (back-projection), and move a box to them (mean shift),
+# - find the pixels that have the colour of an object (back-projection),
 # - combine what you expect and what you measure, with a Kalman filter,
 # - keep two objects apart that look the same, by joint assignment,
-# - write a node that follows a ball.
+# - write a node that follows a ball,
+# - deeper: move a box to the pixels of an object (mean shift), and drive after a ball with the image alone.
 #
-# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]] and [[arrays]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 5. **You need** [[obstacles_ahead]] and [[numbers_with_doubt]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-mean-shift", "tracking-predict", "tracking-update", "tracking-drive"]
 import math
@@ -335,7 +336,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 3 · Mean shift ([[minutes]])
+# ## 3 · Mean shift ([[minutes]], deeper)
 #
 # The ball moves a little from frame to frame. So we begin with the box of the frame before, look at the weights **inside this box**, and move the box so that its middle is at their *[[term:center of mass]]*. There we look again, and so on, until the box stays where it is. This is *[[term:mean shift]]*.
 #
@@ -479,7 +480,7 @@ steps, box = cv2.meanShift(image, true_boxes[0], (3, 10, 1))
 print("steps", steps, "  box", box, "  true box", true_boxes[10])
 
 # %% [markdown]
-# ## 4 · The whole drive, and a failure ([[minutes]])
+# ## 4 · The whole drive, and a failure ([[minutes]], deeper)
 #
 # We track the ball through all 90 frames: each frame begins with the box of the frame before. Beside mean shift we use `cv2.CamShift` (*[[term:CamShift]]*). After the mean shift, it computes a new width and height from the weights, because the ball grows as the robot comes nearer.
 #
@@ -541,13 +542,12 @@ assert sum(value >= 0.5 for value in mean_shift_iou) == 25
 assert sum(value >= 0.5 for value in camshift_iou) == 2 and mean_shift_iou[89] < 0.1
 
 # %% [markdown]
-# Both trackers fail. **Mean shift** keeps the size of its box. The ball grows from 31 to 189 pixels, and the box ends on one of its red stripes. **CamShift** may grow, but it follows everything red: together with the rug and the car, its box becomes much too wide. OpenCV's `TrackerMIL`, which learns what the ball looks like, is no better here. All of them look at the image only, and there, a ball that comes nearer *is* something that changes.
-#
-# **Repair it**: the size of the ball changes in the image, but not in the room. So let us track where things are on the **floor**, in metres.
-#
-# This is a good place for a pause.
-#
+# Both trackers fail. **Mean shift** keeps the size of its box. The ball grows from 31 to 189 pixels, and the box ends on one of its red stripes. **CamShift** may grow, but it follows everything red: together with the rug and the car, its box becomes much too wide. Both look at the colours of the image only, and there, a ball that comes nearer *is* something that changes.
+
+# %% [markdown]
 # ## 5 · Places on the floor ([[minutes]])
+#
+# One way to track is to move the box of the ball from frame to frame, to the bright pixels of the back-projection (sections 3 and 4, deeper). It loses the ball: as the robot drives nearer, the ball grows from 31 to 189 pixels, and it is not the only red thing. But in the room, the size of the ball does not change. So we track where things are on the **floor**, in metres.
 #
 # Where is the ball on the floor? You need three things: its pixel, its depth, and the [[term:pose]] of the camera. From pixel and depth, the ray gives a point in front of the camera, as in [[obstacles_ahead#2]]. The pose takes this point into the room: `pose.apply(point)` gives x, y and z in metres, where z is the height above the floor. (Here we take the pose from the recording. [[term:odometry|Odometry]] gives it as well, with some error.)
 
@@ -646,11 +646,13 @@ assert round(np.median(distances), 1) == 2.3 and round(max(distances), 1) == 20.
 assert sum(distance < 5 for distance in distances) == 75
 
 # %% [markdown]
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+#
 # ## 6 · The Kalman filter ([[minutes]])
 #
 # We know two things about the ball: where it should be now, since it rolled in a certain direction with a certain speed, and where we see it now. Both are uncertain. How do we combine them?
 #
-# First with one number. The ball should be at 2.00 m, and this is uncertain by 0.1 m. We measure 2.40 m, and the measurement is uncertain by 0.2 m. The [[term:variance]] is the square of this uncertainty: 0.01 and 0.04. The *gain* says how far we go from the expected place towards the measured place:
+# First with one number. The ball should be at 2.00 m, and this is uncertain by 0.1 m. We measure 2.40 m, and the measurement is uncertain by 0.2 m. The [[term:variance|variances]] are 0.01 and 0.04. This is the weighted mean of [[numbers_with_doubt#5]], with the weights 1 / variance. In tracking, one writes it with the share of the measurement, the *gain*: how far we go from the expected place towards the measured place.
 #
 # $$\text{gain} = \frac{\text{variance of the prediction}}{\text{variance of the prediction} + \text{variance of the measurement}}$$
 #
@@ -671,9 +673,9 @@ compare_guess(guess_place, round(combined, 2), "m")
 # %% [markdown]
 # The result lies nearer to the more certain number, and it is more certain than both: its variance is 0.008.
 #
-# The *[[term:Kalman filter]]* does this for several numbers together, its *[[term:state]]*. For a ball on a line these are its place and its speed. A matrix, the *[[term:covariance]]*, contains the variances on its diagonal. The other numbers say how two of the numbers belong together.
+# The *[[term:Kalman filter]]* does this for several numbers together, its *[[term:state]]*. For a ball on a line these are its place and its speed. Its doubt is a [[term:covariance]] matrix, as that of y and yaw in [[numbers_with_doubt#2]].
 #
-# **One frame later**: after dt = 0.1 s, the new place is place + 0.1 · speed. This is a product with a matrix F. `@` multiplies each row of F with the state, and adds up:
+# **One frame later**: after dt = 0.1 s, the new place is place + 0.1 · speed. This is a product with a matrix F of the same form as in [[numbers_with_doubt#3]]: there y grew by 1 m · yaw, here the place grows by 0.1 s · speed.
 
 # %%
 F = np.array([[1, 0.1], [0, 1]])
@@ -684,7 +686,7 @@ print("state", (F @ state).round(4))
 print((F @ covariance @ F.T + Q).round(4))
 
 # %% [markdown]
-# The place is now 2.05 m. The covariance has changed too: the place is less certain (0.0126 instead of 0.01), because the speed is not certain. The number 0.025 beside the diagonal says: if the ball is farther than expected, it is probably also faster. `F @ covariance @ F.T` computes this, where `F.T` is the *transposed* matrix, with rows and columns exchanged. *Q* adds what the model does not know: the ball may become faster or slower.
+# The place is now 2.05 m. The covariance has changed too: the place is less certain (0.0126 instead of 0.01), because the speed is not certain. The number 0.025 beside the diagonal says: if the ball is farther than expected, it is probably also faster. `F @ covariance @ F.T` is the doubt that drives on ([[numbers_with_doubt#3]]): each number of the covariance comes from two deviations, and F moves both. *Q* adds what F does not know: the ball may become faster or slower.
 #
 # ### Your turn: predict
 #
@@ -890,7 +892,7 @@ def inputs(rng):
 #
 # Two *tracks*, of ball and car, and in each frame several red things. Which thing belongs to which track?
 #
-# A distance in metres is not a good measure. An error of 10 cm is large for a track that knows its place to 3 cm, and small for a track that has not been seen for a second. So we divide by the uncertainty S: surprise · S⁻¹ · surprise is the squared distance in units of the expected error. A pair with more than 9.21 is refused: only 1 % of the right pairs are that far. This limit is called a *[[term:gate]]*.
+# A distance in metres is not a good measure. An error of 10 cm is large for a track that knows its place to 3 cm, and small for a track that has not been seen for a second. So we divide by the uncertainty S: surprise · S⁻¹ · surprise is the squared distance in units of the doubt, as in [[numbers_with_doubt#2]]. A pair with more than 9.21 is refused: it lies outside of the ellipse that holds 99 % of the right pairs. This limit is called a *[[term:gate]]*.
 
 # %%
 def costs_of(filters, places):
