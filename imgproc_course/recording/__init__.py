@@ -3,9 +3,13 @@
 The drive is rendered, not filmed. environment/drive/README.md says how, and what it is not suitable for.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from .errors import FrameIndexError, NotRecordedError, RecordingError
 from .recording import Recording, open_recording
-from .writer import RecordingWriter
+
+if TYPE_CHECKING:
+    from .writer import RecordingWriter
 
 __all__ = [
     "FrameIndexError",
@@ -15,3 +19,12 @@ __all__ = [
     "RecordingWriter",
     "open_recording",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Imports the writer when it is asked for: rosbags needs apsw, which some platforms lack."""
+    if name != "RecordingWriter":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from .writer import RecordingWriter
+
+    return RecordingWriter

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from ..messages import ConversionError, compressed_to_array, encoding_info, image_to_array
 from ..messages.message_classes import Message
 from . import topics as names
-from .bag import Bag
 from .errors import FrameIndexError, NotRecordedError, RecordingError
 from .message_classes import to_installed
 
@@ -64,6 +63,12 @@ class Recording:
     """
 
     def __init__(self, source: str | Path = "drive", *, camera_topic: str | None = None):
+        try:
+            from .bag import Bag  # here: rosbags needs apsw, which some platforms lack
+        except ModuleNotFoundError as error:
+            remedy = "environment/setup installs it where it exists"
+            raise RecordingError(f"recordings cannot be read: {error.name} is missing; {remedy}") from error
+
         is_drive = source == "drive"
         try:
             self._bag = Bag(DRIVE if is_drive else source)

@@ -1,6 +1,8 @@
 """The recorded drive: every number that a lesson may state about it."""
 
 import hashlib
+import subprocess
+import sys
 import threading
 from collections import Counter
 
@@ -288,3 +290,14 @@ def _first_messages(recording):
         if len(first_messages) == len(recording.topics):
             return list(first_messages.items())
     raise AssertionError(f"the recording has only {list(first_messages)}")
+
+
+def test_without_apsw_the_package_can_be_imported_and_opening_says_what_is_missing():
+    lines = (
+        "import sys; sys.modules['apsw'] = None",
+        "from imgproc_course.recording import RecordingError, open_recording",
+        "try: open_recording('drive')",
+        "except RecordingError as error: print(error)",
+    )
+    process = subprocess.run([sys.executable, "-c", "\n".join(lines)], capture_output=True, text=True)
+    assert process.stdout.startswith("recordings cannot be read: apsw is missing;"), process.stderr
