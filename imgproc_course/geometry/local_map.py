@@ -39,8 +39,7 @@ class LocalMap:
         """Adds a turn of a laser scanner.
 
         pose : (x, y, yaw) of the robot; offset : metres from its axle ahead to the scanner
-        ranges : (N,) metres, counterclockwise from straight ahead; inf where nothing is hit, NaN where
-            nothing is measured
+        ranges : (N,) metres, counterclockwise from straight ahead; inf: nothing is hit, NaN: nothing is known
         """
         x, y, yaw = pose
         lengths = np.asarray(ranges, float)
