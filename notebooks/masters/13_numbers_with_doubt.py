@@ -643,7 +643,7 @@ check("doubt-step", place_step)
 def inputs(rng):
     ahead, distances = np.array([4.34, 4.14, 3.89]), np.array([3.88, 3.7, 3.48])
     guess = round(float(rng.uniform(1.6, 2.4)), 2)
-    return [(0.0, np.array([3.0]), np.array([4.0]), np.array([4.5]), np.array([0.1])), (guess, ahead, np.full(3, 1.62), distances, np.ones(3))]
+    return [(0.0, np.array([3.0]), np.array([4.0]), np.array([4.5]), np.array([0.1])), (guess, ahead, np.full(3, 1.62), distances, np.ones(3)), some_looks(rng, 4, 0.3, -0.5)]
 
 
 # %% role="case" title="measurements with different doubts" points=1 hint="Do the weights 1 / sigma² count in both sums?"

@@ -19,7 +19,7 @@ from .lms_export import EXCUSED, lessons_of, platform_points
 from .roster import identities_of, number_of
 
 _CANVAS = ("Student", "ID"), ("LastName", "FirstName", "ID")
-_NUMBER = re.compile(r"\s*[+-]?[\d.,]*\s*")
+_NUMBER = re.compile(r"[+-]?[\d.,]*")
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
 
 
@@ -85,7 +85,7 @@ def fill_table(table, grades):
 
 def _harmless(cell):
     """A cell of the platform's own without a formula; numbers, and the dash for no points, stay."""
-    return cell if _NUMBER.fullmatch(cell) else without_formulas(cell)
+    return cell if _NUMBER.fullmatch(cell.strip()) else without_formulas(cell)
 
 
 def _graded_lessons(grades):

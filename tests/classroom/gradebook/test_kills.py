@@ -26,6 +26,7 @@ def test_kills_of_every_process_change_no_byte_and_leave_nothing(light, key_path
         while not run.kill(kind, rng):
             assert run.process.poll() is None
     while results_in(killed) < 2:
+        assert run.process.poll() is None, run.process.communicate()
         run.processes(COMMAND)
     assert run.kill(COMMAND, rng) and results_in(killed) < 12
     run.process.communicate()
