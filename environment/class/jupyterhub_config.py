@@ -13,7 +13,7 @@ c = get_config()  # noqa: F821 - JupyterHub, which runs this file, defines it
 
 FOLDER = Path(os.environ["CLASS_FOLDER"])
 PYTHON = Path(os.environ["CLASS_PYTHON"])
-DOMAINS = 101  # ROS allows 0 to 101; 0 stays free for whoever works on this machine beside the class
+DOMAINS = 101  # ROS allows 0 to 101; 0 stays free for other work on this machine
 
 names = (FOLDER / "users.txt").read_text(encoding="utf-8").lower().split()
 c.Authenticator.admin_users = {name[1:] for name in names if name.startswith("*")}

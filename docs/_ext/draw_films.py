@@ -1,6 +1,6 @@
-"""The pictures and films of the site, made from the recorded drive and the simulated room.
+"""The stills and films of the site, made from the recorded drive and the simulated room.
 
-    .venv/bin/python docs/_ext/pictures.py      writes docs/_static/live and docs/_static/films, in a minute
+    .venv/bin/python docs/_ext/draw_films.py     writes docs/_static/live and docs/_static/films, in a minute
 
 Each film has a still beside it, for readers who asked their system for less motion.
 """
@@ -58,30 +58,30 @@ def live_stills(frame):
     """What stands for the live cells of the lessons."""
     shifted = frame.copy()
     shifted[..., 2] = np.roll(frame[..., 2], 20, axis=1)
-    pictures = {
+    stills = {
         "darken": small(frame) // 2,
         "edges": np.hstack([small(frame), edges_of(small(frame))]),
         "gray": cv2.cvtColor(to_gray(small(frame)), cv2.COLOR_GRAY2BGR),
         "channels": small(shifted),
     }
-    for name, picture in pictures.items():
-        save_still(STATIC / "live" / f"{name}.webp", picture)
+    for name, image in stills.items():
+        save_still(STATIC / "live" / f"{name}.webp", image)
 
 
-def beside(frame, picture):
-    """A frame, and a picture of the same height to the right of it."""
-    width = round(frame.shape[0] * picture.shape[1] / picture.shape[0])
-    return np.hstack([frame, small(picture, (width, frame.shape[0]))])
+def beside(frame, image):
+    """A frame, and an image of the same height to the right of it."""
+    width = round(frame.shape[0] * image.shape[1] / image.shape[0])
+    return np.hstack([frame, small(image, (width, frame.shape[0]))])
 
 
-def drive_room(control, seconds, *, size=FILM, picture=None, **options):
-    """The images of a drive: the camera beside the map, or beside what picture(env, observation) returns."""
+def drive_room(control, seconds, *, size=FILM, draw_beside=None, **options):
+    """The images of a drive: the camera beside the map, or beside what draw_beside(env, observation) returns."""
     env = RoomEnv(("scan", "image"), image_size=size)
     observation, _ = env.reset(seed=1, options={"duration": seconds} | options)
     frames, over = [], False
     while not over:
         observation, _, _, over, _ = env.step(control(observation))
-        drawn = picture(env, observation) if picture else draw_map(env.path, room=env.room)
+        drawn = draw_beside(env, observation) if draw_beside else draw_map(env.path, room=env.room)
         frames.append(beside(env.frame(), drawn))
     env.close()
     return frames
@@ -143,7 +143,7 @@ def main():
     save_film("brakes", drive_room(brake, 5.0, start=(0.0, 0.0, 0.0), movers=["toycar", "person"])[::2], -1)
     ball = (1.0, 0.0, 1.2, -0.4)
     save_film("follows", drive_room(follow, 8.0, start=(0.0, 0.0, 0.0), ball=ball, movers=["ball"])[::2], -1)
-    save_film("maps", drive_room(wander, 18.0, start=(0.0, 0.0, 0.0), picture=GrowingMap())[::6], -1)
+    save_film("maps", drive_room(wander, 18.0, start=(0.0, 0.0, 0.0), draw_beside=GrowingMap())[::6], -1)
     sign = stored_image("reading_text", "reading_text-96")
     height, width = sign.shape[:2]
     inside = sign[height * 4 // 100 : height * 80 // 100, width * 8 // 100 : width * 98 // 100]  # no axes
