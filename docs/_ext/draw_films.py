@@ -75,7 +75,7 @@ def beside(frame, image):
 
 
 def drive_room(control, seconds, *, size=FILM, draw_beside=None, **options):
-    """The images of a drive: the camera beside the map, or beside what draw_beside(env, observation) returns."""
+    """The images of a drive: the camera beside the map, or what draw_beside(env, observation) returns."""
     env = RoomEnv(("scan", "image"), image_size=size)
     observation, _ = env.reset(seed=1, options={"duration": seconds} | options)
     frames, over = [], False
