@@ -65,7 +65,7 @@ class GradedCase:
     points       what the learner got, of max_points
     hint         the master's hint; "" if the case passed
     message      what went wrong, shortened; for a hidden case it contains no text of the learner's
-    failed_call  only for a public case that was run and failed
+    failed_call  only for a case that was run and failed; of a hidden one for the teacher's pages alone
     drive        only for a drive that began: a dict with what `drive_images.draw_map` draws
     """
 
@@ -238,14 +238,13 @@ def _case_of_run(exercise, content, case, run, passed):
     if passed:
         return _graded_case(case, Outcome.PASSED)
     outcome, message = _outcome_of_run(exercise, run)
-    if case.hidden:
-        return _graded_case(case, outcome, _message_of_hidden(outcome, message))
     failed_call = _failed_call(content, case, run.verdict)
-    if exercise.subject != "function":  # its record is no reading
-        return _graded_case(
-            case, outcome, _message_on_node(content, case, run.verdict, failed_call) or message
-        )
-    return _graded_case(case, outcome, message, failed_call)
+    shown_call = failed_call if exercise.subject == "function" else None  # a node's record is no reading
+    if case.hidden:
+        message = _message_of_hidden(outcome, message)
+    elif not shown_call:
+        message = _message_on_node(content, case, run.verdict, failed_call) or message
+    return _graded_case(case, outcome, message, shown_call)
 
 
 def _case_of_drive(exercise, case, run, passed):

@@ -94,7 +94,7 @@ class LearnerPages:
         digest = learner.digests.get(lesson)
         answers = self._store.answers(digest)[2] if digest else {}
         for exercise in exercises:
-            self.parts.keep(learner.name, exercise["id"], answers.get(exercise["id"], ""), exercise["body"])
+            self.parts.keep(learner.name, exercise["id"], answers.get(exercise["id"], ""), exercise["review"])
 
 
 def write_grades(out, grades, learners, lessons, pages, groups, store):

@@ -115,7 +115,7 @@ def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, 
 
     Of a lesson without a GradedSubmission in `results`, {lesson: result}, the page shows only the points.
     `policy` is the LatePolicy or None; `incomplete`: the page says that its details are missing. `keep` is
-    called with each lesson's name and its exercises, whose `body` is what the page shows of the checks.
+    called with each lesson's name and its exercises, whose `review` is what the teacher sees of the checks.
     """
     content = {"learner": entry, "late_policy": policy and policy.text, "incomplete": incomplete}
     content |= {"submitted": submitted_lessons(entry), "offered": len(answer_keys.lessons)}
@@ -168,16 +168,26 @@ def _exercise_view(exercise, notes, key_exercise):
         messages += list(dict.fromkeys(filter(None, map(_message_of, exercise.cases))))[:1]
     notes = [*notes, *messages]
     view = {"mistake": exercise.mistake, "mistake_explanation": exercise.mistake_explanation}
-    body = _rendered("exercise.html", exercise=view | {"notes": notes, "advice": advice, "cases": cases})
-    return {"function": key_exercise.function, "body": body}
+    view |= {"notes": notes, "advice": advice}
+    return {"function": key_exercise.function} | _bodies(view, cases)
+
+
+def _bodies(view, cases):
+    """The checks as HTML: for the learner, and for the teacher, who sees the values of hidden ones, too."""
+    body = _rendered("exercise.html", exercise=view | {"cases": cases})
+    if not any(case["secret"] for case in cases):
+        return {"body": body, "review": body}
+    cases = [case | case["secret"] for case in cases]
+    return {"body": body, "review": _rendered("exercise.html", exercise=view | {"cases": cases})}
 
 
 def _case_view(case, key_exercise, replaced_by_advice, show_values):
-    view = {"values": [], "images": [], "printed": ""}
+    view = {"values": [], "images": [], "printed": "", "secret": {}}
     if case.drive and not case.hidden:
         view["images"] = [map_of(case)]
-    if case.failed_call and not case.hidden and TEXTS[case.outcome].shows_values and show_values:
-        view = _values_view(case, key_exercise)
+    if case.failed_call and TEXTS[case.outcome].shows_values and show_values:
+        values_view = _values_view(case, key_exercise)
+        view |= {"secret": values_view} if case.hidden else values_view
     is_open = case.outcome == Outcome.NOT_ATTEMPTED  # a hint would give away what nobody asked for
     is_wrong_drive = case.drive and case.outcome == Outcome.WRONG
     return (

@@ -14,7 +14,7 @@ from itertools import combinations
 
 import numpy as np
 
-from ..autograder.sanitize import sanitize_text
+from ..autograder.sanitize import sanitize_text, without_machine_paths
 from .notebook_reader import NotebookReader
 from .report import render_page
 
@@ -220,4 +220,4 @@ def _marked(source, similar):
 def _escaped(line):
     from jinja2.utils import markupsafe
 
-    return markupsafe.escape(sanitize_text(line, _LONGEST_LINE))
+    return markupsafe.escape(without_machine_paths(sanitize_text(line, _LONGEST_LINE)))

@@ -17,8 +17,8 @@ from .teacher_tables import plain_number
 _BIN_COUNT = 10
 _MOST_UNKNOWN = 3  # files of one learner that belong to no lesson
 _MOST_MOVED = 2  # answers whose place is told for each
-_PERHAPS_UNFAIR = {Outcome.NOT_GRADED, Outcome.MEMORY, Outcome.OUTPUT}
-_PERHAPS = _PERHAPS_UNFAIR | {Outcome.HOSTILE, Outcome.CRASHED, Outcome.REFUSED_MODULE}
+_LIST_OF = dict.fromkeys((Outcome.NOT_GRADED, Outcome.MEMORY, Outcome.OUTPUT), "unfair")
+_LIST_OF |= {Outcome.HOSTILE: "dishonest", Outcome.CRASHED: "dishonest", Outcome.REFUSED_MODULE: "modules"}
 
 
 def summary_page(grades, failed_pages=(), other_pages=()):
@@ -56,7 +56,7 @@ def summary_page(grades, failed_pages=(), other_pages=()):
 
 def _lists_of_concerns(learners, own_modules):
     """{list: what the teacher should look at in it}; `own_modules` are files that were submitted too."""
-    lists = {"unfair": [], "dishonest": [], "others": [], "broken": []}
+    lists = {"unfair": [], "dishonest": [], "others": [], "broken": [], "modules": []}
     for learner in learners:
         for lesson in _lessons_to_look_at(learner):
             for name, concern in _concerns(learner, lesson, own_modules):
@@ -135,14 +135,13 @@ def _about_findings(lesson, _):
 
 def _about_outcomes(lesson, own_modules):
     for exercise in lesson["exercises"]:
-        for outcome in sorted({Outcome(case["outcome"]) for case in exercise["cases"]} & _PERHAPS):
+        for outcome in sorted({Outcome(case["outcome"]) for case in exercise["cases"]} & _LIST_OF.keys()):
             module = _refused_module(exercise["cases"]) if outcome is Outcome.REFUSED_MODULE else ""
             is_own = module.partition(".")[0] in own_modules
             text = f"{TEXTS[outcome].label}: {module}" if module else TEXTS[outcome].label
             if is_own:
                 text = f"it imports {module}, a file of their own; only notebooks are graded"
-            name = "unfair" if outcome in _PERHAPS_UNFAIR or is_own else "dishonest"
-            yield name, exercise["id"], f"{exercise['id']}: {text}"
+            yield "unfair" if is_own else _LIST_OF[outcome], exercise["id"], f"{exercise['id']}: {text}"
 
 
 def _about_misspelled_names(lesson, _):
@@ -186,7 +185,7 @@ def _line_to_copy(name, learner, lesson, exercise, entry):
     if not lesson["lesson"]:
         return ""
     points = entry["max_points"] if exercise else plain_number(entry["points"] + entry["late_deduction"])
-    if name == "dishonest" or lesson["status"] != "graded":
+    if name in ("dishonest", "modules") or lesson["status"] != "graded":
         points = "?"
     cells = (learner["name"], lesson["lesson"], exercise, points, "looked at by hand")
     return csv_text([map(spreadsheet_text, cells)], lineterminator="")

@@ -133,9 +133,12 @@ def test_results_reveal_nothing_of_the_key_and_the_machine(results, key):
     text = json.dumps([to_json(result) for result in results.values()])
     for trace in (str(key.path), "/tmp", "8675309", "expected_answer", "0x7f"):
         assert trace not in text
-    for result in results.values():
-        for exercise in result.exercises:
-            assert all(case.failed_call is None for case in exercise.cases if case.hidden)
+
+
+def test_a_hidden_check_that_fails_keeps_its_call_for_the_teacher(results):
+    exercises = [exercise for result in results.values() for exercise in result.exercises]
+    wrong = [case for one in exercises for case in one.cases if case.hidden and case.outcome == "wrong"]
+    assert wrong and all(case.failed_call.expected != case.failed_call.actual for case in wrong)
 
 
 def test_every_outcome_has_its_texts():

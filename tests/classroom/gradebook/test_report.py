@@ -84,6 +84,14 @@ def test_no_page_shows_a_folder_of_this_machine(masters, key_path, tmp_path):
     assert here not in text and sys.prefix not in text and end not in text
 
 
+def test_the_page_of_similar_answers_shows_no_folder_of_this_machine():
+    source = f"path = {sys.prefix!r}, {str(Path(__file__).parents[3] / 'key')!r}, '/usr/lib'"
+    versions = {"light-double": (Version(("ada", "bob"), source, frozenset({1})),)}
+    page = similarity_page([SimilarGroup("light", 1.0, ("ada", "bob"), versions)], {"ada": "A", "bob": "B"})
+    assert "path = &#39;…&#39;, &#39;…/key&#39;, &#39;/usr/lib&#39;" in page
+    assert sys.prefix not in page and str(Path(__file__).parents[3]) not in page
+
+
 def test_no_page_contains_anything_that_runs_or_loads(pages):
     for path in pages.values():
         text = path.read_text(encoding="utf-8")

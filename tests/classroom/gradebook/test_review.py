@@ -48,6 +48,17 @@ def articles(out):
     return {re.search("<bdi>(.*?)</bdi>", part)[1]: part for part in page.split("<article")[1:]}
 
 
+def test_a_hidden_check_shows_its_values_to_the_teacher_alone(graded):
+    """The public check comes first; a learner's page has the hidden one without values."""
+    hidden = articles(graded)["Bob"].partition("on other inputs")[2]
+    for words in ("given pixels", "returned", "expected"):
+        assert f"<b>{words}</b> an array of shape" in hidden
+    (page,) = (graded / "learners").glob("bob-*.html")
+    shown = page.read_text(encoding="utf-8").partition("on other inputs")[2].partition("</li>")[0]
+    assert shown and "given" not in shown and "expected" not in shown
+    assert "given" not in articles(graded)["Ada, B"]
+
+
 def test_the_answer_stands_coloured_beside_its_values_and_its_mistake(graded):
     bob = articles(graded)["Bob"]
     assert '<span class="k">return</span>' in bob

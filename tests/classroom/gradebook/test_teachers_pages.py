@@ -142,8 +142,10 @@ def test_a_lost_name_and_a_file_of_ones_own_are_not_dishonest(light, submissions
     assert "light-double: it imports mine, a file of their own; only notebooks are graded" in ada
     assert "ada,light,light-double,3,looked at by hand" in ada
     assert "its answer cell does not define double(), but Double()" in cy
-    (bob,) = rows_of(tmp_path / "out", "Perhaps dishonest")
+    (bob,) = rows_of(tmp_path / "out", "Modules that the exercise does not allow")
     assert "light-double: uses a module that this exercise does not allow: cv2" in bob
+    assert "bob,light,light-double,?,looked at by hand" in bob
+    assert rows_of(tmp_path / "out", "Perhaps dishonest") == []
 
 
 def test_slips_may_be_unfair_and_other_cells_that_do_not_run_are_a_list(
