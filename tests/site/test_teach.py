@@ -1,6 +1,9 @@
 """The pages for instructors: one for each lesson, and plans with the points of the lessons."""
 
+import json
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -21,10 +24,15 @@ def exercises_in(text):
 
 
 def plans():
-    """The rows of each plan as lists of cells, and the points that the text below names."""
+    """The rows of each plan as lists of cells, and the points below it: asked, and in grading."""
     for text in (TEACH / "plans.md").read_text("utf-8").split("\n## ")[1:3]:
         rows = [line.strip("| ").split(" | ") for line in text.splitlines() if re.match(r"\| \d", line)]
-        yield rows, int(re.search(r"Together (\d+) points", text)[1])
+        sums = re.search(r"Together (\d+) points, of (\d+) in grading", text)
+        yield rows, tuple(map(int, sums.groups()))
+
+
+def points_in_grading(lessons):
+    return sum(exercise.points for name in lessons for exercise in MASTERS[name].exercises)
 
 
 def test_every_lesson_has_a_page_and_every_page_a_lesson():
@@ -51,21 +59,43 @@ def test_the_points_of_the_plans_add_up():
     lengths = []
     for rows, together in plans():
         lengths.append(len(rows))
-        assert [sum(points for _, points in exercises_in(row[4])) for row in rows] == [
-            int(row[5]) for row in rows
-        ]
-        assert sum(int(row[5]) for row in rows) == together
+        asked = [sum(points for _, points in exercises_in(row[4] + row[5])) for row in rows]
+        assert asked == [int(row[6]) for row in rows]
+        assert (sum(asked), sum(int(row[7]) for row in rows)) == together
     assert lengths == [6, 6]
+    first, second = (together for _, together in plans())
+    text = (TEACH / "plans.md").read_text("utf-8")
+    assert f"these are {first[0] + second[0]} of {first[1] + second[1]}." in text
+    left_out = points_in_grading(["noise_removal", "binarization"])
+    assert f"{first[0] - 11} points are left, of {first[1] - left_out} in grading" in text
 
 
-def test_what_is_handed_in_are_the_lessons_of_the_exercises():
+def test_the_plans_name_the_maximum_of_grading_and_what_is_homework():
     for rows, _ in plans():
         for row in rows:
             lessons = re.findall(r"\[\[(\w+)\]\]", row[1])
-            owners = dict.fromkeys(LESSON_OF[name] for name, _ in exercises_in(row[4]))
-            assert re.findall(r"`(\w+)`", row[6]) == list(owners), row[0]
-            assert set(owners) <= set(lessons), row[0]
+            core, homework = ([name for name, _ in exercises_in(cell)] for cell in row[4:6])
+            owners = dict.fromkeys(LESSON_OF[name] for name in core + homework)
+            assert int(row[7]) == points_in_grading(owners), row[0]
+            deeper = {name for lesson in lessons for name in MASTERS[lesson].deeper_exercises}
+            assert set(homework) <= deeper and not deeper & set(core), row[0]
+            assert set(owners) == {lesson for lesson in lessons if points_in_grading([lesson])}
             assert row[2:4] == [f"[[{part}: {', '.join(lessons)}]]" for part in ("core", "whole")]
+
+
+def test_the_lines_for_the_total_add_up_the_weeks(tmp_path):
+    weeks = [
+        {"learners": [{"name": "Ada", "points": 8}, {"name": "Bob", "points": 2.5}], "roster": None},
+        {"learners": [{"name": "Ada", "points": 3}], "roster": {"missing": ["Bob", "Cy"]}},
+    ]
+    for number, grades in enumerate(weeks, 1):
+        folder = tmp_path / "grades" / f"week_{number}"
+        folder.mkdir(parents=True)
+        (folder / "grades.json").write_text(json.dumps(grades), "utf-8")
+    source = re.search(r"```python\n(.*?)```", (TEACH / "plans.md").read_text("utf-8"), re.S)[1]
+    command = [sys.executable, "-c", source]
+    ended = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert ended.stdout.split() == ["11", "Ada", "2.5", "Bob", "0", "Cy"]
 
 
 def test_a_built_page_says_the_minutes_and_the_points(built):
