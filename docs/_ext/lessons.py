@@ -3,6 +3,7 @@
     python lessons.py SOURCE      SOURCE is the copy of docs/ from which Sphinx builds
 
 - A folded cell stays folded. Behind a prediction, the result and the text that states it are one <details>.
+- A question from an earlier lesson shows its right answer in a <details>, in place of the cell that asks.
 - An exercise shows its task, its stub and the call of its check.
 - Images become files. A cell that is only live shows a still image.
 """
@@ -67,6 +68,7 @@ environment/lab
 
 </details>
 """
+ANSWER = '<details class="course-reveal"><summary>Your answer first. Then open the right one.</summary>'
 REVEAL = '<details class="course-reveal"><summary>Your guess first. Then open the result.</summary>'
 
 
@@ -180,6 +182,14 @@ def site_code(cell, figures):
     return cell | {"metadata": metadata | {"tags": tags}, "outputs": outputs}
 
 
+def right_answer(cell):
+    """The right answer to the question of a cell, and the reason, in a <details>."""
+    lesson, name = re.search(r'ask\("(\w+)/([\w-]+)"', cell["source"]).groups()
+    question = json.loads((NOTEBOOKS / "texts" / f"{lesson}.json").read_text("utf-8"))[name]
+    answer = str(question["answer"])
+    return markdown(f"{ANSWER}\n\n**{answer}** · {question['replies'][answer]}\n\n</details>", id=cell["id"])
+
+
 def asks(cell):
     """Whether a text cell asks for a prediction."""
     return cell["cell_type"] == "markdown" and "**Predict" in cell["source"]
@@ -233,7 +243,8 @@ def site_lesson(path, figures, targets):
         if cell["cell_type"] == "markdown":
             cell["source"] = site_markdown(cell["source"])
         else:
-            cell = site_code(cell, figures)
+            is_question = cell["id"].startswith("ask-")
+            cell = right_answer(cell) if is_question else site_code(cell, figures)
         if cell.get("id") in targets:
             cells.append(markdown(f"({cell['id']})=\n<span></span>"))
         cells.append(cell)

@@ -8,7 +8,7 @@ begin      for each "You can begin here": the visible cells before the first sec
 exercises  only imports, what is given, answers and checks
 wrong      every answer returns None
 failing    every answer raises an exception
-bare       every guess is words without quotes
+bare       every guess and every answer to a question is words without quotes
 sliders    every slider, choice and check box is moved to its ends when its cell has run
 twice      every cell runs, then every cell runs again in the same kernel
 """
@@ -101,7 +101,7 @@ def _bare(cells):
     words = itertools.cycle(("yes", "about 36 %"))
     yield [
         _changed(cell, cell.source.replace("None", next(words), 1))
-        if cell.id.startswith("predict-")
+        if cell.id.startswith(("predict-", "ask-"))
         else cell
         for cell in cells
     ]

@@ -1,7 +1,7 @@
 """Write the files that a lesson carries, and compare stored ones.
 
-texts/<lesson>.json holds {name of a figure: its "caption" and "alt"}; `exercises.check_files` describes the
-others.
+texts/<lesson>.json holds {name of a figure: its "caption" and "alt"}, and its questions' answers and replies;
+`exercises.check_files` describes the others.
 """
 
 import hashlib
@@ -31,9 +31,9 @@ _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 def lesson_files(master):
     """{relative path: text} of what the lesson of a master carries."""
     files = {}
-    if master.texts:
+    if master.texts or master.questions:
         texts = {name: {"caption": caption, "alt": alt} for name, (caption, alt) in master.texts.items()}
-        files[f"{TEXTS}/{master.name}.json"] = _text_of(texts)
+        files[f"{TEXTS}/{master.name}.json"] = _text_of(texts | master.questions)
     if master.exercises:
         files[f"{CHECKS}/{master.name}.json"] = _check_file_text(master)
         files[f"{SOLUTIONS}/{master.name}.json"] = _solution_file_text(master)

@@ -101,6 +101,7 @@ from ..exercises.declaration import MasterError, read_exercises
 from ..exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
 from .lesson_names import LESSON_FILE, lesson_name
 from .minutes import timed_script
+from .questions import OF_QUESTIONS, with_questions
 from .references import References
 from .rules import CHECK_LINE, VARYING_TAG, master_problems
 
@@ -114,11 +115,11 @@ class Cell:
     """One cell of a lesson.
 
     id             "answer-<exercise>", "check-<exercise>-<n>", "given-<exercise>-<n>",
-                   "predict-<lesson>-<n>" or "<lesson>-<n>"
+                   "predict-<lesson>-<n>", "question-<lesson>-<n>", "ask-<lesson>-<n>" or "<lesson>-<n>"
     kind           "markdown" or "code"
     source         its source in the lesson
     solved_source  its source in the solved twin
-    role           "given", "answer", "check", "predict" or ""
+    role           "given", "answer", "check", "predict", "question", "ask" or ""
     exercise       the id of its exercise, or ""
     tags           tuple of str
     deeper         whether it can be left out: it is in a deeper section
@@ -151,6 +152,7 @@ class Master:
     number  its place in the course: "03"
     minutes, core_minutes  of the whole lesson, and of its core
     texts   {name of a figure: (caption, alternative text)}
+    questions  {name of a question from an earlier lesson: its answer and replies}
     """
 
     path: Path
@@ -160,6 +162,7 @@ class Master:
     cells: tuple
     exercises: tuple
     texts: dict
+    questions: dict
 
     @property
     def name(self):
@@ -233,11 +236,12 @@ def read_master(path):
     exercises = tuple(_resolved(exercise, references) for exercise in read_exercises(path))
     title = str(script.front_matter.get("title", ""))
     match = LESSON_FILE.fullmatch(path.stem)
-    timed = timed_script(script, match["number"] if match else "")
+    with_asks, questions = with_questions(script.cells, path, references)
+    timed = timed_script(replace(script, cells=with_asks), match["number"] if match else "")
     cells = list(_lesson_cells(path, timed, exercises, references))
     if match and cells and cells[0].kind == "markdown":
         cells[0] = _numbered(cells[0], match["number"])
-    parts = tuple(cells), exercises, _texts(script, references)
+    parts = tuple(cells), exercises, _texts(script, references), questions
     master = Master(path, title, timed.whole, timed.core, *parts)
     problems = master_problems(master)
     if problems:
@@ -295,10 +299,10 @@ def _lesson_cells(path, timed, exercises, references):
             latest = next(declared).id
         if role in DROPPED_ROLES:
             continue
-        position += 1
+        position += role not in OF_QUESTIONS
         owners = cell.options.get("exercise", latest)
         owner = (owners if isinstance(owners, str) else owners[0]) if role else ""
-        if role == "predict":
+        if role in ("predict", *OF_QUESTIONS):
             owner = lesson_name(path.stem)
         tags = tuple(cell.options.get("tags", ()))
         if role == "check" and owner in drives:  # a path depends on the processor
@@ -312,5 +316,5 @@ def _lesson_cells(path, timed, exercises, references):
         resolve = references.in_prose if cell.kind == "markdown" else references.in_code
         source = resolve(cell.source)
         solved_source = solutions[owner] if role == "answer" else source
-        exercise = "" if role == "predict" else owner
+        exercise = "" if role in ("predict", *OF_QUESTIONS) else owner
         yield Cell(id, cell.kind, source, solved_source, role, exercise, tags, deeper)

@@ -113,7 +113,7 @@ def read_sections(cells):
 
 def _counts_of_code(cell, stub):
     """What a code cell adds to the counts; of a solution, the lines that its stub does not hold."""
-    if cell.role == "predict":
+    if cell.role in ("predict", "ask"):
         return {"predictions": 1}
     if cell.role == "answer":
         return {"exercises": 1}

@@ -108,7 +108,7 @@ def _id_problems(master):
 
 def _text_problems(master):
     """The names of texts that are not in the master, and the texts that no figure takes."""
-    texts = {f"{master.name}/{name}" for name in master.texts}
+    texts = {f"{master.name}/{name}" for name in master.texts | master.questions}
     nodes = [node for cell in master.cells if cell.kind == "code" for node in _nodes(cell)]
     values = {getattr(node, "value", None) for node in nodes if getattr(node, "arg", "") == "text"}
     strings = [node for node in nodes if isinstance(getattr(node, "value", None), str)]

@@ -8,7 +8,7 @@ from .checking import CheckResult, check, run_cases
 from .declaration import MasterError, exercise, read_exercises
 from .drive_check import with_progress
 from .error_advice import advise_everywhere
-from .guesses import GuessComparison, compare_guess
+from .guesses import GuessComparison, ask, compare_guess
 from .help_steps import hint, solution
 from .overview import Overview, overview
 from .ros_double import offer_modules
@@ -21,6 +21,7 @@ __all__ = [
     "MasterError",
     "Overview",
     "array_of",
+    "ask",
     "certificate",
     "check",
     "compare_guess",

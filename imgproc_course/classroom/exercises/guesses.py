@@ -1,12 +1,14 @@
-"""Compare a learner's guess with the result: no points, no penalty."""
+"""Compare a learner's guess with the result, and answer questions from earlier lessons: no points."""
 
 import ast
 import builtins
+import contextlib
 import html
 import json
 import numbers
 import re
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -18,6 +20,7 @@ _NUMBER = re.compile(r"[-+−]?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?", re.I)
 _NUMBER_IN_A_TUPLE = re.compile(r"[-+−]?\d+(?:\.\d+)?")
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d+)?")
 _PREDICT_CELL = re.compile(r"\s*(?P<name>guess(_\w+)?)\s*=[ \t]*(?P<guess>[^#\n]*?)[ \t]*(#[^\n]*)?\s*")
+_ASK_CELL = re.compile(r'(?P<name>(from .+\n+)?ask\("[\w/-]+",)(?P<guess>[^#\n]*?)\)[ \t]*(#.*)?')
 _QUOTES = "\"'“”„‘’«»"
 _WORDS = {"yes": True, "true": True, "no": False, "false": False}
 
@@ -80,22 +83,53 @@ def compare_guess(guess, value, unit=""):
         return GuessComparison("", result, advice=advice)
 
 
+def ask(name, answer=None):
+    """Print why an answer to the question "<lesson that asks>/<name>" is right or wrong. It never raises.
+
+    The answer is a letter, such as "b", or a number; None is no answer yet.
+    """
+    lesson, _, name = str(name).partition("/")
+    for folder in (Path(), Path(__file__).resolve().parents[3] / "notebooks"):
+        with contextlib.suppress(OSError, ValueError, KeyError):
+            texts = json.loads((folder / "texts" / f"{lesson}.json").read_text(encoding="utf-8"))
+            return print(_reply(texts[name], answer))
+    return print("The folder texts/ must be beside the lesson: take it again where you got the lesson.")
+
+
+def _reply(question, answer):
+    value, replies, given = question["answer"], question["replies"], False
+    with contextlib.suppress(Exception):  # an answer can be any object of the learner's
+        given = _as_kind_of(value, _plain(answer), "")
+    if given is None or given in _NO_GUESS:
+        return "No answer yet. Write your answer in place of None, and run this cell again."
+    key = _text(given, "").casefold().strip("() ")
+    if _is_number(value) and _is_number(given):
+        key = key if key in replies else "less" if given < value else "more"
+    if key not in replies or _is_number(value) != _is_number(given):
+        expected = "a number, such as 36" if _is_number(value) else f"one of {', '.join(replies)}, in quotes"
+        return f"The answer is {expected}."
+    return f"Right. {replies[key]}" if key == str(value) else f"Not yet. {replies[key]} {question['again']}"
+
+
 def read_bare_guess(lines, names):
     """The lines of a cell, as IPython runs them: a guess that Python cannot read becomes a text.
 
-    A sentence then says how to write a guess. `names` are those that exist in the kernel; a cell that is no
-    guess, or one that Python can read, stays as it is.
+    So does an answer to a question. A sentence then says how to write it. `names` are those that exist in
+    the kernel; a cell that is no guess, or one that Python can read, stays as it is.
     """
     source = "".join(lines)
-    match = _PREDICT_CELL.fullmatch(source)
-    if not match or _is_readable(source, names):
+    asked = _ASK_CELL.fullmatch(source.strip())
+    match = asked or _PREDICT_CELL.fullmatch(source)
+    if not match or _is_readable(source, {*names, "ask"}):
         return lines
-    guess = json.dumps(match["guess"].strip(_QUOTES), ensure_ascii=False) if match["guess"] else None
+    text = match["guess"].strip().strip(_QUOTES)
+    guess = json.dumps(text, ensure_ascii=False) if match["guess"] else None
+    code = f"{match['name']} {guess})" if asked else f"{match['name']} = {guess}"
     sentence = (
-        "Your guess is taken as a text. Write a number alone, such as 36, and a text in quotes:"
-        f" {match['name']} = {guess}"
+        f"Your {'answer' if asked else 'guess'} is taken as a text. Write a number alone, such as 36, and a"
+        f" text in quotes: {code.splitlines()[-1]}"
     )
-    return [f"{match['name']} = {guess}\n", *([f"print({sentence!r})\n"] if guess else [])]
+    return [*([f"print({sentence!r})\n"] if guess else []), f"{code}\n"]
 
 
 def _is_readable(source, names):
