@@ -100,6 +100,16 @@ def test_the_text_that_states_a_result_is_behind_the_same_click(pages):
     assert closed == []
 
 
+def test_the_answer_to_a_question_from_an_earlier_lesson_is_behind_a_click(pages):
+    for master in MASTERS:
+        page = pages[master.path.stem]
+        for question in master.questions.values():
+            answer = str(question["answer"])
+            assert f"{answer} · {question['replies'][answer]}" in page.text("details.course-reveal")
+        assert "No answer yet" not in page.text()
+    assert sum(len(master.questions) for master in MASTERS) == 42
+
+
 def test_folded_cells_stay_folded(pages):
     for path in LESSONS:
         cells = cells_of(path)
