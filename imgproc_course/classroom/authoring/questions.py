@@ -42,10 +42,11 @@ def with_questions(cells, path, references):
         text += f"\n\n**{len(stored)}.** {entry['question']}\n"
         text += "".join(f"\n- **{letter}** {option}" for letter, option in options.items())
         expected = " or ".join(f'"{letter}"' for letter in options) or "a number"
-        source = "from imgproc_course.exercises import ask\n\n"
-        source += f'ask("{lesson}/{name}", None)  # your answer: {expected}'
+        call = f'ask("{lesson}/{name}", None)  # your answer: {expected}'
+        source = f"from imgproc_course.exercises import ask\n\n{call}"
         asked.append(ScriptCell("markdown", "question", {}, text.strip(), 0, QUESTIONS))
         asked.append(ScriptCell("code", "ask", {}, source, 0, QUESTIONS))
-        text = ""  # of the introduction
-    place = [*(place for place, cell in enumerate(cells) if cell.kind == "markdown"), len(cells)][1]
+        text = ""
+    texts = [place for place, cell in enumerate(cells) if cell.kind == "markdown"]
+    place = [*texts, len(cells), len(cells)][1]
     return (*cells[:place], *asked, *cells[place:]), stored

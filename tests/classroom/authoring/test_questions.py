@@ -59,6 +59,12 @@ def test_a_lesson_opens_with_its_questions_and_no_other_cell_changes(write_maste
     assert not after["ask-template-1"].exercise and not after["ask-template-1"].deeper
 
 
+def test_a_lesson_without_a_section_ends_with_its_questions(write_master):
+    path = write_master(("# %% [markdown]\n# **Your turn.**", "# %%\n1  #"))
+    path.with_name("questions.toml").write_text(TWO)
+    assert list(cells_of(path))[-1] == "ask-template-2"
+
+
 def test_the_questions_count_in_the_minutes(write_master):
     path = write_master(add=SECTION)
     path.with_name("questions.toml").write_text(TWO.replace("Which one?", "Which one of these? " * 200))
