@@ -179,7 +179,7 @@ patches[:, 2:4, 1] = 255  # two of pure green,
 patches[:, 4:6, 2] = 255  # and two of pure red
 
 # %% [markdown]
-# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*. Then look which one has the largest luma.
+# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*. Your guess is compared with the one that has the largest luma.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?
@@ -203,7 +203,7 @@ print("luma     ", luma_patches[0, ::2])
 #
 # $$Y = 0.299\,R + 0.587\,G + 0.114\,B$$
 #
-# The weights add up to 1. So white stays white: 255 gives 255. **Predict** the luma of our pixel (blue 30, green 60, red 220): is it close to the average, 103?
+# The weights add up to 1. So white stays white: 255 gives 255. **Predict** the luma of our pixel (blue 30, green 60, red 220). Is it close to the average, 103? Write the number that you expect.
 
 # %% role="predict"
 guess_luma = None  # your guess: which number?
@@ -296,7 +296,7 @@ assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decim
 # %% [markdown]
 # ## 5 · An image small enough to read ([[minutes]], deeper)
 #
-# In the last line below, `f"..."` is an *f-string*: Python replaces each name in braces by its value.
+# We cut 5 × 5 pixels out of the frame, and compute the middle one by hand. In the last line of the second cell, `f"..."` is an *f-string*: Python replaces each name in braces by its value.
 
 # %%
 tiny = frame[386:391, 449:454]

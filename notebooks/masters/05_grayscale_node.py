@@ -281,7 +281,7 @@ if ros_available():
 # 8. The node converts the result to a message. It **copies the header**, so that the receiver knows when the image was taken.
 # 9. The node publishes the message.
 #
-# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8). If it is not installed, `offer_modules()` in the cell with the imports lets the same import line give the course's own class with these names:
+# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8; its third argument can be a header). If it is not installed, `offer_modules()` in the cell with the imports lets the same import line give the course's own class with these names:
 
 # %%
 from cv_bridge import CvBridge, CvBridgeError
@@ -311,7 +311,7 @@ assert (array == frame).all() and msg.encoding == "bgr8"
 #     rclpy.shutdown()
 # ```
 #
-# `args` are the arguments of the command line, such as [[term:remapping|remappings]]; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
+# `ImageGrayProcessor` is the node that you write in section 7. `args` are the arguments of the command line, such as [[term:remapping|remappings]]; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
 #
 # **Pause?** Then choose **Run → Run All Above Selected Cell** when you come back.
 
@@ -433,7 +433,7 @@ assert (result["gray"] == cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)).all()
 # %% [markdown]
 # On a robot, speed is important, so a real node calls OpenCV's `cvtColor` here. Both functions give the same gray level for every pixel.
 #
-# If a message cannot be converted, or if your function raises an error, `ImageProcessor` counts the failure, logs it, and the node continues. The next function fails for every second image, on purpose.
+# If a message cannot be converted, or if your function raises an error, `ImageProcessor` counts the failure, logs it, and the node continues. The next function fails for every second image, on purpose. So the log below the second cell has lines with `[WARN]`.
 
 # %%
 calls = []
@@ -527,7 +527,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 7 · Your turn: the whole node ([[minutes]])
 #
-# Write the class `ImageGrayProcessor`, as you would write it for a robot. The check makes a node of your class, sends it images, and looks at what it publishes and logs. Do one step after the other, and run the check after each: step 1 is its first line, step 2 its second line, step 3 its third line.
+# Write the class `ImageGrayProcessor`, as you would write it for a robot. The check makes a node of your class, sends it images, and looks at what it publishes and logs. Do one step after the other, and run the check after each step. The check shows one line for each step.
 #
 # 1. **Subscribe.** `__init__` gives the node the name `image_gray_processor`. It creates a publisher for `Image` on `~/gray`, and a subscription to `Image` on `/kachaka/front_camera/image_raw` with the callback `self.image_callback`, best effort, volatile, depth 5. *Afterwards* ROS connects the camera with your node.
 # 2. **Answer.** `image_callback` converts the message to a frame with `self.bridge.imgmsg_to_cv2(msg, "bgr8")`, makes it gray with `cv2.cvtColor`, and publishes it as `mono8` with the header of `msg`. *Afterwards* each image of the camera gives one gray image.
@@ -679,7 +679,7 @@ else:
 # %% [markdown]
 # ### Change your node ([[minutes]], deeper)
 #
-# Change your class, and run its cell and the cell above again; the new node replaces the old one. Ideas for the callback:
+# Change your class, and run its cell and the cell above again; the new node replaces the old one. (If you run the check too, it shows ✗ for step 2, because it expects luma.) Ideas for the callback:
 #
 # - turn the image upside down: `gray[::-1]`,
 # - invert it: `255 - gray`,

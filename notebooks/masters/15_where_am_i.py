@@ -497,7 +497,7 @@ print("truth  ", true_places[60].round(2))
 # %% [markdown]
 # Now all 90 frames. To measure a whole path, we take the distance between the computed and the true place in each frame, square it, take the mean, and then the root: the *[[term:absolute trajectory error]]* (ATE).
 #
-# And once more, with another setting: without the *refinement* of the corners, which shifts each corner by parts of a pixel until it is at the edge between black and white. Without it, the corners are whole pixels, and up to 1.5 pixels away from the refined ones. **Predict** the largest error of the place in the 90 frames, in centimetres.
+# And once more, with another setting: without the *refinement* of the corners, which shifts each corner by parts of a pixel until it is at the edge between black and white. Without it, the corners are whole pixels, and up to 1.5 pixels away from the refined ones. **Predict** the largest error of the place in the 90 frames with these rough corners, in centimetres.
 
 # %% role="predict"
 guess_flip = None  # your guess: how many centimetres?
@@ -1147,7 +1147,7 @@ assert round(error_wheels) == 22 and error_camera < 6 and not robot.bumped and l
 # %% [markdown]
 # ### The same as a node ([[minutes]], deeper)
 #
-# Now the same as a node. It sees only what the robot publishes. It begins where the wheels say that it is, and then goes its own way. It publishes its pose as `Odometry`, and the way until now as a `Path`; RViz and Foxglove draw both.
+# Now the same as a node. It sees only what the robot publishes. It begins where the wheels say that it is, and then goes its own way. It publishes its pose as `Odometry`, and the way until now as a `Path`; RViz and Foxglove draw both. If a red line says that the room reaches fewer than 10 images per second, your machine is busy, and the two paths may differ much.
 
 # %% tags=["long"]
 if ros_available():

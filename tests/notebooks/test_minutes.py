@@ -14,33 +14,37 @@ MASTERS = ROOT / "notebooks" / "masters"
 # and the minutes; the mean, where two walks disagree. One walk gave the first five lessons together.
 CORES = {
     "00 to 04": (6100, 364, 23, 3, 5, 0, 173),
-    "05": (1256, 60, 0, 1, 18, 0, 60),
+    "05": (1256, 60, 0, 1, 13, 0, (60 + 45) / 2),
     "08": (1804, 102, 7, 0, 0, 0, (42 + 50) / 2),
     "09": (715, 91, 1, 0, 0, 0, (26 + 43) / 2),
     "10": (1792, 88, 2, 0, 0, 12, (53 + 55) / 2),
 }
-# An earlier walk through all lessons: the same counts, and the estimate in minutes.
+# Walks through whole lessons: each cell run in JupyterLab, each exercise tried before its hints were read.
+# The minutes are estimates, section by section, for a learner who reads 100 technical words in a minute.
+WALKED = {
+    "04": (1622, 116, 11, 1, 3, 0, 60),
+    "05": (2329, 152, 4, 2, 14, 0, 81),
+    "15": (2838, 382, 7, 5, 35, 0, 141),
+}
+# An earlier walk through the other lessons: the same counts, and the estimate in minutes.
 ESTIMATED = {
     "00": (1389, 29, 1, 1, 1, 0, 30),
     "01": (1684, 83, 8, 8, 11, 0, 100),
     "02": (1531, 99, 6, 1, 7, 0, 65),
     "03": (2269, 165, 7, 5, 25, 0, 140),
-    "04": (1586, 116, 11, 1, 3, 0, 85),
-    "05": (2031, 151, 4, 1, 1, 0, 100),
     "06": (2025, 146, 9, 3, 20, 0, 120),
     "07": (1092, 100, 6, 1, 10, 0, 70),
     "08": (2725, 183, 7, 5, 47, 0, 220),
-    "09": (1960, 206, 6, 2, 23, 0, 130),
+    "09": (1960, 206, 6, 2, 18, 0, 130),
     "10": (2787, 153, 4, 1, 1, 15, 100),
     "11": (2155, 208, 6, 3, 9, 0, 70),
     "12": (2472, 243, 7, 5, 20, 0, 100),
     "13": (2936, 393, 7, 5, 24, 0, 150),
     "14": (2761, 382, 7, 5, 35, 0, 160),
-    "15": (3233, 375, 6, 5, 43, 0, 190),
     "16": (2257, 307, 8, 4, 34, 0, 130),
     "17": (2411, 382, 9, 4, 25, 0, 120),
     "18": (3422, 380, 13, 5, 32, 0, 140),
-    "19": (3208, 432, 12, 4, 36, 0, 150),
+    "19": (3208, 432, 12, 4, 33, 0, 150),
     "20": (4042, 569, 6, 4, 23, 0, 190),
 }
 
@@ -55,12 +59,16 @@ def test_the_rule_agrees_with_the_walks_through_cores_within_15_percent(lessons)
     assert 0.85 <= ruled(counts, lessons[:2]) / walked <= 1.15
 
 
-def test_the_rule_agrees_with_the_scaled_estimates_of_whole_lessons():
-    ratios = {}
-    for number, (*counts, estimated) in ESTIMATED.items():
-        ratios[number] = ruled(counts, number) / (0.82 * estimated)
-    assert all(0.75 <= ratio <= 1.25 for ratio in ratios.values())
-    assert [number for number, ratio in ratios.items() if not 0.85 <= ratio <= 1.15] == ["04", "05", "15"]
+@pytest.mark.parametrize("number", WALKED)
+def test_the_rule_agrees_with_the_walks_through_whole_lessons_within_15_percent(number):
+    *counts, walked = WALKED[number]
+    assert 0.85 <= ruled(counts, number) / walked <= 1.15
+
+
+@pytest.mark.parametrize("number", ESTIMATED)
+def test_the_rule_agrees_with_the_scaled_estimates_of_whole_lessons_within_15_percent(number):
+    *counts, estimated = ESTIMATED[number]
+    assert 0.85 <= ruled(counts, number) / (0.82 * estimated) <= 1.15
 
 
 def test_every_numbered_section_shows_its_minutes_and_every_lesson_its_time():

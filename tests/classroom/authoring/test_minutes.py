@@ -97,3 +97,10 @@ def test_what_the_stub_gives_is_not_written_by_the_learner(write_master):
     longer = read_master(write_master((solution, f"{lines}\n{solution}"))).minutes
     given = read_master(write_master((solution, f"{lines}\n{solution}"), (stub, f"{lines}\n{stub}"))).minutes
     assert (longer, given) == (40, 5)  # 40 lines of 1.5 minutes, of which a practised learner needs 0.6
+
+
+def test_a_call_that_is_wrapped_in_a_solution_counts_as_one_line(write_master):
+    solution = "    return np.minimum(pixels.astype(np.uint16) * 2, LIMIT).astype(np.uint8)"
+    wrapped = "    values = [\n" + "        [1, 2],\n" * 40 + "    ]\n"
+    masters = [write_master((solution, lines + solution)) for lines in ("    values = [[1, 2]]\n", wrapped)]
+    assert [read_master(path).minutes for path in masters] == [5, 5]
