@@ -34,6 +34,7 @@ html_title = project
 html_static_path = ["_static"]
 html_extra_path = ["extra"]
 html_css_files = ["course.css"]
+html_search_scorer = str(HERE / "_static/ranking.js")
 html_copy_source = False
 html_show_sourcelink = False
 html_show_copyright = False

@@ -2,7 +2,8 @@
 
     python lessons.py SOURCE      SOURCE is the copy of docs/ from which Sphinx builds
 
-- A folded cell stays folded. Behind a prediction, the result and the text that states it are one <details>.
+- A folded cell stays folded. Behind a prediction, the result and the first paragraph of the text behind it
+  are one <details>; AGAIN and TEACHING are the exceptions.
 - A question from an earlier lesson shows its right answer in a <details>, in place of the cell that asks.
 - An exercise shows its task, its stub and the call of its check.
 - Images become files. A cell that is only live shows a still image.
@@ -16,7 +17,8 @@ import shutil
 import sys
 from pathlib import Path
 
-from teach import write_teach
+from PIL import Image
+from teach import fill_in, read_masters, write_teach
 
 ROOT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = ROOT / "notebooks"
@@ -24,6 +26,7 @@ LESSONS = sorted(NOTEBOOKS.glob("[0-9]*.ipynb"))
 SUFFIXES = {"jpeg": "jpg", "png": "png", "svg+xml": "svg"}
 EMBEDDED = re.compile(r'src="data:image/(jpeg|png|svg\+xml);base64,([A-Za-z0-9+/=\n]+)"')
 MERMAID = re.compile(r"```mermaid\n(.*?)```", re.S)
+PROGRESS = re.compile(r"\d%\|.*\d/\d+ \[")  # a bar of tqdm, which nothing moves on a page
 IS_LIVE = "It moves when this cell is run."
 # What stands for a cell that is only live: a file of _static/live, and what it shows.
 DARK = ("darken", "The living room of the drive, darker than the camera sees it.")
@@ -58,18 +61,64 @@ PAGES = {
     "CHANGELOG.md": "about/changes.md",
 }
 OPEN = """
-<details class="course-open"><summary>Open in JupyterLab</summary>
+<div class="course-open">
 
-In the checkout, run this command, and open `{name}` there:
+You are reading the lesson. To run it, type this command in the checkout, and open `{name}`
+([set-up](/learn/start.md)):
 
 ```sh
 environment/lab
 ```
 
-</details>
+</div>
 """
 ANSWER = '<details class="course-reveal"><summary>Your answer first. Then open the right one.</summary>'
-REVEAL = '<details class="course-reveal"><summary>Your guess first. Then open the result.</summary>'
+BACK = (
+    "<style>@media print { .back { display: none; } }</style>"
+    '<p class="back"><a href="learn/index.html">All lessons</a></p>'
+)
+REVEAL = (
+    '<details class="course-reveal">'
+    "<summary>Your guess first. Then show the result and what it means.</summary>"
+)
+# Cells that show a predicted result once more, by their first words: they are folded too.
+AGAIN = (
+    "painted = frame.copy()",
+    "little = np.frombuffer(depth_message",
+    "figure = Figure(figsize=(8, 3.6)",
+    "grad_row, grad_col = sobel(step)",
+    "def width_and_depth(k)",
+    "mirrored = after_centered",
+)
+# Texts behind a result that do not state it, by their first words: they are not folded.
+TEACHING = (
+    "A mask in square brackets selects",
+    "The mask `floor` has True or False",
+    "**All pixels at once.**",
+    "The field `is_bigendian` gives the order",
+    "The parentheses are important",
+    "One number for the strength of the noise",
+    "(`minlength=256` gives one count",
+    "This is a **[correlation]",
+    "The L1 norm is never smaller",
+    "In the recorded drive, the ball is 160",
+    "Now a whole scan, in a small grid.",
+    "The result is a [label image]",
+    "Nine *bins* of 20 degrees",
+    "With more directions, it is the same code.",
+    "For a whole image we cut out slices",
+    "The exam: 30 people",
+    "Where is the palm?",
+    "A contour is closed",
+    "We sort the points from left to right",
+    "How is the cheapest pairing found?",
+    "`Robot` is the course's class",
+    "Two more rules, again as in OpenCV",
+    "Now the same in ROS.",
+    "The words of a dictionary are chosen",
+    "And where it sees nothing?",
+    "For the exercise: six matches",
+)
 
 
 def slug(text):
@@ -120,9 +169,13 @@ def diagram(match):
     title = re.search(r"accTitle: (.*)", match[1])[1]
     text = re.search(r"accDescr: (.*)", match[1])[1]
     name = diagram_file(match[1])
-    if not (ROOT / "docs/_static/diagrams" / name).exists():
+    drawing = ROOT / "docs/_static/diagrams" / name
+    if not drawing.exists():
         raise ValueError(f"the diagram {title!r} has no drawing {name}: run docs/_ext/draw_diagrams.py")
-    return f'<img class="course-diagram" alt="{title}. {text}" src="../_static/diagrams/{name}">'
+    width = Image.open(drawing).width // 2  # it is drawn for screens with two pixels per pixel
+    return (
+        f'<img class="course-diagram" alt="{title}. {text}" width="{width}" src="../_static/diagrams/{name}">'
+    )
 
 
 def site_markdown(source):
@@ -154,7 +207,10 @@ def site_outputs(cell, figures):
     """The outputs of a code cell as the site shows them."""
     outputs = [still(cell)] if cell["id"] in STILLS else []
     for output in cell["outputs"]:
-        html = "".join(output.get("data", {}).get("text/html", ""))
+        data = output.get("data", {})
+        html = "".join(data.get("text/html", ""))
+        if PROGRESS.search("".join(data.get("text/plain", ""))):
+            continue
         if IS_LIVE in html:
             if cell["id"] not in STILLS:
                 raise ValueError(f"the live cell {cell['id']} has no still image: add it to STILLS")
@@ -195,43 +251,59 @@ def asks(cell):
     return cell["cell_type"] == "markdown" and "**Predict" in cell["source"]
 
 
-def ends_reveal(cell):
-    """Whether what is folded behind a prediction ends before this cell."""
-    if cell["cell_type"] == "code":
-        return cell["id"].startswith(("predict-", "answer-", "given-"))
-    return bool(re.search(r"^#", cell["source"], re.M))
+def stated(text):
+    """(the paragraphs of a text that state the result before it, the other ones)."""
+    paragraphs = text.split("\n\n")
+    if re.search(r"^#|\*\*Predict", paragraphs[0], re.M) or text.lstrip().startswith(TEACHING):
+        return "", text
+    count = 2 if paragraphs[0].endswith(":") else 1  # with the list or the formula that it announces
+    return "\n\n".join(paragraphs[:count]), "\n\n".join(paragraphs[count:])
 
 
-def split_at(cell, pattern):
-    """A text cell in two: the paragraphs before the first one with the pattern, and the rest."""
-    paragraphs = cell["source"].split("\n\n")
-    first = next((k for k, text in enumerate(paragraphs) if re.search(pattern, text)), len(paragraphs))
-    before, after = "\n\n".join(paragraphs[:first]), "\n\n".join(paragraphs[first:])
-    return before, cell | {"source": after}
+class Folds:
+    """The cells of a lesson: behind a prediction, the result and the text that states it in one <details>."""
 
+    def __init__(self, cells):
+        self.cells, self._waiting, self._anchors = [], set(), []
+        self._asked = self._is_open = False
+        for cell in cells:
+            if self._is_open and re.match(r"\([\w-]+\)=", cell["source"]):
+                self._anchors.append(cell)  # no link leads into what is closed
+            elif cell["cell_type"] == "code":
+                self._add_code(cell)
+            elif self._is_open:
+                self._add_text(cell)
+            else:
+                self.cells.append(cell)
+        self._close()
 
-def fold_results(cells):
-    """The cells, with the result behind each prediction and the text that states it in one <details>."""
-    folded, waiting, is_open = [], set(), False
-    for cell in cells:
-        if is_open and (ends_reveal(cell) or asks(cell)):
-            if cell["cell_type"] == "markdown":
-                before, cell = split_at(cell, r"^#|\*\*Predict")
-                folded += [markdown(before)] if before else []
-            folded.append(markdown("</details>"))
-            is_open = False
-        folded.append(cell)
-        if cell["cell_type"] == "code" and cell["id"].startswith("predict-"):
-            waiting |= guesses_in(cell["source"])
-            folded.append(markdown(REVEAL))
-            is_open = True
-        elif is_open:
-            if cell["cell_type"] == "code":
-                waiting -= set(re.findall(r"compare_guess\(\s*(\w+)", cell["source"]))
-            elif not waiting:
-                folded.append(markdown("</details>"))
-                is_open = False
-    return [*folded, markdown("</details>")] if is_open else folded
+    def _close(self):
+        if self._is_open:
+            self.cells += [markdown("</details>"), *self._anchors]
+        self._anchors, self._is_open = [], False
+
+    def _add_code(self, cell):
+        if cell["id"].startswith(("predict-", "answer-", "given-")):
+            self._close()
+        elif not self._is_open and (self._asked or cell["source"].startswith(AGAIN)):
+            if self.cells[-1]["source"] == "</details>":
+                self.cells.pop()
+            else:
+                self.cells.append(markdown(REVEAL))
+            self._asked, self._is_open = False, True
+        self.cells.append(cell)
+        if cell["id"].startswith("predict-"):
+            self._waiting, self._asked = guesses_in(cell["source"]), True
+        self._waiting -= set(re.findall(r"compare_guess\(\s*(\w+)", cell["source"]))
+
+    def _add_text(self, cell):
+        text = cell["source"]
+        ends = asks(cell) or re.search(r"^#", text, re.M)
+        before, after = stated(text) if ends or not self._waiting else (text, "")
+        self.cells += [markdown(before)] if before else []
+        if ends or not self._waiting:
+            self._close()
+        self.cells += [cell | {"source": after}] if after else []
 
 
 def site_lesson(path, figures, targets):
@@ -248,7 +320,7 @@ def site_lesson(path, figures, targets):
         if cell.get("id") in targets:
             cells.append(markdown(f"({cell['id']})=\n<span></span>"))
         cells.append(cell)
-    cells = fold_results(cells)
+    cells = Folds(cells).cells
     cells.insert(1, markdown(OPEN.format(name=path.name)))
     for number, cell in enumerate(cells):
         cell["id"] = f"cell-{number}"
@@ -269,8 +341,23 @@ def write_lessons(folder, figures):
 
 def write_glossary(path):
     text = (NOTEBOOKS / "glossary.md").read_text("utf-8")
+    words = re.findall(r"^### (.+)$", text, re.M)
+    first = {word[0].upper(): slug(word.replace(" ", "-")) for word in reversed(words) if word[0].isalpha()}
+    letters = " · ".join(f"[{letter}](#{first[letter]})" for letter in sorted(first))
     text = re.sub(r"^### ", "## ", text, flags=re.M)
+    text = text.replace("**Ctrl + F** finds", f"{letters}\n\n**Ctrl + F** finds", 1)
     path.write_text(site_markdown(text), "utf-8")
+
+
+def write_cheat_sheet(path):
+    """The cheat sheet with links: each block to its lesson, and one back to the site."""
+    text = (NOTEBOOKS / "cheat_sheet.html").read_text("utf-8")
+    for lesson in LESSONS:
+        number = lesson.stem[:2]
+        text = text.replace(
+            f"lesson {number}</p>", f'<a href="lessons/{lesson.stem}.html">lesson {number}</a></p>'
+        )
+    path.write_text(text.replace("</h1>", "</h1>\n" + BACK, 1), "utf-8")
 
 
 def write_table(path):
@@ -293,7 +380,10 @@ def write_routes(path):
 
 
 def main(source):
-    write_teach(source / "teach")
+    masters = read_masters()
+    write_teach(source / "teach", masters)
+    for page, folder in ((source / "index.md", "lessons"), (source / "learn/start.md", "../lessons")):
+        page.write_text(fill_in(page.read_text("utf-8"), masters, folder), "utf-8")
     write_lessons(source / "lessons", Figures(source / "_static" / "figures"))
     write_table(source / "lessons" / "table.md")
     write_routes(source / "lessons" / "routes.md")
@@ -301,7 +391,7 @@ def main(source):
     for original, page in PAGES.items():
         shutil.copy(ROOT / original, source / page)
     (source / "extra").mkdir()
-    shutil.copy(NOTEBOOKS / "cheat_sheet.html", source / "extra")
+    write_cheat_sheet(source / "extra" / "cheat_sheet.html")
     shutil.copy(ROOT / "environment" / "lesson.jpg", source / "_static")
 
 

@@ -34,8 +34,8 @@ def write_instructor_pages(folder, masters):
     rows = ["| | lesson | minutes: core | whole | points |", "|---|---|---|---|---|"]
     for master in masters:
         page = folder / f"{master.name}.md"
-        title, text = page.read_text("utf-8").split("\n", 1)
-        page.write_text(f"{title}\n\n{lesson_facts(master)}\n{text}", "utf-8")
+        title, text = page.read_text("utf-8").removeprefix("# ").split("\n", 1)
+        page.write_text(f"# For teachers: {title}\n\n{lesson_facts(master)}\n{text}", "utf-8")
         points = sum(exercise.points for exercise in master.exercises)
         minutes = f"{master.core_minutes} | {master.minutes}"
         rows.append(f"| {master.number} | [{master.title}]({page.name}) | {minutes} | {points} |")
@@ -44,12 +44,17 @@ def write_instructor_pages(folder, masters):
         index.write("\n".join(["", *rows, "", "```{toctree}", ":hidden:", "", order, "```", ""]))
 
 
-def fill_in(text, masters):
-    """A page with links for `[[arrays]]`, and the hours of lessons for `[[core: arrays, grayscale]]`."""
+def fill_in(text, masters, html_folder=None):
+    """A page with links for `[[arrays]]`, and the hours of lessons for `[[core: arrays, grayscale]]`.
+
+    html_folder: the links are elements <a> to pages of this folder, for captions in HTML.
+    """
     by_name = {master.name: master for master in masters}
 
     def link(match):
         master = by_name[match[1]]
+        if html_folder:
+            return f'<a href="{html_folder}/{master.path.stem}.html">{master.number} {master.title}</a>'
         return f"[{master.number} {master.title}](/lessons/{master.path.stem}.ipynb)"
 
     def hours(match):
@@ -61,8 +66,11 @@ def fill_in(text, masters):
     return re.sub(r"\[\[(\w+)\]\]", link, text)
 
 
-def write_teach(folder):
-    masters = [read_master(path) for path in find_masters(MASTERS)]
+def read_masters():
+    return [read_master(path) for path in find_masters(MASTERS)]
+
+
+def write_teach(folder, masters):
     write_instructor_pages(folder / "lessons", masters)
     for page in folder.glob("*.md"):
         page.write_text(fill_in(page.read_text("utf-8"), masters), "utf-8")

@@ -102,7 +102,9 @@ print("sum:", total[0])
 compare_guess(guess_wrapped, wrapped[0])
 
 # %% [markdown]
-# The result is 18 instead of 103, and NumPy does not warn you. A `uint8` holds at most 255. After 255 the values start again at 0. This is called *[[term:overflow]]*, or *wrap-around*. Here 30 + 60 + 220 = 310 becomes 310 − 256 = 54, and a third of 54 is 18.
+# The result is 18 instead of 103, and NumPy does not warn you: 30 + 60 + 220 = 310 became 310 − 256 = 54, and a third of 54 is 18.
+#
+# A `uint8` holds at most 255. After 255 the values start again at 0. This is called *[[term:overflow]]*, or *wrap-around*.
 #
 # Here is the effect on a whole frame. `frame[..., 0]` is the blue channel of every pixel.
 
@@ -199,7 +201,9 @@ print("lightness", lightness_gray(patches)[0, ::2])
 print("luma     ", luma_patches[0, ::2])
 
 # %% [markdown]
-# For human eyes, green contributes most to the brightness, and blue contributes little. A television standard (ITU-R BT.601) defines three weights from measurements. The weighted sum is called **[[term:luma]]**:
+# For human eyes, green contributes most to the brightness, and blue contributes little.
+#
+# A television standard (ITU-R BT.601) defines three weights from measurements. The weighted sum is called **[[term:luma]]**:
 #
 # $$Y = 0.299\,R + 0.587\,G + 0.114\,B$$
 #
@@ -429,7 +433,9 @@ print("fraction of full light at 50, 100, 200, 255:", light.round(3))
 compare_guess(guess_light, round(float(light[2] / light[1]), 1))
 
 # %% [markdown]
-# Here twice the number means 4.5 times the light. Luma is a weighted mean of the *numbers*. The *[[term:luminance]]* is a weighted mean of the *light*. To compare the two, we encode the luminance as a gray level again. For grays both give the same gray level, for pale colours nearly the same. For saturated (strong) colours they differ:
+# Here twice the number means 4.5 times the light.
+#
+# Luma is a weighted mean of the *numbers*. The *[[term:luminance]]* is a weighted mean of the *light*. To compare the two, we encode the luminance as a gray level again. For grays both give the same gray level, for pale colours nearly the same. For saturated (strong) colours they differ:
 
 # %%
 by_light = linear_light_gray(patches)

@@ -402,7 +402,7 @@ for col in range(8):
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `magnitude`: (width,) int32, one row | a new (width,) int32 array: the magnitude where a pixel is kept, 0 elsewhere | `keep_peaks(profile)` gives `[0, 0, 0, 0, 400, 0, 0, 0]` |
+# | `magnitude`: (width,) int32, one row | a new (width,) int32 array: the magnitude where a pixel is kept, 0 elsewhere | with the row above, `profile = [0, 40, 160, 360, 400, 200, 40, 0]` as an array, `keep_peaks(profile)` gives `[0, 0, 0, 0, 400, 0, 0, 0]` |
 
 # %% role="exercise"
 exercise(

@@ -22,6 +22,23 @@ PAGES = (
     "about/measured.html",
 )
 WIDTHS = (390, 1280)
+# The tags of boxes that are narrower than what they hold, and whether they scroll.
+SCROLLED_BY = """() => {
+    const boxes = [...document.querySelectorAll("article pre, article div.table-wrapper")];
+    const narrow = boxes.filter(box => box.scrollWidth > box.clientWidth);
+    const moves = box => { box.scrollLeft = 20; return box.scrollLeft > 0; };
+    const result = {};
+    for (const box of narrow) {
+        const tag = box.localName;
+        result[tag] = (result[tag] ?? true) && moves(box);
+    }
+    return result;
+}"""
+# The elements that end outside the window, and that no box of their own scrolls.
+WIDER_THAN_THE_WINDOW = """() => [...document.querySelectorAll("article *")].filter(element => {
+    const box = element.parentElement.closest("pre, .table-wrapper, .cell_output, div.math");
+    return !box && element.getBoundingClientRect().right > document.documentElement.clientWidth + 1;
+}).map(element => element.outerHTML.slice(0, 100))"""
 # Loads every image, also those far below, and returns the addresses of those that cannot be shown.
 BROKEN_IMAGES = """async () => {
     const images = [...document.images];
@@ -76,9 +93,28 @@ def test_every_image_is_shown_and_no_page_asks_another_host_or_fails(site):
     assert [line for line in asked if not line.startswith(("file:", "data:"))] == []
 
 
-def test_the_search_works_from_files(site):
+def test_the_search_works_from_files_and_ranks_lessons_first(site):
     page = site[0]("search.html?q=hysteresis")
     page.get_by_role("link", name="The stages of Canny").first.wait_for()
+    page = site[0]("search.html?q=grayscale")
+    results = page.locator("#search-results li a")
+    results.first.wait_for()
+    page.wait_for_function("document.querySelectorAll('#search-results li a').length > 6")
+    addresses = [link.get_attribute("href") for link in results.all()]
+    of_teachers = [number for number, address in enumerate(addresses) if address.startswith("teach/")]
+    assert addresses[0].startswith("lessons/") and of_teachers[0] > 3, addresses
+
+
+@pytest.mark.parametrize("word", ["install", "windows"])
+def test_the_search_finds_the_set_up(site, word):
+    page = site[0](f"search.html?q={word}")
+    page.locator("#search-results a[href^='learn/start.html']").first.wait_for()
+
+
+def test_on_a_phone_code_and_tables_scroll_inside_their_box(site):
+    page = site[0]("lessons/04_grayscale.html", width=390)
+    assert page.evaluate(SCROLLED_BY) == {"pre": True, "div": True}
+    assert page.evaluate(WIDER_THAN_THE_WINDOW) == []
 
 
 def test_a_result_opens_with_one_click(site):

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from handed_out import HandedOut
+from lessons import AGAIN, TEACHING
 
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
 
@@ -92,10 +93,16 @@ def test_every_result_of_a_prediction_is_behind_a_click(pages):
 
 def test_the_text_that_states_a_result_is_behind_the_same_click(pages):
     for name, sentence in {
+        "02_what_is_image_processing": "painted[floor] = (0, 160, 0)",
+        "03_images_as_messages": "258 mm become 513 mm",
         "04_grayscale": "The mean error is 8.6 gray levels",
+        "05_grayscale_node": "ROS called the function about twenty times",
         "06_noise_removal": "Between 50 and 200 there are now 101 and 146",
+        "08_canny_stages": "grad_row, grad_col = sobel(step)",
+        "15_where_am_i": "without: -1",
     }.items():
-        assert sentence in pages[name].text("details.course-reveal")
+        assert sentence in pages[name].text("details.course-reveal"), name
+        assert pages[name].text("details.course-reveal").count(sentence) == pages[name].text().count(sentence)
     closed = [page for page in pages.values() if "Recap" in page.text("details.course-reveal")]
     assert closed == []
 
@@ -108,6 +115,50 @@ def test_the_answer_to_a_question_from_an_earlier_lesson_is_behind_a_click(pages
             assert f"{answer} · {question['replies'][answer]}" in page.text("details.course-reveal")
         assert "No answer yet" not in page.text()
     assert sum(len(master.questions) for master in MASTERS) == 42
+
+
+def test_a_text_that_states_no_result_is_not_folded(pages):
+    for name, sentence in {
+        "04_grayscale": "A television standard (ITU-R BT.601) defines three weights",
+        "05_grayscale_node": "waits for messages and calls the callbacks, again and again",
+        "14_object_tracking": "the box must stay inside the image",
+    }.items():
+        page = pages[name]
+        assert sentence in page.text() and sentence not in page.text("details.course-reveal"), name
+    sources = [cell["source"] for path in LESSONS for cell in cells_of(path)]
+    texts = "".join("".join(source) for source in sources)
+    assert [words for words in (*AGAIN, *TEACHING) if words not in texts] == []
+
+
+def test_no_link_leads_into_what_is_closed(built):
+    html = (built[1] / "lessons/05_grayscale_node.html").read_text("utf-8")
+    before = html[: html.index('id="grayscale-node-11"')]
+    assert before.count("<details") == before.count("</details>")
+
+
+def test_a_progress_bar_is_left_out(pages):
+    page = pages["09_edge_detection_node"]
+    assert 'tqdm(sigmas, desc="blurs")' in page.text() and "0/4" not in page.text()
+
+
+def test_the_first_page_and_the_set_up_name_the_lessons_as_they_are(built):
+    for name, folder, lesson in (
+        ("index.html", "lessons", "obstacles_ahead"),
+        ("learn/start.html", "../lessons", "grayscale_node"),
+    ):
+        html = (built[1] / name).read_text("utf-8")
+        master = next(master for master in MASTERS if master.name == lesson)
+        link = f'<a href="{folder}/{master.path.stem}.html">{master.number} {master.title}</a>'
+        assert link in html and "[[" not in html, name
+        assert "For <code" in html and "write the address of the repository" in html
+
+
+def test_the_cheat_sheet_and_the_glossary_lead_on(built):
+    sheet = (built[1] / "cheat_sheet.html").read_text("utf-8")
+    assert '<a href="lessons/01_arrays.html">lesson 01</a>' in sheet
+    assert '<a href="learn/index.html">All lessons</a>' in sheet
+    glossary = (built[1] / "lessons/glossary.html").read_text("utf-8")
+    assert re.search(r'href="#absolute-trajectory-error">A</a> · <a [^>]*>B</a>', glossary)
 
 
 def test_folded_cells_stay_folded(pages):
@@ -156,8 +207,9 @@ def test_a_live_cell_says_what_it_shows(pages):
 
 def test_each_lesson_names_the_command_that_opens_it(pages):
     for path in LESSONS:
-        text = pages[path.stem].text("details.course-open")
-        assert "environment/lab" in text and path.name in text
+        text = pages[path.stem].text("div.course-open")
+        assert "You are reading the lesson. To run it" in text
+        assert "environment/lab" in text and path.name in text and "details" not in text
 
 
 def test_formulas_are_mathml(built):

@@ -103,5 +103,6 @@ def test_a_built_page_says_the_minutes_and_the_points(built):
         page = (built[1] / "teach/lessons" / f"{name}.html").read_text("utf-8")
         assert f"{master.core_minutes} minutes for the core, {master.minutes} for all of it" in page
         assert all(exercise.id in page for exercise in master.exercises)
+        assert f"<h1>For teachers: {master.title}<" in page
     for page in ("plans", "learners"):
         assert "[[" not in (built[1] / f"teach/{page}.html").read_text("utf-8")
