@@ -126,7 +126,7 @@ assert round(recording.pose("camera", 0)[2], 2) == 0.2  # metres above the floor
 #
 # Now we use ROS 2. `open_camera` starts a camera that publishes the recording on the robot's topic, as the robot does. A robot has one camera, so there is one for all your notebooks and programs, too: if it runs already, `open_camera` joins it. It ends with the last of them. `ImageSubscriber` subscribes to this topic, so it receives every frame that is published there. `wait` waits for the next frame and returns it.
 #
-# If ROS 2 is not installed (macOS, Windows without WSL), `ros_available()` returns `False`, and the lesson uses the recording instead. The doctor above says what to install.
+# If ROS 2 is not installed (macOS, Windows without WSL), `ros_available()` returns `False`. This lesson then uses the recording. In other lessons, the cells that begin with `if ros_available():` do nothing: read them. `environment/site --serve` opens the course's pages, which show their results, and a still image for each live view. The doctor above says what to install.
 
 # %%
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available

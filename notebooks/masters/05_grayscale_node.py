@@ -15,7 +15,7 @@
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted,
 # - deeper: explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2).
 #
-# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, and do the exercises: their checks work without ROS 2. If you have never written a class, read section 2, too.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), the cells that begin with `if ros_available():` do nothing: their results, and still images of the live views, are on the page that `environment/site --serve` opens. Read the lesson, and do the exercises: their checks work without ROS 2. If you have never written a class, read section 2, too.
 
 # %% role="given" exercise=["node-process"]
 import cv2
