@@ -321,7 +321,8 @@ def site_lesson(path, figures, targets):
             cells.append(markdown(f"({cell['id']})=\n<span></span>"))
         cells.append(cell)
     cells = Folds(cells).cells
-    cells.insert(1, markdown(OPEN.format(name=path.name)))
+    title, rest = cells[0]["source"].split("\n\n", 1)
+    cells[:1] = [markdown(title), markdown(OPEN.format(name=path.name)), markdown(rest)]
     for number, cell in enumerate(cells):
         cell["id"] = f"cell-{number}"
     return notebook | {"cells": cells}

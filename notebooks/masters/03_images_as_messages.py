@@ -370,7 +370,7 @@ assert (cut_by_step == tiny).all() and (image_to_array(padded) == tiny).all()
 # %% [markdown]
 # ### Your turn: remove the padding ([[minutes]], practice, deeper)
 #
-# Write `decode_padded(message)`. Put the two things together that you have seen: crop the padding, as in `cut_by_step`, and form the pixels of a colour image.
+# Write `decode_padded(message)`. Put the two things together that you have seen: crop the padding (cut the bytes into rows of `step` bytes, and keep the first `width` columns), as in `cut_by_step`, and form the pixels of a colour image.
 #
 # | Input | Output | Example call |
 # |---|---|---|
