@@ -131,7 +131,7 @@ def any_step(x, ahead, aside, distances, sigmas, sign=-1, of_errors=2, of_slopes
     numerator = (J * errors / sigmas**of_errors).sum()
     return float(x + sign * numerator / (J * J / sigmas**of_slopes).sum())
 
-# %% role="mistake" name="up in place of down" says="Your step goes up: the sum of squares becomes larger. The minus is missing: x - sum(w * J * errors) / sum(w * J * J)."
+# %% role="mistake" name="up in place of down" says="A sign is wrong: your step goes up, and the sum of squares becomes larger. Is the minus there in J and in the step: x - sum(w * J * errors) / sum(w * J * J)?"
 def place_step(x, ahead, aside, distances, sigmas):
     return any_step(x, ahead, aside, distances, sigmas, sign=1)
 
@@ -183,6 +183,22 @@ def place_step(x, ahead, aside, distances, sigmas):
 def place_step(x, ahead, aside, distances, sigmas):
     errors = np.hypot(ahead - x, aside) - distances
     J, w = -(ahead - x) / distances, 1 / sigmas**2
+    return float(x - (w * J * errors).sum() / (w * J * J).sum())
+
+# %% role="mistake" name="J at x = 0, divided by the measured distances" says="J is computed at x = 0 and divided by the measured distances. It belongs to the guess: -(ahead - x) / np.hypot(ahead - x, aside)."
+def place_step(x, ahead, aside, distances, sigmas):
+    errors = np.hypot(ahead - x, aside) - distances
+    J, w = -ahead / distances, 1 / sigmas**2
+    return float(x - (w * J * errors).sum() / (w * J * J).sum())
+
+# %% role="mistake" name="everything at x = 0" says="Errors and J are computed at x = 0, not at the guess. Use ahead - x in place of ahead."
+def place_step(x, ahead, aside, distances, sigmas):
+    return x + solution(0.0, ahead, aside, distances, sigmas)
+
+# %% role="mistake" name="errors at x = 0" says="The errors are computed at x = 0, not at the guess: np.hypot(ahead - x, aside) - distances."
+def place_step(x, ahead, aside, distances, sigmas):
+    errors = np.hypot(ahead, aside) - distances
+    J, w = -(ahead - x) / np.hypot(ahead - x, aside), 1 / sigmas**2
     return float(x - (w * J * errors).sum() / (w * J * J).sum())
 
 # %% role="mistake" name="not divided" says="J is not divided by the distance: it is -(ahead - x) / np.hypot(ahead - x, aside), a number between -1 and 1."
@@ -242,6 +258,13 @@ def mean_rotation(rotations):
     for rotation in rotations[1:]:
         product = rotation @ product
     return product
+
+# %% role="mistake" name="mean of the angles" says="This is the mean of the angles. Angles jump at pi: the mean of 3.0 and -3.0 is 0, the opposite direction. Take the mean of the matrices, and then the nearest rotation, U @ V."
+def mean_rotation(rotations):
+    if rotations.shape[1] == 3:
+        return solution(rotations)
+    angle = np.arctan2(rotations[:, 1, 0], rotations[:, 0, 0]).mean()
+    return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
 
 # %% role="mistake" name="columns made 1 long" says="Your columns are 1 long, but they are not perpendicular to each other, or not the nearest ones. Use the SVD of the mean: U @ V."
 def mean_rotation(rotations):

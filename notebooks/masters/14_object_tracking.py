@@ -652,7 +652,7 @@ assert sum(distance < 5 for distance in distances) == 75
 #
 # We know two things about the ball: where it should be now, since it rolled in a certain direction with a certain speed, and where we see it now. Both are uncertain. How do we combine them?
 #
-# First with one number. The ball should be at 2.00 m, and this is uncertain by 0.1 m. We measure 2.40 m, and the measurement is uncertain by 0.2 m. The [[term:variance|variances]] are 0.01 and 0.04. This is the weighted mean of [[numbers_with_doubt#5]], with the weights 1 / variance. In tracking, one writes it with the share of the measurement, the *gain*: how far we go from the expected place towards the measured place.
+# First with one number. The ball should be at 2.00 m, and this is uncertain by 0.1 m. We measure 2.40 m, and the measurement is uncertain by 0.2 m. The [[term:variance|variances]] are 0.01 and 0.04. This is the weighted mean of [[numbers_with_doubt#6]], with the weights 1 / variance. In tracking, one writes it with the share of the measurement, the *gain*: how far we go from the expected place towards the measured place.
 #
 # $$\text{gain} = \frac{\text{variance of the prediction}}{\text{variance of the prediction} + \text{variance of the measurement}}$$
 #
@@ -675,7 +675,7 @@ compare_guess(guess_place, round(combined, 2), "m")
 #
 # The *[[term:Kalman filter]]* does this for several numbers together, its *[[term:state]]*. For a ball on a line these are its place and its speed. Its doubt is a [[term:covariance]] matrix, as that of y and yaw in [[numbers_with_doubt#2]].
 #
-# **One frame later**: after dt = 0.1 s, the new place is place + 0.1 · speed. This is a product with a matrix F of the same form as in [[numbers_with_doubt#3]]: there y grew by 1 m · yaw, here the place grows by 0.1 s · speed.
+# **One frame later**: after dt = 0.1 s, the new place is place + 0.1 · speed. This is a product with a matrix F of the same form as in [[numbers_with_doubt#4]]: there y grew by 1 m · yaw, here the place grows by 0.1 s · speed.
 
 # %%
 F = np.array([[1, 0.1], [0, 1]])
@@ -686,7 +686,7 @@ print("state", (F @ state).round(4))
 print((F @ covariance @ F.T + Q).round(4))
 
 # %% [markdown]
-# The place is now 2.05 m. The covariance has changed too: the place is less certain (0.0126 instead of 0.01), because the speed is not certain. The number 0.025 beside the diagonal says: if the ball is farther than expected, it is probably also faster. `F @ covariance @ F.T` is the doubt that drives on ([[numbers_with_doubt#3]]): each number of the covariance comes from two deviations, and F moves both. *Q* adds what F does not know: the ball may become faster or slower.
+# The place is now 2.05 m. The covariance has changed too: the place is less certain (0.0126 instead of 0.01), because the speed is not certain. The number 0.025 beside the diagonal says: if the ball is farther than expected, it is probably also faster. `F @ covariance @ F.T` is the doubt that drives on ([[numbers_with_doubt#4]]): each number of the covariance comes from two deviations, and F moves both. *Q* adds what F does not know: the ball may become faster or slower.
 #
 # ### Your turn: predict
 #
@@ -892,7 +892,7 @@ def inputs(rng):
 #
 # Two *tracks*, of ball and car, and in each frame several red things. Which thing belongs to which track?
 #
-# A distance in metres is not a good measure. An error of 10 cm is large for a track that knows its place to 3 cm, and small for a track that has not been seen for a second. So we divide by the uncertainty S: surprise · S⁻¹ · surprise is the squared distance in units of the doubt, as in [[numbers_with_doubt#2]]. A pair with more than 9.21 is refused: it lies outside of the ellipse that holds 99 % of the right pairs. This limit is called a *[[term:gate]]*.
+# A distance in metres is not a good measure. An error of 10 cm is large for a track that knows its place to 3 cm, and small for a track that has not been seen for a second. So we divide by the uncertainty S: surprise · S⁻¹ · surprise is the squared distance in units of the doubt, as in [[numbers_with_doubt#3]]. A pair with more than 9.21 is refused: it lies outside of the ellipse that holds 99 % of the right pairs. This limit is called a *[[term:gate]]*.
 
 # %%
 def costs_of(filters, places):

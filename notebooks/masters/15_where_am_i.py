@@ -178,7 +178,7 @@ print("row of u times the matrix:", abs(round(float(row_u @ H.ravel()), 6)))
 print("row of v times the matrix:", abs(round(float(row_v @ H.ravel()), 6)))
 
 # %% [markdown]
-# Four corners give eight rows. We look for the vector that gives 0 with each of them. The SVD of [[numbers_with_doubt#7]] finds it: "rotate, stretch, rotate", and here one direction is stretched to 0. Which one? V rotates it to the last axis, so it is the **last row** of V, the third result. First a small example with two rows, and a vector of three numbers:
+# Four corners give eight rows. We look for the vector that gives 0 with each of them. The SVD of [[numbers_with_doubt#8]] finds it: "rotate, stretch, rotate", and here one direction is stretched to 0. Which one? V rotates it to the last axis, so it is the **last row** of V, the third result. First a small example with two rows, and a vector of three numbers:
 
 # %%
 rows = np.array([[1.0, 2, -3], [2, -1, -1]])
@@ -619,7 +619,7 @@ print(few_centered.tolist())
 print(after_centered.tolist())
 
 # %% [markdown]
-# The *[[term:Kabsch algorithm]]* has two steps. First multiply the clouds with each other: `after_centered.T @ few_centered`, a small matrix. It holds the sums of all products, as a covariance matrix does, but of one cloud with the other one: it turns and stretches. Then take the nearest rotation, U @ V, as in [[numbers_with_doubt#7]]. No other rotation brings the two clouds nearer to each other.
+# The *[[term:Kabsch algorithm]]* has two steps. First multiply the clouds with each other: `after_centered.T @ few_centered`, a small matrix. It holds the sums of all products, as a covariance matrix does, but of one cloud with the other one: it turns and stretches. Then take the nearest rotation, U @ V, as in [[numbers_with_doubt#8]]. No other rotation brings the two clouds nearer to each other.
 
 # %%
 U, sizes, V = np.linalg.svd(after_centered.T @ few_centered)

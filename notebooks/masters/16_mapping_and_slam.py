@@ -827,7 +827,7 @@ errors = np.array([x[1] - x[0] - 1.0, x[2] - x[1] - 1.0, x[2] - x[0] - 1.7])
 print(errors.round(2))
 
 # %% [markdown]
-# We look for the poses with the smallest sum of squared errors. The first pose stays where it is. In [[numbers_with_doubt#6]] one number was unknown, and J had one number for each error. Now there are several unknowns, so the [[term:Jacobian]] J is a table: one row for each edge, one column for each pose. It says how each error changes if a pose moves by 1. The first edge is x₁ − x₀ − 1: its error grows by 1 with x₁, and falls by 1 with x₀.
+# We look for the poses with the smallest sum of squared errors. The first pose stays where it is. In [[numbers_with_doubt#7]] one number was unknown, and J had one number for each error. Now there are several unknowns, so the [[term:Jacobian]] J is a table: one row for each edge, one column for each pose. It says how each error changes if a pose moves by 1. The first edge is x₁ − x₀ − 1: its error grows by 1 with x₁, and falls by 1 with x₀.
 
 # %%
 J = np.array([[-1.0, 1, 0],
@@ -838,7 +838,7 @@ J = J[:, 1:]  # the first pose is fixed: leave its column out
 # %% [markdown]
 # Why leave the column out? All poses could move together without changing any error, so there would be no single solution: `solve` would stop with *Singular matrix*.
 #
-# The step that makes the sum of squares smallest follows from the normal equations of [[numbers_with_doubt#4]], with J in the place of A and −errors in the place of y. `np.linalg.solve` solves them:
+# The step that makes the sum of squares smallest follows from the normal equations of [[numbers_with_doubt#5]], with J in the place of A and −errors in the place of y. `np.linalg.solve` solves them:
 #
 # $$J^T J \cdot \text{step} = -J^T \cdot \text{errors}$$
 #
@@ -854,7 +854,7 @@ print("step:", step.round(3))
 compare_guess(guess_middle, round(float(x[1] + step[0]), 2))
 
 # %% [markdown]
-# The contradiction of 0.3 is shared: each edge now has an error of 0.1. But a scan is more exact than the wheels. So each edge has the weight 1 / σ² of [[numbers_with_doubt#5]], in a diagonal matrix W:
+# The contradiction of 0.3 is shared: each edge now has an error of 0.1. But a scan is more exact than the wheels. So each edge has the weight 1 / σ² of [[numbers_with_doubt#6]], in a diagonal matrix W:
 
 # %%
 W = np.diag([1.0, 1.0, 100.0])  # the third edge is ten times as exact
