@@ -179,7 +179,7 @@ def place_step(x, ahead, aside, distances, sigmas):
     J, w = -ahead / np.hypot(ahead, aside), 1 / sigmas**2
     return float(x - (w * J * errors).sum() / (w * J * J).sum())
 
-# %% role="mistake" name="divided by the measured distances" says="J is divided by the measured distances. Divide by those that x would give: np.hypot(ahead - x, aside)."
+# %% role="mistake" name="divided by the measured distances" says="J is divided by the measured distances. Divide by the computed ones, which x would give: J is -(ahead - x) / np.hypot(ahead - x, aside)."
 def place_step(x, ahead, aside, distances, sigmas):
     errors = np.hypot(ahead - x, aside) - distances
     J, w = -(ahead - x) / distances, 1 / sigmas**2
@@ -195,7 +195,7 @@ def place_step(x, ahead, aside, distances, sigmas):
 def place_step(x, ahead, aside, distances, sigmas):
     return x + solution(0.0, ahead, aside, distances, sigmas)
 
-# %% role="mistake" name="errors at x = 0" says="The errors are computed at x = 0, not at the guess: np.hypot(ahead - x, aside) - distances."
+# %% role="mistake" name="errors at x = 0" says="The errors are computed at x = 0, not at the guess. They are np.hypot(ahead - x, aside) - distances."
 def place_step(x, ahead, aside, distances, sigmas):
     errors = np.hypot(ahead, aside) - distances
     J, w = -(ahead - x) / np.hypot(ahead - x, aside), 1 / sigmas**2
@@ -261,8 +261,6 @@ def mean_rotation(rotations):
 
 # %% role="mistake" name="mean of the angles" says="This is the mean of the angles. Angles jump at pi: the mean of 3.0 and -3.0 is 0, the opposite direction. Take the mean of the matrices, and then the nearest rotation, U @ V."
 def mean_rotation(rotations):
-    if rotations.shape[1] == 3:
-        return solution(rotations)
     angle = np.arctan2(rotations[:, 1, 0], rotations[:, 0, 0]).mean()
     return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
 

@@ -17,3 +17,9 @@ def mean_rotation(rotations):
 def mean_rotation(rotations):
     U, s, V = np.linalg.svd(rotations)
     return (U @ V).mean(axis=0)
+
+# %% name="mean of the angles" origin="new" sentence="Angles jump at pi: take the mean of the matrices." must_say=["angle.*pi"] kind="value"
+def mean_rotation(rotations):
+    angles = [math.atan2(rotation[1, 0], rotation[0, 0]) for rotation in rotations]
+    angle = sum(angles) / len(angles)
+    return np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
