@@ -283,7 +283,7 @@ for new in ([0.06, 0.12], [0.06, -0.12]):
     print("deviations", new, "  squared distance", round(float(new @ np.linalg.inv(C) @ new)))
 
 # %% [markdown]
-# Each number alone is just as far from the mean. But the first robot looks to the left and is to the left, as is usual. The second one looks to the right and is to the left: this never happens.
+# Each number alone is just as far from the mean. But the first odometry says that the robot is too far to the left and has turned to the left, as is usual. The second one says too far to the left, but turned to the right: this never happens.
 #
 # How far is too far? For two numbers with the usual bell-shaped noise, **1 %** of all squared distances are larger than 9.21. **Predict** how many of our 200 robots have a larger one.
 
@@ -581,7 +581,7 @@ for x in (0.0, 1.0, 2.8):
     print("x", x, "  errors", errors_of(x).round(2), "  sum of squares", (errors_of(x)**2).sum().round(2))
 
 # %% [markdown]
-# To try all x takes long. The *[[term:Gauss-Newton method]]* needs only a few tries. It asks: if x grows a little, how does each error change? This change, divided by the change of x, is one number for each error. Together these numbers are the *[[term:Jacobian]]* J. We try it at x = 2.8 with a tiny change. Calculus gives the same by a formula, −(ahead − x) / distance, with the **computed** distance, not the measured one:
+# It would take long to try all x. The *[[term:Gauss-Newton method]]* needs only a few tries. It asks: if x grows a little, how does each error change? This change, divided by the change of x, is one number for each error. Together these numbers are the *[[term:Jacobian]]* J. We try it at x = 2.8 with a tiny change. Calculus gives the same by a formula, −(ahead − x) / distance, with the **computed** distance, not the measured one:
 
 # %%
 x = 2.8
