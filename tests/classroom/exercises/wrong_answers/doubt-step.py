@@ -26,21 +26,21 @@ def place_step(x, ahead, aside, distances, sigmas):
     w = 1 / sigmas**2
     return x - (w * J * (expected - distances)).sum() / (w * J * J).sum()
 
-# %% name="J with the measured distances" origin="new" sentence="J is divided by the computed distances." must_say=["measured distances"] kind="value"
+# %% name="J with the measured distances" origin="new" sentence="J is divided by the measured distances: divide by the computed ones." must_say=["measured distances"] kind="value"
 def place_step(x, ahead, aside, distances, sigmas):
     errors = np.hypot(ahead - x, aside) - distances
     J = (x - ahead) / distances
     w = 1 / sigmas**2
     return x - np.sum(w * J * errors) / np.sum(w * J**2)
 
-# %% name="J at the beginning" origin="new" sentence="J belongs to the guess, not to x = 0." must_say=["J is computed at x = 0"] kind="value"
+# %% name="J at the beginning" origin="new" sentence="J is computed at x = 0: it belongs to the guess." must_say=["J is computed at x = 0"] kind="value"
 def place_step(x, ahead, aside, distances, sigmas):
     errors = np.hypot(ahead - x, aside) - distances
     J = -ahead / np.sqrt(ahead**2 + aside**2)
     w = 1 / sigmas**2
     return x - np.sum(w * J * errors) / np.sum(w * J**2)
 
-# %% name="errors at the beginning" origin="new" sentence="The errors belong to the guess, not to x = 0." must_say=["errors are computed at x = 0"] kind="value"
+# %% name="errors at the beginning" origin="new" sentence="The errors are computed at x = 0: they belong to the guess." must_say=["errors are computed at x = 0"] kind="value"
 def place_step(x, ahead, aside, distances, sigmas):
     errors = np.hypot(ahead, aside) - distances
     J = -(ahead - x) / np.hypot(ahead - x, aside)
