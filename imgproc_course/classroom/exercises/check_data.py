@@ -129,14 +129,17 @@ class CheckData:
         nobody sees what it prints. Modules that the exercise does not allow are not there. If the name of a
         `function` is given, only what that function needs is run.
         """
-        names, reason = self.namespace(), ""
+        names, reason, refused = self.namespace(), "", {}
         for file, part in self._parts(source, function):
             try:
                 with by_itself():
-                    part = tree_as_graded(part, self.allowed) or part
-                    exec(compile(part, file, "exec", dont_inherit=True), names)
+                    tree, unusable = tree_as_graded(part, self.allowed)
+                    refused |= unusable
+                    exec(compile(tree or part, file, "exec", dont_inherit=True), names)
             except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's code may raise anything
-                reason = reason or f"{type(error).__name__}: {error}"
+                module = isinstance(error, NameError) and refused.get(error.name)
+                needs = f"it needs {module}, which this exercise does not allow"
+                reason = reason or (needs if module else f"{type(error).__name__}: {error}")
         return names, reason
 
     def _parts(self, source, function):

@@ -108,12 +108,13 @@ def _names_unbound(statements):
 
 
 def tree_as_graded(source, allowed):
-    """The syntax tree of a source in which other modules cannot be imported; None if it does not parse."""
+    """(A source's tree in which other modules cannot be imported, or None; {name: module without guard})."""
+    visitor = _AsGraded(allowed)
     try:
-        tree = ast.parse(source)
+        tree = ast.fix_missing_locations(visitor.visit(ast.parse(source)))
     except UNPARSABLE:
-        return None
-    return ast.fix_missing_locations(_AsGraded(allowed).visit(tree))
+        return None, {}
+    return tree, {name: module for module, name in visitor.refused.items()}
 
 
 class _AsGraded(ast.NodeTransformer):

@@ -360,6 +360,19 @@ def test_an_answer_that_needs_another_cell_is_reported(lesson):
     assert not lesson_check.ready
 
 
+@pytest.mark.parametrize(
+    "imports",
+    ["import cv2", "import cv2 as cv", "from imgproc_course.recording import open_recording"],
+)
+def test_a_cell_that_fails_without_a_refused_module_names_the_module(lesson, imports):
+    """And not the name that is missing: another import of it would not help."""
+    name, module = imports.split()[-1], imports.split()[1]
+    source = f"{imports}\nframe = {name}.x\ndef double(pixels, sample=frame): return 3"
+    lesson_check = run(lesson(edit(ANSWER, source=source)))
+    (note,) = lesson_check.exercises[0].notes
+    assert note == f"its cell does not run by itself: it needs {module}, which this exercise does not allow"
+
+
 def test_the_exit_code_is_1_while_the_lesson_is_not_ready(lesson):
     done = CliRunner().invoke(check, ["--run", str(lesson())])
     assert done.exit_code == 0 and done.output.endswith("Ready to submit: every check passes.\n")
