@@ -60,7 +60,8 @@ def test_a_lesson_opens_with_its_questions_and_no_other_cell_changes(write_maste
 
 
 def test_a_lesson_without_a_section_ends_with_its_questions(write_master):
-    path = write_master(("# %% [markdown]\n# **Your turn.**", "# %%\n1  #"))
+    only_text = ("# %% [markdown]\n# **Your turn.**", "# %%\n1  #")
+    path = write_master(only_text, ("# # Doubling\n", "# # Doubling\n# ## 1 · Double\n"))
     path.with_name("questions.toml").write_text(TWO)
     assert list(cells_of(path))[-1] == "ask-template-2"
 
