@@ -90,6 +90,8 @@ def run_nbval(lesson, variables):
     start = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
         copy = shutil.copy(lesson, folder)  # what a lesson writes lands beside the copy
+        for module in NOTEBOOKS.glob(f"{lesson.stem[3:]}.py"):
+            shutil.copy(module, folder)
         result = subprocess.run(
             [sys.executable, *NBVAL, copy],
             cwd=NOTEBOOKS.parent,

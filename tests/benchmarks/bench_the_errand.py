@@ -2,25 +2,20 @@
 
 Printed: points, name, metres from the start, seconds, bumps and smallest distance to the person of each run;
 in how many of the fresh runs the robot is back with the right name; for the planned failure, each of the two
-simplifications alone and both together; live, what a subscriber received, and by the truth, which only this
-benchmark sees, where the robot was.
+simplifications alone and both together.
 
 Required: the runs of seeds 1 to 3 are those of the lesson's table; of the 20 fresh runs, at least 17 are back
 with the right name; each simplification alone has 100 points, and both together 10 in 45 s; live, the
-subscriber receives KITCHEN and no other name, the robot says within 180 s that it is back, and it bumps at
-most twice (mostly into the toy car, which drives up to its side).
+robot reads KITCHEN and says within 180 s that it is back, and it bumps at most twice (mostly into the toy
+car, which drives up to its side).
 
 Run it with `environment/test --benchmarks the_errand`; SECONDS_IN_THE_ROOM=0 leaves the live part out, and
 RUNS=live all others.
 """
 
-import math
 import os
 import re
-import signal
-import subprocess
 import sys
-import time
 from pathlib import Path
 
 import cv2
@@ -29,13 +24,16 @@ from rich.console import Console
 from rich.table import Table
 from tqdm import tqdm
 
+os.environ.setdefault("ROS_DOMAIN_ID", "96")
+os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+sys.path.append(str(Path(__file__).parents[2] / "notebooks"))
+import the_errand
+
 ROOT = Path(__file__).parents[2]
-PROGRAMS = ROOT / "tests" / "ros"
 SECONDS = float(os.environ.get("SECONDS_IN_THE_ROOM", "180"))
 ONLY_LIVE = os.environ.get("RUNS") == "live"
 LIGHTINGS = ("day", "evening")
 COLUMNS = ("seed", "light", "points", "name", "metres from the start", "seconds", "bumps", "to the person")
-NAMES, ROBOT, PERSON = "/errand/name", "/truth/pose/robot", "/truth/pose/person"
 MOST_BUMPS, FEWEST_BACK = 2, 17
 
 
@@ -68,11 +66,11 @@ def print_rows(rows, *columns):
     Console(width=120).print(table)
 
 
-def print_table_of_the_lesson(lesson):
+def print_table_of_the_lesson():
     """Prints the runs of the lesson's table; whether one differs."""
     stored = table_of_the_lesson()
     rows = [
-        row_of(int(row[0]), row[1], lesson["run_errand"](int(row[0]), row[1])[0])
+        row_of(int(row[0]), row[1], the_errand.run_errand(int(row[0]), row[1])[0])
         for row in tqdm(stored, "the lesson's table", leave=False)
     ]
     print_rows(
@@ -81,10 +79,10 @@ def print_table_of_the_lesson(lesson):
     return rows != stored or len(rows) != 6
 
 
-def print_fresh_seeds(lesson):
+def print_fresh_seeds():
     """Prints runs of seeds that nothing was chosen with; whether too few are back with the right name."""
     runs = [(seed, lighting) for seed in range(11, 21) for lighting in LIGHTINGS]
-    results = [lesson["run_errand"](*run)[0] for run in tqdm(runs, "fresh seeds", leave=False)]
+    results = [the_errand.run_errand(*run)[0] for run in tqdm(runs, "fresh seeds", leave=False)]
     print_rows([row_of(*run, result) for run, result in zip(runs, results, strict=True)], *COLUMNS)
     named = [result for result in results if result.name == "KITCHEN"]
     back = sum(result.back < 0.5 for result in named)
@@ -96,7 +94,7 @@ def print_fresh_seeds(lesson):
     return back < FEWEST_BACK
 
 
-def print_planned_failure(lesson):
+def print_planned_failure():
     """Prints seed 6 with and without both simplifications; whether they do not fail together only."""
     rows, points = [], {}
     for believes_all, sees_low, limit in (
@@ -107,7 +105,7 @@ def print_planned_failure(lesson):
         (True, False, 45),
     ):
         options = {"believes_all": believes_all, "sees_low": sees_low, "limit": limit}
-        result = lesson["run_errand"](6, "evening", **options)[0]
+        result = the_errand.run_errand(6, "evening", **options)[0]
         points[believes_all, sees_low, limit] = result.points
         rows.append([*map(str, options.values()), *row_of(6, "evening", result)[2:]])
     print_rows(rows, "believes_all", "sees_low", "limit (s)", *COLUMNS[2:])
@@ -116,108 +114,33 @@ def print_planned_failure(lesson):
     return together != 10 or set(points.values()) != {100}
 
 
-# live
-
-
-class Topics:
-    """Collects what the node publishes, and the truth: (x, y) of robot and person, (N, 2) each."""
-
-    def __init__(self):
-        from geometry_msgs.msg import PoseStamped
-        from rclpy.qos import qos_profile_sensor_data
-        from std_msgs.msg import String
-
-        from imgproc_course.ros import RosSession
-
-        self.names, self.robot, self.person = [], [], []
-        for kind, topic, values, value_of in (
-            (String, NAMES, self.names, lambda msg: msg.data),
-            (PoseStamped, ROBOT, self.robot, place_of),
-            (PoseStamped, PERSON, self.person, place_of),
-        ):
-            RosSession.current().node.create_subscription(
-                kind,
-                topic,
-                lambda msg, values=values, value_of=value_of: values.append(value_of(msg)),
-                qos_profile_sensor_data,
-            )
-
-
-def place_of(msg):
-    return msg.pose.position.x, msg.pose.position.y
-
-
-def run_program(camera):
-    """(seconds, bumps, the line that the program of the node prints at its end)
-
-    As in the lesson, a touch within a second of the one before is the same bump.
-    """
-    command = [sys.executable, PROGRAMS / "do_errand.py"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as node:
-        began, touched = time.monotonic(), -math.inf
-        bumps, touches = 0, camera.bumps
-        while node.poll() is None and time.monotonic() < began + SECONDS:
-            time.sleep(0.1)
-            now, before, touches = time.monotonic(), touches, camera.bumps
-            if touches > before:
-                bumps += now > touched + 1
-                touched = now
-        seconds = time.monotonic() - began
-        if node.poll() is None:
-            node.send_signal(signal.SIGINT)
-        line, _ = node.communicate(timeout=60)
-    return seconds, bumps, line.rstrip("\n").split("\t")
-
-
-def do_live(lighting, lesson):
+def do_live(lighting):
     """(the row of a live errand, whether it failed)"""
-    from imgproc_course.ros import Robot, open_camera
+    from imgproc_course.ros import open_camera
 
-    start = lesson["START"]
-    with open_camera("room", rate=5, size=(1280, 720)) as camera, Robot() as robot:
-        robot.restart(start=start, seed=1, lighting=lighting)
-        topics = Topics()
-        seconds, bumps, (looks, tasks, _, _) = run_program(camera)
-    back = math.dist(topics.robot[-1], start[:2])
-    count = min(len(topics.robot), len(topics.person))
-    kept = min(map(math.dist, topics.robot[:count], topics.person[:count]))
-    names = sorted(set(topics.names))
-    points = lesson["points_of"](names[0] if names else None, back, seconds, bumps, kept)
-    tasks = tasks.split(",")
-    row = [
-        lighting,
-        str(points),
-        ", ".join(names),
-        f"{back:.2f}",
-        f"{seconds:.0f}",
-        str(bumps),
-        f"{kept:.2f} m",
-    ]
-    failed = names != ["KITCHEN"] or bumps > MOST_BUMPS or tasks[-1] != "come_back"
-    return [*row, looks, tasks[-1]], failed
+    with open_camera("room", rate=5, size=(1280, 720)) as camera:
+        result, errand = the_errand.run_live(camera, the_errand.course_parts, SECONDS, lighting)
+    last = errand.diary[-1][0] if errand.diary else ""
+    failed = result.name != "KITCHEN" or result.bumps > MOST_BUMPS or last != "come_back"
+    return [*row_of(1, lighting, result)[1:], str(errand.looks), last], failed
 
 
-def print_live(lesson):
-    """Prints the errand of the node in another process, day and evening; whether it failed."""
-    results = [do_live(lighting, lesson) for lighting in tqdm(LIGHTINGS, "live", leave=False)]
+def print_live():
+    """Prints the errand in ROS, day and evening; whether it failed."""
+    results = [do_live(lighting) for lighting in tqdm(LIGHTINGS, "live", leave=False)]
     print_rows([row for row, _ in results], *COLUMNS[1:], "looks", "last task done")
     return any(failed for _, failed in results)
 
 
 def main():
-    os.environ.setdefault("ROS_DOMAIN_ID", "96")
-    os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
     cv2.setNumThreads(1)
-    sys.path.append(str(PROGRAMS))
-    from do_errand import the_errand
-
-    lesson, failed = the_errand(), False
+    failed = False
     if not ONLY_LIVE:
-        failed |= print_table_of_the_lesson(lesson)
-        failed |= print_fresh_seeds(lesson)
-        failed |= print_planned_failure(lesson)
+        failed |= print_table_of_the_lesson()
+        failed |= print_fresh_seeds()
+        failed |= print_planned_failure()
     if SECONDS:
-        failed |= print_live(lesson)
+        failed |= print_live()
     print("FAILED" if failed else "as required")
     return int(failed)
 

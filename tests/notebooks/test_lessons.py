@@ -111,6 +111,8 @@ def test_nbval_finds_the_lesson_as_shipped_and_every_check_of_its_solved_twin_pa
     copies = [tmp_path / folder / shipped.name for folder in ("shipped", "solved")]
     for copy in copies:
         copy.parent.mkdir()
+        for module in NOTEBOOKS.glob(f"{master.name}.py"):  # the lesson imports it
+            shutil.copy(module, copy.parent)
     shutil.copy(shipped, copies[0])
     if path.stem == INDEX:
         copies = copies[:1]

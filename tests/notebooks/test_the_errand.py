@@ -2,16 +2,15 @@
 
 import ast
 import math
+import sys
 from collections import Counter
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from imgproc_course import geometry
 from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.classroom.exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS
 from imgproc_course.classroom.exercises.percent_script import read_script
@@ -20,7 +19,10 @@ from imgproc_course.recording import open_recording
 from imgproc_course.simulation import Simulation, furnished
 from imgproc_course.simulation.drive import gap
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "21_the_errand.py"
+sys.path.append(str(Path(__file__).parents[2] / "notebooks"))
+import the_errand
+
+MASTER = Path(the_errand.__file__).parent / "masters" / "21_the_errand.py"
 SIGNS = ("KITCHEN", "BATHROOM", "OFFICE")
 
 
@@ -33,9 +35,9 @@ def solutions():
     }
 
 
-def names_of_cells(*names, **known):
-    """What the master's cells that bind these names leave behind; `known` is bound before."""
-    space = {"math": math, "np": np, **known}
+def names_of_cells(*names):
+    """What the master's cells that bind these names leave behind."""
+    space = {"math": math, "np": np}
     for cell in read_script(MASTER).cells:
         if cell.kind != "code" or cell.role not in ("", "given"):
             continue
@@ -44,15 +46,6 @@ def names_of_cells(*names, **known):
             if {getattr(node, "name", ""), *(getattr(target, "id", "") for target in targets)} & set(names):
                 exec(compile(ast.Module([node], []), MASTER.name, "exec"), space)
     return [space[name] for name in names]
-
-
-@pytest.fixture(scope="module")
-def parts():
-    """The functions that the lesson's robot uses until the learner gives it others."""
-    (edit_distance,) = names_of_cells("edit_distance")
-    known = {"edit_distance": edit_distance, "geometry": geometry, "Counter": Counter}
-    known |= {"NamedTuple": NamedTuple, "Callable": Callable}
-    return names_of_cells("course_parts", "count_votes", "Parts", **known)[0]
 
 
 def random_pose(rng):
@@ -73,8 +66,8 @@ def random_readings(rng):
     return looks[: rng.integers(9)], SIGNS, int(rng.integers(1, 5))
 
 
-def test_the_parts_of_the_course_do_what_the_solutions_do(solutions, parts):
-    rng = np.random.default_rng(6)
+def test_the_parts_of_the_course_do_what_the_solutions_do(solutions):
+    rng, parts = np.random.default_rng(6), the_errand.course_parts
     believed = Counter()
     for _ in range(1000):
         place, counted = random_pose(rng), random_pose(rng)
@@ -92,6 +85,18 @@ def test_the_parts_of_the_course_do_what_the_solutions_do(solutions, parts):
         parts.safe_speed(math.inf, 0.2, 0.6, 0.3) == solutions["safe_speed"](math.inf, 0.2, 0.6, 0.3) == 0.3
     )
     assert all(believed[name] > 40 for name in (*SIGNS, None))
+
+
+def test_a_referee_counts_bumps_and_gives_points():
+    errand = SimpleNamespace(name="KITCHEN", place=SimpleNamespace(pose=(0.0, 0.0, 0.0)))
+    referee, (x, y, _) = the_errand.Referee(errand), the_errand.START
+    referee.see((0.0, 0.0), (1.0, 0.0))
+    referee.see((x, y + 0.3), (x, y + 0.9))
+    for second in (3.0, 3.9, 4.8, 6.0):  # touches that follow within a second are one bump
+        referee.bump(second)
+    result = referee.result(72.3)
+    assert result[:6] == (88, "KITCHEN", 0.3, 72, 2, 0.6) and result.bump_times == [3.0, 6.0]
+    assert the_errand.points_of(None, 0.6, 45, 0, 0.4) == 10
 
 
 def test_map_to_odom_is_the_inverse_of_composing(solutions):
@@ -188,6 +193,7 @@ def test_edit_distance_of_the_lesson_is_levenshteins():
     rng = np.random.default_rng(4)
     words = ["", *(damaged(rng, sign) for sign in SIGNS for _ in range(6))]
     assert all(edit_distance(a, b) == distance(a, b) for a in words for b in words)
+    assert all(the_errand.is_near(a, b) == (distance(a, b) < 2) for a in words for b in words)
 
 
 def test_believe_counts_the_looks_of_each_name(solutions):

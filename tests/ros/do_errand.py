@@ -1,4 +1,4 @@
-"""The node of the lesson "The errand", as a program of its own: what the lesson defines, and no more.
+"""The node of the lesson "The errand", as a program of its own.
 
     python tests/ros/do_errand.py     ends when the errand is done, or with Ctrl-C
 
@@ -7,17 +7,15 @@ tabs: how often it looked, the tasks that are done, where it believes to be (x, 
 has read, or nothing.
 """
 
-from lesson_nodes import lesson_definitions, run_assignments, spin
+import sys
+from pathlib import Path
+
+from lesson_nodes import spin
 
 from imgproc_course.simulation import Simulation
 
-
-def the_errand():
-    """The lesson's functions and classes, and what its cells compute for them: detector, network, places."""
-    constants = {"START", "LOOKOUT", "NAMES", "VOTES", "LIMIT", "REACTION", "WIDTH", "FRONT", "MARGIN"}
-    places = run_assignments("the_errand", constants, {})  # the definitions read them
-    needed = {"settings", "detector", "square", "camera_axes", "mount", "reader", "course_parts"}
-    return run_assignments("the_errand", needed, lesson_definitions("the_errand", **places))
+sys.path.append(str(Path(__file__).parents[2] / "notebooks"))
+from the_errand import Errand, ErrandNode, course_parts, flat_markers, read_with_places
 
 
 def result(node):
@@ -28,11 +26,5 @@ def result(node):
 
 
 if __name__ == "__main__":
-    lesson = the_errand()
-    markers = lesson["flat_markers"](Simulation())
-    errand = lesson["Errand"](markers, lesson["read_with_places"], lesson["course_parts"])
-    spin(
-        lambda: lesson["ErrandNode"](errand),
-        lambda node: node.errand.task == node.errand.finished,
-        result,
-    )
+    errand = Errand(flat_markers(Simulation()), read_with_places, course_parts)
+    spin(lambda: ErrandNode(errand), lambda node: node.errand.task == node.errand.finished, result)

@@ -469,10 +469,10 @@ def test_the_lessons_node_leaves_the_corner_from_another_process(robot, collect,
 
 
 def test_the_lessons_node_looks_at_messages_of_one_moment(robot, monkeypatch):
-    monkeypatch.syspath_prepend(Path(__file__).parent)
-    from lesson_nodes import lesson_definitions
+    monkeypatch.syspath_prepend(Path(__file__).parents[2] / "notebooks")
     from nav_msgs.msg import Odometry
     from sensor_msgs.msg import CameraInfo, Image, LaserScan
+    from the_errand import ErrandNode
 
     from imgproc_course.messages import array_to_image
     from imgproc_course.ros import RosSession
@@ -499,26 +499,25 @@ def test_the_lessons_node_looks_at_messages_of_one_moment(robot, monkeypatch):
     def scan(milliseconds):  # straight ahead is ray 90
         return at(milliseconds, LaserScan(ranges=[9.0] * 90 + [float(milliseconds)] + [9.0] * 269))
 
-    lesson = lesson_definitions("the_errand", START=None)
-    node = lesson["ErrandNode"](Observer(), context=RosSession().context)  # nothing spins it
+    node = ErrandNode(Observer(), context=RosSession().context)  # nothing spins it
     try:
-        node.on_info(CameraInfo(width=4, height=2, k=[3.0, 0, 2, 0, 3, 1, 0, 0, 1], d=[0.0] * 5))
+        node.on_message("info", CameraInfo(width=4, height=2, k=[3.0, 0, 2, 0, 3, 1, 0, 0, 1], d=[0.0] * 5))
         for milliseconds, x in ((100, 1.0), (290, 2.0), (400, 3.0)):
             odometry = at(milliseconds, Odometry())
             odometry.pose.pose.position.x, odometry.twist.twist.linear.x = x, x - 2
-            node.on_odometry(odometry)
-        for callback, msg in (
-            (node.on_depth, depth(100)),
-            (node.on_scan, scan(100)),
-            (node.on_image, image(300)),
-            (node.on_scan, scan(300)),
+            node.on_message("odometry", odometry)
+        for name, msg in (
+            ("depth", depth(100)),
+            ("scan", scan(100)),
+            ("image", image(300)),
+            ("scan", scan(300)),
         ):
-            callback(msg)
+            node.on_message(name, msg)
             assert node.errand.sights == [] and node.looks == 0
-        node.on_depth(depth(300))
+        node.on_message("depth", depth(300))
         assert node.errand.sights == [(2.0, True, 300.0, 300)] and node.looks == 1
-        node.on_image(image(500))
-        node.on_depth(depth(500))
+        node.on_message("image", image(500))
+        node.on_message("depth", depth(500))
         assert node.looks == 1  # the scan is still an older one
     finally:
         node.destroy_node()

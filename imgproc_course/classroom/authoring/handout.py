@@ -46,9 +46,8 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     files = {path.name: without_outputs(path.read_bytes()) for path in pages if path not in left_out}
     for path in chosen:
         files |= _exercise_files(source, path, with_solutions)
-        texts = f"{TEXTS}/{lesson_name(path.stem)}.json"
-        if (source / texts).is_file():
-            files[texts] = (source / texts).read_bytes()
+        beside = f"{TEXTS}/{lesson_name(path.stem)}.json", f"{lesson_name(path.stem)}.py"
+        files |= {name: (source / name).read_bytes() for name in beside if (source / name).is_file()}
     files[LEARNERS_FOLDER] = (json.dumps({"handout": version("imgproc-course")}) + "\n").encode()
     archive = folder.with_name(f"{folder.name}.zip")
     outputs = {folder / name: data for name, data in files.items()}

@@ -1,7 +1,7 @@
 """Write the files that a lesson carries, and compare stored ones.
 
 texts/<lesson>.json holds {name of a figure: its "caption" and "alt"}, and its questions' answers and replies;
-`exercises.check_files` describes the others.
+<lesson>.py, written by hand, is code that the lesson imports; `exercises.check_files` describes the others.
 """
 
 import hashlib
@@ -30,7 +30,8 @@ _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 
 def lesson_files(master):
     """{relative path: text} of what the lesson of a master carries."""
-    files = {}
+    module = master.path.parent.parent / f"{master.name}.py"  # beside the lesson
+    files = {module.name: module.read_text(encoding="utf-8")} if module.is_file() else {}
     if master.texts or master.questions:
         texts = {name: {"caption": caption, "alt": alt} for name, (caption, alt) in master.texts.items()}
         files[f"{TEXTS}/{master.name}.json"] = _text_of(texts | master.questions)

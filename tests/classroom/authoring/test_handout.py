@@ -31,6 +31,7 @@ def lessons(tmp_path):
         "checks/sums.json",
         "solutions/sums.json",
         "texts/sums.json",
+        "sums.py",
         "masters/01_sums.py",
         "key/answers.json",
         "key.seed",
@@ -65,8 +66,9 @@ def test_learners_get_lessons_without_outputs_and_their_checks(hand_out, tmp_pat
     files = files_in(tmp_path / "handout")
     assert sorted(files) == [
         ".course.json", "01_sums.ipynb", "02_words.ipynb", "checks/sums.json", "glossary.md", "index.ipynb",
-        "texts/sums.json",
+        "sums.py", "texts/sums.json",
     ]  # fmt: skip
+    assert files["sums.py"] == b"sums.py"
     assert files["checks/sums.json"] == b"checks/sums.json"
     for name in ("01_sums.ipynb", "index.ipynb"):
         cell = json.loads(files[name])["cells"][0]
@@ -83,7 +85,7 @@ def test_one_lesson(hand_out, tmp_path, name):
     hand_out(name)
     assert sorted(files_in(tmp_path / "handout")) == [
         ".course.json", "01_sums.ipynb", "checks/sums.json", "glossary.md", "index.ipynb",
-        "texts/sums.json",
+        "sums.py", "texts/sums.json",
     ]  # fmt: skip
 
 

@@ -49,6 +49,14 @@ def test_the_texts_of_figures_are_stored_and_compared(stored):
         assert [text.split("; ")[1] for text in differences] == ["run imgproc-course build"]
 
 
+def test_a_module_beside_the_lesson_goes_along(stored, write_master):
+    module = write_master().parent.parent / "template.py"
+    module.write_text("NAME = 'ä'\n", encoding="utf-8")
+    files, folder = stored()
+    assert files["template.py"] == (folder / "template.py").read_text(encoding="utf-8") == "NAME = 'ä'\n"
+    assert lesson_file_differences(files, folder) == []
+
+
 def test_the_same_master_gives_the_same_bytes(stored):
     assert stored() == stored()
 
