@@ -849,7 +849,8 @@ print(inspect.getsource(Errand.towards))
 
 # %% [markdown]
 # Find three things in it: where the robot backs off, because it has hardly moved for three seconds (it and the toy car may be waiting for each other); where it turns on the spot; and where it asks your `safe_speed`. The stub of an exercise returns nothing useful: so a wrong speed raises an error that says so.
-#
+
+# %% [markdown]
 # ### What the sensors see ([[minutes]], deeper)
 #
 # From the depth image, the robot takes only what is between 3 and 15 cm high: the plane of the laser scanner is 10.5 cm above the floor, so it misses toy blocks and slippers. Which line of `low_points` says this? And why does `nearest_marker` need three poses to know where the robot is?
@@ -992,7 +993,8 @@ assert not ros_available() or live_errand.looks > 0
 
 # %% [markdown]
 # If your four functions pass their checks, write `my_parts` in place of `course_parts`: then your functions drive the robot.
-#
+
+# %% [markdown]
 # ### Watch it again ([[minutes]], deeper)
 #
 # The robot has kept the images that it looked at: about one every 1.6 seconds, and those that it read. The next cell writes them to a recording, in MCAP like each recording of this course. `open_recording` opens it again, so all functions of all lessons work on it; Foxglove opens it too.
