@@ -11,6 +11,7 @@ from pathlib import Path
 import psutil
 from submissions import answers_of, notebook, write
 
+GROUPS = Path("/sys/fs/cgroup")
 FORK_SERVER = "fork_server.main"
 
 
@@ -129,8 +130,9 @@ class Run:
             with contextlib.suppress(psutil.Error):
                 if process.is_running() and process.status() != psutil.STATUS_ZOMBIE:
                     left.append(f"{process.pid} {_command_line(process)[:60]}")
-        groups = Path("/sys/fs/cgroup").rglob("imgproc-course-*")
-        return left + [str(group) for group in groups if int(group.name.rpartition("-")[2]) in self._seen]
+        folders = [folder for folder, *_ in os.walk(GROUPS)]  # rglob fails if a group vanishes meanwhile
+        groups = [folder for folder in folders if Path(folder).name.startswith("imgproc-course-")]
+        return left + [group for group in groups if int(group.rpartition("-")[2]) in self._seen]
 
 
 def run_with_kills(run, kind, count, pause, rng):
