@@ -1,7 +1,7 @@
 """Draw the scenarios of a driving exercise for a key: those that tell a right controller from a wrong one.
 
 The solution must pass with a margin, else chance could cost a good answer its points; and in a hidden
-scenario each declared mistake must fail.
+scenario each declared mistake must fail, and so must what the solution drives in a public one, repeated.
 """
 
 import itertools
@@ -26,10 +26,11 @@ class DrawnScenario:
     mistakes: dict
 
 
-def draw_scenario(exercise, case, seed, drive_solution, on_drive=lambda: None):
+def draw_scenario(exercise, case, seed, drive_solution, public=(), on_drive=lambda: None):
     """The first DrawnScenario of a case's draws that fits.
 
-    `drive_solution` takes a scenario and returns a record; `on_drive` is called after each drive.
+    `drive_solution` takes a scenario and returns a record; `public` are the `public_drives`; `on_drive` is
+    called after each drive.
     MasterError: no draw fits; it says why.
     """
     tried, problem = [], ""
@@ -37,6 +38,9 @@ def draw_scenario(exercise, case, seed, drive_solution, on_drive=lambda: None):
         if scenario in tried:  # perhaps it does not depend on the seed
             continue
         tried.append(scenario)
+        if case.hidden and is_passed_by_repeating(public, scenario):
+            problem = "a drive of the solution in a public scenario, repeated without looking, passes"
+            continue
         stricter, mistakes = with_margin(scenario), {}
         record = drive_solution(stricter)
         on_drive()
@@ -52,6 +56,20 @@ def draw_scenario(exercise, case, seed, drive_solution, on_drive=lambda: None):
         f"{exercise.master.name}, line {case.line}: {case.id}: none of {MOST_DRAWS} drawn scenarios fits;"
         f" in the last one {problem}. Change inputs(rng), the thresholds, the solution or the mistake"
     )
+
+
+def public_drives(exercise):
+    """The actions of the solution in each public scenario that a learner has, one list after the other."""
+    solution = exercise.function_of(exercise.solution, "solution")
+    for case in exercise.public:
+        ((scenario,),) = exercise.arguments(case)
+        yield drive_here(solution, exercise.sensors, scenario)[0]["actions"]
+
+
+def is_passed_by_repeating(drives, scenario):
+    """Whether one of these lists of actions, driven without looking, passes a scenario."""
+    controllers = [lambda *_, left=left: next(left, (0.0, 0.0)) for left in map(iter, drives)]
+    return any(passes(drive_here(control, (), scenario)[0], scenario) for control in controllers)
 
 
 def with_margin(scenario):
@@ -87,5 +105,5 @@ def drive_here(control, sensors, scenario):
         except Exception as error:  # noqa: BLE001 - a mistake may be to raise anything
             drive.stop(f"{type(error).__name__}: {error}")
             return drive.record(), failure_fields(error, control)
-        drive.act(*speeds)
+        drive.act(speeds)
     return drive.record(), {}

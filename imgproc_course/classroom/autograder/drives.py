@@ -12,7 +12,7 @@ import numpy as np
 
 from imgproc_course.classroom import course
 from imgproc_course.classroom.autograder.verdict import DriveVerdict
-from imgproc_course.classroom.exercises.drive import LOOK_SECONDS, Drive, load, speeds_of
+from imgproc_course.classroom.exercises.drive import LOOK_SECONDS, Drive, load
 from imgproc_course.classroom.exercises.running import CallResult
 
 CHECK = "from imgproc_course.classroom.autograder.sandbox.inside.drive_cell import drive\n\ndrive({function})"
@@ -54,12 +54,7 @@ class GradedDrive:
         elif "refused" in action:
             self._drive.stop(str(action["refused"])[:_LONGEST])
         else:
-            try:
-                speeds = speeds_of(action.get("speeds"))
-            except ValueError as error:
-                self._drive.stop(str(error))
-            else:
-                self._drive.act(*speeds)
+            self._drive.act(action.get("speeds"))
 
     def _stop(self, call):
         self._ending = call

@@ -34,7 +34,7 @@ from .answer_key import (
     KeyMistake,
     load_key,
 )
-from .draw_scenarios import draw_scenario
+from .draw_scenarios import draw_scenario, public_drives
 from .drives import CHECK, GradedDrive
 from .sandbox import bubblewrap
 from .sandbox.inside.answer_mime import MIME
@@ -138,12 +138,12 @@ class _ExerciseKeyMaker:
 
     def _drawn_scenarios(self):
         """(id of a case, its DrawnScenario) of an exercise that drives."""
-        exercise, cases = self._exercise, self._cases
+        exercise, cases, drive = self._exercise, self._cases, self._drive_solution
         least = len(cases) * (1 + len(exercise.mistakes))
         with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
+            public = list(public_drives(exercise)) if cases else []
             for case in cases:
-                drawn = draw_scenario(exercise, case, self._seed, self._drive_solution, bar.update)
-                yield case.id, drawn
+                yield case.id, draw_scenario(exercise, case, self._seed, drive, public, bar.update)
 
     def _drive_solution(self, scenario):
         """The record of the solution's drive, in a kernel like those that grade."""

@@ -97,12 +97,12 @@ class Drive:
     def over(self):
         return bool(self._ended) or self.looks >= looks_of(self.scenario)
 
-    def act(self, linear, angular):
-        """Drive with a linear (m/s) and an angular speed (rad/s) until the next look."""
+    def act(self, value):
+        """Drive until the next look with what `control` returned: linear (m/s) and angular speed (rad/s)."""
         if self.over:
             return
         try:
-            speeds = speeds_of((linear, angular))
+            speeds = speeds_of(value)
         except ValueError as error:
             self.stop(str(error))
             return

@@ -40,7 +40,7 @@ def look_back(env, record, scenario):
         if record["decisive"] - look in _LOOKS_BEFORE:
             frames[record["decisive"] - look] = env.unwrapped.frame()
         if look < record["decisive"]:
-            again.act(*record["actions"][look])
+            again.act(record["actions"][look])
     if again.record()["path"] != record["path"][: record["decisive"] + 1]:
         raise ValueError(f"the drive in the scenario {scenario['title']!r} takes another path if repeated")
     moment = decisive_moment(record)
@@ -59,7 +59,7 @@ def draw_film(env, record, scenario):
             drawn = load(course.DRIVE_MAP)(record["path"][: look + 1], bumps, room=room)
             frames.append(_side_by_side(env.unwrapped.frame(), drawn))
         if look < record["looks"]:
-            again.act(*record["actions"][look])
+            again.act(record["actions"][look])
     seconds = record["looks"] * LOOK
     alt = f"{seconds:.0f} s of a drive, {_FILM_SPEED} times as fast: what the camera sees, and the path"
     while True:

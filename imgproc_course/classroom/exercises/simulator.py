@@ -25,7 +25,7 @@ class Simulator:
         return self._reply()
 
     def act(self, linear, angular):
-        self._drive.act(linear, angular)
+        self._drive.act((linear, angular))
         return self._reply()
 
     def stop(self, reason):

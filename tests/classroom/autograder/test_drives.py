@@ -227,9 +227,10 @@ def key_of(tmp_path):
     return made
 
 
-@pytest.mark.parametrize(("seed", "fits"), [("a", 19), ("b", 16)])  # the fourth draw of b
-def test_a_hidden_scenario_is_drawn_until_the_solution_passes_and_each_mistake_fails(key_of, seed, fits):
-    content = key_of(seed=seed).content("plane-drive")
+# The fourth draw of b: in the third one, the mistake that stands fails, but a repeated drive passes.
+@pytest.mark.parametrize(("seed", "speed", "fits"), [("a", "0.25", 19), ("b", "0.25", 16), ("b", "0.0", 16)])
+def test_a_hidden_scenario_is_drawn_until_only_the_solution_passes(key_of, seed, speed, fits):
+    content = key_of(seed=seed, mistake=MISTAKE.replace("0.25", speed)).content("plane-drive")
     wall = content.scenario("hidden-plane-drive-1")["room"]
     # The solution stops 0.6 m before a wall: one less than 1.2 m away leaves it no margin to 0.5 m. The blind
     # one drives 2 m: it passes where the wall is more than 2.2 m away.
@@ -248,7 +249,10 @@ def test_a_key_names_the_case_that_no_draw_fits(key_of):
     with pytest.raises(MasterError) as error:
         key_of(hidden=FIXED)
     assert "10_plane.py, line 34: hidden-plane-drive-1: none of 20 drawn scenarios fits" in str(error.value)
-    assert "the mistake 'it is blind' passes. Change inputs(rng)" in str(error.value)
+    assert "in a public scenario, repeated without looking, passes. Change inputs(rng)" in str(error.value)
+    right = MISTAKE.replace("return 0.25, 0.0", "return solution(observation, memory)")
+    with pytest.raises(MasterError, match=r"none of 20 drawn .*the mistake 'it is blind' passes\. Change"):
+        key_of(hidden=FIXED.replace("30", "16"), mistake=right)
     near = DRAWN.replace("5, 30", "4, 9")
     with pytest.raises(
         MasterError,

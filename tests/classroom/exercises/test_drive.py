@@ -28,7 +28,7 @@ def driven(speeds, **changes):
     scenario = SCENARIO | changes
     drive = Drive(PlaneEnv(("scan", "odometry")), scenario)
     while not drive.over:
-        drive.act(*speeds)
+        drive.act(speeds)
     return drive.record(), scenario
 
 
@@ -36,10 +36,10 @@ def test_a_drive_gives_observations_until_its_end():
     drive = Drive(PlaneEnv(("scan", "odometry")), SCENARIO)
     assert drive.layout == [["scan", "<f4", [360]], ["odometry", "<f8", [3]], ["time", "<f8", []]]
     assert drive.observation["scan"][0] == 2.0 and drive.observation["time"] == 0.0
-    drive.act(0.2, 0.0)
+    drive.act((0.2, 0.0))
     assert drive.observation["odometry"].tolist() == pytest.approx([0.02, 0, 0]) and drive.looks == 1
     for _ in range(40):
-        drive.act(0.2, 0.0)
+        drive.act((0.2, 0.0))
     assert drive.over and drive.looks == 30
 
 
@@ -73,7 +73,7 @@ def test_the_first_bump_decides_also_where_the_clearance_is_larger():
     env = PlaneEnv(())
     drive = Drive(env, SCENARIO)
     for _ in range(20):
-        drive.act(0.2, 0.0)
+        drive.act((0.2, 0.0))
     env.bump_places.append((4, env.path[4]))  # into what moves
     assert drive.record()["decisive"] == 4
 
@@ -100,9 +100,9 @@ def test_speeds_beyond_the_robots_limits_are_cut():
 
 def test_a_drive_that_was_stopped_does_not_pass():
     drive = Drive(PlaneEnv(), SCENARIO)
-    drive.act(0.2, 0.0)
+    drive.act((0.2, 0.0))
     drive.stop("control() raised ZeroDivisionError: division by zero")
-    drive.act(0.2, 0.0)
+    drive.act((0.2, 0.0))
     record = drive.record()
     assert record["looks"] == 1 and not passes(record, SCENARIO)
     assert sentences_of(record, SCENARIO) == [
@@ -112,7 +112,7 @@ def test_a_drive_that_was_stopped_does_not_pass():
 
 def test_a_drive_that_nobody_drove_to_its_end_does_not_pass():
     drive = Drive(PlaneEnv(), SCENARIO | {"thresholds": {"bumps": ["<=", 0]}})
-    drive.act(0.2, 0.0)
+    drive.act((0.2, 0.0))
     assert not drive.record()["missed"] and not passes(drive.record(), drive.scenario)
     assert sentences_of(drive.record(), drive.scenario) == ["The drive did not come to its end."]
 
@@ -153,7 +153,7 @@ def test_speeds_are_finite(value):
 
 def test_speeds_that_are_none_end_a_drive():
     drive = Drive(PlaneEnv(), SCENARIO)
-    drive.act(float("nan"), 0.0)
+    drive.act((float("nan"), 0.0))
     assert drive.over and drive.record()["ended"].startswith("control returned (nan, 0.0)")
 
 

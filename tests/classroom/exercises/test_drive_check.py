@@ -359,7 +359,7 @@ def test_a_repeated_drive_must_take_the_same_path():
     env, scenario = PlaneEnv(()), {"seed": 1, "title": "near", "room": 9, "duration": 6.0, "thresholds": {}}
     drive = Drive(PlaneEnv(()), scenario)
     while not drive.over:
-        drive.act(0.3, 0.0)
+        drive.act((0.3, 0.0))
     record = drive.record()
     assert [image.caption for image in look_back(env, record, scenario)][-1] == "the bump"
     record["actions"][4] = [0.0, 0.0]

@@ -283,7 +283,7 @@ def test_a_film_is_small_whatever_it_shows(monkeypatch):
     env = RoomEnv(())
     drive = Drive(env, SCENARIO | {"duration": 6.0})
     while not drive.over:
-        drive.act(0.2, 0.4)
+        drive.act((0.2, 0.4))
     record = drive.record()
     film = drive_images.draw_film(env, record, SCENARIO)
     assert Image.open(io.BytesIO(film.png)).n_frames == 7

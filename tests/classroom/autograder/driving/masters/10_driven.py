@@ -28,11 +28,11 @@ exercise(
     another_way="Otherwise.",
 )
 
-THRESHOLDS = {"bumps": ["<=", 0], "distance": [">=", 0.2]}
 
-
-def scenario(rng, **more):
-    return {"seed": int(rng.integers(1 << 31)), "duration": 1.5, "thresholds": THRESHOLDS} | more
+def scenario(rng, duration, metres, **more):
+    """A hidden drive is longer: what the public one drives, repeated, does not get so far."""
+    thresholds = {"bumps": ["<=", 0], "distance": [">=", metres]}
+    return {"seed": int(rng.integers(1 << 31)), "duration": duration, "thresholds": thresholds} | more
 
 
 # %% role="answer"
@@ -54,14 +54,14 @@ check("driven-control", control)
 
 # %% role="case" title="a free way" points=1 hint="Look ahead."
 def inputs(rng):
-    return (scenario(rng, seed=7),)
+    return (scenario(rng, 1.0, 0.15, seed=7),)
 
 
 # %% role="hidden" title="another way" points=2 hint="Look ahead."
 def inputs(rng):
-    return (scenario(rng),)
+    return (scenario(rng, 2.0, 0.3),)
 
 
 # %% role="hidden" title="a third way" points=2 hint="Look ahead."
 def inputs(rng):
-    return (scenario(rng, lighting="evening"),)
+    return (scenario(rng, 2.0, 0.3, lighting="evening"),)
