@@ -111,9 +111,11 @@ def test_the_search_finds_the_set_up_first(site, word):
     page.locator("#search-results li:first-child a[href^='learn/start.html']").wait_for()
 
 
-def test_on_a_phone_code_and_tables_scroll_inside_their_box(site):
-    page = site[0]("lessons/04_grayscale.html", width=390)
-    assert page.evaluate(SCROLLED_BY) == {"pre": True, "div": True}
+@pytest.mark.parametrize(("name", "tag"), [("lessons/04_grayscale.html", "pre"), ("teach/plans.html", "div")])
+def test_on_a_phone_code_and_tables_scroll_inside_their_box(site, name, tag):
+    page = site[0](name, width=390)
+    scrolled = page.evaluate(SCROLLED_BY)
+    assert tag in scrolled and all(scrolled.values()), scrolled
     assert page.evaluate(WIDER_THAN_THE_WINDOW) == []
 
 
