@@ -569,6 +569,7 @@ def run_live(camera, parts, seconds, lighting="day"):
                 print(f"{second:3.0f} s: {task} is done")
             told = len(errand.diary)
             if is_test and math.dist(referee.path[-1], START[:2]) > 0.2:
+                print("This stored run ends here, on the way. Run the cell to see the whole errand.")
                 break
     finally:
         for node in nodes:
