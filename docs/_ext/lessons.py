@@ -36,6 +36,10 @@ STEER = (
     "steer",
     "What the robot's camera sees, beside the map of the room with the robot's way.",
 )
+SIGN = (
+    "../films/reads",
+    "A white sign with the words KITCHEN and ROOM 204 on the wall, beside a bookshelf and a marker.",
+)
 STILLS = {
     "start_here-18": DARK,
     "what_is_image_processing-56": EDGES,
@@ -50,6 +54,7 @@ STILLS = {
     "ros2_packages-79": GRAY,
     "drive_the_robot-10": STEER,
     "drive_the_robot-57": STEER,
+    "the_errand-101": SIGN,
 }
 # Pages that stand beside what they describe.
 PAGES = {
