@@ -14,7 +14,7 @@
 # - label the connected components of a binary image,
 # - compare two small images by normalized cross-correlation,
 # - count the errors of a text by its edit distance,
-# - turn the scores of a network into text (CTC decoding),
+# - deeper: turn the scores of a network into text (CTC decoding),
 # - say when a reader fails, and what helps.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[binarization]] and [[where_am_i]]. Only the last part of section 8 needs ROS 2.
@@ -702,7 +702,8 @@ assert max(errors_network[:29] + errors_network[42:]) == 0 < min(errors_network[
 
 # %% [markdown]
 # The network reads KITCHEN in 77 frames, ROOM 204 in 40, and the third line in none. It fails to read KITCHEN only in the frames 29 to 41, while a person walks past. The reader by hand has trouble from frame 18 on, before the person comes: noise makes letters touch, and C and H become one D (MTDEN in frame 20). The mean helps against the noise, and at first also against the person, because it still contains frames from before. In frame 42, the reader by hand finds IKITCHEN: its first I is a leg.
-#
+
+# %% [markdown]
 # ## 6 · How a network spells ([[minutes]], deeper)
 #
 # The network does not look for components. It cuts the line into narrow columns, and gives each column a score for each character that it knows. One more "character" is the **blank**: here is nothing. For seven columns and three characters:
@@ -938,7 +939,8 @@ show([stretched(strip) for strip in strips],
 
 # %% [markdown]
 # You can perhaps read the line in frame 89 as well, because you know these words. The network cannot: in five single frames, its edit distance is at least 10, of 27 characters. In the mean, the noise of the camera is gone, and it has only a few errors. For this, the robot must know exactly where it was in each frame: then all signs lie on each other.
-#
+
+# %% [markdown]
 # ## 8 · Live ([[minutes]])
 #
 # The robot in the room publishes five images in a second; the network needs a third of a second or more for each. If the node kept all images, it would read older and older ones. So it keeps only the newest: a [[term:QoS policy|QoS]] with history *keep last* and **depth 1**. All others are dropped on purpose.
