@@ -72,7 +72,7 @@ class Tags(html.parser.HTMLParser):
 def test_no_page_shows_a_folder_of_this_machine(masters, key_path, tmp_path):
     """An answer finds them in /proc; a printed part of a folder is replaced, too."""
     here = str(Path(__file__).parents[3])
-    end = here[here.find("/", 1) :]
+    end = here[here.find("/", 1) if here.count("/") > 2 else 0 :]  # one name alone is not replaced
     found = f"re.findall({here!r} + '.*', open('/proc/self/mountinfo').read())"
     folder = f"import re\n    print('/usr/lib', {end!r}, {sys.prefix!r}, {found}[:3])"
     answer = f"def double(pixels):\n    {folder}\n    return 0"
