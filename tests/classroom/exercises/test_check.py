@@ -25,7 +25,8 @@ def write_master(write_master, tmp_path, monkeypatch):
 
     def write(**changed):
         path = write_master(**changed)
-        lesson = SimpleNamespace(name="doubling", exercises=read_exercises(path), handed_out={}, texts={})
+        parts = {"exercises": read_exercises(path), "handed_out": {}, "texts": {}, "questions": {}}
+        lesson = SimpleNamespace(name="doubling", path=path, **parts)
         for name, text in lesson_files(lesson).items():
             (tmp_path / name).parent.mkdir(exist_ok=True)
             (tmp_path / name).write_text(text)
