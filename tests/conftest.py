@@ -58,7 +58,7 @@ def pytest_runtest_setup(item):
 
 
 # Long tests start first: if they started last, the other workers would wait for them without work.
-LONGEST_FIRST = ("ros_packages", "browser", "classroom", "notebooks", "ros")
+LONGEST_FIRST = ("ros_packages", "browser", "classroom/gradebook/test_teach", "classroom", "notebooks", "ros")
 # A worker takes one file at a time. Of WHOLE_FOLDERS it takes all files, because what they share (a colcon
 # workspace, a JupyterLab with its browser) takes long to make. Of SINGLE_TESTS it takes one test, a lesson.
 WHOLE_FOLDERS = ("ros_packages", "browser")
@@ -79,8 +79,13 @@ def pytest_collection_modifyitems(config, items):
         for item in items:
             if item.get_closest_marker("ros") or item.get_closest_marker("browser"):
                 item.add_marker(pytest.mark.flaky(reruns=1))
-    order = {folder: number for number, folder in enumerate(LONGEST_FIRST)}
-    items.sort(key=lambda item: order.get(_folder(item.nodeid), len(order)))
+    items.sort(key=lambda item: _place_of(item.nodeid))
+
+
+def _place_of(nodeid):
+    """The place in LONGEST_FIRST of the first name with which its path below tests/ begins."""
+    begins = (nodeid.removeprefix("tests/").startswith(name) for name in LONGEST_FIRST)
+    return next((place for place, is_it in enumerate(begins) if is_it), len(LONGEST_FIRST))
 
 
 def scope_of(nodeid):

@@ -1,0 +1,25 @@
+"""The ten commands of docs/teach/walk.md on a term, and each lesson graded, those with drives too.
+
+.venv/bin/python tests/benchmarks/bench_term.py
+"""
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+TEST = "tests/classroom/gradebook/test_teach.py"
+
+
+def main():
+    began = time.monotonic()
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", TEST]
+    code = subprocess.run(command, cwd=ROOT, env=os.environ | {"WHOLE_TERM": "1"}, check=False).returncode
+    print(f"key, 30 submissions graded twice, 3 of all lessons: {time.monotonic() - began:.0f} s")
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())
