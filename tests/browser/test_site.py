@@ -1,7 +1,5 @@
 """The site from its files, in a browser: for everybody, in both themes, on a phone, without a network."""
 
-import os
-import subprocess
 import sys
 
 import pytest
@@ -10,6 +8,7 @@ from jupyter_page import ROOT, SCREENSHOTS
 sys.path.append(str(ROOT / "tests"))
 from accessibility import COLOR_RULES
 from axe_playwright_python.sync_playwright import Axe
+from built_site import built_site
 
 pytestmark = pytest.mark.browser
 
@@ -51,9 +50,7 @@ BROKEN_IMAGES = """async () => {
 @pytest.fixture(scope="module")
 def site(browser, tmp_path_factory):
     """A function that opens a page of the site, and what the pages asked for and complained about."""
-    folder = tmp_path_factory.mktemp("site")
-    environment = os.environ | {"SITE": str(folder)}
-    subprocess.run(["environment/site"], cwd=ROOT, env=environment, check=True, capture_output=True)
+    _, pages = built_site(tmp_path_factory)
     contexts, asked = [], []
 
     def open_page(name, *, width=1280, theme="light"):
@@ -62,7 +59,7 @@ def site(browser, tmp_path_factory):
         page = context.new_page()
         page.on("request", lambda request: asked.append(request.url))
         page.on("pageerror", lambda error: asked.append(f"error: {error}"))
-        page.goto(f"file://{folder}/html/{name}")
+        page.goto(f"file://{pages}/{name}")
         return page
 
     yield open_page, asked

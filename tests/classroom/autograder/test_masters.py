@@ -12,13 +12,14 @@ pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("masters"), pytest.ma
 
 
 def is_quick(sample):
-    """The stub, the solution and the first mistake, of the tests' masters.
+    """The stub, the solution and the first mistake, of the tests' masters, but not of the benchmarks'.
 
     tests/classroom/gradebook/test_teach.py grades those of the lessons, with one key for all that it grades,
     and tests/benchmarks/bench_sample_answers.py all.
     """
     path, declared, name = sample
-    return ROOT / "notebooks" not in path.parents and name in list(sample_answers(declared))[:3]
+    others = {ROOT / "notebooks", ROOT / "tests" / "benchmarks"}
+    return not others & set(path.parents) and name in list(sample_answers(declared))[:3]
 
 
 SOME = [sample for sample in SAMPLES if is_quick(sample)]
