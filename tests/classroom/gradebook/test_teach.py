@@ -1,7 +1,7 @@
 """The ten commands of the page docs/teach/walk.md, as written, on thirty submissions; each lesson graded.
 
-One key serves both. To draw the drives of a lesson takes a minute or two, so of the lessons in which the
-robot drives only the first one is in it; tests/benchmarks/bench_term.py has all.
+One key serves both. To draw the drives of a lesson takes minutes, so the lessons in which the robot drives
+are not in it: test_drives.py has short drives, and tests/benchmarks/bench_term.py all lessons.
 """
 
 import json
@@ -24,9 +24,13 @@ pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(1800)]
 CHECKOUT = Path(__file__).resolve().parents[3]
 NOTEBOOKS = CHECKOUT / "notebooks"
 KEY = "imgproc-course key --out key/"  # the command, without its comment
-DRIVING = () if os.environ.get("WHOLE_TERM") else ("object_tracking", "the_errand", "unknown_rooms")
+IS_WHOLE = bool(os.environ.get("WHOLE_TERM"))
 ALL_PATHS = find_masters(NOTEBOOKS / "masters")
-MASTERS = [master for master in map(read_master, ALL_PATHS) if master.name not in DRIVING]
+MASTERS = [
+    master
+    for master in map(read_master, ALL_PATHS)
+    if IS_WHOLE or all(exercise.subject != "drive" for exercise in master.exercises)
+]
 PATHS = [master.path for master in MASTERS]
 NAMES = [master.name for master in MASTERS]
 
@@ -60,7 +64,7 @@ def keyed(tmp_path_factory):
     """A folder with the lessons' key in it, made by the walk's command."""
     folder = tmp_path_factory.mktemp("term")
     (line,) = (line for line in commands() if line.partition("#")[0].strip() == KEY)
-    line = line if not DRIVING else line.replace("key --out", f"key {' '.join(NAMES)} --out")
+    line = line if IS_WHOLE else line.replace("key --out", f"key {' '.join(NAMES)} --out")
     ended = run(line, folder)
     assert ended.returncode == 0, ended.stderr
     return folder
