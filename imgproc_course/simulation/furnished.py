@@ -10,7 +10,7 @@ import numpy as np
 
 from ..geometry import Pose
 from .drive import TURNING
-from .pieces import load_pieces, turned
+from .pieces import load_pieces, turned, turned_to_each
 from .placement import AREA, DOOR, ORIGIN, SMALL, Placement, cells, painted, squared_distances
 from .room import CAR_TIME, WALK_LENGTH, BallWay, CarWay, PersonWay, Room, Rug
 from .room_light import textures
@@ -180,7 +180,7 @@ class Floor:
         """
         for _ in range(BATCHES):
             places = np.round(random.uniform((*AREA[0], -3.14), (*AREA[1], 3.14), (BATCH, 3)), 3)
-            curves = np.round([turned(curve, place) for place in places.tolist()], 6)
+            curves = np.round(turned_to_each(curve, places), 6)
             distances = self._at(distance, curves)
             fits = (distances >= room).all(1) & (distances[:, 0] >= first_room)
             for index in np.flatnonzero(fits):

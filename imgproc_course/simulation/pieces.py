@@ -63,6 +63,13 @@ def turned(points, place):
     return np.stack([x * c - y * s + place[0], x * s + y * c + place[1]], 1)
 
 
+def turned_to_each(points, places):
+    """Points (M, N, 2) of a piece at each of the places (M, 3); each as `turned` gives it."""
+    c, s = np.array([direction(yaw) for yaw in places[:, 2].tolist()]).T[..., np.newaxis]
+    x, y = points.T
+    return np.stack([x * c - y * s + places[:, :1], x * s + y * c + places[:, 1:2]], -1)
+
+
 def along(polygon, step=0.03):
     """Points (N, 2) along the border of a polygon, and its middle."""
     points = [polygon.mean(0, keepdims=True)]

@@ -220,5 +220,6 @@ def test_the_lessons_run_without_ros(kernel_without_ros, monkeypatch):
         cells += [new_code_cell("%reset -f"), *chosen]
     for cell in cells:
         cell.execution_count = None
-    execute(new_notebook(cells=cells), Path("without ROS"), kernel_name="without-ros")
+    modules = {path.name: path.read_text(encoding="utf-8") for path in NOTEBOOKS.glob("*.py")}
+    execute(new_notebook(cells=cells), Path("without ROS"), kernel_name="without-ros", files=modules)
     assert all(cell.execution_count for cell in cells)

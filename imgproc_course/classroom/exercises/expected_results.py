@@ -72,7 +72,7 @@ def _drive_mistake(exercise, mistake, cases, seed):
     def make_control():
         return exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
 
-    scenarios = [exercise.arguments(case, seed)[0][0] for case in cases]
+    scenarios = [_solve(exercise, case, seed)[0].arguments[0] for case in cases]
     drives = drive_scenarios(exercise, scenarios, make_control)
     return {case.id: (result,) for case, (_, result) in zip(cases, drives, strict=True)}
 
