@@ -4,7 +4,7 @@ from functools import partial
 from itertools import cycle
 
 from ..exercises.canonical import array_of, canonical
-from ..exercises.checking import run_cases
+from ..exercises.checking import run_cases, run_mistake
 from ..exercises.comparison import compare, describe
 from ..exercises.declaration import PUBLIC_SEED
 from ..exercises.dependencies import find_refused
@@ -69,8 +69,12 @@ def _drive_problems(exercise, solution):
 
 
 def _recognition_problems(exercise, mistake):
-    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-    result = run_cases(exercise, wrong_function)
+    if exercise.subject == "drive":
+        result = run_mistake(exercise, mistake)
+    else:
+        result = run_cases(
+            exercise, exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+        )
     if all(case_result.passed for case_result in result.results):
         yield f"{exercise.id}: the mistake {mistake.name!r} passes every public case; add one that catches it"
     elif result.mistake is None or result.mistake.name != mistake.name:

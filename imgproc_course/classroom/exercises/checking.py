@@ -207,6 +207,14 @@ def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
     return run_check(check_data_of(exercise, None if cases is None else tuple(cases), seed), function)
 
 
+def run_mistake(exercise, mistake):
+    """The CheckResult of a declared mistake of an Exercise that drives. What it drove, it does not drive again."""
+    data = check_data_of(exercise)
+    (results,) = (known.results for known in data.mistakes if known.name == mistake.name)
+    function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    return _judge_calls(data, function, _judge_drives(data, results.drives()), Dependencies())
+
+
 def run_check(exercise, function, answer=None, progress=None):
     """The CheckResult of an answer on the cases of a CheckData, run as in grading.
 
@@ -286,10 +294,15 @@ def _drive_cases(exercise, function, answer, progress):
     def make_control():
         return exercise.run_answer(answer.source, answer.function)[0][answer.function] if answer else function
 
-    pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
-    scenarios = [expected.arguments[0] for _, expected in pairs]
-    calls, drives = [], drive_scenarios(exercise, scenarios, make_control, progress)
-    for (case, expected), scenario, (record, result) in zip(pairs, scenarios, drives, strict=True):
+    scenarios = [expected.arguments[0] for case in exercise.cases for expected in case.calls]
+    return _judge_drives(exercise, drive_scenarios(exercise, scenarios, make_control, progress))
+
+
+def _judge_drives(exercise, drives):
+    """Drives (record, CallResult), one for each case, as a list of CaseCall."""
+    calls, pairs = [], [(case, expected) for case in exercise.cases for expected in case.calls]
+    for (case, expected), (record, result) in zip(pairs, drives, strict=True):
+        (scenario,) = expected.arguments
         difference = None
         if result.finished and not passes(record, scenario):
             difference = Difference("drive", "", " ".join(sentences_of(record, scenario)))

@@ -10,20 +10,24 @@ from .drive_check import drive_scenarios
 from .running import CallResult, argument_names
 
 
-class _MistakeResults(dict):
+class MistakeResults(dict):
     """The results of a declared mistake: computed when asked for, because most checks ask for none."""
 
     def __init__(self, exercise, mistake, cases, seed):
-        self._exercise, self._mistake, self._seed = exercise, mistake, seed
-        self._cases = {case.id: case for case in cases}
+        self._exercise, self._mistake, self._cases, self._seed = exercise, mistake, cases, seed
 
     def __missing__(self, case_id):
         if self._exercise.subject == "drive":
             self.update(
-                _drive_mistake(self._exercise, self._mistake, tuple(self._cases.values()), self._seed)
+                {case.id: (drive[1],) for case, drive in zip(self._cases, self.drives(), strict=True)}
             )
             return self[case_id]
-        return _results_of_mistake(self._exercise, self._mistake, self._cases[case_id], self._seed)
+        case = next(case for case in self._cases if case.id == case_id)
+        return _results_of_mistake(self._exercise, self._mistake, case, self._seed)
+
+    def drives(self):
+        """What it drove: (record, CallResult) of each case."""
+        return _drive_mistake(self._exercise, self._mistake, self._cases, self._seed)
 
 
 # Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
@@ -44,7 +48,7 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
         exercise,
         cases=tuple(replace(case, calls=_solve(exercise, case, seed)) for case in cases),
         mistakes=tuple(
-            replace(mistake, results=_MistakeResults(exercise, mistake, cases, seed))
+            replace(mistake, results=MistakeResults(exercise, mistake, cases, seed))
             for mistake in exercise.mistakes
         ),
     )
@@ -67,14 +71,11 @@ def _solve(exercise, case, seed):
 
 @lru_cache(maxsize=256)
 def _drive_mistake(exercise, mistake, cases, seed):
-    """{id of a case: what a mistake did in it} for an exercise that drives."""
-
     def make_control():
         return exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
 
     scenarios = [_solve(exercise, case, seed)[0].arguments[0] for case in cases]
-    drives = drive_scenarios(exercise, scenarios, make_control)
-    return {case.id: (result,) for case, (_, result) in zip(cases, drives, strict=True)}
+    return drive_scenarios(exercise, scenarios, make_control)
 
 
 @lru_cache(maxsize=1024)
