@@ -143,9 +143,12 @@ class Learner:
         }
         request = {"header": header, "parent_header": {}, "metadata": {}, "channel": "shell"}
         channel.send(json.dumps(request | {"content": {"code": code, "silent": False}}))
-        printed = ""
+        printed, missing = (
+            "",
+            {"execute_reply", "idle"},
+        )  # two channels: what is printed may come after the reply
         with contextlib.closing(channel):
-            while True:
+            while missing:
                 message = json.loads(channel.recv())
                 if message["parent_header"].get("msg_id") != header["msg_id"]:
                     continue
@@ -154,7 +157,8 @@ class Learner:
                     printed += content["text"]
                 if message["msg_type"] == "execute_reply":
                     assert content["status"] == "ok", content
-                    return printed
+                missing -= {message["msg_type"], content.get("execution_state")}
+        return printed
 
 
 def _free_ports(count):

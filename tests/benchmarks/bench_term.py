@@ -1,4 +1,4 @@
-"""The ten commands of docs/teach/walk.md on a term, and each lesson graded, those with drives too.
+"""The ten commands of docs/teach/walk.md on a term, each lesson graded, and all known mistakes that drive.
 
 .venv/bin/python tests/benchmarks/bench_term.py
 """
@@ -10,12 +10,12 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-TEST = "tests/classroom/gradebook/test_teach.py"
+TESTS = ("tests/classroom/gradebook/test_teach.py", "tests/notebooks/test_lessons.py")
 
 
 def main():
     began = time.monotonic()
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", TEST]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *TESTS, "-k", "teach or valid"]
     code = subprocess.run(command, cwd=ROOT, env=os.environ | {"WHOLE_TERM": "1"}, check=False).returncode
     print(f"key, 30 submissions graded twice, 3 of all lessons: {time.monotonic() - began:.0f} s")
     return code

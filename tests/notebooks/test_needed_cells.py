@@ -40,7 +40,8 @@ def test_needed_are_cells_that_bind_or_change_what_is_read():
 
 
 @pytest.mark.parametrize("path", find_masters(NOTEBOOKS / "masters"), ids=lambda path: path.stem)
-def test_the_solved_twin_holds_every_cell_that_names_an_answer(path):
+def test_the_solved_twin_holds_every_cell_that_names_an_answer(path, monkeypatch):
+    monkeypatch.setattr("solved_twin.passing", lambda exercise, count: None)  # it runs the solution
     master, shipped = read_master(path), nbformat.read(NOTEBOOKS / f"{path.stem}.ipynb", as_version=4)
     answers, naming = {exercise.function for exercise in master.exercises}, set()
     for cell in shipped.cells:
