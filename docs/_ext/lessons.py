@@ -94,6 +94,7 @@ AGAIN = (
     "grad_row, grad_col = sobel(step)",
     "def width_and_depth(k)",
     "mirrored = after_centered",
+    "rows = flat.reshape(padded",
 )
 # Texts behind a result that do not state it, by their first words: they are not folded.
 TEACHING = (

@@ -55,7 +55,7 @@ figure_texts = {
         "The living room as bright outlines on black: books, door, chair, rug and ball.",
     ),
     "hue": (
-        "Around the ball the gradient points in every direction, so the rim of the ball shows every hue.",
+        "Around the ball the gradient points in every direction, so the hue goes once around the rim; where the rim is dark, the gradient is weak.",
         "The rim of the ball as a ring in all colours of the rainbow, beside the coloured outlines of the marker.",
     ),
     "small": (

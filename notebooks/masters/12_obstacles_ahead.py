@@ -580,7 +580,7 @@ assert not ((right_height > 0.03) & floor_66).any()
 #
 # Not every obstacle is in the way. The robot is 0.24 m wide. If it drives straight ahead, it needs a *corridor*: a strip of the floor, in which we want 8 cm of free space on each side, so 0.40 m in all. An obstacle is a point in the corridor that is higher than 3 cm, but lower than 0.40 m (the robot drives under anything that is higher).
 #
-# From now on we use the directions of ROS: **forward** (our z), **left** (minus our x) and height.
+# From now on we use the directions of ROS: **forward** (our z), **left** (minus our x) and height. The points are `right_points` of section 5: frame 66, with the rays of the lens.
 
 # %%
 forward, left = right_points[:, :, 2], -right_points[:, :, 0]

@@ -1158,19 +1158,21 @@ if ros_available():
 if ros_available():
     live_camera = open_camera("room", rate=10)
     live_robot = Robot()
-    live_robot.restart(start=(1.2, 0.2, 0.0))
+    live_robot.restart(seed=1, start=(1.2, 0.2, 0.0))  # the ball begins to roll
     session = RosSession.current()
     node = session.add_node(FollowNode(context=session.context))
-    ways = []  # metres from the robot to the ball
+    balls, ways = [], []  # of the ball; metres from the robot to it
     end = time.monotonic() + 20
     while node.looks < 30 and time.monotonic() < end:
         time.sleep(0.1)
         if 0 in node.tracker.filters:
-            ways.append(math.dist(node.tracker.place(0), node.robot_pose.position[:2]))
+            balls.append(node.tracker.place(0))
+            ways.append(math.dist(balls[-1], node.robot_pose.position[:2]))
     session.remove_node(node)
     print("looks:", node.looks, "  tracks:", len(node.tracker.filters))
     if ways:
-        print(f"distance to the ball: first {ways[0]:.2f} m, last {ways[-1]:.2f} m")
+        print(f"the ball rolled {math.dist(balls[0], balls[-1]):.2f} m")
+        print(f"distance to it: first {ways[0]:.2f} m, last {ways[-1]:.2f} m")
     live_camera.stop()
     show(image_to_array(node.image, "bgr8"), text="object_tracking/live")
 

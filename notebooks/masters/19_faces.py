@@ -373,7 +373,7 @@ threshold = 1.5
 print("sums:", votes, "left:", votes >= threshold)
 
 # %% [markdown]
-# Stages in a row are a *[[term:cascade]]*: a window is only looked at by the next stage if it passed all stages before. OpenCV's cascade has 25 stages with 2913 weak classifiers; they were learned from thousands of images, in the year 2000 (the file is under Intel's open-source licence, and comes with OpenCV 4). OpenCV 5 has no such cascades; there this lesson uses scikit-image's, and the numbers of this section are missing.
+# Stages in a row are a *[[term:cascade]]*: a window is only looked at by the next stage if it passed all stages before. OpenCV's cascade has 25 stages with 2913 weak classifiers; they were learned from thousands of images. (The file names Intel, the year 2000 and an open-source licence, and comes with OpenCV 4.) OpenCV 5 has no such cascades; there this lesson uses scikit-image's, and the numbers of this section are missing.
 
 # %% tags=["long"]
 HAAR_FOLDER = getattr(getattr(cv2, "data", None), "haarcascades", "")

@@ -36,6 +36,7 @@ ALLOWED = {
     "predict-faces-12": "how many of 30: the answer is all",
     "predict-gestures-12": "how many of 120: the answer is all",
     "predict-the_errand-3": "one of the directions that the table above shows",
+    "predict-reading_text-9": CHANCE,
 }
 
 
