@@ -72,9 +72,7 @@ def _recognition_problems(exercise, mistake):
     if exercise.subject == "drive":
         result = run_mistake(exercise, mistake)
     else:
-        result = run_cases(
-            exercise, exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-        )
+        result = run_cases(exercise, exercise.function_of_mistake(mistake))
     if all(case_result.passed for case_result in result.results):
         yield f"{exercise.id}: the mistake {mistake.name!r} passes every public case; add one that catches it"
     elif result.mistake is None or result.mistake.name != mistake.name:
@@ -87,7 +85,7 @@ def _recognition_problems(exercise, mistake):
 
 def _mistake_problems(exercise, mistake):
     yield from _recognition_problems(exercise, mistake)
-    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    wrong_function = exercise.function_of_mistake(mistake)
     graded = tuple(case for case in exercise.cases if case.points)
     results = [
         run_cases(exercise, wrong_function, cases=graded, seed=seed) for seed in (PUBLIC_SEED, _ANOTHER_SEED)

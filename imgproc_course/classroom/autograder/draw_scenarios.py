@@ -91,7 +91,7 @@ def _problem_of_solution(record, scenario):
 
 def _drive_mistake(exercise, mistake, scenario):
     """What a mistake does in a scenario, as a CallResult, and whether it passes."""
-    control = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    control = exercise.function_of_mistake(mistake)
     record, failure = drive_here(control, exercise.sensors, scenario)
     return CallResult(**failure or {"value": form_of(record)}), passes(record, scenario)
 

@@ -245,7 +245,7 @@ class _ExerciseKeyMaker:
         exercise = self._exercise
         if case.id in self._drawn:
             return [call_to_json(self._drawn[case.id].mistakes[mistake.name])]
-        function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+        function = exercise.function_of_mistake(mistake)
         calls = []
         for encoded in self._inputs[case.id]:
             arguments = decode(encoded)

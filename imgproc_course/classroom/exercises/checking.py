@@ -211,7 +211,7 @@ def run_mistake(exercise, mistake):
     """The CheckResult of a declared mistake of an Exercise that drives. What it drove, it does not drive again."""
     data = check_data_of(exercise)
     (results,) = (known.results for known in data.mistakes if known.name == mistake.name)
-    function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    function = exercise.function_of_mistake(mistake)
     return _judge_calls(data, function, _judge_drives(data, results.drives()), Dependencies())
 
 

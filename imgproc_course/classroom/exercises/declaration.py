@@ -181,6 +181,10 @@ class Exercise(CheckData):
             raise MasterError(f"{place} does not define the {self.kind} {self.answer_name}")
         return answer
 
+    def function_of_mistake(self, mistake):
+        """The function of a declared mistake, prepared."""
+        return self.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+
     def arguments(self, case, seed=PUBLIC_SEED):
         """A tuple of arguments for each call that a case makes; it depends only on the seed and the case.
 

@@ -71,16 +71,13 @@ def _solve(exercise, case, seed):
 
 @lru_cache(maxsize=256)
 def _drive_mistake(exercise, mistake, cases, seed):
-    def make_control():
-        return exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-
     scenarios = [_solve(exercise, case, seed)[0].arguments[0] for case in cases]
-    return drive_scenarios(exercise, scenarios, make_control)
+    return drive_scenarios(exercise, scenarios, lambda: exercise.function_of_mistake(mistake))
 
 
 @lru_cache(maxsize=1024)
 def _results_of_mistake(exercise, mistake, case, seed):
-    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    wrong_function = exercise.function_of_mistake(mistake)
     return tuple(
         exercise.call(wrong_function, expected.arguments) for expected in _solve(exercise, case, seed)
     )
