@@ -26,20 +26,13 @@ The words of this course, from A to Z. Each entry ends with the lesson that intr
 
 @dataclass(frozen=True)
 class Term:
-    """A word of the field.
+    """A word of the field."""
 
-    name        as it is written in the middle of a sentence
-    lesson      the name of the lesson that introduces it
-    definition  Markdown
-    forms       the name and its other spellings, in lower case
-    ordinary    whether it is also an ordinary English word
-    """
-
-    name: str
-    lesson: str
-    definition: str
-    forms: tuple
-    ordinary: bool = False
+    name: str  # as it is written in the middle of a sentence
+    lesson: str  # that introduces it
+    definition: str  # Markdown
+    forms: tuple  # the name and its other spellings, in lower case
+    ordinary: bool = False  # whether it is also an ordinary English word
 
     @property
     def address(self):

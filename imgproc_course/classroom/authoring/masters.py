@@ -112,27 +112,16 @@ _TEXTS = ("title", "hint", "border_hint", "hints", "explanation", "another_way",
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell of a lesson.
+    """One cell of a lesson."""
 
-    id             "answer-<exercise>", "check-<exercise>-<n>", "given-<exercise>-<n>",
-                   "predict-<lesson>-<n>", "question-<lesson>-<n>", "ask-<lesson>-<n>" or "<lesson>-<n>"
-    kind           "markdown" or "code"
-    source         its source in the lesson
-    solved_source  its source in the solved twin
-    role           "given", "answer", "check", "predict", "question", "ask" or ""
-    exercise       the id of its exercise, or ""
-    tags           tuple of str
-    deeper         whether it can be left out: it is in a deeper section
-    """
-
-    id: str
-    kind: str
-    source: str
-    solved_source: str
-    role: str = ""
-    exercise: str = ""
+    id: str  # "answer-<exercise>", "check-<exercise>-<n>", "predict-<lesson>-<n>", "<lesson>-<n>", …
+    kind: str  # "markdown" or "code"
+    source: str  # in the lesson
+    solved_source: str  # in the solved twin
+    role: str = ""  # "given", "answer", "check", "predict", "question", "ask" or ""
+    exercise: str = ""  # the id of its exercise
     tags: tuple = ()
-    deeper: bool = False
+    deeper: bool = False  # whether it can be left out: it is in a deeper section
 
     @property
     def varies(self):
@@ -146,30 +135,25 @@ class Cell:
 
 @dataclass(frozen=True)
 class Master:
-    """A master: `cells` are the lesson's, `exercises` are the declarations that grading needs.
-
-    name    of the lesson, its identity: "images_as_messages"
-    number  its place in the course: "03"
-    minutes, core_minutes  of the whole lesson, and of its core
-    texts   {name of a figure: (caption, alternative text)}
-    questions  {name of a question from an earlier lesson: its answer and replies}
-    """
+    """A master: `cells` are the lesson's, `exercises` are the declarations that grading needs."""
 
     path: Path
     title: str
-    minutes: int
+    minutes: int  # of the whole lesson
     core_minutes: int
     cells: tuple
     exercises: tuple
-    texts: dict
-    questions: dict
+    texts: dict  # {name of a figure: (caption, alternative text)}
+    questions: dict  # {name of a question from an earlier lesson: its answer and replies}
 
     @property
     def name(self):
+        """The lesson's identity: "images_as_messages"."""
         return lesson_name(self.path.stem)
 
     @property
     def number(self):
+        """Its place in the course: "03"."""
         match = LESSON_FILE.fullmatch(self.path.stem)
         return match["number"] if match else ""  # the index has none
 

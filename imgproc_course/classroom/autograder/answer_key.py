@@ -66,15 +66,7 @@ class KeyMistake:
 
 @dataclass(frozen=True)
 class KeyExercise:
-    """One exercise in the key; a practice exercise has no cases and is not graded.
-
-    stub        the answer cell's source in the lesson
-    arguments   names of the function's arguments
-    given       sources of the given cells; () in a key of an earlier version
-    subject     what the answer is: "function", "node", "package" or "drive"
-    exact_type  whether a right value in another type is wrong
-    sensors     what a controller observes
-    """
+    """One exercise in the key; a practice exercise has no cases and is not graded."""
 
     id: str
     title: str
@@ -83,14 +75,14 @@ class KeyExercise:
     allowed: tuple[str, ...]
     time_limit: float
     practice: bool
-    stub: str
-    arguments: tuple[str, ...]
+    stub: str  # the answer cell's source in the lesson
+    arguments: tuple[str, ...]  # names of the function's
     cases: tuple[KeyCase, ...]
     mistakes: tuple[KeyMistake, ...]
-    given: tuple[str, ...] = ()
-    exact_type: bool = False
-    subject: str = "function"
-    sensors: tuple[str, ...] = ()
+    given: tuple[str, ...] = ()  # sources of the given cells; none in a key of an earlier version
+    exact_type: bool = False  # whether a right value in another type is wrong
+    subject: str = "function"  # what the answer is; or "node", "package", "drive"
+    sensors: tuple[str, ...] = ()  # what a controller observes
 
     @property
     def drives(self):
@@ -114,16 +106,13 @@ class KeyExercise:
 
 @dataclass(frozen=True)
 class KeyLesson:
-    """One lesson: `version` of the course that it was made from, `digest` (SHA-256) of its master.
-
-    `name` identifies it; `number` is only its place in the course: "04".
-    """
+    """One lesson; its name identifies it."""
 
     name: str
-    number: str
+    number: str  # only its place in the course: "04"
     title: str
-    version: str
-    digest: str
+    version: str  # of the course that it was made from
+    digest: str  # SHA-256 of its master
     exercises: tuple[KeyExercise, ...]
 
     @property
@@ -133,21 +122,14 @@ class KeyLesson:
 
 @dataclass(frozen=True)
 class Key:
-    """A key that `load_key` read.
-
-    digest    identifies it
-    lessons   {name: KeyLesson}
-    variant   its number; the first one is 1
-    others    of the first one: the Keys of the other variants
-    secret    what assigns the variants to learners; "" if there is only one
-    """
+    """A key that `load_key` read."""
 
     path: Path
-    digest: str
-    lessons: dict
-    variant: int = 1
-    others: tuple = ()
-    secret: str = ""
+    digest: str  # identifies it
+    lessons: dict  # {name: KeyLesson}
+    variant: int = 1  # its number
+    others: tuple = ()  # of the first one: the Keys of the other variants
+    secret: str = ""  # assigns the variants to learners; "" if there is only one
 
     @property
     def variants(self):
@@ -176,18 +158,12 @@ class Key:
 
 @dataclass(frozen=True)
 class ExerciseContent:
-    """The contents of an exercise's three files.
+    """The contents of an exercise's three files."""
 
-    notebook  dict, of nbformat 4
-    inputs    {case id: list of calls, each the encoded tuple of its arguments}
-    mistakes  {name: {case id: list of CallResult}}
-    expected  {case id: list of canonical forms, one per call}
-    """
-
-    notebook: dict
-    inputs: dict
-    mistakes: dict
-    expected: dict
+    notebook: dict  # of nbformat 4
+    inputs: dict  # {case id: list of calls, each the encoded tuple of its arguments}
+    mistakes: dict  # {name: {case id: list of CallResult}}
+    expected: dict  # {case id: list of canonical forms, one per call}
 
     def canonical_arguments(self, case_id, number):
         """The canonical forms of one call's arguments, to show a public case."""
@@ -268,12 +244,9 @@ class _KeyFile:
 def _load_one(path):
     """A Key without its other variants, and how many variants there are."""
     with reading(path / "key.json"):
-        try:
-            data = (path / "key.json").read_bytes()
-        except FileNotFoundError as error:
-            raise KeyFolderError(
-                f"{path}: there is no key; make one: imgproc-course key --out {path.name}"
-            ) from error
+        if not (path / "key.json").exists():
+            raise KeyFolderError(f"{path}: there is no key; make one: imgproc-course key --out {path.name}")
+        data = (path / "key.json").read_bytes()
         content = msgspec.json.decode(data)
         if content["format"] != FORMAT:
             raise KeyFolderError(

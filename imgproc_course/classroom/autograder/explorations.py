@@ -33,20 +33,13 @@ _factories = []  # this process's KernelFactory
 
 @dataclass(frozen=True)
 class Exploration:
-    """What a controller did in one room.
+    """What a controller did in one room."""
 
-    outcome  an Outcome: it passes if the robot drove to the end
-    message  why it did not, with texts of the learner's
-    values   what `course.LEAGUE_SCORE` gives; {} if the robot did not drive to the end
-    told     whether the controller said what it found
-    record   of the drive, see `drive.Drive.record`; None if there was none
-    """
-
-    outcome: Outcome
-    message: str
-    values: dict
-    told: bool
-    record: dict | None
+    outcome: Outcome  # it passes if the robot drove to the end
+    message: str  # why it did not, with texts of the learner's
+    values: dict  # what `course.LEAGUE_SCORE` gives; {} if the robot did not drive to the end
+    told: bool  # whether the controller said what it found
+    record: dict | None  # of the drive, see `drive.Drive.record`; None if there was none
 
 
 def scenario_of(room, seed):

@@ -3,6 +3,7 @@
 `answer_key` describes what a key contains, and reads it.
 """
 
+import contextlib
 import hashlib
 import json
 from dataclasses import asdict
@@ -150,14 +151,22 @@ class _ExerciseKeyMaker:
         exercise = self._exercise
         robot = GradedDrive(exercise.sensors, scenario)
         seconds = MEAN_LOOK_SECONDS * looks_of(scenario)
+        subject = f"{exercise.master.name}: the solution of {exercise.id}"
+        with self._kernel_after_solution(seconds, subject) as (kernel, check):
+            _require_run(kernel.run_drive(check, robot, seconds, LOOK_SECONDS), subject)
+        return robot.verdict().record
+
+    @contextlib.contextmanager
+    def _kernel_after_solution(self, seconds, subject):
+        """A kernel like those that grade, which has run the solution, and the source of the check cell."""
+        exercise = self._exercise
         kernel = self._kernel_factory.start(exercise.allowed, seconds)
         try:
-            runs = [kernel.run(source) for source in (*exercise.given, exercise.solution)]
-            runs.append(kernel.run_drive(_check_source(exercise), robot, seconds, LOOK_SECONDS))
+            for source in (*exercise.given, exercise.solution):
+                _require_run(kernel.run(source), subject)
+            yield kernel, _check_source(exercise)
         finally:
             kernel.stop()
-        self._require_run(runs, f"{exercise.master.name}: the solution of {exercise.id}")
-        return robot.verdict().record
 
     def entry(self):
         """The exercise's entry in key.json; a practice exercise has no cases there."""
@@ -208,10 +217,12 @@ class _ExerciseKeyMaker:
         """What the solution's check cell shows, in a kernel like those that grade."""
         if case.id in self._drawn:
             return {"calls": [], "metrics": self._drawn[case.id].record["metrics"]}
-        subject = f"{self._exercise.master.name}, {case.id}: the solution"
-        runs = self._run_solution(case)
-        self._require_run(runs, subject)
-        payloads = runs[-1].answers
+        exercise, inputs = self._exercise, self._inputs[case.id]
+        subject = f"{exercise.master.name}, {case.id}: the solution"
+        with self._kernel_after_solution(exercise.time_limit * len(inputs), subject) as (kernel, check):
+            run = kernel.run_check(check, inputs, exercise.time_limit)
+            _require_run(run, subject)
+        payloads = run.answers
         calls = read_answer(payloads[0]) if len(payloads) == 1 else None
         if calls is None:
             raise MasterError(f"{subject} shows no values")
@@ -223,23 +234,6 @@ class _ExerciseKeyMaker:
         if not verdict_on(payloads, expected, case.tolerance, exact_type=True).passed:
             raise MasterError(f"{subject} does not equal itself")
         return {"calls": [call_to_json(call) for call in calls]}
-
-    @staticmethod
-    def _require_run(runs, subject):
-        for run in runs:
-            if run.ended or run.error[0]:
-                raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
-
-    def _run_solution(self, case):
-        exercise, inputs = self._exercise, self._inputs[case.id]
-        kernel = self._kernel_factory.start(exercise.allowed, exercise.time_limit * len(inputs))
-        try:
-            return [
-                *(kernel.run(source) for source in (*exercise.given, exercise.solution)),
-                kernel.run_check(_check_source(exercise), inputs, exercise.time_limit),
-            ]
-        finally:
-            kernel.stop()
 
     def _calls_of(self, mistake, case):
         exercise = self._exercise
@@ -267,6 +261,11 @@ class _ExerciseKeyMaker:
         kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
         origin = {"exercise": exercise.id, "version": version("imgproc-course")}
         return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": origin})
+
+
+def _require_run(run, subject):
+    if run.ended or run.error[0]:
+        raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
 
 
 def _check_source(exercise):

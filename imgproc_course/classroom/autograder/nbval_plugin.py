@@ -16,7 +16,6 @@ import math
 import os
 import re
 import time
-from functools import lru_cache
 from pathlib import Path
 
 import pytest
@@ -133,11 +132,8 @@ class ExerciseRun:
 
     def _run_in_same_kernel(self, case, source):
         """A CaseRun that passed, or None. The kernel must not have more time than a new one would."""
-        if (
-            self._kernel is None
-            or self._kernel_seconds > self._exercise.seconds_of(case)
-            or self._exercise.drives
-        ):
+        exercise = self._exercise
+        if self._kernel is None or exercise.drives or self._kernel_seconds > exercise.seconds_of(case):
             return None
         run = CaseRun(answer=self._answer_run)
         self._run_check(run, case, source)
@@ -287,14 +283,9 @@ def _is_stub(source, stub):
     if source.strip() == stub.strip():
         return True
     try:
-        return ast.dump(ast.parse(source)) == _syntax_tree(stub)
+        return ast.dump(ast.parse(source)) == ast.dump(ast.parse(stub))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return False
-
-
-@lru_cache(maxsize=64)
-def _syntax_tree(stub):
-    return ast.dump(ast.parse(stub))
 
 
 def _with_answer(notebook, exercise, source):

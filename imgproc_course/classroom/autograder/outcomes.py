@@ -5,50 +5,31 @@ from enum import StrEnum
 
 
 class Outcome(StrEnum):
-    """How one test case of a submission ended. The values are what grades.json holds.
-
-    PASSED           the function returned what the key expects
-    WRONG            it returned something else, or it changed its input
-    RAISED           an exception, of the function or of the cell that should define it
-    NOT_ATTEMPTED    the answer is still the stub, or it raises NotImplementedError
-    MISSING          there is no answer cell, or it does not define the function
-    REFUSED_MODULE   the answer uses a module that the exercise does not allow
-    TIME, MEMORY, OUTPUT   it used more than an answer may use
-    CRASHED          the kernel's process ended
-    HOSTILE          the kernel sent something that our check cells cannot have shown
-    NOT_GRADED       the autograder itself failed: a teacher must look
-    """
+    """How one test case of a submission ended. The values are what grades.json holds."""
 
     PASSED = "passed"
-    WRONG = "wrong"
-    RAISED = "raised"
-    NOT_ATTEMPTED = "not attempted"
-    MISSING = "missing"
+    WRONG = "wrong"  # another value was returned, or the input was changed
+    RAISED = "raised"  # an exception, of the function or of the cell that should define it
+    NOT_ATTEMPTED = "not attempted"  # the answer is still the stub, or it raises NotImplementedError
+    MISSING = "missing"  # there is no answer cell, or it does not define the function
     REFUSED_MODULE = "refused module"
     TIME = "time"
     MEMORY = "memory"
     OUTPUT = "output"
-    CRASHED = "crashed"
-    HOSTILE = "hostile"
-    NOT_GRADED = "not graded"
+    CRASHED = "crashed"  # the kernel's process ended
+    HOSTILE = "hostile"  # the kernel sent something that our check cells cannot have shown
+    NOT_GRADED = "not graded"  # the autograder itself failed: a teacher must look
 
 
 @dataclass(frozen=True)
 class OutcomeTexts:
-    """The texts of one outcome.
+    """The texts of one outcome."""
 
-    label         a few words beside the case's title on a page
-    message       the case's message if the kernel was ended like this; "" if the message depends on the
-                  answer
-    advice        for the learner, if every case of an exercise ended like this: no input is the cause
-                  then, and no case's hint helps; "" if there is no such advice
-    shows_values  whether a page shows the failed call's values
-    """
-
-    label: str
-    message: str = ""
+    label: str  # a few words beside the case's title on a page
+    message: str = ""  # the case's, if the kernel was ended like this; "" if it depends on the answer
+    # For the learner, if every case of an exercise ended so: no input is the cause, and no case's hint helps.
     advice: str = ""
-    shows_values: bool = True
+    shows_values: bool = True  # whether a page shows the failed call's
 
 
 # Of the cases that are not run because those before them took too long.

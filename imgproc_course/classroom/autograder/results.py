@@ -42,32 +42,17 @@ _EXCEPTIONS = frozenset(name for name, kind in vars(builtins).items() if isinsta
 
 @dataclass(frozen=True)
 class FailedCall:
-    """The first call of a public case that failed.
+    """The first call of a public case that failed; values are canonical forms."""
 
-    arguments  canonical forms of its arguments (their names: `KeyExercise.arguments`)
-    expected   canonical form of the expected value
-    actual     canonical form of the returned value, or None if nothing was returned
-    printed    what the function printed, shortened
-
-    `exercises.array_of`, `describe` and `compare` take canonical forms.
-    """
-
-    arguments: list
+    arguments: list  # their names: `KeyExercise.arguments`
     expected: dict
-    actual: dict | None
-    printed: str
+    actual: dict | None  # None if nothing was returned
+    printed: str  # shortened
 
 
 @dataclass(frozen=True)
 class GradedCase:
-    """The result of one test case.
-
-    points       what the learner got, of max_points
-    hint         the master's hint; "" if the case passed
-    message      what went wrong, shortened; for a hidden case it contains no text of the learner's
-    failed_call  only for a case that was run and failed; of a hidden one for the teacher's pages alone
-    drive        only for a drive that began: a dict with what `drive_images.draw_map` draws
-    """
+    """The result of one test case."""
 
     id: str
     title: str
@@ -75,10 +60,10 @@ class GradedCase:
     points: int
     max_points: int
     outcome: Outcome
-    hint: str = ""
-    message: str = ""
-    failed_call: FailedCall | None = None
-    drive: dict | None = None
+    hint: str = ""  # the master's; "" if the case passed
+    message: str = ""  # what went wrong, shortened; for a hidden case it contains no text of the learner's
+    failed_call: FailedCall | None = None  # if it was run and failed; of a hidden one for teachers alone
+    drive: dict | None = None  # of a drive that began: what `drive_images.draw_map` draws
 
     @property
     def passed(self):
@@ -87,21 +72,16 @@ class GradedCase:
 
 @dataclass(frozen=True)
 class GradedExercise:
-    """The result of one graded exercise.
-
-    mistake              name of the known mistake that this answer makes, or ""
-    mistake_explanation  what the learner is told about that mistake
-    message              about the answer cell itself: its first exception (which costs nothing as long as
-                         the function is defined), or why it was not run; "" if there is nothing to say
-    cases                GradedCase of each test case, public ones first
-    """
+    """The result of one graded exercise."""
 
     id: str
     title: str
     max_points: int
-    cases: tuple[GradedCase, ...]
-    mistake: str = ""
-    mistake_explanation: str = ""
+    cases: tuple[GradedCase, ...]  # public ones first
+    mistake: str = ""  # name of the known mistake that this answer makes
+    mistake_explanation: str = ""  # what the learner is told about it
+    # About the answer cell itself: its first exception (which costs nothing as long as the function is
+    # defined), or why it was not run.
     message: str = ""
 
     @property
@@ -111,16 +91,11 @@ class GradedExercise:
 
 @dataclass(frozen=True)
 class GradedSubmission:
-    """The result of one submission of one lesson.
+    """The result of one submission of one lesson."""
 
-    name       the name that `autograde` was given for it
-    lesson     name of the lesson
-    exercises  GradedExercise of each graded exercise in the lesson's order; practice exercises are not graded
-    """
-
-    name: str
+    name: str  # that `autograde` was given for it
     lesson: str
-    exercises: tuple[GradedExercise, ...]
+    exercises: tuple[GradedExercise, ...]  # in the lesson's order; practice exercises are not graded
 
     @property
     def points(self):

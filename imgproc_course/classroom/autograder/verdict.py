@@ -11,16 +11,11 @@ from .sandbox.cell_run import CellRun
 
 @dataclass(frozen=True)
 class Verdict:
-    """What the comparison of one test case gave.
+    """What the comparison of one test case gave."""
 
-    calls        list of CallResult, or None if the check cell did not show exactly one well-formed answer
-    failed_call  index of the first call that did not do what the key expects, or None
-    difference   how that call's value differs, or None if there was no value to compare
-    """
-
-    calls: list | None = None
-    failed_call: int | None = None
-    difference: Difference | None = None
+    calls: list | None = None  # of CallResult; None: the check cell showed no well-formed answer, or several
+    failed_call: int | None = None  # index of the first call that did not do what the key expects
+    difference: Difference | None = None  # of that call's value; None: there was no value to compare
 
     @property
     def passed(self):
@@ -29,15 +24,11 @@ class Verdict:
 
 @dataclass(frozen=True)
 class DriveVerdict:
-    """The verdict on a drive.
+    """The verdict on a drive."""
 
-    record    what the robot did, see `drive.Drive.record`
-    ending    CallResult of the controller's call that ended the drive too early, or None
-    """
-
-    record: dict
+    record: dict  # what the robot did, see `drive.Drive.record`
     scenario: dict
-    ending: CallResult | None = None
+    ending: CallResult | None = None  # of the controller's call that ended the drive too early
     calls = None  # a controller's calls are no answers
 
     @property

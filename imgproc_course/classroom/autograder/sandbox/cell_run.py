@@ -10,19 +10,14 @@ _MAX_NAME = 100  # characters of an exception's name
 
 @dataclass
 class CellRun:
-    """What running one cell did.
+    """What running one cell did."""
 
-    ended     "" if the cell ran to its end; else "time", "memory", "output", "crashed" or "hostile", as in
-              Outcome; or "gone" if the process that forks kernels was ended
-    answers   what check cells showed: the data of our MIME type
-    error     type and text of the exception that ended the cell, ("", "") if there was none
-    printed   the first part of what it printed
-    """
-
+    # "" if it ran to its end; else "time", "memory", "output", "crashed" or "hostile", as in Outcome; or
+    # "gone" if the process that forks kernels was ended.
     ended: str = ""
-    answers: list = field(default_factory=list)
-    error: tuple = ("", "")
-    printed: str = ""
+    answers: list = field(default_factory=list)  # what check cells showed: the data of our MIME type
+    error: tuple = ("", "")  # type and text of the exception that ended the cell
+    printed: str = ""  # the first part of it
 
     def add(self, kind, content):
         """Add a message; returns whether it ended the cell. ValueError, TypeError, KeyError: it is none."""
