@@ -61,10 +61,7 @@ class NamedImage(widgets.Image):
 
 
 class Screen:
-    """Shows arrays in one ipywidgets image, as `live_view` says.
-
-    Any thread may call it: it only assigns to existing widgets.
-    """
+    """Shows arrays in one ipywidgets image; any thread may call it: it only assigns to existing widgets."""
 
     def __init__(self, look, alt):
         self._look = look

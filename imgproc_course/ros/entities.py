@@ -65,10 +65,7 @@ def _destroy(session, node, entities):
 
 
 def weak_callback(method):
-    """A function that calls the method as long as its object exists.
-
-    What the method prints goes below the notebook's cell that made the function.
-    """
+    """A function that calls the method while its object exists; it prints below the cell of this call."""
     reference, cell = weakref.WeakMethod(method), contextvars.copy_context()
 
     def call(*arguments):

@@ -65,20 +65,14 @@ def approach(value, target, step):
 
 
 def clearance(distance, x, y, yaw):
-    """Metres between the body at (x, y, yaw) and what stands still; negative inside.
-
-    `distance(x, y)` is that of a point. Far from everything the result is a lower bound.
-    """
+    """Metres as `gap` gives them; far from everything, where that takes long, a lower bound."""
     c, s = math.cos(yaw), math.sin(yaw)
     center = distance(x + BODY_CENTER * c, y + BODY_CENTER * s) - BODY_REACH
     return center if center > 0 else gap(distance, x, y, yaw)
 
 
 def gap(distance, x, y, yaw):
-    """Metres between the body at (x, y, yaw) and what stands still, to 2 mm; negative inside.
-
-    `distance(x, y)` is that of a point.
-    """
+    """Metres from the body at (x, y, yaw) to what stands still, to 2 mm, by those of a point; inside < 0."""
     c, s = math.cos(yaw), math.sin(yaw)
     return min(distance(x + a * c - b * s, y + a * s + b * c) - radius for a, b, radius in DISCS)
 

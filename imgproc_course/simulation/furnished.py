@@ -14,7 +14,7 @@ from .pieces import load_pieces, turned, turned_to_each
 from .placement import AREA, DOOR, ORIGIN, SMALL, Placement, cells, painted, squared_distances
 from .room import CAR_TIME, WALK_LENGTH, BallWay, CarWay, PersonWay, Room, Rug
 from .room_light import textures
-from .room_model import FreeSpace, load_texture
+from .room_model import FreeSpace, read_image
 
 WORDS = (
     *("KITCHEN", "OFFICE", "BEDROOM", "GARAGE", "LIBRARY"),
@@ -101,7 +101,7 @@ def _drawn(random, name):
 
 
 def _textures(places, word, markers, lighting):
-    return textures(places, lighting, word, markers) | {"movers": load_texture("movers", lighting)}
+    return textures(places, lighting, word, markers) | {"movers": read_image(f"movers_{lighting}.jpg")}
 
 
 class Ways(NamedTuple):

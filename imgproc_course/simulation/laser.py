@@ -112,10 +112,7 @@ class Laser:
         return np.moveaxis(np.array(placed), -1, 0) + positions[joint[rows]][:, None]
 
     def _moving_of(self, joint_poses):
-        """Of the joints that have a pose: their names, and the joint and the corners of each triangle.
-
-        Corners (3, 3, N): x y z of each corner of each triangle.
-        """
+        """Of joints with a pose: names, and of their triangles joints (N,) and corners' x y z (3, 3, N)."""
         names = tuple(name for name in self._names if name in joint_poses)
         if names not in self._moving:
             numbers = {name: number for number, name in enumerate(names)}

@@ -145,10 +145,7 @@ class Movers:
             self.ball.bounce(dx / distance, dy / distance, *velocity)
 
     def push_ball(self, robot, velocity, before):
-        """The robot, from (x, y, yaw) `before` to `robot`, at (linear, angular), pushes the ball.
-
-        Returns (touched, the robot can move so).
-        """
+        """The robot, at (linear, angular) from `before` to `robot`, pushes the ball: (touched, can move)."""
         distance = nearest_on_body(robot, self.ball.x, self.ball.y)[1]
         if distance >= BALL_RADIUS:
             return False, True

@@ -17,18 +17,13 @@ BEARERS = {"marker": "stand", "wall_marker": "wall_marker", "sign": "sign"}
 
 @dataclass(frozen=True, eq=False)
 class Pieces:
-    """Pieces of furniture; where one stands is (x, y, yaw), and (*origins[name], 0.0) in the recorded room.
+    """Pieces of furniture; where one stands is (x, y, yaw), (*origins[name], 0.0) in the recorded room."""
 
-    model : the triangles of a piece are in its own frame · piece (N,) int, index into the names, -1 for what
-    stays · hulls, bodies {name: polygons (K, 2) in the piece's frame, metres}: of all of it; of what stands
-    between the heights of the robot's body; bodies["room"] are walls and skirtings
-    """
-
-    model: RoomModel
-    piece: np.ndarray
+    model: RoomModel  # the triangles of a piece are in its own frame
+    piece: np.ndarray  # (N,) int, index into the names, -1 for what stays
     origins: dict[str, tuple[float, float]]
-    hulls: dict[str, np.ndarray]
-    bodies: dict[str, list[np.ndarray]]
+    hulls: dict[str, np.ndarray]  # polygons (K, 2) in the piece's frame, metres
+    bodies: dict[str, list[np.ndarray]]  # of what is as high as the robot's body; "room": walls and skirtings
 
     @functools.cached_property
     def borders(self):

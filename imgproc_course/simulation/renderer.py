@@ -299,10 +299,7 @@ class Renderer:
         return View(output, texture, path, blinders, pinhole)
 
     def render(self, view, pose):
-        """What the view sees from a pose of its optical frame: (height, width, 4) uint8 BGRA, read-only.
-
-        The first row is at the bottom.
-        """
+        """What an optical frame of this pose sees, lowest row first: (H, W, 4) uint8 BGRA, read-only."""
         right, down, forward = pose.rotation.T
         view.camera.set_mat(p3d.LMatrix4f(*right, 0, *forward, 0, *(-down), 0, *pose.position, 1))
         view.blinders.show()

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from .room_model import FreeSpace, RoomModel, load_room, load_texture
+from .room_model import FreeSpace, RoomModel, load_room, read_image
 
 WALK_TIME, WALK_LENGTH, STAND_TIME, TURN_TIME = 6.5, 2.35, 4.5, 1.5
 CAR_TIME, CAR_REST, CAR_SPEED, CAR_SWING = 9.0, 1.0, 0.30, 0.30
@@ -137,6 +137,8 @@ def recorded_room() -> Room:
         person=PersonWay(4.93, -1.72, math.pi / 2),
         car=CarWay(2.25, -1.35, math.pi / 2, rug_from=1.10),
         ball=BallWay((2.45, 0.78), (0.45, -1.0)),
-        textures=lambda lighting: {name: load_texture(name, lighting) for name in model.textured_atlases},
+        textures=lambda lighting: {
+            name: read_image(f"{name}_{lighting}.jpg") for name in model.textured_atlases
+        },
         poses=model.markers | {"sign": np.array(SIGN)},
     )

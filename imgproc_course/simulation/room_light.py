@@ -18,6 +18,7 @@ import cv2
 import numpy as np
 
 from .room_model import FILES as ROOM_FILES
+from .room_model import read_image
 
 FILES = ROOM_FILES / "pieces"
 X0, X1, Y0, Y1, HEIGHT = -0.9, 5.6, -2.1, 2.3, 2.45  # metres: the room
@@ -91,14 +92,9 @@ def words():
 
 
 def textures(poses, lighting, word=None, markers=None):
-    """The textures of a lighting: {atlas: (H, W, 3) uint8 BGR}.
+    """The textures of a lighting, {atlas: (H, W, 3) uint8 BGR}, with pieces at {name: (x, y, yaw)}.
 
-    Parameters
-    ----------
-    poses : {piece: (x, y, yaw)}: where each piece's origin is, and its turn against the recorded room
-    lighting : "day" or "evening"
-    word : of the sign's first line, one of `words()`; if omitted, the recorded room's
-    markers : {"marker": number, "wall_marker": number}, 0 to 49; if omitted, the recorded room's
+    The sign has one of the `words()`, and the markers {name: number, 0 to 49}; else the recorded room's.
     """
     images = {atlas: read(f"{atlas}_{lighting}.jpg") for atlas in ATLASES}
     for name, number in (markers or {}).items():
@@ -126,13 +122,7 @@ def textures(poses, lighting, word=None, markers=None):
 
 
 def read(name):
-    image = cv2.imread(str(FILES / name))
-    if image is None:
-        raise FileNotFoundError(
-            f"the room's file pieces/{name} is missing or damaged; restore it: "
-            "git checkout -- imgproc_course/simulation/room"
-        )
-    return image
+    return read_image(f"pieces/{name}")
 
 
 def reduced(image, size):

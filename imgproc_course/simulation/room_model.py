@@ -17,23 +17,18 @@ FACES_OUTWARD = "plant"  # the one kind that is seen from both sides
 
 @dataclass(frozen=True, eq=False)
 class RoomModel:
-    """Triangles of the room; those of movers in the frames of their joints.
+    """Triangles of the room; those of movers in the frames of their joints."""
 
-    triangles (N, 3, 3) float32, metres · texture (N, 3, 2) float32 · label (N,) uint8 · joint (N,) int,
-    NO_JOINT for what stands still · atlas (N,) int, index into atlas_names · normals (N, 3) and offsets (N,)
-    float64 of the planes · joint_tree {name: parent and offset}, parents first
-    """
-
-    triangles: np.ndarray
-    texture: np.ndarray
-    label: np.ndarray
-    joint: np.ndarray
-    atlas: np.ndarray
-    normals: np.ndarray
-    offsets: np.ndarray
+    triangles: np.ndarray  # (N, 3, 3) float32, metres
+    texture: np.ndarray  # (N, 3, 2) float32
+    label: np.ndarray  # (N,) uint8
+    joint: np.ndarray  # (N,) int, NO_JOINT for what stands still
+    atlas: np.ndarray  # (N,) int, index into atlas_names
+    normals: np.ndarray  # (N, 3) float64, of the planes
+    offsets: np.ndarray  # (N,) float64, of the planes
     atlas_names: list[str]
     joint_names: list[str]
-    joint_tree: dict[str, dict[str, Any]]
+    joint_tree: dict[str, dict[str, Any]]  # {name: parent and offset}, parents first
     markers: dict[str, np.ndarray]
     label_names: dict[int, str]
 
@@ -65,29 +60,26 @@ def load_room(folder=FILES):
     )
 
 
-def load_texture(name, lighting):
-    """(H, W, 3) uint8 BGR."""
-    pixels = cv2.imread(str(FILES / f"{name}_{lighting}.jpg"))
+def read_image(name):
+    """(H, W, 3) uint8 BGR, of a file of the room."""
+    pixels = cv2.imread(str(FILES / name))
     if pixels is None:
         raise FileNotFoundError(
-            f"the room's texture {name}_{lighting}.jpg is missing or damaged; restore it: "
+            f"the room's file {name} is missing or damaged; restore it: "
             "git checkout -- imgproc_course/simulation/room"
         )
     return pixels
 
 
 class FreeSpace:
-    """How far each place on the floor is from the nearest thing that stands still, below the robot's top.
-
-    metres (rows, columns) of square cells; `origin` (x, y) is the corner of the first one, `cell` their size
-    """
+    """How far each place on the floor is from the nearest thing that stands still, below the robot's top."""
 
     def __init__(self, distance, origin, cell):
         """distance (rows, columns) in millimetres"""
         self._millimetres = distance.tolist()  # single numbers are read faster from a list
         self.metres = distance / 1000
-        self.origin = np.asarray(origin, float).tolist()
-        self.cell = float(cell)
+        self.origin = np.asarray(origin, float).tolist()  # (x, y), the corner of the first cell
+        self.cell = float(cell)  # its side
 
     @classmethod
     def load(cls):

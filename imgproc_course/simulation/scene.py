@@ -17,10 +17,7 @@ OUTLINE_HEIGHTS = (0.03, 0.06, 0.105, 0.2, 0.35)  # metres
 
 
 class Scene:
-    """A Room as sensors see it. Simulations can share one, if one thread uses them; see Simulation.
-
-    Everything in it is made with its first use: the motion does without it.
-    """
+    """A Room as sensors see it, made with the first use; simulations of one thread can share it."""
 
     def __init__(self, room):
         configure_panda3d()  # a missing one is told here, not with the first image

@@ -26,16 +26,13 @@ def environment(sensors):
 
 
 class GradedDrive:
-    """A drive through a scenario that a kernel controls by its messages.
-
-    layout   (name, dtype, shape) of each array of an observation
-    seconds  that the robot took
-    """
+    """A drive through a scenario that a kernel controls by its messages."""
 
     def __init__(self, sensors, scenario):
         began = time.monotonic()
         self._drive, self._scenario = Drive(environment(tuple(sensors)), scenario), scenario
-        self.layout, self.seconds = self._drive.layout, time.monotonic() - began
+        self.layout = self._drive.layout  # (name, dtype, shape) of each array of an observation
+        self.seconds = time.monotonic() - began  # that the robot took
         self._ending, self._has_begun = None, False
 
     def answer(self, action):

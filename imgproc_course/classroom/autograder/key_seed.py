@@ -70,10 +70,7 @@ def read_or_make_seed(path):
 
 
 def redraw(key, make):
-    """Replace a key by one that `make(seed, folder)` makes from a new seed; returns where the old one is now.
-
-    It is kept, with its seed beside it: its grades stay reproducible.
-    """
+    """Replace a key by one that `make(seed, folder)` makes from a new seed; returns where the old one is."""
     if not (key / "key.json").is_file():
         raise KeyFolderError(f"{key}: there is no key to redraw; make one without --redraw")
     new_key = key.with_name(f"{key.name}.redrawn")

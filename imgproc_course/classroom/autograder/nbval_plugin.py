@@ -96,19 +96,16 @@ class ExerciseRun:
     Its checks run one after another in one kernel, as in JupyterLab, as long as they pass. A check that fails
     is run again in a new kernel, after the given cells and the answer, and that run counts: a patch, a crash
     or a thread in one check costs no other check anything. Each drive has a new kernel.
-
-    stop_at  time.monotonic() from which no further case is run; later by the time that robots took
-    runs     {case id: CaseRun}
-    passed   ids of the cases that nbval let pass
-    faults   {case id: text} of the cases that the autograder itself failed to run
     """
 
     def __init__(self, exercise, content, kernel_factory, stop_at=math.inf):
         self._exercise, self._content = exercise, content
         self._kernel_factory = kernel_factory
         self._kernel, self._kernel_seconds, self._answer_run = None, 0.0, None
-        self.stop_at = stop_at
-        self.runs, self.passed, self.faults = {}, set(), {}
+        self.stop_at = stop_at  # on time.monotonic(): then no further case is run; robots' time is added
+        self.runs = {}  # {case id: CaseRun}
+        self.passed = set()  # ids of the cases that nbval let pass
+        self.faults = {}  # {case id: text} of the cases that the autograder itself failed to run
 
     def run(self, case, sources_before, source):
         """The CaseRun of one case: its check cell runs after the given cells and the answer."""

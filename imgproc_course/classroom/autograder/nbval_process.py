@@ -59,10 +59,7 @@ def nbval_process_of_thread(unsafe, limits):
 
 
 def stop_nbval_processes(thread_prefix=""):
-    """Stop this Python process's nbval processes, or those of threads whose names begin with the prefix.
-
-    The next submission starts others.
-    """
+    """Stop this process's nbval processes, of threads with this prefix; the next submission starts others."""
     processes = [process for name, process in list(_processes.items()) if name.startswith(thread_prefix)]
     for process in processes:
         process.close_connection()

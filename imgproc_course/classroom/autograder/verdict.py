@@ -43,15 +43,12 @@ class DriveVerdict:
 
 @dataclass
 class CaseRun:
-    """One test case in its kernel: how the answer cell and then the check cell ended, and the verdict.
-
-    `told` is what the kernel showed in a drive: no verdict reads it.
-    """
+    """One test case in its kernel: how the answer cell and then the check cell ended, and the verdict."""
 
     answer: CellRun = field(default_factory=CellRun)
     check: CellRun = field(default_factory=CellRun)
     verdict: Verdict | DriveVerdict = field(default_factory=Verdict)
-    told: list = field(default_factory=list)
+    told: list = field(default_factory=list)  # what the kernel showed in a drive: no verdict reads it
 
     @property
     def ended(self):

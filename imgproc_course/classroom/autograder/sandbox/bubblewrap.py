@@ -47,21 +47,18 @@ class SandboxError(RuntimeError):
 class Limits:
     """What one kernel may use.
 
-    A case's processor time is its exercise's time limit for each of its calls, plus `grace`. memory, scratch,
-    file and output are bytes; grace and wall_grace are seconds; wall_factor multiplies the processor time.
-    `submission` is the wall time, in seconds, after which no further case of a submission is run: an endless
-    loop costs seven seconds a case, an endless sleep forty, and an honest lesson is graded in one or two.
+    An endless loop costs seven seconds a case, an endless sleep forty; an honest lesson takes one or two.
     """
 
-    memory: int = 2 << 30
+    memory: int = 2 << 30  # bytes, as the next three
     scratch: int = 32 << 20
     file: int = 16 << 20
     output: int = 8 << 20
     processes: int = 24
-    grace: float = 2.0
-    wall_factor: float = 4.0
-    wall_grace: float = 8.0
-    submission: float = 120.0
+    grace: float = 2.0  # seconds of processor time that a case has beside its exercise's limit for each call
+    wall_factor: float = 4.0  # multiplies the processor time
+    wall_grace: float = 8.0  # seconds
+    submission: float = 120.0  # seconds of wall time, after which no further case of a submission is run
 
     def cpu(self, seconds):
         """Whole seconds of processor time that the system gives to each process of a kernel."""

@@ -30,13 +30,10 @@ done"""
 
 
 class ProcessGroup:
-    """The processes of one sandbox.
-
-    folders   Paths of its control groups; empty if none could be made or none are used
-    """
+    """The processes of one sandbox."""
 
     def __init__(self, memory, processes, *, use_cgroups=True):
-        self.folders = []
+        self.folders = []  # of its control groups; none if none could be made or are used
         # Of each group its own: the guard ends what is in the folders.
         self._name = f"{_PREFIX}{next(_numbers)}-{os.getpid()}"
         self._max_memory = memory + _OWN_MEMORY

@@ -194,14 +194,11 @@ def _line_of(request):
 
 
 class ForkServer:
-    """The process that forks kernels, seen from outside; it is started again if it has ended.
-
-    group   ProcessGroup of all its processes
-    """
+    """The process that forks kernels, seen from outside; it is started again if it has ended."""
 
     def __init__(self, group, limits, *, confined):
         self._limits, self._confined = limits, confined
-        self.group = group
+        self.group = group  # ProcessGroup of all its processes
         self._process = self._control = None
         self._fork_count = 0
 

@@ -8,11 +8,7 @@ from imgproc_course.classroom.autograder.sandbox.fork_server_client import Forke
 
 
 class KernelFactory(contextlib.AbstractContextManager):
-    """Starts kernels; a context manager.
-
-    unsafe   True: without a sandbox, as the user who grades
-    limits   Limits of one kernel, None for the default ones
-    """
+    """Starts kernels, `unsafe` ones without a sandbox, as the user who grades; a context manager."""
 
     def __init__(self, *, unsafe=False, limits=None):
         self.limits = limits or bubblewrap.Limits()
