@@ -19,7 +19,7 @@ CV_BRIDGE = f"{NAME}.messages.cv_bridge"
 # room of a scenario, and a map of it with the path. They are imported when a drive begins.
 DRIVE_ENVIRONMENT = f"{NAME}.simulation.room_env:RoomEnv"
 DRIVE_OBSERVATION = f"{NAME}.simulation.room_env:controller_observation"
-DRIVE_ROOM = f"{NAME}.simulation.room_env:room_of"
+DRIVE_ROOM = f"{NAME}.simulation.furnished:room_of"
 DRIVE_MAP = f"{NAME}.simulation.room_map:draw_map"
 # The list of functions that give advice on an error of a learner's function, wherever it is called.
 ERROR_ADVISERS = f"{NAME}.learner_errors:advisers"

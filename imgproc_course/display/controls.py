@@ -140,7 +140,9 @@ class Controls:
 
     def _parameters_of(self, keyword, range_):
         parameters = self._parameters
-        if parameters is None or keyword in parameters or _takes_any_keyword(parameters):
+        if parameters is None or keyword in parameters:
+            return (keyword,)
+        if any(parameter.kind is parameter.VAR_KEYWORD for parameter in parameters.values()):
             return (keyword,)
         pairs = [pair for pair in PAIRS if set(pair) <= set(parameters)]
         single_names = [name for name in parameters if not pairs or name not in pairs[0]]
@@ -202,10 +204,6 @@ def _parameters(function):
         return inspect.signature(function).parameters
     except (TypeError, ValueError):  # a function written in C, such as one of cv2, may not have a signature
         return None
-
-
-def _takes_any_keyword(parameters):
-    return any(parameter.kind is parameter.VAR_KEYWORD for parameter in parameters.values())
 
 
 def name_of(function):

@@ -199,7 +199,10 @@ def _stored_texts(name):
 
 
 class Output:
-    """Something as a notebook stores it: HTML, text, and the widget, which only a running kernel shows."""
+    """Something as a notebook stores it: HTML, text, and the widget, which only a running kernel shows.
+
+    Of runs that differ, the texts are equal; only the id of the widget is another one.
+    """
 
     def __init__(self, text, html, widget=None):
         self.text, self.html, self._widget = text, html, widget
@@ -485,7 +488,8 @@ def _draw_image(figure, panel, scale, cmap):
     image, box = panel.image, panel.box
     axes = figure.add_axes(_place(figure, panel.left + LEFT, panel.top + TOP, *box))
     height, width = image.array.shape[:2]
-    colours = to_rgb(image, scale if panel.is_barred else _fixed_range(image), cmap)
+    white = 1 if image.array.dtype == bool else 255
+    colours = to_rgb(image, scale if panel.is_barred else (0, white), cmap)
     left, top = image.first_col - 0.5, image.first_row - 0.5
     pixels = resize(colours, [max(1, round(side * DENSITY)) for side in box])
     extent = (left, left + width, top + height, top)
@@ -502,10 +506,6 @@ def _draw_image(figure, panel, scale, cmap):
     axes.set_xlim(left, left + width)
     axes.set_ylim(top + height, top)
     return axes
-
-
-def _fixed_range(image):
-    return (0, 1) if image.array.dtype == bool else (0, 255)
 
 
 def to_rgb(image, limits, cmap="gray"):

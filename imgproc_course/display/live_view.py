@@ -189,7 +189,7 @@ class LiveView(View):
         self._cell, self._cell_run = cell, run
         name = html.escape(self._name.rstrip("."))
         still = f"<p>Live view: {name}. It moves when this cell is run.</p>"
-        publish(self._box, f"Live view: {self._name}", still)
+        display(Output(f"Live view: {self._name}", still, self._box))
 
     def _ipython_display_(self):
         # As the last value of its own cell, it is already on the page.
@@ -413,14 +413,6 @@ class _Playback(_Feed):
 
 
 # ---------------------------------------------------------------- in the notebook
-
-
-def publish(widget, text, still):
-    """Shows a widget in the running cell. Without a kernel, a notebook shows the HTML `still` instead.
-
-    The stored output has `text` and `still`, equal in every run; only the id of the widget differs.
-    """
-    display(Output(text, still, widget))
 
 
 def _running_cell():

@@ -9,10 +9,11 @@ from typing import Any
 
 import ipywidgets as widgets
 import numpy as np
+from IPython.display import display
 
 from imgproc_course.display.controls import Controls, in_a_row
-from imgproc_course.display.figures import split_text
-from imgproc_course.display.live_view import LiveView, is_live, live_view, publish
+from imgproc_course.display.figures import Output, split_text
+from imgproc_course.display.live_view import LiveView, is_live, live_view
 from imgproc_course.display.printing import captured_prints, last_lines
 from imgproc_course.display.screen import Look, Screen, View, describe_error
 
@@ -128,7 +129,7 @@ class Tuner(View):
             alt = html.escape(self._screen.image.tooltip)
             img_tag = f'<img alt="{alt}" style="max-width: 100%" src="data:image/jpeg;base64,{data}">'
         still = f'<figure style="margin: 0">{img_tag}<figcaption><code>{code}</code></figcaption></figure>'
-        publish(self._box, repr(self), still)
+        display(Output(repr(self), still, self._box))
 
     def _ipython_display_(self):
         """Shows nothing: as the last value of its own cell, it is already on the page."""

@@ -13,15 +13,12 @@ def call_process(process, frame, parameters, outputs):
     try:
         results = process(frame, **parameters)
         if isinstance(results, dict) and results.keys() >= set(outputs):
-            return {output: _evaluated(results[output]) for output in outputs}
+            values = {output: results[output] for output in outputs}
+            return {output: value() if callable(value) else value for output, value in values.items()}
     except Exception as error:  # process is other people's code, and the node must live on
         raise SkippedImageError(f"process failed {_location(error, process)}") from error
     returned = list(results) if isinstance(results, dict) else f"a {type(results).__name__}"
     raise SkippedImageError(f"process must return a dict with the keys {outputs}, but it returned {returned}")
-
-
-def _evaluated(value):
-    return value() if callable(value) else value
 
 
 def _location(error, process):

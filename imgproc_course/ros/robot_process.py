@@ -203,15 +203,12 @@ class RobotConnection:
         with contextlib.suppress(EOFError, OSError):
             return self._connection.recv()
 
-    def _close_after_fork(self):
-        self.left = True
-        self._connection.close()
-
 
 def _close_connections_after_fork():
     # A forked child must not count as a user of the robot after its parent has ended.
     for connection in list(RobotConnection._all):
-        connection._close_after_fork()
+        connection.left = True
+        connection._connection.close()
 
 
 if hasattr(os, "register_at_fork"):

@@ -12,7 +12,8 @@ from imgproc_course.messages import array_to_image
 from imgproc_course.ros.image_sources import FRAME_ID, FrameImage
 from imgproc_course.ros.room_messages import camera_info, sensor_topics
 from imgproc_course.ros.session import log
-from imgproc_course.simulation import Simulation, furnished, recorded_room
+from imgproc_course.simulation import Simulation
+from imgproc_course.simulation.furnished import room_of
 
 STAND_STILL = (0.0, 0.0, -math.inf)  # m/s, rad/s, and when this was commanded
 COMMAND_TIMEOUT = 0.5  # seconds: an older command stops the robot, on the real one too
@@ -38,7 +39,7 @@ class RoomImages:
     def __init__(self, rate, *, room=None, start=None, **options):
         self.rate = rate
         # Of the simulation that runs, or begins next.
-        self.options = options | {"room": room, "start": start or numbered_room(room).start}
+        self.options = options | {"room": room, "start": start or room_of(room).start}
         self.simulation = begun(self.options)
         self.simulation.frame()  # the first one takes a second, which the robot would miss while it drives
         self.on_motion: Callable[[int], None] = lambda stamp: None
@@ -65,7 +66,7 @@ class RoomImages:
         if changes.keys() == {"lighting"}:
             changes["start"] = planar(self.simulation.pose("robot"))
         if "room" in changes and "start" not in changes:
-            changes["start"] = numbered_room(changes["room"]).start
+            changes["start"] = room_of(changes["room"]).start
         options = self.options | changes
         simulation = begun(options, 0.0 if changes.keys() & {"seed", "room"} else self.simulation.time)
         is_taken = threading.Event()
@@ -138,14 +139,9 @@ class RoomImages:
         self.simulation.close()
 
 
-def numbered_room(number):
-    """The Room of this number; that of the recorded drive for None."""
-    return recorded_room() if number is None else furnished(number)
-
-
 def begun(options, time=0.0):
     """A Simulation with a number in place of its room."""
-    return Simulation(**options | {"room": numbered_room(options["room"])}, time=time)
+    return Simulation(**options | {"room": room_of(options["room"])}, time=time)
 
 
 def planar(pose):

@@ -67,16 +67,11 @@ def _count_markers(env, found):
     markers = found.get("markers") if isinstance(found, dict) else None
     if not isinstance(markers, dict):
         return 0
-    truths = {number: env.room.poses[name][:2].tolist() for name, number in env.room.markers.items()}
-    return sum(
-        _is_near(_in_map(env.path[0], markers[number]), truth)
-        for number, truth in truths.items()
-        if number in markers
-    )
-
-
-def _is_near(place, truth):
-    return place is not None and math.dist(place, truth) <= NEAR
+    count = 0
+    for name, number in env.room.markers.items():
+        place = _in_map(env.path[0], markers.get(number))
+        count += place is not None and math.dist(place, env.room.poses[name][:2].tolist()) <= NEAR
+    return count
 
 
 def _in_map(start, point):

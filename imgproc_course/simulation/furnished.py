@@ -12,7 +12,7 @@ from ..geometry import Pose
 from .drive import TURNING
 from .pieces import load_pieces, turned, turned_to_each
 from .placement import AREA, DOOR, ORIGIN, SMALL, Placement, cells, painted, squared_distances
-from .room import CAR_TIME, WALK_LENGTH, BallWay, CarWay, PersonWay, Room, Rug
+from .room import CAR_TIME, WALK_LENGTH, BallWay, CarWay, PersonWay, Room, Rug, recorded_room
 from .room_light import textures
 from .room_model import FreeSpace, read_image
 
@@ -54,6 +54,11 @@ def furnished(seed: int) -> Room:
     if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0:
         raise ValueError(f"a furnished room has a whole number from 0 on, such as 17, got {seed!r}")
     return _furnished(int(seed))
+
+
+def room_of(number):
+    """The Room of this number; that of the recorded drive for None."""
+    return recorded_room() if number is None else furnished(number)
 
 
 @functools.lru_cache(maxsize=4)

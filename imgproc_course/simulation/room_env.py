@@ -11,11 +11,11 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from .drive import MAX_ANGULAR, MAX_LINEAR, TURNING, gap
-from .furnished import furnished
+from .furnished import room_of
 from .laser import RAYS
 from .metrics import Metrics
 from .movers import Movers
-from .room import Room, recorded_room
+from .room import Room
 from .room_map import draw_map
 from .scene import Scene
 from .simulation import Simulation, check_size, checked_movers
@@ -249,11 +249,6 @@ def controller_observation(observation):
         scan = given["scan"]
         given["scan"] = np.where(scan >= NO_RANGE, np.float32(np.inf), scan)
     return given | {"time": float(given["time"][0])}
-
-
-def room_of(number):
-    """The Room of a scenario: None is the recorded one, a whole number a furnished one."""
-    return recorded_room() if number is None else furnished(number)
 
 
 def reachable_cells(room: Room) -> NDArray[np.float64]:

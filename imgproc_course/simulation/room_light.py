@@ -96,7 +96,7 @@ def textures(poses, lighting, word=None, markers=None):
 
     The sign has one of the `words()`, and the markers {name: number, 0 to 49}; else the recorded room's.
     """
-    images = {atlas: read(f"{atlas}_{lighting}.jpg") for atlas in ATLASES}
+    images = {atlas: read_image(f"pieces/{atlas}_{lighting}.jpg") for atlas in ATLASES}
     for name, number in (markers or {}).items():
         print_marker(images["signs"], name, number)
     small = {atlas: reduced(images[atlas], ATLASES[atlas].size) for atlas in ATLASES}
@@ -119,10 +119,6 @@ def textures(poses, lighting, word=None, markers=None):
 
 
 # images and ratios
-
-
-def read(name):
-    return read_image(f"pieces/{name}")
 
 
 def reduced(image, size):
@@ -178,7 +174,7 @@ def write(image, word):
 
 def add_sun_to_floor(image, floor):
     """Lights the floor's texture where the sun reaches it, in place."""
-    sunny = read("floor_sunny.jpg")
+    sunny = read_image("pieces/floor_sunny.jpg")
     height, width = sunny.shape[:2]
     top, left = stored()["sunny_corner"].tolist()
     box = np.s_[top // 4 : (top + height) // 4, left // 4 : (left + width) // 4]
@@ -190,7 +186,7 @@ def add_sun_to_rug(image, floor, placed):
     brightest, here = stored()["sunlight"], of_rug(floor.sun, placed)
     light = (of_rug(floor.shaded, placed) + here) / (stored()["reference_rug_day"] + brightest)
     share = of_rug(floor.sun_share, placed) * np.minimum(here[..., 1] * (4 / brightest[1]), 1)
-    blend(image, "rug_sunny", read("rug_sunny.jpg"), light, share.astype(np.uint8))
+    blend(image, "rug_sunny", read_image("pieces/rug_sunny.jpg"), light, share.astype(np.uint8))
 
 
 def blend(image, name, sunny, light, share):
@@ -283,7 +279,7 @@ def sky_share(plane, placed):
 
 def light_image(atlas, kind, lighting):
     """An image of light, (H, W, 3) float32."""
-    image = enlarged(read(f"{atlas}_{kind}_{lighting}.jpg"), ATLASES[atlas].size)
+    image = enlarged(read_image(f"pieces/{atlas}_{kind}_{lighting}.jpg"), ATLASES[atlas].size)
     steps = np.arange(256, dtype=np.float32)
     return (steps * steps * np.float32(BRIGHTEST[kind] / 65025))[image]
 

@@ -11,7 +11,7 @@ import pytest
 
 from imgproc_course.display import LiveView, tune
 
-module = sys.modules["imgproc_course.display.live_view"]
+MODULES = [sys.modules[f"imgproc_course.display.{name}"] for name in ("live_view", "tuners")]
 GRAY = cv2.GaussianBlur(np.random.default_rng(3).integers(0, 256, (90, 160), np.uint8), (0, 0), 2)
 
 
@@ -22,7 +22,8 @@ def canny(gray, low, high, *, sigma=0.0):
 @pytest.fixture(autouse=True)
 def stored(monkeypatch):
     outputs = []
-    monkeypatch.setattr(module, "display", lambda output: outputs.append(output._repr_mimebundle_()))
+    for module in MODULES:
+        monkeypatch.setattr(module, "display", lambda output: outputs.append(output._repr_mimebundle_()))
     return outputs
 
 

@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 import pytest
 
-from imgproc_course.simulation import room_light
+from imgproc_course.simulation import room_model
 from imgproc_course.simulation.room_light import ATLASES, FILES, X0, X1, Y0, Y1, stored, textures, words
 from imgproc_course.simulation.room_model import FILES as RECORDED_FILES
 
@@ -163,9 +163,9 @@ def test_words_differ_in_more_than_one_letter_and_other_words_are_refused():
 
 
 def test_a_missing_file_is_told_with_its_remedy(monkeypatch, tmp_path):
-    monkeypatch.setattr(room_light, "FILES", tmp_path)
+    monkeypatch.setattr(room_model, "FILES", tmp_path)
     with pytest.raises(FileNotFoundError, match=r"pieces/floor_day\.jpg is missing .* git checkout"):
-        room_light.read("floor_day.jpg")
+        room_model.read_image("pieces/floor_day.jpg")
 
 
 DIGESTS = {

@@ -125,8 +125,8 @@ def _cell_problems(cell, next_cell):
         return
     yield from (problem for is_broken, problem in _cell_rules(cell, lines, next_cell) if is_broken)
     yield from _figure_problems(cell)
-    if cell.folded:
-        yield from _folding_problems(cell)
+    if cell.folded and not (_asserts(cell) and all(map(_belongs_to_asserts, _parse(cell.source).body))):
+        yield f"a cell that begins with '{CHECK_LINE}' is folded: it holds only asserts, and names for them"
 
 
 def _cell_rules(cell, lines, next_cell):
@@ -163,11 +163,6 @@ def _figure_problems(cell):
         keywords = {keyword.arg for keyword in call.keywords}
         if "text" not in keywords and not {"caption", "alt"} <= keywords:
             yield f'{call.func.id}(...) needs text="<lesson>/<name>", or caption= and alt='
-
-
-def _folding_problems(cell):
-    if not _asserts(cell) or not all(_belongs_to_asserts(node) for node in _parse(cell.source).body):
-        yield f"a cell that begins with '{CHECK_LINE}' is folded: it holds only asserts, and names for them"
 
 
 def _belongs_to_asserts(node):

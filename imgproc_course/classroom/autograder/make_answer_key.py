@@ -240,13 +240,10 @@ class _ExerciseKeyMaker:
         if case.id in self._drawn:
             return [call_to_json(self._drawn[case.id].mistakes[mistake.name])]
         function = exercise.function_of_mistake(mistake)
-        calls = []
-        for encoded in self._inputs[case.id]:
-            arguments = decode(encoded)
-            names = running.argument_names(function, exercise.subject)
-            result = running.call(function, arguments, names, exercise.time_limit, exercise.subject)
-            calls.append(call_to_json(result))
-        return calls
+        names = running.argument_names(function, exercise.subject)
+        how = exercise.time_limit, exercise.subject
+        inputs = map(decode, self._inputs[case.id])
+        return [call_to_json(running.call(function, arguments, names, *how)) for arguments in inputs]
 
     def _notebook(self, payloads):
         exercise = self._exercise

@@ -159,16 +159,14 @@ def graded_exercise(exercise, content, exercise_run):
     )
     mistake = None
     if not all(case.passed for case in cases):
-        find = _mistake_in_drives if exercise.drives else _mistake_in_calls
-        mistake = find(exercise, content, runs)
+        if exercise.drives:
+            mistake = _mistake_in_drives(exercise, content, runs)
+        else:
+            calls = {id: run.verdict.calls for id, run in runs.items()}
+            mistake = known_mistake(exercise, content, calls)
     known = (mistake.name, mistake.explanation) if mistake else ("", "")
     message = _message_about_cell(runs)
     return GradedExercise(exercise.id, exercise.title, exercise.points, cases, *known, message)
-
-
-def _mistake_in_calls(exercise, content, runs):
-    calls = {id: run.verdict.calls for id, run in runs.items()}
-    return known_mistake(exercise, content, calls)
 
 
 def _mistake_in_drives(exercise, content, runs):
