@@ -426,9 +426,7 @@ def _running_cell():
 
 
 def _save(image):
-    for number in itertools.count(1):
-        path = Path(f"snapshot-{number:03d}.png")
-        if not path.exists():
-            break
+    paths = (Path(f"snapshot-{number:03d}.png") for number in itertools.count(1))
+    path = next(path for path in paths if not path.exists())
     path.write_bytes(cv2.imencode(".png", image)[1].tobytes())
     return path

@@ -149,34 +149,29 @@ def lesson_file_differences(files, folder):
     Numbers are compared as `check` compares them: another processor may round a float differently. Solutions
     that are not stored are not missed.
     """
-    differences = []
-    for name, text in files.items():
-        path = folder / name
-        if name.startswith(CHECKS):
-            differences += _check_file_differences(text, path)
-        elif not path.is_file():
-            if not name.startswith(SOLUTIONS):
-                differences.append(f"{name}: not built yet; run imgproc-course build")
-        elif path.read_text(encoding="utf-8", errors="replace") != text:
-            differences.append(f"{name}: differs from the master; run imgproc-course build")
-    return differences
+    return [
+        f"{name}: {problem}; run imgproc-course build"
+        for name, text in files.items()
+        for problem in _file_problems(name, text, folder / name)
+    ]
 
 
-def _check_file_differences(built, stored_path):
-    place = f"{stored_path.parent.name}/{stored_path.name}"
+def _file_problems(name, built, stored_path):
     if not stored_path.is_file():
-        return [f"{place}: not built yet; run imgproc-course build"]
+        return [] if name.startswith(SOLUTIONS) else ["not built yet"]
     if stored_path.read_text(encoding="utf-8", errors="replace") == built:
         return []
+    if not name.startswith(CHECKS):
+        return ["differs from the master"]
     try:
         with reading(stored_path):
             new, stored = json.loads(built), read_lesson_file(stored_path)
-            names = [name for name in ("lesson", "version", "cells") if new[name] != stored[name]]
+            parts = [part for part in ("lesson", "version", "cells") if new[part] != stored[part]]
             ids = sorted(new["exercises"].keys() | stored["exercises"].keys())
-            names += [id for id in ids if _entry_of(id, new) != _entry_of(id, stored)]
+            parts += [id for id in ids if _entry_of(id, new) != _entry_of(id, stored)]
     except CheckFileError:
-        return [f"{place}: damaged; run imgproc-course build"]
-    return [f"{place}: {name} differs from the master; run imgproc-course build" for name in names]
+        return ["damaged"]
+    return [f"{part} differs from the master" for part in parts]
 
 
 def _entry_of(id, data):

@@ -145,8 +145,9 @@ def _data(data, size):
     return {"data": encoded}
 
 
-def read_answer(payload):
-    """What a check cell showed, as a list of CallResult; None if ours cannot have shown it."""
+def read_answer(payloads):
+    """What a check cell showed, as a list of CallResult; None if ours cannot have shown it so, once."""
+    payload = payloads[0] if len(payloads) == 1 else None
     if not isinstance(payload, dict) or not isinstance(payload.get("calls"), list):
         return None
     calls = read_calls(payload["calls"][:_MOST_CALLS])

@@ -222,8 +222,7 @@ class _ExerciseKeyMaker:
         with self._kernel_after_solution(exercise.time_limit * len(inputs), subject) as (kernel, check):
             run = kernel.run_check(check, inputs, exercise.time_limit)
             _require_run(run, subject)
-        payloads = run.answers
-        calls = read_answer(payloads[0]) if len(payloads) == 1 else None
+        calls = read_answer(run.answers)
         if calls is None:
             raise MasterError(f"{subject} shows no values")
         for call in calls:
@@ -231,7 +230,7 @@ class _ExerciseKeyMaker:
             if problem:
                 raise MasterError(f"{subject} returns nothing that can be compared: {problem}")
         expected = [call.value for call in calls]
-        if not verdict_on(payloads, expected, case.tolerance, exact_type=True).passed:
+        if not verdict_on(run.answers, expected, case.tolerance, exact_type=True).passed:
             raise MasterError(f"{subject} does not equal itself")
         return {"calls": [call_to_json(call) for call in calls]}
 

@@ -65,7 +65,7 @@ def verdict_on(payloads, expected, tolerance, *, exact_type=True):
 
     The comparison is `exercises.compare`, so `check` in a lesson and the autograder agree.
     """
-    calls = read_answer(payloads[0]) if len(payloads) == 1 else None
+    calls = read_answer(payloads)
     if calls is None:
         return Verdict()
     failed_call, difference = _first_failed_call(expected, calls, tolerance, exact_type)
