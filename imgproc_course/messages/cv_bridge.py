@@ -164,14 +164,8 @@ def cvtColorForDisplay(
     return convert(frame) if convert else frame
 
 
-_DISPLAYED_AS = {
-    "8U": "mono8",
-    "8UC1": "mono8",
-    "8UC3": "bgr8",
-    "8UC4": "bgra8",
-    "16U": "mono16",
-    "16UC1": "mono16",
-}
+_DISPLAYED_AS = dict.fromkeys(("8U", "8UC1"), "mono8") | dict.fromkeys(("16U", "16UC1"), "mono16")
+_DISPLAYED_AS |= {"8UC3": "bgr8", "8UC4": "bgra8"}
 
 
 def _label_colors(labels):

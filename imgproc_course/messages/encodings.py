@@ -136,8 +136,7 @@ _DEPTH_OF = {np.dtype(code).str: depth for depth, code in DEPTHS.items()}
 _CASTS = {
     "bool": "array.astype('uint8') * 255 makes a mask of 0 and 255",
     "int64": "array.astype('int32') if the values fit; np.clip(array, 0, 255).astype('uint8') for gray",
-    "uint32": "array.astype('int32') if the values fit",
-    "uint64": "array.astype('int32') if the values fit",
+    **dict.fromkeys(("uint32", "uint64"), "array.astype('int32') if the values fit"),
     "float16": "array.astype('float32') keeps every value",
 }
 

@@ -15,14 +15,7 @@ FOR_MARKER, FOR_WORD, FOR_BUMP = 10, 20, -5  # points
 
 def scenario_of(room: int, seed: int) -> dict[str, Any]:
     """The scenario of a RoomEnv that explores a furnished room; the start is drawn from the seed."""
-    return {
-        "seed": seed,
-        "room": room,
-        "start": None,
-        "lighting": "day",
-        "movers": [],
-        "duration": DURATION,
-    }
+    return {"seed": seed, "room": room, "start": None, "lighting": "day", "movers": [], "duration": DURATION}
 
 
 def exploration_score(env: RoomEnv, found: Any) -> dict[str, Any]:

@@ -21,13 +21,7 @@ ORIGIN = AREA[0] - 0.1
 GRID = 0.02  # metres: the cells in which pieces keep their distance
 SHAPE = (230, 335)  # rows and columns of the grid
 # Which way those pieces look that stand or hang at walls, in the recorded room; and the stand with a marker.
-FRONTS = {
-    "sofa": -math.pi / 2,
-    "shelf": math.pi,
-    "sign": math.pi,
-    "wall_marker": 0.0,
-    "picture": math.pi,
-}
+FRONTS = {"sofa": -math.pi / 2, "shelf": math.pi, "sign": math.pi, "wall_marker": 0.0, "picture": math.pi}
 STAND_FRONT = math.pi
 LARGE, SHOWN, SMALL = ("sofa", "shelf"), ("sign", "wall_marker"), ("slippers", "blocks")
 FREE = ("table", "cartons", "stand", "plant", "carton", "bin", "chair", "slippers", "blocks")

@@ -203,18 +203,11 @@ class RoomEnv(gymnasium.Env):
 
     def _begin(self, scenario):
         seed = int(self.np_random.integers(1 << 31))
-        start = scenario["start"]
-        return Simulation(
-            seed,
-            room=self._scene,
-            start=self._draw_start(scenario) if start is None else start,
-            movers=scenario["movers"],
-            ball=scenario["ball"],
-            time=scenario["time"],
-            lighting=scenario["lighting"],
-            size=self._image_size,
-            depth_size=self._depth_size,
-        )
+        size, depth_size = self._image_size, self._depth_size
+        options = {name: scenario[name] for name in ("start", "movers", "ball", "time", "lighting")}
+        if options["start"] is None:
+            options["start"] = self._draw_start(scenario)
+        return Simulation(seed, room=self._scene, size=size, depth_size=depth_size, **options)
 
     def _draw_start(self, scenario):
         """(x, y, yaw) with START_CLEARANCE around the body, in the part of the room where its start is."""

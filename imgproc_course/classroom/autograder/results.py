@@ -16,6 +16,7 @@ from types import SimpleNamespace
 
 import msgspec
 
+from ..exercises.check_data import shared_fields
 from ..exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
 from ..exercises.node_feedback import sentence_on_node
 from ..exercises.recording_node import UNKNOWN_PART
@@ -186,18 +187,9 @@ def _mistake_in_drives(exercise, content, runs):
 
 
 def _graded_case(case, outcome, message="", failed_call=None):
-    passed = outcome == Outcome.PASSED
-    return GradedCase(
-        id=case.id,
-        title=case.title,
-        hidden=case.hidden,
-        points=case.points if passed else 0,
-        max_points=case.points,
-        outcome=outcome,
-        hint="" if passed else case.hint,
-        message=message,
-        failed_call=failed_call,
-    )
+    fields = shared_fields(case, GradedCase) | {"max_points": case.points}
+    fields |= {"hint": ""} if outcome == Outcome.PASSED else {"points": 0}
+    return GradedCase(**fields, outcome=outcome, message=message, failed_call=failed_call)
 
 
 def _case_of_run(exercise, content, case, run, passed):
