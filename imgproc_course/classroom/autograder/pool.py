@@ -5,9 +5,7 @@
     for graded in autograde([("ada", "images_as_messages", answers)], key):
         print(graded.name, graded.points, "of", graded.max_points)
 
-Each thread or process that grades keeps one nbval process (`nbval_process`) and sends it one submission after
-another. nbval runs the answers in kernels inside the sandbox. The checks of an exercise share a kernel as
-long as they pass; every other result comes from a kernel of its own.
+Each thread or process that grades keeps one nbval process (`nbval_process`), which grades one after another.
 
 A fault of the autograder (an exception, a process that was killed, a run without a result) costs nobody
 points: the submission is graded again in new processes, and if that fails too, the outcome is "not graded".
