@@ -208,7 +208,7 @@ def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
 
 
 def run_mistake(exercise, mistake):
-    """The CheckResult of a declared mistake of an Exercise that drives. What it drove, it does not drive again."""
+    """The CheckResult of a declared mistake of an Exercise that drives; it does not drive again."""
     data = check_data_of(exercise)
     (results,) = (known.results for known in data.mistakes if known.name == mistake.name)
     function = exercise.function_of_mistake(mistake)

@@ -4,6 +4,7 @@ There is a sentence for each path of a record. The first path that differs count
 """
 
 import re
+from pathlib import Path
 
 import numpy as np
 
@@ -15,21 +16,10 @@ NODE_ERRORS = ("NodeError", "NotGradedError")
 # The names in a record, those first that explain others.
 _ORDER = (
     *("name", "missing elements", "build type", "names of pip", "missing dependencies", "packages"),
-    *(
-        "executables",
-        "data files",
-        "main",
-        "sleeps",
-        "windows",
-        "node",
-        "subscriptions",
-        "publishers",
-        "published early",
-        "steps",
-        "delivered",
-    ),
-    *("ended", "published", "log", "accepted", "topic", "type", "reliability", "durability", "history"),
-    *("depth", "encoding", "height", "width", "pixels", "stamp", "frame_id"),
+    *("executables", "data files", "main", "sleeps", "windows", "node", "subscriptions", "publishers"),
+    *("published early", "steps", "delivered", "ended", "published", "log", "accepted", "topic", "type"),
+    *("reliability", "durability", "history", "depth", "encoding", "height", "width", "pixels", "stamp"),
+    "frame_id",
 )
 
 
@@ -42,10 +32,11 @@ def sentence_on_node(expected, actual, arguments):
     # An error that the node logs for a right image explains why it published nothing.
     differences.sort(key=lambda difference: not (difference[0].endswith("/log") and difference[1] == ""))
     for path, wanted, given in differences:
-        for pattern, sentence in _SENTENCES.items():
-            match = re.fullmatch(pattern, path)
+        for pattern, sentence in (_RULES | _PHRASES).items():
+            place = f"{path}: {given!r}, not {wanted!r}"
+            match = re.fullmatch(f"{pattern}([:,] .*)?", place, re.DOTALL)
             if match:
-                names = match.groupdict() | {"expected": wanted, "actual": given}
+                names = match.groupdict() | {"expected": wanted, "actual": given, "advice": _ADVICE}
                 steps = arguments[1][: int(names.get("step", -1)) + 1]
                 text = sentence(wanted, given, steps) if callable(sentence) else sentence
                 return text.format(**names)
@@ -55,7 +46,7 @@ def sentence_on_node(expected, actual, arguments):
 def advice_on_node_error(result):
     """What the error of a node's CallResult means, "" if nothing is certain."""
     text = f"{result.error}: {result.message}\n{result.line}"
-    matches = ((re.match(pattern, text), advice) for pattern, advice in _ERRORS.items())
+    matches = ((re.match(pattern, text), advice) for pattern, advice in _PHRASES.items())
     return next((match.expand(advice) for match, advice in matches if match), "")
 
 
@@ -90,59 +81,6 @@ def _differences(expected, actual, path=""):
                 return
     elif type(expected) is not type(actual) or not np.array_equal(expected, actual):
         yield path, expected, actual
-
-
-def _on_endpoints(noun):
-    def sentence(_wanted, given, _steps):
-        if not given:
-            return f"Your node has no {noun}: __init__ must call self.create_{noun}(...)."
-        return f"Your node has more than one {noun}. The task asks for one."
-
-    return sentence
-
-
-def _on_reliability(_wanted, given, _steps):
-    if given != "RELIABLE":
-        return "The reliability of your subscription is {actual}. The task asks for {expected}."
-    return (
-        "The camera offers best effort: ROS does not connect a RELIABLE subscription, so no image arrives."
-        " Write reliability=ReliabilityPolicy.BEST_EFFORT."
-    )
-
-
-def _on_log(wanted, given, _steps):
-    if wanted != "error":
-        return "Your node logs an error for an image that is right: {actual}"
-    if given == "":
-        return (
-            "Your node skips the message that cannot be converted, but it logs nothing. In except, call"
-            " self.get_logger().error(str(error))."
-        )
-    return "Your node logs the failure with the level {actual}. Use self.get_logger().error(...)."
-
-
-_TRY = (
-    " Put try: around the conversion, and below except CvBridgeError as error: log the error and return. Then"
-    " the node goes on with the next image."
-)
-
-
-def _on_end(_wanted, given, _steps):
-    if given == "UnboundLocalError":
-        return (
-            "After a message that cannot be converted, your callback goes on without a frame, and ends with"
-            " UnboundLocalError. Write return at the end of except."
-        )
-    reason = " (a logger takes a text: str(error))" if given == "TypeError" else ""
-    return "A message that cannot be converted ends your node with {actual}" + f"{reason}.{_TRY}"
-
-
-def _on_published(wanted, given, _steps):
-    if not wanted:
-        return f"Your node publishes an image, although the message cannot be converted.{_TRY}"
-    if not given:
-        return "An image arrived, and your node published nothing. Does the callback call publish at its end?"
-    return "Your node publishes more than one message for one image."
 
 
 def _on_pixels(wanted, given, steps):
@@ -191,99 +129,13 @@ def _is_exchanged(gray, step):
 
 _STEP = r"/steps/(?P<step>\d+)"
 _IMAGE = f"{_STEP}/published/0"
-# {path: a sentence, or what makes one of the two values and of the steps up to this one}
-_SENTENCES = {
-    "/subscriptions": _on_endpoints("subscription"),
-    "/publishers": _on_endpoints("publisher"),
-    "/subscriptions/0/reliability": _on_reliability,
-    f"{_STEP}/ended": _on_end,
-    f"{_STEP}/published": _on_published,
-    f"{_STEP}/log": _on_log,
-    f"{_STEP}/parameters": _on_parameters,
-    f"{_IMAGE}/pixels": _on_pixels,
-} | read_phrases(
-    r"""
-/name
-    The package is called {actual}. The task asks for {expected}.
-/missing elements
-    package.xml must have text in each of these elements: {actual}.
-/build type
-    The build type must be {expected}: <export><build_type>{expected}</build_type></export>.
-/names of pip
-    {actual} is a name of pip. package.xml has rosdep keys, such as python3-opencv.
-/missing dependencies
-    The node imports what package.xml does not name: {actual}. Write <exec_depend>...</exec_depend> for each.
-/packages
-    The argument packages of setup(...) must name the folder of the node, and nothing else.
-/executables
-    console_scripts makes these executables: {actual}. Write NAME = MODULE:FUNCTION. A module is named by its
-    folder and its file, with a dot between them and without .py.
-/data files
-    data_files must install the marker and package.xml, each to its own folder: compare with a package that
-    works. Yours installs {actual}.
-/main
-    The file of the node defines no function main, and the executable calls it.
-/sleeps
-    Your node sleeps. Meanwhile images wait, and those that do not fit into the queue are lost: a callback
-    returns as soon as it can. Remove sleep.
-/windows
-    imshow and waitKey need a window on the computer on which the node runs. Remove them: a node publishes its
-    images.
-/node
-    Your node is called {actual}. The task asks for {expected}: super().__init__("{expected}").
-/subscriptions/0/topic
-    You subscribe to {actual}, and the camera publishes {expected}.
-/(subscriptions|publishers)/0/type
-    The task asks for messages of the type {expected}, and yours are {actual}.
-/subscriptions/0/durability
-    The durability of your subscription is {actual}. The camera offers {expected}: write
-    durability=DurabilityPolicy.{expected}.
-/subscriptions/0/(?P<policy>depth|history)
-    The {policy} of your subscription is {actual}. The task asks for {expected}.
-/publishers/0/topic
-    You publish on {actual}. The task asks for {expected}: write ~ for the name of the node.
-/published early
-    Your node publishes before an image has arrived. Publish in the callback only.
-STEP/delivered
-    The image did not reach your node: ROS connects none of its subscriptions with the camera. Repair step 1
-    first.
-STEP/parameters/(?P<name>\w+)
-    The first value of the parameter {name} is {actual!r}. The task asks for {expected!r}:
-    self.declare_parameter("{name}", {expected!r}).
-STEP/accepted/(?P<name>\w+)
-    Your node does not take a new value for the parameter {name}: it is not declared, or with another type
-    (50.0 is no whole number), or a callback refuses it.
-IMAGE/topic
-    The image is published on {actual}. The task asks for {expected}.
-IMAGE/encoding
-    The message that you publish says {actual}. Pass the encoding {expected} to cv2_to_imgmsg.
-IMAGE/(?P<side>height|width)
-    The {side} of the published image is {actual}. Expected is {expected}.
-IMAGE/(stamp/\d|frame_id)
-    The image is right, but not its header: a receiver cannot know when and where it was taken. Copy the
-    header: pass msg.header to cv2_to_imgmsg.
-""".replace("STEP", _STEP).replace("IMAGE", _IMAGE)
+_ADVICE = (
+    "Put try: around the conversion, and below except CvBridgeError as error: log the error and return. Then"
+    " the node goes on with the next image."
 )
-# {an error as Python prints it, and the line that raised it: what it means}
-_ERRORS = read_phrases(r"""
-InvalidQoSProfileException
-    QoSProfile needs a depth: QoSProfile(depth=5, ...).
-TypeError: .*?(\w+)\(\) missing 1 required positional argument.*\n.*self\.\1\(\)
-    You call \1 here. Pass the method itself, without parentheses: self.\1.
-RuntimeError: .*callback should be
-    ROS calls the callback with the message: def image_callback(self, msg):
-AttributeError: .*_TYPE_SUPPORT
-    The first argument of create_publisher and create_subscription is the class of the messages: Image.
-InvalidTopicNameException
-    A topic name has letters, digits, _ and /, such as ~/gray.
-Parameter(?:NotDeclared|Uninitialized)Exception: .*?(\w+)\W*\n
-    Declare the parameter \1 in __init__, with its first value: self.declare_parameter("\1", ...).
-AttributeError: '(\w+)' object has no attribute '(\w+)'\n.*self\.\2
-    The node has no \2. An attribute is made in __init__, as self.\2 = ...; a method stands in the class, as
-    far to the right as __init__.
-(?s:error: .*can not be treated as a double)
-    This argument must be a number: self.get_parameter("low").value, of a parameter that is declared with a
-    number (50, not "50").
-TypeError: Expected .*, got .*ndarray
-    publish takes a message, and this is an array: convert it with cv2_to_imgmsg first.
-""")
+# A path in a record, perhaps with its values ("/path: given, not expected"), and below it a sentence; and an
+# error as Python prints it, with the line that raised it, and below it what the error means.
+_PHRASES = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
+_PHRASES = read_phrases(_PHRASES.replace("STEP", _STEP).replace("IMAGE", _IMAGE))
+# What makes a sentence of the two values and of the steps up to this one
+_RULES = {f"{_STEP}/parameters": _on_parameters, f"{_IMAGE}/pixels": _on_pixels}
