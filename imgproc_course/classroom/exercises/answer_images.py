@@ -30,7 +30,7 @@ class AnswerImage:
     png: bytes
     width: int
     height: int
-    type: str = "image/png"
+    type: str
 
     @property
     def url(self):
@@ -86,8 +86,8 @@ def _draw_values(caption, values, limits):
     pixels = np.clip(np.nan_to_num(scaled, posinf=255.0, neginf=0.0), 0, 255).round().astype(np.uint8)
     value_range = "" if (low, high) == (0.0, 255.0) else f" (black {low:.4g}, white {high:.4g})"
     rows, cols = pixels.shape[:2]
-    image = _fit_to_page(pixels)
-    return _encode(f"{caption}{value_range}", f"{caption}: {rows} rows, {cols} cols", image)
+    alt = f"{caption}: {rows} rows, {cols} cols"
+    return encode_image(f"{caption}{value_range}", alt, _fit_to_page(pixels), optimize=True)
 
 
 def _draw_difference(wrong):
@@ -99,11 +99,9 @@ def _draw_difference(wrong):
     center = (col + 0.5) * scale, (row + 0.5) * scale
     ImageDraw.Draw(image).circle(center, _RING_RADIUS + scale, outline=_RING, width=2)
     count = int(differs.sum())
-    return _encode(
-        f"red: differs ({count} of {differs.size}); the ring marks the first",
-        f"{count} of {differs.size} pixels differ, the first at row {row}, col {col}",
-        image,
-    )
+    caption = f"red: differs ({count} of {differs.size}); the ring marks the first"
+    alt = f"{count} of {differs.size} pixels differ, the first at row {row}, col {col}"
+    return encode_image(caption, alt, image, optimize=True)
 
 
 def _fit_to_page(pixels):
@@ -116,7 +114,9 @@ def _fit_to_page(pixels):
     return image
 
 
-def _encode(caption, alt, image):
-    buffer = io.BytesIO()
-    image.save(buffer, format="png", optimize=True)
-    return AnswerImage(caption, alt, buffer.getvalue(), image.width, image.height)
+def encode_image(caption, alt, image, width=None, kind="png", **options):
+    """An image of Pillow's as an AnswerImage of this width on the page."""
+    buffer, width = io.BytesIO(), width or image.width
+    image.save(buffer, format=kind, **options)
+    height = round(image.height * width / image.width)
+    return AnswerImage(caption, alt, buffer.getvalue(), width, height, f"image/{kind}")

@@ -3,13 +3,11 @@
 `simulator` and grading draw them, where the environment is.
 """
 
-import io
-
 import numpy as np
 from PIL import Image
 
 from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.answer_images import AnswerImage
+from imgproc_course.classroom.exercises.answer_images import encode_image
 from imgproc_course.classroom.exercises.drive import LOOK, Drive, decisive_moment, load
 
 _MAP_WIDTH, _FRAME_WIDTH = 280, 208  # pixels on the page
@@ -73,7 +71,7 @@ def _encode_film(caption, alt, frames, seconds):
     first, *others = map(Image.fromarray, frames)
     milliseconds = round(1000 * seconds / _FILM_SPEED / len(frames))
     film = {"save_all": True, "append_images": others, "duration": milliseconds, "loop": _FILM_LOOPS}
-    return _answer_image(caption, alt, first, first.width, quality=35, method=4, **film)
+    return encode_image(caption, alt, first, kind="webp", quality=35, method=4, **film)
 
 
 def _side_by_side(frame, drawn):
@@ -94,12 +92,4 @@ def _image_of(bgr):
 
 
 def _encode(caption, alt, bgr, width):
-    """An image as an AnswerImage of this width on the page."""
-    return _answer_image(caption, alt, _image_of(bgr), width, quality=75)
-
-
-def _answer_image(caption, alt, image, width, **options):
-    buffer = io.BytesIO()
-    image.save(buffer, format="webp", **options)
-    height = round(image.height * width / image.width)
-    return AnswerImage(caption, alt, buffer.getvalue(), width, height, "image/webp")
+    return encode_image(caption, alt, _image_of(bgr), width, "webp", quality=75)
