@@ -55,6 +55,8 @@ def drive(node_class, look, steps):
     NotGradedError: the node uses what the double does not have. NodeError: it cannot be driven. Exceptions of
     its __init__ are raised, and those of its callback with an image that is not bad.
     """
+    if not isinstance(node_class, type):
+        raise TypeError(f"expected the class of your node, got a value of type {type(node_class).__name__}")
     offer_modules()
     node_class, patches = _recording(node_class)
     with contextlib.ExitStack() as stack, _stops_end_here():

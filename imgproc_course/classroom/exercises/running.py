@@ -23,6 +23,7 @@ import traceback
 import types
 import warnings
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -136,8 +137,12 @@ def argument_names(function, subject="function"):
 
 def _call_fields(function, arguments, time_limit, subject):
     """The fields of CallResult that the call itself gives, as a dict."""
-    run = {"function": function, "node": _drive, "package": _drive_package}[subject]
-    arguments = arguments if subject == "function" else (function, *arguments)
+    run = function
+    if subject in NODES:
+        from . import node_driver, package_driver  # here: only nodes need them
+
+        drive = {"node": node_driver.drive, "package": package_driver.drive_package}[subject]
+        run = partial(drive, function)
     try:
         value = call_within(lambda: run(*arguments), time_limit)
         return {"value": canonical(value, limit=None)}
@@ -155,22 +160,6 @@ def failure_fields(error, function):
         "line": _own_line(error, function),
         "closest": _closest(error),
     }
-
-
-def _drive(node_class, *arguments):
-    """What a node did when it was driven, as a plain value."""
-    from .node_driver import drive  # here: only nodes need it
-
-    if not isinstance(node_class, type):
-        raise TypeError(f"expected the class of your node, got a value of type {type(node_class).__name__}")
-    return drive(node_class, *arguments)
-
-
-def _drive_package(function, *arguments):
-    """What the files of a package say, or what its node did, as a plain value."""
-    from .package_driver import drive_package
-
-    return drive_package(function, *arguments)
 
 
 def overwrite_freed_memory(form):
