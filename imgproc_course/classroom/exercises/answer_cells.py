@@ -46,8 +46,9 @@ def find_answer_cell(exercise, cells, lesson):
     more than text, of marked cells the one that the check used, and the last of the others, as after Run All.
     It is None if no cell is marked, and none defines the function.
     """
-    own = [cell for cell in cells if is_marked(cell, exercise)]
-    own.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != f"answer-{exercise.id}"))
+    mark = f"answer-{exercise.id}"
+    own = [cell for cell in cells if cell["id"] == mark or cell["exercise"] == exercise.id]
+    own.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != mark))
     was_handed_out = _handed_out(lesson, exercise.function)
     others = [
         cell
@@ -82,17 +83,12 @@ def _used_by_check(answers, exercise, cells):
 
 def requests_to_compose(answered):
     """The arguments of `CellDefinitions.compose` for {exercise: the cell of its answer}; lists."""
-    preferred = {exercise.function: cell["number"] for exercise, cell in answered.items()}
-    return [
-        [
-            cell["number"],
-            exercise.function,
-            sorted({"np"}.union(*map(bound_names, exercise.given))),
-            preferred,
-            argument_count(exercise.stub, exercise.function),
-        ]
-        for exercise, cell in answered.items()
-    ]
+    preferred, requests = {exercise.function: cell["number"] for exercise, cell in answered.items()}, []
+    for exercise, cell in answered.items():
+        given = sorted({"np"}.union(*map(bound_names, exercise.given)))
+        count = argument_count(exercise.stub, exercise.function)
+        requests.append([cell["number"], exercise.function, given, preferred, count])
+    return requests
 
 
 @dataclass(frozen=True)
@@ -123,11 +119,6 @@ def compose_answer(lesson, exercise_id, function, cells):
             definitions = CellDefinitions([plain_python(cell["source"]) for cell in cells])
             return ComposedAnswer(function, *definitions.compose(*request))
     return None
-
-
-def is_marked(cell, exercise):
-    """Whether a cell is marked as the answer cell of an exercise, by its id or in its metadata."""
-    return cell["id"] == f"answer-{exercise.id}" or cell["exercise"] == exercise.id
 
 
 def _is_answer(cell, exercise, stub, is_own=False):

@@ -295,17 +295,10 @@ def _shape_rules(expected, actual, given, name):
     if len(shape) == len(actual_shape) >= 2:
         gaps = (actual - expected for actual, expected in zip(actual_shape, shape, strict=True))
         changes = [_surplus(gap, noun) for gap, noun in zip(gaps, ("row", "column"), strict=False) if gap]
-        is_border = (
-            shape[0] - actual_shape[0] == shape[1] - actual_shape[1] in (2, 4) and shape[:2] == first[:2]
-        )
-        is_padding = shape[0] - actual_shape[0] == shape[1] - actual_shape[1] in (-2, -4)
-        end = (
-            ": the border of the image is missing."
-            if is_border
-            else ": is it padding?"
-            if is_padding
-            else "."
-        )
+        missing_rows, missing_cols = shape[0] - actual_shape[0], shape[1] - actual_shape[1]
+        end = ": is it padding?" if missing_rows == missing_cols in (-2, -4) else "."
+        if missing_rows == missing_cols in (2, 4) and shape[:2] == first[:2]:
+            end = ": the border of the image is missing."
         yield changes, f"Your result has {' and '.join(changes)}{end}"
 
 

@@ -51,15 +51,10 @@ class _Simulator:
     """One process that simulates, see `simulator`."""
 
     def __init__(self):
+        places = [getattr(course, name) for name in PLACES]
         # A session of its own: Ctrl-C and a kernel's interrupt are for the process that asks.
         self._process = subprocess.Popen(
-            [
-                sys.executable,
-                "-P",
-                "-m",
-                f"{__package__}.simulator",
-                *(getattr(course, name) for name in PLACES),
-            ],
+            [sys.executable, "-P", "-m", f"{__package__}.simulator", *places],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,

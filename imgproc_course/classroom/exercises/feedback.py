@@ -36,9 +36,11 @@ _COLOURS = {
 def explain_call(result, difference, name):
     """What went wrong in one call of an answer of this name, in a sentence or two; "" if nothing did."""
     if result.timed_out:
-        return _explain_timeout(name, result.stuck)
+        text = f"{name} did not finish in time and was stopped."
+        return text + " It could not be stopped: restart the kernel before you go on." * result.stuck
     if result.error:
-        return _explain_error(name, result)
+        text = f"{name} raised {result.error}" + (f": {result.message}" if result.message else "")
+        return text + (f"\nin your {result.line}" if result.line else "")
     if result.changed:
         return _explain_change(name, result.changed[0])
     if difference is None:
@@ -60,16 +62,6 @@ def explain_failure(exercise, call):
             sentence = sentence_on_node(call.expected.value, call.result.value, call.arguments)
             return sentence or explain_call(call.result, call.difference, exercise.answer_name)
     return explain_call(call.result, call.difference, exercise.answer_name)
-
-
-def _explain_timeout(name, stuck):
-    text = f"{name} did not finish in time and was stopped."
-    return text + (" It could not be stopped: restart the kernel before you go on." if stuck else "")
-
-
-def _explain_error(name, result):
-    text = f"{name} raised {result.error}" + (f": {result.message}" if result.message else "")
-    return text + (f"\nin your {result.line}" if result.line else "")
 
 
 def _explain_change(name, argument):
@@ -210,14 +202,11 @@ def _headline(result):
     if result.why_older:
         return f"this is an older {result.exercise.kind}"
     if not result.attempted:
-        return (
-            "not attempted yet; the function drives as you got it" if result.drives else "not attempted yet"
-        )
+        return "not attempted yet" + "; the function drives as you got it" * bool(result.drives)
     passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
-    is_practice = result.exercise.practice
-    refused = (
-        "this answer uses what is not allowed here" if is_practice else "grading would refuse this answer"
-    )
+    refused = "grading would refuse this answer"
+    if result.exercise.practice:
+        refused = "this answer uses what is not allowed here"
     # A refused module comes first: it may be the cause of an error below.
     if result.dependencies.refused:
         return refused if passed < count else f"the values are right, but {refused}"
@@ -275,10 +264,8 @@ def _advice(result, call):
         error, exercise = call.result, result.exercise
         names = exercise.names if exercise.subject not in NODES else None
         node_advice = advice_on_node_error(error) if exercise.subject != "function" else ""
-        expected = (names, exercise.function)
-        yield node_advice or advice_on(
-            error.error, error.message, error.line, *expected, closest=error.closest
-        )
+        about = (error.error, error.message, error.line, names, exercise.function, error.closest)
+        yield node_advice or advice_on(*about)
     if call.difference is None or call.result.changed or result.exercise.subject in NODES:
         return
     if result.drives and call.record["ended"]:
@@ -390,16 +377,12 @@ def _table(rows, first="td"):
     plain = "padding: 1px 6px; text-align: right; white-space: nowrap; font-family: monospace"
     plain += "; border: 1px solid #9e9e9e"
     framed = f"{plain}; border: 2px solid {_COLOURS['failed']}; font-weight: 700"
-    lines = (
-        "<tr>"
-        + "".join(
-            f'<{tag} style="{framed if mark else plain}">{html.escape(text)}</{tag[:2]}>'
-            for text, mark in row
-        )
-        + "</tr>"
-        for tag, row in zip(chain([first], repeat("td")), rows, strict=False)
-    )
-    table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{"".join(lines)}</table>'
+    lines = ""
+    for tag, row in zip(chain([first], repeat("td")), rows, strict=False):
+        styled = [(framed if mark else plain, html.escape(text)) for text, mark in row]
+        cells = "".join(f'<{tag} style="{style}">{text}</{tag[:2]}>' for style, text in styled)
+        lines += f"<tr>{cells}</tr>"
+    table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{lines}</table>'
     return f'<div style="overflow-x: auto" tabindex="0">{table}</div>'
 
 

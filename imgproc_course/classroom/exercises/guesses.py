@@ -12,6 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
+from .cell_syntax import UNPARSABLE
+
 _NO_GUESS = {"", "?"}
 _CLOSE = 0.1  # of the result
 _HUGE = 1e15  # beyond it, a float is not shown as a whole number, and nothing is close
@@ -76,8 +78,9 @@ def compare_guess(guess, value, unit=""):
         if plain_guess is None or plain_guess in _NO_GUESS:
             return GuessComparison("", result)
         plain_guess = _as_kind_of(value, plain_guess, unit)
-        verdict = _verdict(plain_guess, value, unit)
-        return GuessComparison(_shortened(_text(plain_guess, unit)), result, verdict)
+        verdict, text = _verdict(plain_guess, value, unit), _text(plain_guess, unit)
+        text = text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
+        return GuessComparison(text, result, verdict)
     except Exception:  # noqa: BLE001 - a guess can be any object of the learner's
         advice = 'A guess is a number, a text in quotes, such as "yes", or a tuple, such as (2, 3).'
         return GuessComparison("", result, advice=advice)
@@ -135,7 +138,7 @@ def read_bare_guess(lines, names):
 def _is_readable(source, names):
     try:
         nodes = list(ast.walk(ast.parse(source)))
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    except UNPARSABLE:
         return False
     read = {node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
     return all(name in names or hasattr(builtins, name) for name in read)
@@ -209,7 +212,3 @@ def _text(value, unit):
     is_whole = isinstance(value, int) or (value.is_integer() and abs(value) < _HUGE)
     number = str(int(value)) if is_whole else f"{value:.6g}"
     return f"{number} {unit}".rstrip()
-
-
-def _shortened(text):
-    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"

@@ -49,10 +49,6 @@ class LessonProgress:
         return {*self.exercises} - {*self.deeper}
 
     @property
-    def count_passed(self):
-        return len(self.passed)
-
-    @property
     def is_done(self):
         """Whether every exercise of the core has passed; a core without exercises is never done."""
         return bool(self.core) and self.core <= {*self.passed}

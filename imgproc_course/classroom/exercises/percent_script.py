@@ -83,7 +83,8 @@ def _read_script(path, _modified):
             _refuse_header(path, lines, options[_UNREADABLE])
         role = options.pop("role", "")
         if role:
-            line = _next_role_header(lines, position)
+            headers = enumerate(lines[position:], position + 1)
+            line = next(number for number, text in headers if _ROLE_HEADER.match(text))
             position = line + len(notebook_cell.source.splitlines())
         cell = ScriptCell(notebook_cell.cell_type, role, options, notebook_cell.source, line, path.name)
         _check_header(cell)
@@ -96,13 +97,6 @@ def _refuse_header(path, lines, header):
     raise MasterError(
         f"{path.name}, line {line}: cannot read the header {header!r}; write each value as JSON:"
         ' key="text", key=3, key=0.5, key=true or key=["a", "b"]'
-    )
-
-
-def _next_role_header(lines, position):
-    """The number, from 1, of the next line at or after a position that opens a role cell."""
-    return next(
-        number for number, line in enumerate(lines[position:], position + 1) if _ROLE_HEADER.match(line)
     )
 
 

@@ -86,9 +86,8 @@ def _counter_written_over(loop, line):
     uses = [(name.lineno, isinstance(name.ctx, ast.Store)) for name in names if name.id == line.split()[1]]
     for number, is_store in uses:
         stores = [name for name in names if name.lineno == number and isinstance(name.ctx, ast.Store)]
-        is_meant = (number, False) in uses and len(
-            stores
-        ) == 1  # row = row * 2, and not b, g, r = image[r, c]
+        # row = row * 2, and not b, g, r = image[r, c]
+        is_meant = (number, False) in uses and len(stores) == 1
         if is_store and not is_meant and max(uses)[0] > number:
             yield (
                 f"{line.split()[1]} counts the rounds of {line}, and inside this loop it gets another value."
@@ -214,7 +213,8 @@ _RULES = (
 
 
 def _remarks_on_function(tree):
-    if any(_is_stub_line(statement) for statement in tree.body[:-1]):
+    errors = [ast.unparse(statement) for statement in tree.body[:-1] if isinstance(statement, ast.Raise)]
+    if any("NotImplementedError" in error for error in errors):
         yield STUB_LINE
     parameters = {argument.arg for argument in tree.args.args}
     for node in ast.walk(tree):
@@ -224,10 +224,6 @@ def _remarks_on_function(tree):
                 f"The loop for {target.id} in ... writes over the argument {target.id}. Give the variable"
                 " of the loop another name."
             )
-
-
-def _is_stub_line(statement):
-    return isinstance(statement, ast.Raise) and "NotImplementedError" in ast.unparse(statement)
 
 
 def _values_as_indices(node):

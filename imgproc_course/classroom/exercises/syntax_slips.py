@@ -96,11 +96,9 @@ def _lines_with_keyword(line):
 
 def _is_one_slip(word, name):
     """Whether a letter is missing, too many or another one, or two neighbours are exchanged."""
-    same = next(
-        (place for place, pair in enumerate(zip(word, name, strict=False)) if len(set(pair)) > 1), None
-    )
-    if same is None:
+    differ = [place for place, pair in enumerate(zip(word, name, strict=False)) if len(set(pair)) > 1]
+    if not differ:
         return abs(len(word) - len(name)) == 1 and min(len(word), len(name)) > 1
-    word, name = word[same:], name[same:]
+    word, name = word[differ[0] :], name[differ[0] :]
     exchanged = word[:2] == name[1::-1] and word[2:] == name[2:]
     return exchanged or word[1:] == name[1:] or word[1:] == name or word == name[1:]

@@ -91,7 +91,8 @@ def describe_value(form, depth=0):
     if form["type"] == "bytes" and "data" in form:
         return _describe_bytes(base64.b64decode(form["data"]))
     if depth and "value" in form:
-        return _shorten(repr(form["value"]))
+        text = repr(form["value"])
+        return text if len(text) <= _MOST_CHARACTERS else f"{text[: _MOST_CHARACTERS - 1]}…"
     if depth > _MOST_DEPTH:
         return describe(form)
     if "fields" in form:
@@ -112,10 +113,6 @@ def describe_value(form, depth=0):
 def _describe_field(form, name, depth):
     raw = _bytes_of(form["fields"][name]) if name == "data" else None
     return describe_value(form["fields"][name], depth + 1) if raw is None else _describe_bytes(raw)
-
-
-def _shorten(text):
-    return text if len(text) <= _MOST_CHARACTERS else f"{text[: _MOST_CHARACTERS - 1]}…"
 
 
 def _describe_array(form, depth):
