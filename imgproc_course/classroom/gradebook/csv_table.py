@@ -33,10 +33,10 @@ class CsvTable:
         return dict(zip(map(str.casefold, self.columns), cells, strict=False))
 
 
-def read_csv(path):
-    """The CsvTable in a file; TableError: it cannot be read."""
+def read_csv(path, text=None):
+    """The CsvTable in a file, or in the text that it shall have; TableError: it cannot be read."""
     path = Path(path)
-    text = _text(path)
+    text = _text(path) if text is None else text
     byte_order_mark = "\ufeff" if text.startswith("\ufeff") else ""
     text = text.removeprefix(byte_order_mark)
     first_line = next((line for line in text.splitlines() if not is_comment([line.strip(' "')])), "")

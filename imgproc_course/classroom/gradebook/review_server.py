@@ -7,7 +7,6 @@ import contextlib
 import csv
 import io
 import secrets
-import tempfile
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from itertools import chain
@@ -100,13 +99,7 @@ def save_decisions(path, lines, answer_keys):
     cells_of = itemgetter(*map(str.casefold, table.columns))
     decided = [cells_of(row) for row in new if row["points"] or row["comment"]]
     text += csv_text(decided, delimiter=table.delimiter)
-    with tempfile.TemporaryDirectory() as folder:
-        candidate = Path(folder) / path.name
-        candidate.write_text(text, encoding="utf-8", newline="")
-        try:
-            read_decisions(candidate, answer_keys)
-        except TableError as error:
-            raise TableError(str(error).replace(str(candidate), str(path))) from error
+    read_decisions(path, answer_keys, text)
     write_grades_file(path, text)
     return len(new)
 

@@ -50,10 +50,13 @@ class Extension:
     place: str
 
 
-def read_decisions(path, answer_keys):
-    """Read a teacher's decisions, as a list of Decision; TableError: a row has a mistake."""
+def read_decisions(path, answer_keys, text=None):
+    """Read a teacher's decisions, as a list of Decision; TableError: a row has a mistake.
+
+    `text` is what the file shall have, if it has something else yet.
+    """
     decisions, places = [], {}
-    for row, place in _rows(path, DECISION_COLUMNS, required=("learner", "lesson", "points")):
+    for row, place in _rows(read_csv(path, text), DECISION_COLUMNS, ("learner", "lesson", "points")):
         lesson = _lesson(row["lesson"], answer_keys, place)
         exercise = _exercise(row["exercise"], lesson, answer_keys, place)
         points, excused = _points(row["points"], lesson, exercise, place)
@@ -70,7 +73,7 @@ def read_decisions(path, answer_keys):
 def read_extensions(path, answer_keys):
     """Read extensions of the deadline, as a list of Extension; TableError: a row has a mistake."""
     extensions = []
-    for row, place in _rows(path, _EXTENSION_COLUMNS, required=("learner", "deadline")):
+    for row, place in _rows(read_csv(path), _EXTENSION_COLUMNS, ("learner", "deadline")):
         lesson = _lesson(row["lesson"], answer_keys, place).name if row["lesson"] else ""
         try:
             deadline = local_time_of(row["deadline"])
@@ -108,15 +111,14 @@ def _unknown(learner, names):
     return f"{text}, or give the --roster that has those who submitted nothing"
 
 
-def _rows(path, columns, required):
+def _rows(table, columns, required):
     """({column: cell}, "file, row 3") of each row that is not empty and no comment."""
-    table = read_csv(path)
     if table.columns:
         _require_columns(table, columns, required)
     for number, cells in table.rows:
         if is_comment(cells):
             continue
-        place, expected = f"{path}, row {number}", len(table.columns)
+        place, expected = f"{table.path}, row {number}", len(table.columns)
         if any(map(str.strip, cells[expected:])):
             text = f"{len(cells)} cells, expected {expected}; put a text with commas in quotes"
             raise TableError(f"{place}: {text}")
