@@ -84,14 +84,8 @@ def review_pages(grades, parts, names):
         yield "review.html", render_page("review.html", reviews=about)
     for place, one in enumerate(about):
         neighbours = about[place - 1] if place else None, about[place + 1] if about[place + 1 :] else None
-        for _, answers in one["groups"]:
-            for answer in answers:
-                name = names[answer["learner"]["name"]]
-                answer["source"], answer["body"] = parts.read(name, one["id"])
-        yield one["path"], render_page("answers.html", script="review.js", review=one, around=neighbours)
-        for _, answers in one["groups"]:
-            for answer in answers:
-                del answer["source"], answer["body"]
+        content = {"review": one, "around": neighbours, "parts": parts, "names": names}
+        yield one["path"], render_page("answers.html", script="review.js", **content)
 
 
 def _reviews(learners):
@@ -101,14 +95,9 @@ def _reviews(learners):
             for exercise in lesson["exercises"]:
                 review = reviews.setdefault(exercise["id"], _Review(lesson, exercise))
                 cells = (learner["name"], lesson["lesson"], exercise["id"])
-                answer = {
-                    "learner": learner,
-                    "lesson": lesson,
-                    "exercise": exercise,
-                    "anchor": anchor_of(learner),
-                    "line": csv_text([map(spreadsheet_text, cells)], lineterminator=""),
-                }
-                review.ways.setdefault(_way(exercise), []).append(answer)
+                answer = {"learner": learner, "lesson": lesson, "exercise": exercise}
+                answer["line"] = csv_text([map(spreadsheet_text, cells)], lineterminator="")
+                review.ways.setdefault(_way(exercise), []).append(answer | {"anchor": anchor_of(learner)})
     return reviews
 
 
