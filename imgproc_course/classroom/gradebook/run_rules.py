@@ -32,15 +32,14 @@ class RunRules:
     """
 
     def __init__(self, out, given, *, forget=False):
-        before = _read(Path(out) / FILE)
+        self._path = Path(out) / FILE
+        before = _read(self._path)
         given = {name: value for name, value in given.items() if value}
-        gone = {name: lost for name, value in before.items() if (lost := _missing(name, value))}
-        usable = {} if forget else {name: _without(value, gone.get(name)) for name, value in before.items()}
+        usable = {} if forget else {name: _usable(name, value) for name, value in before.items()}
         self.rules = dict.fromkeys(_TITLES) | usable | given
         self.rules["keys"] = self.rules["keys"] or [Path("key")]
         self.kept = [_text(name, value) for name, value in usable.items() if value and name not in given]
         self.lost = [text for name, value in before.items() for text in self._lost(name, value)]
-        self._path = Path(out) / FILE
 
     def _lost(self, name, value):
         if name == "keys":
@@ -79,16 +78,11 @@ def _plain(name, value):
     return value.isoformat() if name == "deadline" else value
 
 
-def _missing(name, value):
-    """The paths of a rule that are not there any more."""
-    paths = value if name == "keys" else [value]
-    return [path for path in paths if not path.exists()] if name in _PATHS else []
-
-
-def _without(value, lost):
-    if not lost:
-        return value
-    return [one for one in value if one not in lost] if isinstance(value, list) else None
+def _usable(name, value):
+    """A rule without the paths that are not there any more; None if it is one of them."""
+    if name == "keys":
+        return [key for key in value if key.exists()]
+    return None if name in _PATHS and not value.exists() else value
 
 
 def _text(name, value):
