@@ -8,6 +8,7 @@ from .report import count_of, finding_text, render_page
 
 PREVIOUS = "grades.previous.json"
 _RULES = {"deadline": "deadline", "late_policy": "late policy", "sandbox": "sandbox"}
+_WORDS = {None: "none", True: "yes", False: "no"}
 _NOT_THERE = "not there"
 
 
@@ -56,14 +57,8 @@ def _changes_of_run(before, after):
     for name in sorted((before.keys() | after.keys()) - {"learners", "similar", "anonymous_pages"}):
         old, new = before.get(name), after.get(name)
         if old != new:
-            texts = [_rule_text(one) for one in (old, new)] if name in _RULES else ["", "changed"]
-            yield about | dict(
-                zip(("aspect", "before", "after"), (_RULES.get(name, name), *texts), strict=True)
-            )
-
-
-def _rule_text(value):
-    return {None: "none", True: "yes", False: "no"}.get(value, value)
+            texts = [_WORDS.get(one, one) for one in (old, new)] if name in _RULES else ["", "changed"]
+            yield about | {"aspect": _RULES.get(name, name), "before": texts[0], "after": texts[1]}
 
 
 def _learners(grades, anonymous):

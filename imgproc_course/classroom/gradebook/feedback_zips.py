@@ -36,9 +36,8 @@ def feedback_zips(grades, read_page):
 
 def _member(learner, lesson):
     if lesson["platform"] == "canvas":
-        parts = PurePosixPath(
-            lesson["file"]
-        ).parts  # a learner's own folders and zips come after Canvas's name
+        # A learner's own folders and zips come after Canvas's name.
+        parts = PurePosixPath(lesson["file"]).parts
         name = next((part for part in parts if f"_{lesson['platform_id']}_" in part), parts[-1])
         return f"{name.removesuffix('.ipynb').removesuffix('.zip')}.html"
     # Moodle splits the name at its underscores.

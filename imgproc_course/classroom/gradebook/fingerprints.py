@@ -42,15 +42,12 @@ def syntax_tokens(source):
             continue
         line = getattr(node, "lineno", line)
         if isinstance(node, ast.Constant):
-            tokens.append((_constant(node.value), line))
+            value = node.value  # Python refuses to write huge decimals
+            tokens.append((hex(value) if type(value) is int else repr(value), line))
         elif not isinstance(node, _IGNORED) and not _is_text(node):
             tokens.append((type(node).__name__, line))
             nodes += reversed(list(_parts(node)))
     return tokens
-
-
-def _constant(value):
-    return hex(value) if type(value) is int else repr(value)  # Python refuses to write huge decimals
 
 
 def _own_names(tree):
@@ -61,15 +58,11 @@ def _own_names(tree):
             names.add(getattr(node, _NAMES[type(node)]))
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             names.add(node.id)
-        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and _is_self(node.value):
-            names.add(node.attr)
+        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
+            names |= {node.attr} if getattr(node.value, "id", "") == "self" else set()
         elif isinstance(node, ast.alias) and node.asname != "np":
             names.add(node.asname or node.name)
     return names
-
-
-def _is_self(node):
-    return isinstance(node, ast.Name) and node.id == "self"
 
 
 def _is_text(node):

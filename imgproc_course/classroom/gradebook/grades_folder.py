@@ -128,12 +128,11 @@ def write_grades(out, grades, learners, lessons, pages, groups, store):
 
 
 def _write_review(out, page_grades, parts, names):
-    written = {"review.html": ""}
+    written = set()
     for name, page in review_pages(page_grades, parts, names):
-        written[name] = ""
+        written.add(Path(name).name)
         write_grades_file(out / name, page)
-    _remove_others(out / FOLDER, "*.html", {Path(name).name for name in written})
-    _remove_others(out, "review.html", written)
+    _remove_others(out / FOLDER, "*.html", written)
 
 
 def set_pages_aside(out):

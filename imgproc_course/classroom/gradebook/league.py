@@ -124,7 +124,8 @@ def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, 
         driving = [controller for controller in controllers if not controller.reason]
         ranked = _drive_and_draw(driving, scenarios_of(seed, rooms), **options)
         excluded = [controller for controller in controllers if controller.reason]
-        write_grades_file(out / "league.html", league_page(ranked, excluded, rooms))
+        page = render_page("league.html", controllers=ranked, excluded=excluded, rooms=rooms)
+        write_grades_file(out / "league.html", page)
         write_grades_file(out / "league.csv", league_csv(ranked, excluded))
     drove = f"{count_of(len(driving), 'controller')} in {count_of(rooms, 'room')}"
     return [
@@ -263,11 +264,6 @@ def _draw_all(executor, controllers, scenarios):
 
 
 # ---------------------------------------------------------------- what is written
-
-
-def league_page(ranked, excluded, rooms):
-    """The page for the class, HTML."""
-    return render_page("league.html", controllers=ranked, excluded=excluded, rooms=rooms)
 
 
 def league_csv(ranked, excluded):

@@ -78,14 +78,13 @@ def fill_table(table, grades):
         names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
         lines.append(f"  graded, but in no row of the table: {names}")
     lines += _different_points(table, columns, grades)
-    cells = ([_harmless(cell) for cell in row] for row in (table.columns, *rows))
+    # Numbers, and the dash for no points, are no formulas.
+    cells = (
+        [cell if _NUMBER.fullmatch(cell.strip()) else without_formulas(cell) for cell in row]
+        for row in (table.columns, *rows)
+    )
     text = csv_text(cells, delimiter=table.delimiter)
     return table.byte_order_mark + text, lines
-
-
-def _harmless(cell):
-    """A cell of the platform's own without a formula; numbers, and the dash for no points, stay."""
-    return cell if _NUMBER.fullmatch(cell.strip()) else without_formulas(cell)
 
 
 def _graded_lessons(grades):

@@ -46,12 +46,11 @@ def _environment():
     )
     environment.finalize = _shown
     environment.markup = jinja2.utils.markupsafe.Markup
-    environment.filters["capital"] = _capital
-    environment.filters["count"] = count_of
-    environment.filters["numbered"] = lambda name: (name, "number")
-    environment.filters["anchor"] = anchor_of
-    environment.filters["submitted"] = submitted_lessons
-    environment.filters["percent"] = lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0
+    environment.filters |= {
+        **{"capital": _capital, "count": count_of, "anchor": anchor_of, "submitted": submitted_lessons},
+        "numbered": lambda name: (name, "number"),
+        "percent": lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0,
+    }
     return environment
 
 
@@ -190,18 +189,15 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
         view |= {"secret": values_view} if case.hidden else values_view
     is_open = case.outcome == Outcome.NOT_ATTEMPTED  # a hint would give away what nobody asked for
     is_wrong_drive = case.drive and case.outcome == Outcome.WRONG
-    return (
-        view
-        | vars(case)
-        | {
-            "passed": case.passed,
-            "label": _DRIVES_WRONG if is_wrong_drive else TEXTS[case.outcome].label,
-            "message": "" if replaced_by_advice else _message_of(case),
-            "hint": "" if replaced_by_advice or is_open else case.hint,
-            "state": "passed" if case.passed else "open" if is_open else "failed",
-            "open": False,
-        }
-    )
+    return {
+        **(view | vars(case)),
+        "passed": case.passed,
+        "label": _DRIVES_WRONG if is_wrong_drive else TEXTS[case.outcome].label,
+        "message": "" if replaced_by_advice else _message_of(case),
+        "hint": "" if replaced_by_advice or is_open else case.hint,
+        "state": "passed" if case.passed else "open" if is_open else "failed",
+        "open": False,
+    }
 
 
 def map_of(case):

@@ -101,10 +101,9 @@ def read_submission(data, catalog, reader, name=""):
     content.lesson = _recognize(notebook, cells, catalog, name, content)
     if content.lesson is None:
         content.is_page = notebook["lesson"] in PAGES
-        claim = (
-            f"; it says that it is {sanitize_line(notebook['lesson'], 80)!r}" if notebook["lesson"] else ""
-        )
-        content.reason = f"it is not one of the lessons {', '.join(catalog.lessons)}{claim}"
+        content.reason = f"it is not one of the lessons {', '.join(catalog.lessons)}"
+        if notebook["lesson"]:
+            content.reason += f"; it says that it is {sanitize_line(notebook['lesson'], 80)!r}"
         return content
     lesson = catalog.describe(content.lesson, content.version)
     content.predictions = _predictions(cells, lesson)
@@ -173,9 +172,8 @@ def _recognize_unmarked(named, functions, content):
     """
     by_functions = _most(functions)
     if named is None and by_functions:
-        content.add(
-            f"it was recognized as {by_functions} by its functions: {_listed(functions[by_functions])}"
-        )
+        listed = _listed(functions[by_functions])
+        content.add(f"it was recognized as {by_functions} by its functions: {listed}")
     if named and by_functions not in (None, named) and not functions[named]:
         text = f"its name says that it is {named}, but it defines functions of {by_functions}"
         content.add(f"{text} ({_listed(functions[by_functions])}); it is graded as {named}, by its name")
@@ -197,9 +195,8 @@ def _listed(functions):
 def _inspect_notebook(notebook, cells, lesson, content):
     if content.version != lesson.version:
         version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
-        content.add(
-            f"it was made from {sanitize_line(version)} of the lesson, not from version {lesson.version}"
-        )
+        version = f"{sanitize_line(version)} of the lesson, not from version {lesson.version}"
+        content.add(f"it was made from {version}")
     if len(cells) < len(notebook["cells"]):
         content.add(f"{len(notebook['cells']) - len(cells)} of its cells are not cells", kind="odd")
     if notebook["kernel"] not in (None, "python3"):
@@ -257,7 +254,8 @@ def _inspect_source(exercise, answer, content):
 
 def _problem(exercise, cell):
     """(why a marked cell cannot get its points, whether a slip may be the cause), ("", False) if it can."""
-    if not _has_code(cell["source"]):
+    lines = map(str.strip, cell["source"].splitlines())
+    if all(not line or line.startswith("#") for line in lines):
         return "its answer cell is empty", False
     if cell["answer"]["error"]:
         return _syntax_problem(exercise, cell["answer"])
@@ -287,10 +285,6 @@ def _similar_name(exercise, cell):
     return answer_name(sanitize_line(names[0], 60), exercise.subject) if names else ""
 
 
-def _has_code(source):
-    return any(line.strip() and not line.strip().startswith("#") for line in source.splitlines())
-
-
 def _report_place(exercise, answer, content):
     """Report an answer that does not stand where it was handed out, or not there alone."""
     name = exercise.answer_name
@@ -298,16 +292,12 @@ def _report_place(exercise, answer, content):
         text = f"graded from another cell ({_place(answer.cell)}), which defines {name}: "
         content.add(text + _state_of_marked(exercise, answer.own), exercise.id)
     elif answer.cell["type"] != "code":
-        text = (
-            f"its answer cell is a {_kind(answer.cell)} cell; its text is graded (key Y makes it code again)"
-        )
-        content.add(text, exercise.id)
+        text = f"its answer cell is a {_kind(answer.cell)} cell; its text is graded"
+        content.add(f"{text} (key Y makes it code again)", exercise.id)
     if answer.others:
         places = ", ".join(map(_place, answer.others[:_MOST_NAMES]))
-        text = (
-            f"{len(answer.others) + 1} cells define {name}: {_place(answer.cell)} is graded, and not {places}"
-        )
-        content.add(text, exercise.id)
+        text = f"{len(answer.others) + 1} cells define {name}: {_place(answer.cell)} is graded"
+        content.add(f"{text}, and not {places}", exercise.id)
 
 
 def _state_of_marked(exercise, own):
@@ -341,18 +331,15 @@ def _compose_answers(answers, all_cells, reader, content):
         return
     composed = reader.compose(requests_to_compose(answered))
     if composed is None:
-        content.add(
-            "what its answers read from other cells takes too much time or memory to find", kind="odd"
-        )
+        text = "what its answers read from other cells takes too much time or memory to find"
+        content.add(text, kind="odd")
         return
     functions = {exercise.function: exercise.id for exercise in answered}
     for exercise, (source, taken) in zip(answered, composed, strict=True):
         content.answers[exercise.id] = source
         if len(source) > MOST_CHARACTERS:
-            text = (
-                f"its answer and what it reads from other cells are longer than {MOST_CHARACTERS} characters"
-            )
-            content.add(text, exercise.id, "answer")
+            text = "its answer and what it reads from other cells are longer than"
+            content.add(f"{text} {MOST_CHARACTERS} characters", exercise.id, "answer")
             content.states[exercise.id] = AnswerState.BROKEN
         elif taken:
             content.add(_taken_text(taken, all_cells, functions), exercise.id)
@@ -403,7 +390,5 @@ def _change(cell, source):
 
 def _claims_to_pass(exercise_id, output):
     starts = (f"{exercise_id}: the check passes", f"{exercise_id}: all ")
-    return any(
-        line.startswith(starts) and line.rstrip(".").endswith(("passes", "pass"))
-        for line in output.splitlines()
-    )
+    claims = [line.rstrip(".") for line in output.splitlines() if line.startswith(starts)]
+    return any(claim.endswith(("passes", "pass")) for claim in claims)

@@ -95,9 +95,8 @@ def _concerns(learner, lesson, own_modules):
 
 def _texts_in_short(texts):
     """The texts; those about answers without marks as one, because some tools remove the marks of all."""
-    moved = [
-        text for text in texts if ": graded from another cell (" in text and text.endswith(" is missing")
-    ]
+    moved = [text for text in texts if ": graded from another cell (" in text]
+    moved = [text for text in moved if text.endswith(" is missing")]
     if len(moved) <= _MOST_MOVED:
         return texts
     exercises = ", ".join(text.partition(":")[0] for text in moved)
@@ -208,15 +207,9 @@ def _mean_and_median(entries):
 def _histogram(percentages):
     """[{low, high, count, height}] of ten bins; the last one includes 100."""
     counts, edges = np.histogram(percentages, _BIN_COUNT, (0, 100))
-    return [
-        {
-            "low": int(low),
-            "high": int(high),
-            "count": int(count),
-            "height": round(100 * count / max(1, *counts)),
-        }
-        for low, high, count in zip(edges, edges[1:], counts, strict=False)
-    ]
+    heights = np.round(100 * counts / max(1, *counts))
+    rows = zip(edges.astype(int), edges[1:].astype(int), counts, heights.astype(int), strict=False)
+    return [dict(zip(("low", "high", "count", "height"), map(int, row), strict=True)) for row in rows]
 
 
 def _lesson_rows(graded, names):
