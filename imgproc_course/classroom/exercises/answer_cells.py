@@ -49,12 +49,7 @@ def find_answer_cell(exercise, cells, lesson):
     mark = f"answer-{exercise.id}"
     own = [cell for cell in cells if cell["id"] == mark or cell["exercise"] == exercise.id]
     own.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != mark))
-    was_handed_out = _handed_out(lesson, exercise.function)
-    others = [
-        cell
-        for cell in cells
-        if exercise.function in cell["functions"] and cell not in own and not was_handed_out(cell)
-    ]
+    others = [cell for cell in _defining(cells, lesson, exercise.function) if cell not in own]
     others.sort(key=lambda cell: (cell["type"] == "code", cell["number"]), reverse=True)
     stub = function_definitions(exercise.stub).get(exercise.function)
     answers = [cell for cell in own if _is_answer(cell, exercise, stub, is_own=True)]
@@ -135,11 +130,9 @@ def _is_answer(cell, exercise, stub, is_own=False):
     return not cell["answer"]["error"] and (names is None or exercise.function in names)
 
 
-def _handed_out(lesson, function):
-    """Tells of a cell whether it defined a function when the lesson was handed out: then it is no answer."""
-    sources = {
-        id: source.strip()
-        for id, source in lesson.cells.items()
-        if source and function in source and function in function_definitions(source)
-    }
-    return lambda cell: cell["id"] in sources or (cell["source"] or "").strip() in sources.values()
+def _defining(cells, lesson, function):
+    """The cells that define a function; if one did when the lesson was handed out, it is no answer."""
+    named = {id: text for id, text in lesson.cells.items() if text and function in text}
+    sources = {id: text.strip() for id, text in named.items() if function in function_definitions(text)}
+    cells = [cell for cell in cells if function in cell["functions"] and cell["id"] not in sources]
+    return [cell for cell in cells if (cell["source"] or "").strip() not in sources.values()]

@@ -54,9 +54,8 @@ def answer_images(argument, name, expected, actual, wrong):
 
 def given_images(arguments):
     """The arguments of a call that are images, of (name, value) pairs, as AnswerImages."""
-    return [
-        _draw_values(f"given {name}", value, _limits(value)) for name, value in arguments if is_image(value)
-    ]
+    images = [(name, value) for name, value in arguments if is_image(value)]
+    return [_draw_values(f"given {name}", value, _limits(value)) for name, value in images]
 
 
 def is_image(values):

@@ -46,9 +46,8 @@ class CellRun:
             self.error = f"{kind}: {error}. {advice_on(kind, str(error))}".rstrip()
         else:
             advice = advice_on(kind, error.msg, f"line {error.lineno}: {(error.text or '').strip()}")
-            self.error = (
-                f"Python cannot read it: {kind}, {error.msg}, in line {error.lineno}. {advice}".rstrip()
-            )
+            text = f"Python cannot read it: {kind}, {error.msg}, in line {error.lineno}. {advice}"
+            self.error = text.rstrip()
 
     def definitions(self):
         """The functions and classes that the cell defines at its top level, also if it does not parse."""
@@ -138,9 +137,8 @@ def _is_about(run, exercise_id, name, function):
 
 def _similar(run, name):
     """A function of the cell whose name looks like a misspelling of another; "" if there is none."""
-    names = [
-        defined for defined in run.definitions() if re.findall(r"\d+", defined) == re.findall(r"\d+", name)
-    ]
+    numbers_in = re.compile(r"\d+").findall
+    names = [defined for defined in run.definitions() if numbers_in(defined) == numbers_in(name)]
     return next(iter(difflib.get_close_matches(name, names, n=1, cutoff=_SIMILAR)), "")
 
 

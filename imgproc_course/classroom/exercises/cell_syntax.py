@@ -20,6 +20,7 @@ ANSWER_MARK = "# The answer cell:"  # the line between what is taken along and t
 _TAKEN_MARK = "# From other cells of the notebook, because the answer reads it:"
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
+_CALLABLE_VALUES = (ast.Lambda, ast.Name, ast.Attribute, ast.Call)
 _KINDS = dict.fromkeys(_FUNCTIONS, "function") | {ast.ClassDef: "class", ast.Expr: "expression"}
 _EXPRESSIONS_WITH_NAMES = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 _MAGIC = re.compile(
@@ -119,9 +120,7 @@ def _callable_name(statement):
     """The name under which a statement defines something to call, or ""."""
     if isinstance(statement, _DEFINITIONS):
         return statement.name
-    if isinstance(statement, ast.Assign) and isinstance(
-        statement.value, (ast.Lambda, ast.Name, ast.Attribute, ast.Call)
-    ):
+    if isinstance(statement, ast.Assign) and isinstance(statement.value, _CALLABLE_VALUES):
         target = statement.targets[-1]
         return target.id if isinstance(target, ast.Name) else ""
     return ""
@@ -230,10 +229,8 @@ def _statements_as_text(source):
             before[place] = lines[place]
     if len(starts) * len("\n".join(before)) > _MOST_ADDED:
         return [source]
-    return [
-        "\n".join(before[: start - 1] + lines[start - 1 : end])
-        for start, end in zip(starts, ends, strict=True)
-    ]
+    places = zip(starts, ends, strict=True)
+    return ["\n".join(before[: start - 1] + lines[start - 1 : end]) for start, end in places]
 
 
 def _first_line(statement):
@@ -403,9 +400,8 @@ def needed_statements(statements, function, *, with_changes=True):
     helpers = {name for definition in definitions for name in definition.binds}
     while len(numbers) > size:
         size = len(numbers)
-        values = set().union(
-            *(statements[number].binds for number in numbers if statements[number].runs_at_once)
-        )
+        needed = map(statements.__getitem__, numbers)
+        values = set().union(*(statement.binds for statement in needed if statement.runs_at_once))
         for number, statement in enumerate(statements):
             changes = statement.changes & names or _may_change(statement, values, helpers)
             if statement.binds & names or (with_changes and changes):

@@ -50,7 +50,5 @@ def _page(name, lessons):
 
     template = Path(__file__).with_name(CERTIFICATE).read_text(encoding="utf-8")
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
-    today = dt.date.today()
-    return environment.from_string(template).render(
-        title=TITLE, name=name, lessons=lessons, date=f"{today:%d %B %Y}"
-    )
+    date = f"{dt.date.today():%d %B %Y}"
+    return environment.from_string(template).render(title=TITLE, name=name, lessons=lessons, date=date)

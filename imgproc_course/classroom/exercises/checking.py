@@ -230,9 +230,7 @@ def run_check(exercise, function, answer=None, progress=None):
         dependencies = replace(dependencies, foreign={})
         if _are_same(codes_of(judged), codes_of(function)) is False:
             remarks = (_ANOTHER.format(name=exercise.answer_name),)
-        elif (
-            judged is not function and not all(call.passed for call in calls) and exercise.subject != "drive"
-        ):
+        elif graded and exercise.subject != "drive" and not all(call.passed for call in calls):
             is_right = all(call.passed for call in _run_calls(exercise, function))
             remarks = (_ONLY_HERE.format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
@@ -279,9 +277,8 @@ def _run_calls(exercise, function, answer=None, progress=None):
         result = exercise.call(function, expected.arguments)
         difference = None
         if result.finished:
-            difference = compare(
-                expected.result.value, result.value, case.tolerance, exact_type=exercise.exact_type
-            )
+            values = expected.result.value, result.value
+            difference = compare(*values, case.tolerance, exact_type=exercise.exact_type)
         calls.append(CaseCall(case, expected.arguments, expected.result, result, difference))
         if result.timed_out or result.error == "NotImplementedError":
             break  # a learner waits for one time limit, not for one per call

@@ -78,10 +78,8 @@ def _compare_parts(expected, actual, tolerance, path, exact_type):
     parts, actual_parts = dict(named_items(expected)), dict(named_items(actual))
     if parts.keys() != actual_parts.keys():
         return _difference(_PARTS_DIFFER[kind_of(expected)], path, expected, actual)
-    differences = (
-        compare(part, actual_parts[name], tolerance, path + name, exact_type=exact_type)
-        for name, part in parts.items()
-    )
+    pairs = ((part, actual_parts[name], tolerance, path + name) for name, part in parts.items())
+    differences = (compare(*pair, exact_type=exact_type) for pair in pairs)
     return next((difference for difference in differences if difference), None)
 
 
@@ -102,11 +100,9 @@ def _first_difference(expected, actual):
     pairs = enumerate(zip(*texts, strict=False))
     start = next((place for place, (a, b) in pairs if a != b), min(map(len, texts)))
     before = "…" * (start > _CONTEXT) + texts[0][max(0, start - _CONTEXT) : start]
-    tail, actual_tail = (
-        repr(text[start : start + _CONTEXT]) if text[start:] else "the end" for text in texts
-    )
+    tails = [repr(text[start : start + _CONTEXT]) if text[start:] else "the end" for text in texts]
     place = f"character {start + 1} on, after {before!r}" if start else "the first character on"
-    return f"; they differ from {place}: expected {tail}, got {actual_tail}"
+    return f"; they differ from {place}: expected {tails[0]}, got {tails[1]}"
 
 
 def _difference(kind, path, expected, actual, where=""):

@@ -81,9 +81,8 @@ def exercise(
     MasterError : an argument of the wrong kind
     """
     if not isinstance(id, str) or not _ID.fullmatch(id):
-        raise MasterError(
-            f"exercise id {id!r}: expected <lesson>-<what> in lower case, such as 'grayscale-luma'"
-        )
+        expected = "expected <lesson>-<what> in lower case, such as 'grayscale-luma'"
+        raise MasterError(f"exercise id {id!r}: {expected}")
     if not isinstance(function, str) or not function.isidentifier():
         raise MasterError(f"exercise {id}: function={function!r}, expected the name of a function")
     if subject not in SUBJECTS:
@@ -91,9 +90,8 @@ def exercise(
         raise MasterError(f"exercise {id}: subject={subject!r}, expected {expected}")
     _check_sensors(id, subject, sensors)
     if not time_limit > 0 or not tolerance >= 0:
-        raise MasterError(
-            f"exercise {id}: time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
-        )
+        text = f"time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
+        raise MasterError(f"exercise {id}: {text}")
     if isinstance(allowed, str):
         raise MasterError(f"exercise {id}: allowed={allowed!r}, expected a tuple: ({allowed!r},)")
     if not all(isinstance(name, str) and _MODULE.fullmatch(name) for name in allowed):
@@ -104,21 +102,12 @@ def exercise(
     if isinstance(hints, str):
         raise MasterError(f"exercise {id}: hints={hints!r}, expected a tuple of texts, one for each step")
     return {
-        "id": id,
-        "function": function,
-        "subject": subject,
-        "sensors": tuple(sensors),
-        "title": title or id,
-        "time_limit": float(time_limit),
+        **{"id": id, "function": function, "subject": subject, "title": title or id},
+        **{"hint": hint, "border_hint": border_hint, "explanation": explanation, "another_way": another_way},
+        **{"sensors": tuple(sensors), "hints": tuple(hints)},
+        **{"time_limit": float(time_limit), "exact_type": bool(exact_type), "practice": bool(practice)},
         "allowed": (*allowed, *(course.NODE_MODULES if subject in NODES else ())),
         "tolerance": PATH_TOLERANCE if subject == "drive" else float(tolerance),
-        "exact_type": bool(exact_type),
-        "practice": bool(practice),
-        "hint": hint,
-        "border_hint": border_hint,
-        "hints": tuple(hints),
-        "explanation": explanation,
-        "another_way": another_way,
     }
 
 
@@ -210,9 +199,8 @@ class Exercise(CheckData):
             raise MasterError(f"{place}: inputs(rng) raised {type(error).__name__}: {error}") from error
         calls = inputs if isinstance(inputs, list) else [inputs]
         if not calls or not all(isinstance(call, tuple) for call in calls):
-            raise MasterError(
-                f"{place}: inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
-            )
+            text = "inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
+            raise MasterError(f"{place}: {text}")
         if self.subject == "drive":
             return [(_scenario(case, calls, place),)]
         return calls if seed == PUBLIC_SEED else [calls[number] for number in rng.permutation(len(calls))]
@@ -266,9 +254,8 @@ def _read_exercises(path, _modified):
 def _owners(cell, latest):
     owners = cell.options.get("exercise", latest)
     if owners is None:
-        raise MasterError(
-            f'{cell.place}: a {cell.role} cell before any exercise; write exercise="..." in its header'
-        )
+        text = f'a {cell.role} cell before any exercise; write exercise="..." in its header'
+        raise MasterError(f"{cell.place}: {text}")
     return [owners] if isinstance(owners, str) else owners
 
 
@@ -286,9 +273,8 @@ def _cells_beside(path, headings):
                     f" {', '.join(headings) or 'none'}"
                 )
         elif cell.role not in ("", "mistake") or cell.options.get("exercise", owner) != owner:
-            raise MasterError(
-                f'{cell.place}: only role="mistake" cells of the exercise in the heading stand here'
-            )
+            text = 'only role="mistake" cells of the exercise in the heading stand here'
+            raise MasterError(f"{cell.place}: {text}")
         elif owner is None:
             raise MasterError(f"{cell.place}: code before any heading; write its exercise above: # # an-id")
         else:
@@ -307,9 +293,8 @@ def _heading(cell):
     except MasterError as error:
         raise MasterError(f"{cell.place}: {error}") from error
     except (SyntaxError, ValueError, TypeError) as error:
-        raise MasterError(
-            f"{cell.place}: cannot read the declaration ({error}); exercise(...) takes literals only"
-        ) from error
+        text = f"cannot read the declaration ({error}); exercise(...) takes literals only"
+        raise MasterError(f"{cell.place}: {text}") from error
 
 
 def _assemble(path, heading, cells):

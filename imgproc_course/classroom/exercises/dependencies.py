@@ -79,11 +79,8 @@ def dependencies_of(answer, names, namespace):
     statements = _searched_statements(answer.source, answer.function)
     unbound = _names_unbound(statements)
     names_read = unbound.union(*(statement.binds for statement in statements)) & names
-    taken = {
-        taken.name: taken.kind
-        for taken in answer.taken
-        if taken.name.endswith(".*") or taken.name in names_read
-    }
+    kinds = {taken.name: taken.kind for taken in answer.taken}
+    taken = {name: kind for name, kind in kinds.items() if name.endswith(".*") or name in names_read}
     foreign = {
         name: "function" if isinstance(namespace[name], (types.FunctionType, type)) else "value"
         for name in sorted(unbound & namespace.keys() - names)
@@ -94,9 +91,8 @@ def dependencies_of(answer, names, namespace):
 def _searched_statements(source, function):
     """The statements that decide which names an answer reads; see `find_refused`."""
     *other_cells, answer = cells_of(source) or [""]
-    statements = [
-        statement for cell in other_cells for statement in statements_of(cell) if not statement.runs_at_once
-    ]
+    statements = [statement for cell in other_cells for statement in statements_of(cell)]
+    statements = [statement for statement in statements if not statement.runs_at_once]
     return needed_statements([*statements, *statements_of(answer)], function, with_changes=False)
 
 

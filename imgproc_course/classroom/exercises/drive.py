@@ -145,12 +145,9 @@ class Drive:
             ],
             "actions": [list(speeds) for speeds in self._actions],
         }
-        looks = {
-            "the bump": env.bump_places[:1],
-            "the nearest place": [[self._decisive]],
-            "the end": [[self.looks]],
-        }
-        return record | {"decisive": int(looks[decisive_moment(record)][0][0])}
+        looks = {"the nearest place": self._decisive, "the end": self.looks}
+        look = looks.get(decisive_moment(record))
+        return record | {"decisive": int(env.bump_places[0][0] if look is None else look)}
 
     def _read(self, observation, info):
         is_nearer = self._actions and info["clearance"] != self._info["clearance"]

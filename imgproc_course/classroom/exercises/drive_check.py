@@ -241,11 +241,11 @@ def known_mistake(exercise, calls):
     after the decisive moment. If several do, the nearest one counts. None if there is none.
     """
     failed = [call for call in calls if not call.passed]
-    distances = [
-        max((_distance(mistake, call) for call in failed), default=np.inf) for mistake in exercise.mistakes
-    ]
-    nearest = int(np.argmin(distances)) if distances else -1
-    return exercise.mistakes[nearest] if distances and distances[nearest] <= PATH_TOLERANCE else None
+    nearest, least = None, np.inf
+    for mistake in exercise.mistakes:
+        distance = max((_distance(mistake, call) for call in failed), default=np.inf)
+        nearest, least = (mistake, distance) if distance < least else (nearest, least)
+    return nearest if least <= PATH_TOLERANCE else None
 
 
 def _distance(mistake, call):

@@ -198,18 +198,14 @@ def _reshape(match, source):
     text = f"{size} values are too few for {product} = {count}."
     if "step" in source:
         return f"{text} step is the number of bytes of a row; an image has width columns."
-    return (
-        f"{text} Is this one value for each pixel? A colour pixel has 3 bytes." if count == 3 * size else text
-    )
+    question = " Is this one value for each pixel? A colour pixel has 3 bytes."
+    return text + question if count == 3 * size else text
 
 
 def _zero_division(_match, source):
-    divisions = (ast.Div, ast.FloorDiv, ast.Mod)
-    divisors = [
-        ast.unparse(node.right)
-        for node in _nodes(source)
-        if isinstance(node, ast.BinOp) and isinstance(node.op, divisions)
-    ]
+    operations = [node for node in _nodes(source) if isinstance(node, ast.BinOp)]
+    divisions = [node for node in operations if isinstance(node.op, ast.Div | ast.FloorDiv | ast.Mod)]
+    divisors = [ast.unparse(node.right) for node in divisions]
     is_named = len(divisors) == 1 and not divisors[0].isdigit()
     return f"{divisors[0] if is_named else 'The divisor'} is 0 for this input. Test for 0 before you divide."
 

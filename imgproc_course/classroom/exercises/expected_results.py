@@ -18,9 +18,8 @@ class MistakeResults(dict):
 
     def __missing__(self, case_id):
         if self._exercise.subject == "drive":
-            self.update(
-                {case.id: (drive[1],) for case, drive in zip(self._cases, self.drives(), strict=True)}
-            )
+            for case, (_record, result) in zip(self._cases, self.drives(), strict=True):
+                self[case.id] = (result,)
             return self[case_id]
         case = next(case for case in self._cases if case.id == case_id)
         return _results_of_mistake(self._exercise, self._mistake, case, self._seed)
@@ -39,19 +38,11 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
     """
     cases = exercise.public if cases is None else cases
     solution = exercise.function_of(exercise.solution, "solution")
-    exercise = replace(
-        exercise,
-        names=tuple(argument_names(solution, exercise.subject)),
-        provided=tuple(sorted(exercise.namespace())),
-    )
-    return replace(
-        exercise,
-        cases=tuple(replace(case, calls=_solve(exercise, case, seed)) for case in cases),
-        mistakes=tuple(
-            replace(mistake, results=MistakeResults(exercise, mistake, cases, seed))
-            for mistake in exercise.mistakes
-        ),
-    )
+    names, provided = argument_names(solution, exercise.subject), sorted(exercise.namespace())
+    exercise = replace(exercise, names=tuple(names), provided=tuple(provided))
+    solved = [replace(case, calls=_solve(exercise, case, seed)) for case in cases]
+    mistakes = [replace(one, results=MistakeResults(exercise, one, cases, seed)) for one in exercise.mistakes]
+    return replace(exercise, cases=tuple(solved), mistakes=tuple(mistakes))
 
 
 @lru_cache(maxsize=256)
@@ -78,6 +69,5 @@ def _drive_mistake(exercise, mistake, cases, seed):
 @lru_cache(maxsize=1024)
 def _results_of_mistake(exercise, mistake, case, seed):
     wrong_function = exercise.function_of_mistake(mistake)
-    return tuple(
-        exercise.call(wrong_function, expected.arguments) for expected in _solve(exercise, case, seed)
-    )
+    calls = _solve(exercise, case, seed)
+    return tuple(exercise.call(wrong_function, expected.arguments) for expected in calls)

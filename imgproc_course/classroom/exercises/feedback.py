@@ -65,14 +65,11 @@ def explain_failure(exercise, call):
 
 
 def _explain_change(name, argument):
+    text = f"{name} changed its input {argument}."
     if not argument.isidentifier():
-        return (
-            f"{name} changed its input {argument}. Only read it, and store what you compute under new names."
-        )
-    return (
-        f"{name} changed its input {argument}. Leave the input as it is: write the result into a new"
-        f" array, or begin with {argument} = {argument}.copy()."
-    )
+        return f"{text} Only read it, and store what you compute under new names."
+    advice = f"write the result into a new array, or begin with {argument} = {argument}.copy()."
+    return f"{text} Leave the input as it is: {advice}"
 
 
 # ---------------------------------------------------------------- the parts of the feedback

@@ -92,9 +92,8 @@ def _stops_end_here():
 
 def _recording(node_class):
     """(a class like this one that records, what must be patched while it is driven)."""
-    bases = [
-        kind for kind in node_class.__mro__ if (kind.__module__, kind.__name__) == ("rclpy.node", "Node")
-    ]
+    nodes = [kind for kind in node_class.__mro__ if kind.__name__ == "Node"]
+    bases = [kind for kind in nodes if kind.__module__ == "rclpy.node"]
     if not bases:
         name = node_class.__name__
         raise NodeError(f"{name} is no node. Let it inherit from Node: class {name}(Node):")
@@ -168,10 +167,7 @@ def _functions_of(node_class):
 
 def describe_node(name, subscriptions, publishers):
     """What the constructor of a node made, as plain values."""
-    described = [
-        _endpoint(endpoint) | {name: _policy(endpoint, name) for name in _POLICIES}
-        for endpoint in subscriptions
-    ]
+    described = [_endpoint(one) | {name: _policy(one, name) for name in _POLICIES} for one in subscriptions]
     return {
         "node": name,
         "subscriptions": sorted(described, key=lambda entry: entry["topic"]),

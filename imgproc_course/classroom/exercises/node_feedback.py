@@ -94,9 +94,8 @@ def _on_pixels(wanted, given, steps):
     text = f"{int((wanted != given).sum())} of {wanted.size} pixels of the published image are wrong."
     kinds = ["image" if "image" in step else "set" for step in steps if "get" not in step]
     if "set" in kinds[kinds.index("image") :]:  # the steps before were right
-        return (
-            f"{text} Before the parameters changed, they were right: does the callback read the new values?"
-        )
+        question = "does the callback read the new values?"
+        return f"{text} Before the parameters changed, they were right: {question}"
     if not _is_of_edges(wanted):
         return text
     if _is_of_edges(given):

@@ -28,9 +28,8 @@ def drive_package(function, look, steps):
     it. NodeError: a file is missing, or cannot be read.
     """
     files = function()
-    if not isinstance(files, dict) or not all(
-        isinstance(part, str) for item in files.items() for part in item
-    ):
+    parts = [part for item in files.items() for part in item] if isinstance(files, dict) else [None]
+    if not all(isinstance(part, str) for part in parts):
         raise NodeError('Return a dict of texts, {path: text}, such as {"package.xml": "..."}.')
     if look == "package.xml":
         return _read_manifest(files)
@@ -55,9 +54,8 @@ def _parse(files, name):
 def _node_file(files):
     """The path of the file that defines a class: the node's."""
     paths = [path for path in files if path.endswith(".py") and path != "setup.py"]
-    nodes = [
-        path for path in paths if any(isinstance(part, ast.ClassDef) for part in _parse(files, path).body)
-    ]
+    parts = {path: _parse(files, path).body for path in paths}
+    nodes = [path for path in paths if any(isinstance(part, ast.ClassDef) for part in parts[path])]
     if len(nodes) != 1:
         raise NodeError(
             "One file must define the class of the node, such as image_negative/image_negative.py."
@@ -154,6 +152,5 @@ def _node_class(files):
     name = path.removesuffix(".py").replace("/", ".")
     names = {"__name__": name}
     exec(compile(files[path], path, "exec"), names)
-    return next(
-        kind for kind in names.values() if getattr(kind, "__module__", "") == name and isinstance(kind, type)
-    )
+    classes = (kind for kind in names.values() if isinstance(kind, type))
+    return next(kind for kind in classes if kind.__module__ == name)

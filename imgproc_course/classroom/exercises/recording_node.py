@@ -37,12 +37,8 @@ def stop(error):
 
 
 def refuse(name):
-    stop(
-        NotGradedError(
-            f"{UNKNOWN_PART} {name} (is it spelled right?). Write the node without it, or ask your"
-            " teacher to look at it."
-        )
-    )
+    advice = "Write the node without it, or ask your teacher to look at it."
+    stop(NotGradedError(f"{UNKNOWN_PART} {name} (is it spelled right?). {advice}"))
 
 
 def ros_name(module, name):
@@ -143,11 +139,8 @@ class RecordingNode:
 
     def __getattr__(self, name):
         if name == "_node_record":
-            stop(
-                NodeError(
-                    "__init__ of your class must begin with super().__init__(...), and the node's name."
-                )
-            )
+            text = "__init__ of your class must begin with super().__init__(...), and the node's name."
+            stop(NodeError(text))
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     context = property(lambda self: self._node_context)
@@ -223,10 +216,8 @@ class RecordingNode:
 
     def declare_parameters(self, namespace, parameters, ignore_override=False):
         prefix = f"{namespace}." if namespace else ""
-        return [
-            self.declare_parameter(prefix + name, *others, ignore_override=ignore_override)
-            for name, *others in parameters
-        ]
+        options = {"ignore_override": ignore_override}
+        return [self.declare_parameter(prefix + name, *others, **options) for name, *others in parameters]
 
     def has_parameter(self, name):
         return name in self._declared

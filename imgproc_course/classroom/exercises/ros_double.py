@@ -106,20 +106,16 @@ class _Parameter:
 
 
 def _policy(name, values):
-    return enum.IntEnum(name, {member: number for number, member in enumerate(values.split())})
+    return enum.IntEnum(f"{name}Policy", {member: place for place, member in enumerate(values.split())})
 
 
 _POLICIES = {
-    "reliability": _policy("ReliabilityPolicy", "SYSTEM_DEFAULT RELIABLE BEST_EFFORT UNKNOWN BEST_AVAILABLE"),
-    "durability": _policy(
-        "DurabilityPolicy", "SYSTEM_DEFAULT TRANSIENT_LOCAL VOLATILE UNKNOWN BEST_AVAILABLE"
-    ),
-    "history": _policy("HistoryPolicy", "SYSTEM_DEFAULT KEEP_LAST KEEP_ALL UNKNOWN"),
+    "reliability": _policy("Reliability", "SYSTEM_DEFAULT RELIABLE BEST_EFFORT UNKNOWN BEST_AVAILABLE"),
+    "durability": _policy("Durability", "SYSTEM_DEFAULT TRANSIENT_LOCAL VOLATILE UNKNOWN BEST_AVAILABLE"),
+    "history": _policy("History", "SYSTEM_DEFAULT KEEP_LAST KEEP_ALL UNKNOWN"),
 }
-_OTHER_POLICIES = (
-    *("lifespan", "deadline", "liveliness", "liveliness_lease_duration"),
-    "avoid_ros_namespace_conventions",
-)
+_OTHER_POLICIES = ("lifespan", "deadline", "liveliness", "liveliness_lease_duration")
+_OTHER_POLICIES += ("avoid_ros_namespace_conventions",)
 
 
 class InvalidQoSProfileException(Exception):
@@ -244,9 +240,8 @@ _EMPTY_MODULES = re.findall(
 
 def _qos_names():
     sensor_data = _QoSProfile(depth=5, reliability=_POLICIES["reliability"].BEST_EFFORT)
-    system_default = _QoSProfile(
-        history=_POLICIES["history"].SYSTEM_DEFAULT, depth=0, reliability=0, durability=0
-    )
+    zeros = dict.fromkeys(("depth", "reliability", "durability"), 0)
+    system_default = _QoSProfile(history=_POLICIES["history"].SYSTEM_DEFAULT, **zeros)
     names = {f"{prefix}{kind.__name__}": kind for kind in _POLICIES.values() for prefix in ("", "QoS")}
     return names | {
         "QoSProfile": _QoSProfile,

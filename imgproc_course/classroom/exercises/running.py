@@ -154,12 +154,8 @@ def failure_fields(error, function):
     """The fields of CallResult that say why a call did not finish, as a dict."""
     if isinstance(error, TimeUp):
         return {"timed_out": True, "stuck": bool(error.args)}
-    return {
-        "error": type(error).__name__,
-        "message": _message(error),
-        "line": _own_line(error, function),
-        "closest": _closest(error),
-    }
+    fields = {"error": type(error).__name__, "message": _message(error), "closest": _closest(error)}
+    return fields | {"line": _own_line(error, function)}
 
 
 def overwrite_freed_memory(form):
@@ -276,11 +272,8 @@ def _closest(error):
 def _own_line(error, function):
     """The innermost line of the learner's own code, `line 3: return a / 0`; "" if it is not known."""
     namespace = globals_of(function)
-    own_frames = [
-        (frame, line)
-        for frame, line in traceback.walk_tb(error.__traceback__)
-        if frame.f_globals is namespace
-    ]
+    frames = traceback.walk_tb(error.__traceback__)
+    own_frames = [(frame, line) for frame, line in frames if frame.f_globals is namespace]
     if isinstance(error, SyntaxError) or not own_frames:
         return ""
     frame, line = own_frames[-1]

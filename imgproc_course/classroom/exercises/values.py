@@ -54,10 +54,8 @@ def table_rows(form, wrong=None):
     if values.ndim == 1:
         values, wrong = values[np.newaxis], wrong[np.newaxis]
     wrong = wrong.any(axis=2) if values.ndim == 3 else wrong
-    return tuple(
-        tuple(zip(map(_element, row), marks, strict=True))
-        for row, marks in zip(values, wrong.tolist(), strict=True)
-    )
+    rows = zip(values, wrong.tolist(), strict=True)
+    return tuple(tuple(zip(map(_element, row), marks, strict=True)) for row, marks in rows)
 
 
 def _rows_of_message(form):
@@ -104,9 +102,8 @@ def describe_value(form, depth=0):
         return f"a {form['type']} of {len(form['items'])}: {items}"
     if form["type"] == "dict" and "items" in form:
         pairs = form["items"][:_MOST_ITEMS]
-        return "a dict: " + ", ".join(
-            f"{describe_value(k, depth + 1)}: {describe_value(v, depth + 1)}" for k, v in pairs
-        )
+        items = (f"{describe_value(k, depth + 1)}: {describe_value(v, depth + 1)}" for k, v in pairs)
+        return f"a dict: {', '.join(items)}"
     return describe(form)
 
 

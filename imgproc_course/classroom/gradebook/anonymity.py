@@ -15,13 +15,8 @@ def anonymous_id(name, answer_keys):
 
 def without_names(grades):
     """A copy of grades for the pages: ids instead of names, and no names of files."""
-    return grades | {
-        "ignored": [],
-        "intake": [],
-        "roster": None,
-        "similar": [],
-        "learners": [learner_without_name(entry) for entry in grades["learners"]],
-    }
+    learners = [learner_without_name(entry) for entry in grades["learners"]]
+    return grades | {"ignored": [], "intake": [], "roster": None, "similar": [], "learners": learners}
 
 
 def learner_without_name(entry):

@@ -26,10 +26,9 @@ def changes_page(before, after, names):
 
     `names` are {learner's name: the name to show}.
     """
-    rows = [
-        row | {"learner": names.get(row["learner"], "(gone)") if row["learner"] else "everybody"}
-        for row in changes_between(before, after)
-    ]
+    rows, names = list(changes_between(before, after)), {"": "everybody"} | names
+    for row in rows:
+        row["learner"] = names.get(row["learner"], "(gone)")
     return render_page("changes.html", rows=rows)
 
 
@@ -112,10 +111,8 @@ def _file(entry):
 
 
 def _checks(entry):
-    cases = [
-        f"{case['title']}: {case['outcome']} {case['message']}".strip() for case in entry.get("cases", ())
-    ]
-    return "; ".join(filter(None, [entry.get("mistake", ""), *cases]))
+    cases = [f"{one['title']}: {one['outcome']} {one['message']}" for one in entry.get("cases", ())]
+    return "; ".join(filter(None, [entry.get("mistake", ""), *map(str.strip, cases)]))
 
 
 _ASPECTS = {

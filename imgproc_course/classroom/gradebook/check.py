@@ -152,17 +152,15 @@ def _read(path):
             " my_lessons/03_images_as_messages.ipynb"
         )
     if not notebook_name(path.name).endswith(".ipynb"):
-        raise LessonFileError(
-            f"{path} is not a notebook: its name does not end in .ipynb; give the lesson's own file"
-        )
+        advice = "its name does not end in .ipynb; give the lesson's own file"
+        raise LessonFileError(f"{path} is not a notebook: {advice}")
     if path.stat().st_size > LARGEST:
         raise LessonFileError(f"{path}: {too_large(path.stat().st_size, LARGEST)}")
     try:
         return path.read_bytes()
     except OSError as error:
-        raise LessonFileError(
-            f"{path}: it cannot be read ({error.strerror}); change its permissions"
-        ) from error
+        reason = f"it cannot be read ({error.strerror}); change its permissions"
+        raise LessonFileError(f"{path}: {reason}") from error
 
 
 # ---------------------------------------------------------------- running the answers
@@ -192,18 +190,16 @@ async def _run_answer(entry):
         return
     entry.result = result
     # Refused modules come first: they may be the cause of the errors below.
-    entry.notes += [
-        f"it uses {name}, which this exercise does not allow" for name in result.dependencies.refused
-    ]
+    refused = result.dependencies.refused
+    entry.notes += [f"it uses {name}, which this exercise does not allow" for name in refused]
     failed = [case for case in result.results if not case.passed]
     if failed:
         call = failed[0].failed_call
         explanation = explain_failure(entry.exercise, call)
         advice = advice_on(call.result.error, call.result.message, call.result.line)
         text = " ".join(filter(None, [explanation, advice]))
-        entry.notes.append(
-            f"{len(failed)} of {len(result.results)} checks fail: {failed[0].case.title}: {text}"
-        )
+        count = f"{len(failed)} of {len(result.results)} checks fail"
+        entry.notes.append(f"{count}: {failed[0].case.title}: {text}")
 
 
 # ---------------------------------------------------------------- the report

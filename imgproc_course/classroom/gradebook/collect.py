@@ -207,11 +207,8 @@ class _Intake:
     def add_everything(self):
         """Add everything in the folder of submissions."""
         entries = self._entries(self._root)
-        opened = {
-            entry: self._entries(entry)
-            for entry in entries
-            if is_lesson(entry.name, self._lessons) and _is_folder(entry)
-        }
+        folders = [entry for entry in entries if is_lesson(entry.name, self._lessons) and _is_folder(entry)]
+        opened = {folder: self._entries(folder) for folder in folders}
         notebooks = [self._parts(e) for inside in opened.values() for e in inside if _suffix(e) == ".ipynb"]
         self._numbered = numbered_learners(notebooks, self._lessons)
         for folder, inside in opened.items():

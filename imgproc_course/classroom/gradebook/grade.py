@@ -163,9 +163,8 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
     if roster := grades["roster"]:
         lines[0] += f" Of {roster['count']} in the roster, {len(roster['missing'])} have not submitted."
         if roster["unknown"]:
-            lines[0] += (
-                f" Not in it: {count_of(len(roster['unknown']), 'learner')} (summary.html names them)."
-            )
+            unknown = count_of(len(roster["unknown"]), "learner")
+            lines[0] += f" Not in it: {unknown} (summary.html names them)."
     for learner in grades["learners"]:
         for lesson in learner["lessons"]:
             if lesson["status"] != "graded":
@@ -179,8 +178,6 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
         lines.append("Graded without a sandbox; grades.json records it.")
     lines += table_lines
     width = shutil.get_terminal_size().columns * 3
-    lines = [line[:width] for line in lines]
-    lines += [
-        f"Points: {out}/grades.csv   Your page: {out}/summary.html   Pages to give back: {out}/learners/"
-    ]
+    places = f"Points: {out}/grades.csv   Your page: {out}/summary.html   Pages to give back: {out}/learners/"
+    lines = [*(line[:width] for line in lines), places]
     return GradingSummary("\n".join(lines), not_graded, len(failed_pages))

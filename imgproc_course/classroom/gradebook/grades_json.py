@@ -68,9 +68,7 @@ def faults_of(lesson):
 
 def lesson_names(grades):
     """The names of the keys' lessons, in the order of the course."""
-    numbers = {
-        lesson["lesson"]: lesson["number"] for key in reversed(grades["keys"]) for lesson in key["lessons"]
-    }
+    numbers = {one["lesson"]: one["number"] for key in reversed(grades["keys"]) for one in key["lessons"]}
     return sorted(numbers, key=lambda name: (numbers[name], name))
 
 
@@ -80,13 +78,8 @@ def _place(lesson):
 
 def _key_entry(key):
     lessons = [
-        {
-            "lesson": lesson.name,
-            "number": lesson.number,
-            "title": lesson.title,
-            "version": lesson.version,
-            "max_points": lesson.points,
-        }
+        {"lesson": lesson.name, "number": lesson.number, "title": lesson.title}
+        | {"version": lesson.version, "max_points": lesson.points}
         for lesson in sorted(key.lessons.values(), key=_place)
     ]
     variants = [variant.digest for variant in key.variants]
@@ -97,15 +90,13 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
     """A graded learner's part of grades.json; `rules` are assigned TeacherRules."""
     deadlines, decisions = rules.deadlines, rules.decisions.get(learner.name, ())
     submissions = [*learner.submissions.values(), *learner.unidentified]
-    lessons = [
-        _lesson_entry(learner, submission, answer_keys, store, deadlines) for submission in submissions
-    ]
+    about = answer_keys, store, deadlines
+    lessons = [_lesson_entry(learner, submission, *about) for submission in submissions]
     for name in {decision.lesson for decision in decisions} - learner.submissions.keys():
-        submission = _nothing_submitted(name, submissions)
-        lessons.append(_lesson_entry(learner, submission, answer_keys, store, deadlines))
+        lessons.append(_lesson_entry(learner, _nothing_submitted(name, submissions), *about))
     for lesson in lessons:
-        about = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
-        _settle_lesson(lesson, about, deadlines.policy)
+        own = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
+        _settle_lesson(lesson, own, deadlines.policy)
     page = f"{anonymous_id(learner.name, answer_keys)}.html" if anonymous else learner.page
     order = {name: _place(lesson) for name, lesson in answer_keys.lessons.items()}
     return {

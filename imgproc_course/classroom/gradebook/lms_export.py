@@ -127,12 +127,8 @@ def exports(grades):
 
 def lessons_of(grades):
     """{name: entry in `keys`} of the lessons with points, as the first key that has them describes them."""
-    lessons = {
-        lesson["lesson"]: lesson
-        for key in reversed(grades["keys"])
-        for lesson in key["lessons"]
-        if lesson["max_points"]
-    }
+    lessons = [lesson for key in reversed(grades["keys"]) for lesson in key["lessons"]]
+    lessons = {lesson["lesson"]: lesson for lesson in lessons if lesson["max_points"]}
     return {name: lessons[name] for name in lesson_names(grades) if name in lessons}
 
 

@@ -248,9 +248,8 @@ def _values_view(case, key_exercise):
     call = case.failed_call
     names = [*key_exercise.arguments, *("" for _ in call.arguments)]
     tolerance = next((declared.tolerance for declared in key_exercise.cases if declared.id == case.id), 0.0)
-    rows = [
-        [value_of(f"given {name}".strip(), form) for name, form in zip(names, call.arguments, strict=False)]
-    ]
+    given = zip(names, call.arguments, strict=False)
+    rows = [[value_of(f"given {name}".strip(), form) for name, form in given]]
     images, argument = [], next(iter(call.arguments), None)
     for name, expected, actual in values.answer_parts(call.expected, call.actual):
         wrong = values.differing_elements(expected, actual, tolerance)

@@ -93,11 +93,8 @@ def compare(learners, answer_keys, store):
 
 def _copied(shapes, solution_shapes):
     """The exercises whose answer has the solution's shape, if that is long enough to say something."""
-    return [
-        id
-        for id, shape in shapes.items()
-        if shape == solution_shapes.get(id) and shape[1] >= SHORTEST_SOLUTION
-    ]
+    equal = [id for id, shape in shapes.items() if shape == solution_shapes.get(id)]
+    return [id for id in equal if shapes[id][1] >= SHORTEST_SOLUTION]
 
 
 def _groups(lesson, documents, known):
@@ -151,12 +148,8 @@ def _group(lesson, documents, share):
         for id, similar in lines.items():
             by_shape = versions.setdefault(id, {})
             by_shape.setdefault(tuple(document.shapes[id]), []).append((document, similar))
-    return SimilarGroup(
-        lesson,
-        share,
-        _names(documents),
-        {id: _versions(id, by_shape.values()) for id, by_shape in sorted(versions.items())},
-    )
+    versions = {id: _versions(id, by_shape.values()) for id, by_shape in sorted(versions.items())}
+    return SimilarGroup(lesson, share, _names(documents), versions)
 
 
 def _names(documents):
@@ -211,9 +204,8 @@ def _marked(source, similar):
     from jinja2.utils import markupsafe  # see `report.prepare_templates`
 
     mark, lines = markupsafe.Markup("<mark>{}</mark>"), enumerate(map(_escaped, source.split("\n")), 1)
-    return markupsafe.Markup("\n").join(
-        mark.format(line) if number in similar else line for number, line in lines
-    )
+    marked = (mark.format(line) if number in similar else line for number, line in lines)
+    return markupsafe.Markup("\n").join(marked)
 
 
 @lru_cache(maxsize=10_000)

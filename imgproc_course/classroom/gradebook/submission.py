@@ -322,14 +322,10 @@ def _kind(cell):
 
 def _compose_answers(answers, all_cells, reader, content):
     """Replace each answer by the source that is graded: with what it reads from other cells."""
-    answered = {
-        exercise: answer.cell
-        for exercise, answer in answers.items()
-        if content.states[exercise.id] is AnswerState.ANSWERED
-    }
+    answered = [one for one in answers if content.states[one.id] is AnswerState.ANSWERED]
     if not answered:
         return
-    composed = reader.compose(requests_to_compose(answered))
+    composed = reader.compose(requests_to_compose({one: answers[one].cell for one in answered}))
     if composed is None:
         text = "what its answers read from other cells takes too much time or memory to find"
         content.add(text, kind="odd")

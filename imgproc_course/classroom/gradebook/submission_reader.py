@@ -36,6 +36,7 @@ _MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_COUNT = 1_000_000  # runs of cells
 _MOST_NAME = 200  # characters of a name or an id
+_SAVE = "save it again in JupyterLab"
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
 _PR_SET_PDEATHSIG = 1
 _SLIPS = "syntax_slips" if __name__ == "__main__" else "imgproc_course.classroom.exercises.syntax_slips"
@@ -60,7 +61,7 @@ def read_notebook(data):
     notebook = _parsed(data)
     nbformat = notebook.get("nbformat")
     if isinstance(nbformat, bool) or not isinstance(nbformat, int):
-        raise UnreadableError("it does not say which notebook format it has; save it again in JupyterLab")
+        raise UnreadableError(f"it does not say which notebook format it has; {_SAVE}")
     if nbformat not in (3, 4):
         raise UnreadableError(
             f"it has notebook format {str(nbformat)[:20]}, and only the formats 4 and 3 can be read; open the"
@@ -68,7 +69,7 @@ def read_notebook(data):
         )
     cells = notebook.get("cells") if nbformat == 4 else _cells_of_format_3(notebook)
     if not isinstance(cells, list):
-        raise UnreadableError("it has no list of cells; save it again in JupyterLab")
+        raise UnreadableError(f"it has no list of cells; {_SAVE}")
     if len(cells) > MOST_CELLS:
         raise UnreadableError(f"it has {len(cells)} cells; at most {MOST_CELLS} are read")
     return {
@@ -88,17 +89,13 @@ def _parsed(data):
         notebook = json.loads(data.decode(encoding))
     except UnicodeDecodeError as error:
         name = "UTF-16" if encoding == "utf-16" else "UTF-8"
-        raise UnreadableError(
-            f"it is not {name} text (byte {error.start}); save it again in JupyterLab"
-        ) from error
+        raise UnreadableError(f"it is not {name} text (byte {error.start}); {_SAVE}") from error
     except RecursionError as error:
         raise UnreadableError("it is nested too deep to be a notebook") from error
     except ValueError as error:
         line = getattr(error, "lineno", None)
         place = f" (line {line})" if line else ""
-        raise UnreadableError(
-            f"it is not a notebook: its JSON is broken{place}; save it again in JupyterLab"
-        ) from error
+        raise UnreadableError(f"it is not a notebook: its JSON is broken{place}; {_SAVE}") from error
     if not isinstance(notebook, dict):
         raise UnreadableError("it is not a notebook: its JSON holds something else")
     return notebook

@@ -161,13 +161,8 @@ def _about_broken_cells(lesson, _):
             yield "broken", exercise["id"], f"{exercise['id']}: {[*texts, *messages][0]}"
 
 
-_RULES = (
-    _about_submission,
-    _about_findings,
-    _about_outcomes,
-    _about_misspelled_names,
-    _about_broken_cells,
-)
+_RULES = (_about_submission, _about_findings, _about_outcomes)
+_RULES += (_about_misspelled_names, _about_broken_cells)
 
 
 def _refused_module(cases):

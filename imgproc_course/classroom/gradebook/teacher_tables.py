@@ -152,9 +152,8 @@ def _exercise(text, lesson, answer_keys, place):
         if exercise and key_lesson.name == lesson.name and not exercise.practice:
             return exercise
     names = ", ".join(exercise.id for exercise in lesson.exercises if not exercise.practice)
-    raise TableError(
-        f"{place}: {lesson.name} has no exercise {_quoted(text)}; it has {names or 'none with points'}"
-    )
+    problem = f"{lesson.name} has no exercise {_quoted(text)}"
+    raise TableError(f"{place}: {problem}; it has {names or 'none with points'}")
 
 
 def _points(text, lesson, exercise, place):
