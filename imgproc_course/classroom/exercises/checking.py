@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from . import feedback
+from . import feedback, running
 from .answer_cells import ComposedAnswer, compose_answer
 from .canonical import array_of
 from .cell_runs import RUNS
@@ -22,17 +22,7 @@ from .drive import passes, sentences_of
 from .drive_check import drive_scenarios, known_mistake, progress_bar
 from .expected_results import check_data_of
 from .progress import ExerciseProgress, content_of, digest_of, note_progress
-from .running import (
-    CallResult,
-    TimeUp,
-    answer_name,
-    call_within,
-    code_of,
-    codes_of,
-    globals_of,
-    overwrite_freed_memory,
-    source_of,
-)
+from .running import CallResult, TimeUp, answer_name, call_within, code_of, codes_of, globals_of, source_of
 from .source_remarks import STUB_LINE, has_done, remarks_on_source
 
 _NEVER_RUN = (
@@ -54,10 +44,7 @@ _ONLY_HERE = (
 
 @dataclass(frozen=True)
 class CaseCall:
-    """One call of a case: its arguments, the expected result, the answer's result, and their difference.
-
-    record  what the robot did if the call was a drive, see `drive.Drive.record`
-    """
+    """One call of a case: what was expected, what the answer did; of a drive the `drive.Drive.record`."""
 
     case: Case
     arguments: tuple
@@ -73,11 +60,7 @@ class CaseCall:
 
 @dataclass(frozen=True)
 class CaseResult:
-    """One case: whether it passed, and the first of its calls that failed.
-
-    failed_call is None if no call failed, and for a case that was not run because an earlier call did not
-    finish.
-    """
+    """One case, and the first of its calls that failed: None too if an earlier case's did not finish."""
 
     case: Case
     passed: bool
@@ -273,7 +256,7 @@ def _run_calls(exercise, function, answer=None, progress=None):
     calls = []
     pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
     for case, expected in pairs:
-        overwrite_freed_memory(expected.result.value)
+        running.overwrite_freed_memory(expected.result.value)
         result = exercise.call(function, expected.arguments)
         difference = None
         if result.finished:

@@ -17,25 +17,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.drive import (
-    LOOK,
-    LOOK_SECONDS,
-    MEAN_LOOK_SECONDS,
-    PATH_TOLERANCE,
-    PLACES,
-    looks_of,
-    speeds_of,
-)
-from imgproc_course.classroom.exercises.progress import TEST_VARIABLE
-from imgproc_course.classroom.exercises.running import (
-    CallResult,
-    LimitedOutput,
-    TimeUp,
-    call_within,
-    failure_fields,
-)
+from .. import course
+from .canonical import array_of, canonical
+from .drive import LOOK, LOOK_SECONDS, MEAN_LOOK_SECONDS, PATH_TOLERANCE, PLACES, looks_of, speeds_of
+from .progress import TEST_VARIABLE
+from .running import CallResult, LimitedOutput, TimeUp, call_within, failure_fields
 
 _SIMULATORS = 2
 _SHOWN_LOOKS = 20  # between two states of the progress bar

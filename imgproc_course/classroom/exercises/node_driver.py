@@ -19,17 +19,7 @@ import threading
 
 import numpy as np
 
-from .recording_node import (
-    LEVELS,
-    UNKNOWN,
-    NodeError,
-    NodeStopped,
-    RecordingNode,
-    refusals,
-    refuse,
-    stop,
-    type_text,
-)
+from .recording_node import LEVELS, NodeError, NodeStopped, RecordingNode, refusals, refuse, stop, type_text
 from .ros_double import offer_modules
 
 _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows", "destroyWindow")
@@ -104,7 +94,7 @@ def _recording(node_class):
 
 def _between(node_class, ros_node):
     unknown = {name for name in dir(ros_node) if not name.startswith("_")} - set(dir(RecordingNode))
-    between = type("Node", (RecordingNode, ros_node), refusals({*UNKNOWN, *unknown}))
+    between = type("Node", (RecordingNode, ros_node), refusals(unknown))
     start = ros_node.__init__
 
     def start_recording(node, *arguments, **options):

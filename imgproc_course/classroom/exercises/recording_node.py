@@ -291,7 +291,7 @@ def _problem_of(parameter, kind, descriptor, is_new):
 
 
 # Names of rclpy's Node that RecordingNode does not have.
-UNKNOWN = re.findall(
+_UNKNOWN = re.findall(
     r"\w+",
     """
     PARAM_REL_TOL add_post_set_parameters_callback add_pre_set_parameters_callback add_waitable clients
@@ -311,6 +311,7 @@ UNKNOWN = re.findall(
 )
 
 
-def refusals(names):
-    """Attributes of a class that raise NotGradedError in a drive, {name: property}."""
+def refusals(names=()):
+    """Attributes that raise NotGradedError in a drive, {name: property}: the unknown ones, and these."""
+    names = {*_UNKNOWN, *names}
     return {name: property(lambda _self, name=name: refuse(f"{name} of a node")) for name in names}

@@ -15,7 +15,7 @@ from importlib.machinery import ModuleSpec
 from typing import ClassVar
 
 from .. import course
-from .recording_node import UNKNOWN, RecordingNode, refusals, refuse, ros_name
+from .recording_node import RecordingNode, refusals, refuse, ros_name
 
 
 class _Message:
@@ -261,7 +261,7 @@ def _modules():
         modules["rclpy"][name] = lambda *_arguments, **_options: None  # each its own: a drive traps some
     modules["rclpy"]["ok"] = lambda **_options: True
     groups = ("CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup")
-    node_class = type("Node", (RecordingNode,), refusals(UNKNOWN) | {"__module__": "rclpy.node"})
+    node_class = type("Node", (RecordingNode,), refusals() | {"__module__": "rclpy.node"})
     check_node_name = _check_name(r"[A-Za-z_]\w*", "InvalidNodeNameException")
     check_topic = _check_name(r"(~|(~/|/)?[A-Za-z_]\w*)(/[A-Za-z_]\w*)*", "InvalidTopicNameException")
     return modules | {
