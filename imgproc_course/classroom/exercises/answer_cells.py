@@ -20,12 +20,10 @@ from .cell_syntax import (
 
 @dataclass(frozen=True)
 class AnswerCell:
-    """The cell that an answer is taken from.
+    """The `cell` that an answer is taken from, as `submission_reader.read_notebook` describes it.
 
-    cell       dict as `submission_reader.read_notebook` describes it
-    is_answer  it defines the function, and not as the stub
-    own        list of the cells that are marked as the exercise's answer cell, by id or metadata
-    others     list of the further cells that define the function, and not as the stub
+    `is_answer`: it defines the function, and not as the stub. `own` are the cells that are marked as the
+    exercise's, by id or metadata; `others` are further answers.
     """
 
     cell: dict
@@ -88,11 +86,7 @@ def requests_to_compose(answered):
 
 @dataclass(frozen=True)
 class ComposedAnswer:
-    """The source by which an answer is graded.
-
-    function  the name of its function
-    taken     tuple of Taken, what it reads from other cells
-    """
+    """The source by which an answer is graded; `taken` is a tuple of Taken, what it reads of other cells."""
 
     function: str
     source: str

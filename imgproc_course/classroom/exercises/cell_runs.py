@@ -24,13 +24,9 @@ _FAILED = (
 
 @dataclass
 class CellRun:
-    """One run of a cell.
+    """One run of a cell; `error` is a sentence, "" if it came to its end. `is_read`: Python could read it.
 
-    source    what ran
-    cell_id   "" if the front end sends none
-    exercise  the one that JupyterLab's metadata of the cell name, ""
-    error     what ended it, in a sentence, "" if it came to its end
-    is_read   False if Python could not read it
+    `exercise` is the one that JupyterLab's metadata of the cell name; an id may be missing.
     """
 
     source: str

@@ -243,16 +243,11 @@ def _first_line(statement):
 
 @dataclass(frozen=True)
 class Statement:
-    """A statement at the top level of a cell.
+    """A statement at the top level of a cell, and the names that it binds, and reads before it binds them.
 
-    kind           "function", "class", "import", "value" (an assignment to plain names), "expression" or
-                   "other"
-    binds          frozenset of the names that it binds
-    reads          frozenset of the names that it reads before it binds them
-    reads_at_once  those of them that it reads where it stands: not in the body of a function or method
-    changes        frozenset of the names whose values it changes: `total += 1`, `table[k] = 3`,
-                   `names.append(3)`
-    source         its source
+    kind           "function", "class", "import", "value" (gives plain names a value), "expression", "other"
+    reads_at_once  what it reads where it stands: not in the body of a function or method
+    changes        the names whose values it changes: `total += 1`, `table[k] = 3`, `names.append(3)`
     """
 
     kind: str

@@ -25,10 +25,9 @@ class ExpectedCall:
 
 @dataclass(frozen=True)
 class Case:
-    """One check of an exercise, public or hidden.
+    """One check of an exercise; `source` defines `inputs(rng)`, in this line of the master.
 
-    source  defines `inputs(rng)`, in this line of the master
-    calls   tuple of ExpectedCall, once the solution has run
+    `calls` are ExpectedCalls, once the solution has run.
     """
 
     id: str
@@ -44,11 +43,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Mistake:
-    """A usual wrong answer, and the sentence that explains it.
-
-    source   defines the function, in the master
-    results  {id of a case: a CallResult for each call}
-    """
+    """A usual wrong answer, what it `says` to the learner, and {id of a case: a CallResult for each call}."""
 
     name: str
     says: str
@@ -58,15 +53,10 @@ class Mistake:
 
 @dataclass(frozen=True, kw_only=True)
 class CheckData:
-    """An exercise as a check needs it; `declaration.exercise` documents the other fields.
+    """An exercise as a check needs it; `declaration.exercise` documents most fields.
 
-    sensors        what `control` observes in an exercise that drives
-    names          argument names of the function
-    stub           source of the answer cell as it was handed out
-    given          sources of the given cells
-    provided       names that an answer may use from outside its cell
-    hidden_count   number of the cases that only grading runs
-    hidden_points  their points
+    `names` are those of the function's arguments, `given` the sources of the given cells, and `provided` the
+    names that an answer may use from outside its cell. Only grading runs the hidden cases.
     """
 
     id: str
@@ -159,11 +149,9 @@ class CheckData:
 
 @dataclass(frozen=True)
 class LessonDescription:
-    """A lesson as it was handed out, from an answer key or from a checks file.
+    """A lesson as it was handed out: its KeyExercises from an answer key, or CheckData from a checks file.
 
-    version    of the course that the lesson was made from
-    exercises  tuple of KeyExercise or CheckData
-    cells      {cell id: source of a check or given cell, None for the others}; empty if unknown
+    `version` is that of the course, `cells` {cell id: source of a check or given cell, None for the others}.
     """
 
     name: str

@@ -52,12 +52,7 @@ class CheckFileError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class CheckFile:
-    """A checks file as it was read; `exercise` gives its exercises.
-
-    lesson   the lesson's name
-    version  of the course that the lesson was built with
-    entries  the exercises of the file; see above, also for cells and values
-    """
+    """A checks file as it was read, see above; `entries` are its exercises, which `exercise` gives."""
 
     path: Path
     lesson: str

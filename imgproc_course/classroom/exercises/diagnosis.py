@@ -47,11 +47,9 @@ _CUT_OFF = (
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """What is certain about an answer.
+    """What is certain about an answer, in sentences, "" if nothing is.
 
-    text           sentences for the learner, "" if nothing is certain
-    replaces_hint  True if they say what to repair: a hint about wrong values is then left out
-    on_border      True if all wrong values lie on the borders of images
+    `replaces_hint`: they say what to repair; `on_border`: all wrong values lie on the borders of images.
     """
 
     text: str = ""

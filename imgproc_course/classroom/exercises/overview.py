@@ -18,15 +18,10 @@ _BAR_CHARACTERS = 20
 
 @dataclass(frozen=True)
 class LessonProgress:
-    """One lesson of a folder.
+    """One lesson of a folder: its `file` "04_grayscale.ipynb", the numbers of those that it needs, ("03",).
 
-    file       name of its notebook, "04_grayscale.ipynb"
-    minutes    of the whole lesson; core_minutes without its deeper sections
-    needs      numbers of the lessons that it needs, ("03",)
-    exercises  ids of its exercises
-    deeper     those of them that can be left out
-    passed     those of them that have passed
-    points     of those that have passed, without the points of hidden checks
+    Ids of its exercises, of those that can be left out (`deeper`), and of those that have passed, with their
+    points but those of hidden checks.
     """
 
     file: str

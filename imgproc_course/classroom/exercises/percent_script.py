@@ -23,14 +23,9 @@ class MasterError(ValueError):
 
 @dataclass(frozen=True)
 class ScriptCell:
-    """One cell of a percent script.
+    """One cell of a percent script, "markdown" or "code", with one of ROLES, or "".
 
-    kind     "markdown" or "code"
-    role     one of ROLES, or ""
-    options  the other values of its header: {"title": "Bright pixels", "points": 1}
-    source   str
-    line     the line of its header, from 1; 0 for a cell without a role
-    file     name of the script
+    `options` are the other values of its header, {"points": 1}, in this line from 1; 0 without a role.
     """
 
     kind: str

@@ -32,12 +32,7 @@ TEST_VARIABLE = "PYTEST_CURRENT_TEST"  # pytest sets it, so nbval and our builds
 
 @dataclass(frozen=True)
 class ExerciseProgress:
-    """What a learner did in one exercise.
-
-    passed  whether an answer passed
-    tries   digests of the different answers that did not pass
-    hints   the highest step of `hint` that was shown
-    """
+    """What a learner did in one exercise: digests of the wrong `tries`, the highest step of `hint`."""
 
     passed: bool = False
     tries: tuple[str, ...] = ()

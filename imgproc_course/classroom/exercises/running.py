@@ -49,18 +49,15 @@ class TimeUp(BaseException):
 
 @dataclass(frozen=True)
 class CallResult:
-    """What one call did.
+    """What one call did; a text is "" where there is none.
 
     value      canonical form of the returned value; None if the call did not finish
-    error      type name of the exception, "" for none
-    message    the exception's message
-    line       the line of the learner's code that raised, with its number
-    closest    the name that is most like one that does not exist, "" for none
-    timed_out  the time limit stopped the call
-    stuck      the call could not be stopped
+    error      type name of the exception; `line` is the learner's line that raised it, with its number
+    closest    the name that is most like one that does not exist
+    timed_out  the time limit stopped the call; stuck: it could not be stopped
     changed    names of the arguments that the function changed
     printed    the beginning of what it printed
-    warning    the first warning, or the first of an overflow, "" for none
+    warning    the first warning, or the first of an overflow
     """
 
     value: dict | None = None

@@ -31,13 +31,9 @@ class LessonFileError(ValueError):
 
 @dataclass
 class ExerciseCheck:
-    """One exercise of a checked lesson.
+    """One exercise of a checked lesson: its answer, or "", and notes for the learner, str.
 
-    exercise  CheckData
-    state     AnswerState
-    source    of its answer, "" if there is none
-    notes     list of str, for the learner
-    result    what the public checks gave, or None if they were not run
+    `result` is what the public checks gave, None if they were not run.
     """
 
     exercise: CheckData
@@ -49,12 +45,9 @@ class ExerciseCheck:
 
 @dataclass
 class LessonCheck:
-    """A checked lesson.
+    """A checked lesson, its content as grading reads it, and the ExerciseChecks in the lesson's order.
 
-    content    SubmissionContent, exactly as grading reads it
-    exercises  list of ExerciseCheck, in the lesson's order
-    was_run    True if the answers were run against their public checks
-    deeper     ids of the exercises that can be left out
+    `was_run`: the answers were run against their public checks; `deeper` can be left out.
     """
 
     path: Path

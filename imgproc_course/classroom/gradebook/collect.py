@@ -59,15 +59,12 @@ _ENVIRONMENTS = {".venv", "venv", "env", ".tox", "site-packages", "node_modules"
 
 @dataclass(frozen=True, kw_only=True)
 class SubmittedFile(Sender):
-    """One submitted file, not yet read, and who sent it.
+    """One submitted file, not yet read, and who sent it; `source` is where it was found, for display.
 
-    source        where the file was found, for display
     group         the zip or folder that it came in; distinguishes learners who have the same name
-    submitted_at  datetime, local, of the file, or what a platform's zip says; None if unknown
-    order         tuple; sorts the submissions of one lesson from the earliest to the latest
-    archived_at   datetime of the platform's zip that says `submitted_at`; None for other files
-    reason        why the file is not read, or ""
-    reader        function without arguments that returns its bytes
+    submitted_at  local time of the file, or what a platform's zip of the time `archived_at` says
+    order         sorts the submissions of one lesson from the earliest to the latest
+    reason        why the file is not read, or ""; else `reader` returns its bytes
     """
 
     source: str = ""
@@ -87,13 +84,9 @@ class SubmittedFile(Sender):
 
 @dataclass(frozen=True, order=True)
 class IntakeFinding:
-    """Something unusual about what arrived.
+    """Something unusual about what arrived, in one line.
 
-    kind     "sender": whose it is can be doubted; "date": when it came can be doubted; "file": something
-             was not read or not looked at
-    learner  the sender
-    file     where
-    text     one line
+    Of the kind "sender": whose it is can be doubted; "date": when it came; "file": what was not read.
     """
 
     kind: str

@@ -15,10 +15,8 @@ class TableError(ValueError):
 class CsvTable:
     """A table in UTF-8; its first row that is not empty and no comment (#) has the names of the columns.
 
-    columns           tuple of str, without spaces around them
-    rows              list of (number of its last line, list of str), of the rows after it
-    delimiter         the character between two cells: a comma, a semicolon or a tab
-    byte_order_mark   "\\ufeff" if the file begins with it, else ""
+    `rows` are (number of its last line, list of cells) of those after it. The delimiter is a comma, a
+    semicolon or a tab, and the byte order mark "" if the file has none.
     """
 
     path: Path

@@ -45,12 +45,7 @@ def read_late_policy(text):
 
 @dataclass(frozen=True)
 class Deadlines:
-    """The deadline, the late policy, and the extensions of learners.
-
-    deadline    datetime, local, or None
-    policy      LatePolicy or None
-    extensions  {learner's name: list of Extension}
-    """
+    """The deadline, a local time, the late policy, and {learner's name: list of Extension}."""
 
     deadline: datetime | None = None
     policy: LatePolicy | None = None

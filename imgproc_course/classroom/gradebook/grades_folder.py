@@ -1,18 +1,7 @@
-"""Write the folder of grades.
+"""Write the folder of grades; docs/teach/reference.md says what is in it.
 
-grades.json        everything, as grades.schema.json describes it
-grades.csv         one row per learner and lesson, for a spreadsheet
-checks.csv         one row per learner and check: the autograder's points
-summary.html       the teacher's page
-learners/*.html    one page per learner, to give back
-review.html        for the teacher's decisions: the exercises, each with a page of all answers in review/
-predictions.html   what learners predicted
-drives.html        maps of the drives, for the teacher: those of hidden scenarios, too
-similar.html       similar submissions, side by side
-changes.html       what changed since the grades that differed last, which are in grades.previous.json
-decisions.csv      the teacher's decisions; only read, once it is there
-exports/           for Moodle, Canvas, and programs that read nbgrader's table
-results/*.json     every result, by a digest of key and answers: an interrupted run continues from here
+results/*.json has every result, by a digest of key and answers: an interrupted run continues from there. The
+grades that differed last are in grades.previous.json.
 """
 
 import shutil

@@ -48,11 +48,9 @@ class LeagueError(ValueError):
 
 @dataclass
 class Controller:
-    """A learner's controller.
+    """A learner's controller, why it does not drive, or an Exploration of each room.
 
-    reason        why it does not drive, "" if it does
-    explorations  an Exploration of each room
-    best, worst   (number of a room, its map, its film or None)
+    Its best and worst are (number of a room, its map, its film or None).
     """
 
     name: str

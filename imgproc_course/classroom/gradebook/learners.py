@@ -24,14 +24,10 @@ _TOO_SLOW_TOGETHER = "reading the earlier notebooks of this submission took too 
 
 @dataclass
 class Submission:
-    """One submitted file, read.
+    """One submitted file, read; digests are "" if it could not be.
 
-    file            the file as it was collected
-    file_digest     SHA-256 of its bytes, "" if they could not be read
-    content         what the file holds
-    answers_digest  identifies its answers together with their key; "" if it cannot be read
-    has_answers     True if it holds the answer to an exercise, and not only the stubs
-    key             the key that it is graded with, or None
+    `file_digest` is the SHA-256 of its bytes, `answers_digest` stands for its answers and their key.
+    `has_answers`: it has more than stubs.
     """
 
     file: SubmittedFile
@@ -49,11 +45,9 @@ class Submission:
 
 @dataclass
 class Learner:
-    """A learner and their submissions.
+    """A learner: {lesson: the Submission that counts}, {lesson: list of those that do not, oldest first}.
 
-    submissions   {lesson: the Submission that counts}
-    earlier       {lesson: list of the Submissions that do not count, oldest first}
-    unidentified  list of Submissions whose lesson is unknown
+    Of those that are unidentified the lesson is unknown.
     """
 
     name: str

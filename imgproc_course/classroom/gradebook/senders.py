@@ -34,12 +34,10 @@ class Certainty(IntEnum):
 
 @dataclass(frozen=True)
 class Sender:
-    """Who sent a file.
+    """Who sent a file; `learner` is a name, one printable line.
 
-    learner      the learner's name, one printable line
-    platform     "moodle", "canvas" or "";  platform_id: the platform's number of the learner, or ""
-    late         True if the platform says that it is late
-    sequence     the platform's number of the submission; sorts the submissions of one learner
+    platform     "moodle", "canvas" or ""; platform_id: its number of the learner, or ""
+    sequence     its number of the submission; sorts the submissions of one learner
     doubt        why the name cannot be believed, or ""
     given        the name as it was given, with marks and spaces that nobody sees
     place        tuple of str, the folders, and the zip, that the name is in

@@ -30,10 +30,7 @@ _LONGEST_LINE = 20_000  # characters that a page shows
 
 @dataclass(frozen=True)
 class Version:
-    """One of the ways in which an exercise is answered in a group.
-
-    lines  numbers of the lines that other submissions of the group have too
-    """
+    """One of the ways in which an exercise is answered in a group; others have these lines, too."""
 
     learners: tuple
     source: str
@@ -42,11 +39,9 @@ class Version:
 
 @dataclass(frozen=True)
 class SimilarGroup:
-    """Submissions of a lesson of which each is similar to another one.
+    """Submissions of a lesson of which each is similar to another one; {exercise id: tuple of Version}.
 
-    share     0 to 1: the greatest of two of them, of the fingerprints of the smaller one
-    learners  names, of all
-    versions  {exercise id: tuple of Version}, those of most learners first
+    Two of them share most: 0 to 1, of the fingerprints of the smaller one.
     """
 
     lesson: str

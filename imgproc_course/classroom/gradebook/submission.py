@@ -36,13 +36,10 @@ class AnswerState(StrEnum):
 
 @dataclass(frozen=True)
 class Finding:
-    """Something unusual about a submission.
+    """Something unusual about an exercise, or about the whole notebook (""), in one line.
 
-    kind      "message": for the learner and the instructor
-              "answer": a fault of an answer itself; grading reports it to the learner in its own words
-              "odd": for the instructor
-    exercise  its id, or "" for the whole notebook
-    text      one line
+    Of the kind "message": for the learner and the instructor; "odd": for the instructor; "answer": a fault of
+    an answer itself, which grading reports to the learner in its own words.
     """
 
     kind: str
@@ -55,16 +52,12 @@ PAGES = ("index", "glossary")  # a learner who submits a whole folder submits th
 
 @dataclass
 class SubmissionContent:
-    """What a notebook holds.
+    """What a notebook holds, or the `reason` why it cannot be read.
 
-    lesson    its name, or None if it is unknown
-    version   str or None, of the course, as the notebook says
-    answers   {exercise id: source}
-    states    {exercise id: AnswerState}, one for every exercise of the lesson
-    findings  list of Finding
+    version   of the course, as the notebook says
+    answers   {exercise id: source}; states: {exercise id: AnswerState} of every exercise
     claims    exercise ids whose stored outputs say that every check passes
-    predictions  {cell id: source}, what the learner predicted
-    reason    why the notebook cannot be read, or ""
+    predictions  {cell id: source}
     is_page   it is a page of the course that has no answers, such as the index
     """
 

@@ -24,11 +24,9 @@ DECISIONS_TEMPLATE = f"""\ufeff{",".join(DECISION_COLUMNS)}
 
 @dataclass(frozen=True)
 class Decision:
-    """A teacher's decision on an exercise, or on a whole lesson.
+    """A teacher's decision on an exercise, or on a whole lesson (""); the place is that of its row.
 
-    exercise  its id; "" for the whole lesson
-    points    int or float; None if it is excused, or if there is only a comment
-    place     the file and the row, for errors
+    The points are None if it is excused, or if there is only a comment.
     """
 
     learner: str
