@@ -60,26 +60,16 @@ def _ambiguous(_match, source):
     if any(isinstance(node, ast.BitAnd | ast.BitOr) for chain in chains for node in ast.walk(chain)):
         return "& is computed before > and <=. Put each comparison in parentheses: (a > low) & (a <= high)."
     if chains:
-        return (
-            "A chained comparison such as low < a < high does not work with an array. Write two comparisons"
-            " with & between them, each in parentheses: (low < a) & (a < high)."
-        )
+        return _ADVICE["<chained comparison>"]
     if parts and all(isinstance(part, ast.Name) for part in parts):
         return "An array is neither True nor False. To ask whether it has any values, write array.size > 0."
     if parts:
-        return (
-            "`and` and `or` need a single True or False, and an array has many. Between arrays write & or |,"
-            " with each comparison in parentheses."
-        )
+        return _ADVICE["<and, or>"]
     if ast.Not in map(type, nodes):
         return "`not` needs a single True or False, and an array has many. For an array write ~ before it."
     if re.search(r"(?<![\w.])(?:max|min)\(", source):
         return "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
-    return (
-        "`if` and `while` need one True or False, and a comparison of an array gives many, one for each"
-        " value. In a loop over the pixels compare one value: array[row, col]. Outside a loop work with the"
-        " mask itself (np.where, array[mask] = ...), or ask mask.any() or mask.all()."
-    )
+    return _ADVICE["<if, while>"]
 
 
 def _unhashable(match, source):
@@ -100,36 +90,23 @@ def _broadcast(match, source):
     # a += b names the shape of a twice
     shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in shapes_as_text))
     advice = next((advice for holds, advice in _broadcast_rules(shapes, source) if holds), "")
-    return f"Arithmetic with two arrays works value by value, and needs equal shapes.{advice}"
+    return f"Arithmetic with two arrays works value by value, and needs equal shapes. {advice}".rstrip()
 
 
 def _broadcast_rules(shapes, source):
     """(whether it holds, advice) of each rule about the different shapes of arrays in a line."""
-    yield (
-        any(0 in shape for shape in shapes),
-        " One of these is empty. A slice is empty if it ends before it begins; a negative index,"
-        " such as row - 1 in row 0, counts from the end.",
-    )
-    text = " array[:, 2] has one axis; array[:, 2:3] keeps it as a column, with a row for each."
-    yield re.search(r"\[:, ?-?\d\]", source), text
+    yield any(0 in shape for shape in shapes), _ADVICE["<empty array>"]
+    yield re.search(r"\[:, ?-?\d\]", source), _ADVICE["<column>"]
     if len(shapes) != 2:
         return
     first, second = shapes
-    yield (
-        1 in (len(first), len(second)) and ("axis=" in source or first[:1] == second[:1]),
-        " After sum(axis=0) or mean(axis=0) there is one number for each column, after axis=1"
-        " one for each row. Are rows and columns, or width and height, exchanged?",
-    )
+    has_axis = "axis=" in source or first[:1] == second[:1]
+    yield 1 in (len(first), len(second)) and has_axis, _ADVICE["<axis taken away>"]
     if len(first) != len(second):
         return
-    yield (
-        any(shape in ((3, 3), (5, 5)) for shape in shapes),
-        " A kernel needs a window of its own size for each pixel. A slice ends before its stop, and a loop"
-        " over the padded image goes beyond the rows and columns of the image.",
-    )
+    yield any(shape in ((3, 3), (5, 5)) for shape in shapes), _ADVICE["<kernel>"]
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
-    text = f" These two differ by {gap}: look where each slice begins and ends, and at any padding."
-    yield gap <= 2, text
+    yield gap <= 2, _ADVICE["<nearly one shape>"].format(gap)
 
 
 def _index_outside(match, source):
@@ -140,15 +117,8 @@ def _index_outside(match, source):
     indices = [node.slice for node in _nodes(source) if isinstance(node, ast.Subscript)]
     parts = [part for index in indices for part in getattr(index, "elts", [index])]
     steps = dict.fromkeys(ast.unparse(part) for part in parts if isinstance(part, ast.BinOp))
-    if steps:
-        return (
-            f"{advice} Here {' or '.join(steps)} goes further. Does the loop end early enough? If pixels at"
-            " the border have neighbours too, the image must be padded. Rows come first: array[row, col]."
-        )
-    return (
-        f"{advice} Where does the index come from: a loop over another shape, such as a padded one, or a"
-        " value that was rounded up? An array is indexed rows first: array[row, col]."
-    )
+    text = _ADVICE["<index with a sum>" if steps else "<index>"].format(" or ".join(steps))
+    return f"{advice} {text}"
 
 
 def _typographic(match, _source):
@@ -170,31 +140,18 @@ def _reshape(match, source):
     size, shape = int(match[1]), [int(part) for part in re.findall(r"-?\d+", match[2])]
     count, product = math.prod(shape), " × ".join(map(str, shape))
     if size == 1:
-        return (
-            "There is one value only. np.array() makes a single object of bytes; np.frombuffer(data,"
-            " np.uint8) reads them as numbers."
-        )
+        return _ADVICE["<single value>"]
     if count < 0 or "newaxis" in match[2]:
         return f"{size} values cannot be divided evenly in this way. Is there padding at the end of the rows?"
     if size == 3 * count:
         return f"{size} values are 3 times as many as {product}. Are the three channels missing in the shape?"
     if size == 2 * count:
-        return (
-            f"{size} values are twice as many as {product}. If a pixel has two bytes (16 bits), read both as"
-            " one number: np.frombuffer with a 16-bit dtype, such as '<u2'. If not, is there padding at the"
-            " end of the rows?"
-        )
+        return _ADVICE["<two bytes>"].format(size, product)
     written = [part for part in shape if part > 4 and re.search(rf"\b{part}\b", source)]
     if written:
-        return (
-            f"{size} values do not fit into {product}. Your line says {written[0]}, for every input: does"
-            " another one have this size too?"
-        )
+        return _ADVICE["<size as a number>"].format(size, product, written[0])
     if size > count:
-        return (
-            f"{size} values are too many for {product} = {count}. Is there padding at the end of the rows?"
-            f" Crop each row, rows[:, :n], before you reshape; rows[:n] keeps the first rows."
-        )
+        return _ADVICE["<too many values>"].format(size, product, count)
     text = f"{size} values are too few for {product} = {count}."
     if "step" in source:
         return f"{text} step is the number of bytes of a row; an image has width columns."
@@ -241,10 +198,7 @@ def _unknown(match, _source):
     if name in _IMPORTS:
         line = _IMPORTS[name].format(name)
         return f"The name {name} is not known in this cell. Write its import line in it: {line}"
-    return (
-        f"Nothing has the name {name} here. Is it spelled as above? If another cell defines or imports it,"
-        " write its definition or its import line in this cell; if it is a text, put it in quotes."
-    )
+    return _ADVICE["<unknown name>"].format(name)
 
 
 # {pattern of an error as Python prints it: a function of the match and of the line that raised}
@@ -269,6 +223,6 @@ def read_phrases(text):
 
 
 # A pattern of an error as Python prints it, and of the line that raised where that counts; below it what the
-# error means, a template for the match. The first pattern that matches counts.
+# error means, a template for the match. The first pattern that matches counts. What rules say is in <brackets>.
 _PHRASES = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
 _ADVICE = _RULES | read_phrases(_PHRASES)
