@@ -223,6 +223,6 @@ def read_phrases(text):
 
 
 # A pattern of an error as Python prints it, and of the line that raised where that counts; below it what the
-# error means, a template for the match. The first pattern that matches counts. What rules say is in <brackets>.
+# error means, a template for the match. The first pattern that matches counts. What rules say has <brackets>.
 _PHRASES = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
 _ADVICE = _RULES | read_phrases(_PHRASES)

@@ -4,10 +4,13 @@ import ast
 import re
 import types
 from itertools import pairwise
+from pathlib import Path
 
+from .error_advice import read_phrases
 from .running import source_of
 
 STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
+_SAYS = read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8"))
 _IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
@@ -63,10 +66,7 @@ def _repeated_and_ended(tree):
         line = ast.unparse(loop).splitlines()[0].removesuffix(":")
         end = _end_of(loop.body)
         if end and not any(isinstance(node, ast.Continue) for node in ast.walk(loop)):
-            yield (
-                f"The loop {line} ends in its first round, because {end} stands inside it. If every round"
-                f" counts, write {end} below the loop, as far to the left as for."
-            )
+            yield _SAYS["end inside a loop"].format(line=line, end=end)
         yield from _counter_written_over(loop, line)
 
 
@@ -89,10 +89,7 @@ def _counter_written_over(loop, line):
         # row = row * 2, and not b, g, r = image[r, c]
         is_meant = (number, False) in uses and len(stores) == 1
         if is_store and not is_meant and max(uses)[0] > number:
-            yield (
-                f"{line.split()[1]} counts the rounds of {line}, and inside this loop it gets another value."
-                " Give one of the two another name."
-            )
+            yield _SAYS["counter with another value"].format(name=line.split()[1], line=line)
 
 
 def _why_none(tree):
@@ -100,18 +97,13 @@ def _why_none(tree):
     if not any(isinstance(node, ast.Return) and node.value for node in ast.walk(tree)):
         yield f"{tree.name}() has no return with a value. Did you forget return?"
     elif _reaches_end(tree.body):
-        yield (
-            f"There is a way through {tree.name}() on which no return is reached. Is a case missing, such as"
-            " the last else?"
-        )
+        yield _SAYS["way without return"].format(name=tree.name)
     for node in ast.walk(tree):
         value = getattr(node, "value", None)
         name = getattr(getattr(value, "func", None), "attr", "")
         if name in _IN_PLACE and not isinstance(node, ast.Expr) and ast.unparse(value.func.value) != "np":
-            yield (
-                f"{ast.unparse(value)} works in place and gives None. Write it on a line of its own, and use"
-                f" {ast.unparse(value.func.value)} after it."
-            )
+            parts = {"call": ast.unparse(value), "value": ast.unparse(value.func.value)}
+            yield _SAYS["method in place"].format(**parts)
 
 
 def _unused(tree):
@@ -142,20 +134,15 @@ def _always_true(node, _source):
         return
     constants = [value for value in node.values[1:] if isinstance(value, ast.Constant) and value.value]
     if constants:
-        yield (
-            f"{ast.unparse(node)} is always true, because {ast.unparse(constants[0])} alone counts as"
-            f" True. Compare with each of them, or write: in (..., ...)."
-        )
+        parts = {"test": ast.unparse(node), "part": ast.unparse(constants[0])}
+        yield _SAYS["always true"].format(**parts)
 
 
 def _loop_over_uint8(node, source):
     for part in ast.walk(node.test) if "uint8(" in source else ():
         comparison = ast.unparse(part) if isinstance(part, ast.Compare) else ""
         if re.search(r"<= 255$|< 256$", comparison):
-            yield (
-                f"{comparison} is always true for a uint8: after 255 it goes on with 0. Write for t in"
-                " range(256)."
-            )
+            yield _SAYS["loop over uint8"].format(test=comparison)
 
 
 def _remarks_on_comparison(node, source):
@@ -165,10 +152,7 @@ def _remarks_on_comparison(node, source):
     for part in (node.left, *node.comparators):
         is_mask = isinstance(part, ast.BinOp) and isinstance(part.op, ast.BitAnd | ast.BitOr)
         if is_mask and line[part.col_offset - 1 : part.col_offset] != b"(" and part.lineno == node.lineno:
-            yield (
-                f"Python computes {ast.unparse(part)} first, before the comparison. Put each comparison in"
-                " parentheses: (a > b) & ~c."
-            )
+            yield _SAYS["mask in a comparison"].format(part=ast.unparse(part))
 
 
 def _without_effect(node, _source):
@@ -190,10 +174,7 @@ def _else_of_last_if(node, _source):
             and last.orelse
             and not first.orelse
         ):
-            yield (
-                f"The else belongs to the last if only, so it also runs if {ast.unparse(tests[0])}. Write"
-                " elif in place of every if but the first."
-            )
+            yield _SAYS["else of the last if"].format(test=ast.unparse(tests[0]))
 
 
 def _equality(statement):
@@ -220,10 +201,7 @@ def _remarks_on_function(tree):
     for node in ast.walk(tree):
         target = getattr(node, "target", None) if isinstance(node, ast.For) else None
         if isinstance(target, ast.Name) and target.id in parameters:
-            yield (
-                f"The loop for {target.id} in ... writes over the argument {target.id}. Give the variable"
-                " of the loop another name."
-            )
+            yield _SAYS["loop over an argument"].format(name=target.id)
 
 
 def _values_as_indices(node):
@@ -237,7 +215,4 @@ def _values_as_indices(node):
     # A value that has indices of its own, as in change[ray[:-1]], is no index itself.
     names = {part for inner in subscripts for part in ast.walk(inner.slice) if isinstance(part, ast.Name)}
     if any(name.id == value for name in names - {inner.value for inner in subscripts}):
-        yield (
-            f"for {value} in {array} gives the values of {array}, not their positions. For positions write a"
-            f" loop over range({array}.shape[0])."
-        )
+        yield _SAYS["values as indices"].format(value=value, array=array)
