@@ -72,18 +72,12 @@ class CellRuns:
             self._runs[-1].fail(error)
 
     def cells(self):
-        """The cells that ran, in the order of their first runs, each as it ran last.
-
-        They are dicts, as `answer_cells.find_answer_cell` reads them.
-        """
+        """The cells that ran, for `find_answer_cell`: in the order of their first runs, each as it ran last."""
         latest = {run.cell_id or count: (count, run) for count, run in enumerate(self._runs, 1)}
         return [_as_cell(number, *counted) for number, counted in enumerate(latest.values())]
 
     def why_older(self, exercise_id, name, function):
-        """Why the function is older than the learner's cell, and what to do; "" if it is not.
-
-        `name` is the name that the exercise asks for, `function` the function that is checked.
-        """
+        """Why a function is older than the learner's cell for this name, and what to do; "" if it is not."""
         run = next((run for run in reversed(self._runs) if _is_about(run, exercise_id, name, function)), None)
         if run is None:
             return ""
@@ -109,16 +103,9 @@ def _exercise_of_request():
 def _as_cell(number, count, run):
     source = plain_python(run.source)
     names = bound_names(source)
-    return {
-        "number": number,
-        "id": run.cell_id,
-        "type": "code",
-        "exercise": run.exercise,
-        "count": count,
-        "source": run.source,
-        "functions": function_definitions(source),
-        "answer": {"error": not run.is_read, "names": None if "*" in names else names},
-    }
+    cell = {"number": number, "id": run.cell_id, "type": "code", "exercise": run.exercise, "count": count}
+    answer = {"error": not run.is_read, "names": None if "*" in names else names}
+    return cell | {"source": run.source, "functions": function_definitions(source), "answer": answer}
 
 
 def _is_about(run, exercise_id, name, function):

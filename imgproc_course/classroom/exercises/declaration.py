@@ -121,10 +121,7 @@ def _check_sensors(id, subject, sensors):
 
 @dataclass(frozen=True, kw_only=True)
 class Exercise(CheckData):
-    """An exercise as its master declares it.
-
-    `preparation` runs before each case and mistake, and then `helpers` before each mistake.
-    """
+    """An exercise as its master declares it; a mistake runs after the `preparation` and the `helpers`."""
 
     master: Path
     preparation: str
@@ -328,16 +325,10 @@ def _case(heading, cell, number):
     points = 0 if heading["practice"] else cell.options.get("points", 1)
     if not isinstance(points, int) or points < 0:
         raise MasterError(f"{cell.place}: points={points!r}, expected a whole number >= 0")
-    return Case(
-        id=f"{cell.role}-{heading['id']}-{number}",
-        title=_text(cell, "title"),
-        points=points,
-        hint=cell.options.get("hint", heading["hint"]),
-        tolerance=float(cell.options.get("tolerance", heading["tolerance"])),
-        hidden=cell.role == "hidden",
-        source=cell.source,
-        line=cell.line,
-    )
+    about = {"hint": heading["hint"], "tolerance": heading["tolerance"]} | cell.options
+    about = {"hint": about["hint"], "tolerance": float(about["tolerance"]), "hidden": cell.role == "hidden"}
+    id, title = f"{cell.role}-{heading['id']}-{number}", _text(cell, "title")
+    return Case(id=id, title=title, points=points, source=cell.source, line=cell.line, **about)
 
 
 def _text(cell, key):

@@ -72,10 +72,7 @@ def find_refused(source, function, allowed, given, namespace):
 
 
 def dependencies_of(answer, names, namespace):
-    """The Dependencies of a ComposedAnswer that runs by itself and then has these names.
-
-    `namespace` is what the function finds in the notebook.
-    """
+    """The Dependencies of a ComposedAnswer that then has these names; the notebook has `namespace`."""
     statements = _searched_statements(answer.source, answer.function)
     unbound = _names_unbound(statements)
     names_read = unbound.union(*(statement.binds for statement in statements)) & names

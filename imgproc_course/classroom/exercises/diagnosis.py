@@ -25,12 +25,8 @@ _FACTORS = {
 
 _COINCIDENCE = 0.01
 _MOST_REORDERED = 4
-_LINES = {
-    "the first row": np.s_[:1],
-    "the last row": np.s_[-1:],
-    "the first column": np.s_[:, :1],
-    "the last column": np.s_[:, -1:],
-}
+_LINES = {"the first row": np.s_[:1], "the last row": np.s_[-1:]}
+_LINES |= {"the first column": np.s_[:, :1], "the last column": np.s_[:, -1:]}
 _RIGHT = "The values are right"
 _FUNCTIONS = ("function", "builtin_function_or_method", "method")
 _FUNCTIONS += ("numpy.ufunc", "numpy._ArrayFunctionDispatcher")

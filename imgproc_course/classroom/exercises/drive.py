@@ -129,7 +129,8 @@ class Drive:
         decisive  the look of the `decisive_moment`
         actions   [linear, angular] of each look
         """
-        env = self._env.unwrapped
+        env, limits = self._env.unwrapped, self.scenario["thresholds"]
+        results = [[name, self._info[name], *limit] for name, limit in limits.items()]
         record = {
             "metrics": dict(self._info),
             "ended": self._ended,
@@ -138,11 +139,7 @@ class Drive:
             "bumps": [
                 [int(look), round(float(x), 4), round(float(y), 4)] for look, (x, y, *_) in env.bump_places
             ],
-            "missed": [
-                [name, self._info[name], *limit]
-                for name, limit in self.scenario["thresholds"].items()
-                if not _is_kept(self._info[name], *limit)
-            ],
+            "missed": [missed for missed in results if not _is_kept(*missed[1:])],
             "actions": [list(speeds) for speeds in self._actions],
         }
         looks = {"the nearest place": self._decisive, "the end": self.looks}

@@ -158,11 +158,9 @@ def _functions_of(node_class):
 def describe_node(name, subscriptions, publishers):
     """What the constructor of a node made, as plain values."""
     described = [_endpoint(one) | {name: _policy(one, name) for name in _POLICIES} for one in subscriptions]
-    return {
-        "node": name,
-        "subscriptions": sorted(described, key=lambda entry: entry["topic"]),
-        "publishers": sorted(map(_endpoint, publishers), key=lambda entry: entry["topic"]),
-    }
+    endpoints = {"subscriptions": described, "publishers": map(_endpoint, publishers)}
+    by_topic = {key: sorted(ones, key=lambda one: one["topic"]) for key, ones in endpoints.items()}
+    return {"node": name} | by_topic
 
 
 def _endpoint(endpoint):
@@ -209,21 +207,15 @@ def ask_parameters(node, step):
 
 
 def describe_answer(step, delivered, ended, logged, published):
-    """What came of a step that sent an image, as plain values.
+    """What came of a step that sent an image: how many subscriptions got it, what ended the node, ...
 
-    delivered  how many subscriptions got it
-    ended      the type of the exception that ended the node, ""
-    logged     (level, text) of each message; of a right image only the text of an error counts
-    published  (topic, fields) of each message
+    Of what it logged for a right image, only the text of an error counts.
     """
     level, text = max(logged, key=lambda entry: LEVELS.index(entry[0]), default=("", ""))
     level = "error" if level == "fatal" else level
-    return {
-        "delivered": delivered,
-        "ended": ended,
-        "log": level if step.get("bad") else text if level == "error" else "",
-        "published": [_with_pixels(topic, fields) for topic, fields in published],
-    }
+    log = level if step.get("bad") else text if level == "error" else ""
+    messages = [_with_pixels(topic, fields) for topic, fields in published]
+    return {"delivered": delivered, "ended": ended, "log": log, "published": messages}
 
 
 def _with_pixels(topic, fields):

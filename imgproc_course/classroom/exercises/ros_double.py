@@ -50,27 +50,16 @@ def _message(kind, package, /, **fields):
 
 _Time = _message("Time", "builtin_interfaces", sec=int, nanosec=int)
 _Header = _message("Header", "std_msgs", stamp=_Time, frame_id=str)
+_IMAGE = {"header": _Header, "encoding": str, "data": _bytes}
+_IMAGE |= dict.fromkeys(("height", "width", "is_bigendian", "step"), int)
+_DESCRIPTOR = {"type": int} | dict.fromkeys(("name", "description", "additional_constraints"), str)
+_DESCRIPTOR |= dict.fromkeys(("read_only", "dynamic_typing"), bool)
+_VALUE = {"type": int, "bool_value": bool, "integer_value": int, "double_value": float, "string_value": str}
 _MESSAGES = (
-    *(_Time, _Header),
-    _message(
-        "Image",
-        "sensor_msgs",
-        **dict.fromkeys(("height", "width", "is_bigendian", "step"), int),
-        **{"header": _Header, "encoding": str, "data": _bytes},
-    ),
+    *(_Time, _Header, _message("Image", "sensor_msgs", **_IMAGE)),
     _message("SetParametersResult", "rcl_interfaces", successful=bool, reason=str),
-    _message(
-        "ParameterDescriptor",
-        "rcl_interfaces",
-        **dict.fromkeys(("name", "description", "additional_constraints"), str),
-        **dict.fromkeys(("read_only", "dynamic_typing"), bool),
-        type=int,
-    ),
-    _message(
-        "ParameterValue",
-        "rcl_interfaces",
-        **{"type": int, "bool_value": bool, "integer_value": int, "double_value": float, "string_value": str},
-    ),
+    _message("ParameterDescriptor", "rcl_interfaces", **_DESCRIPTOR),
+    _message("ParameterValue", "rcl_interfaces", **_VALUE),
 )
 _PYTHON_TYPES = {bool: "BOOL", int: "INTEGER", float: "DOUBLE", str: "STRING"}
 _Type = enum.Enum("Type", ("NOT_SET", *_PYTHON_TYPES.values()), start=0)

@@ -97,10 +97,7 @@ def _decision_texts(lesson):
 
 
 def platform_points(lesson, excused=""):
-    """A lesson's points as a platform takes them, whose maximum does not change if an exercise is excused.
-
-    Of a lesson that is excused as a whole, `excused`.
-    """
+    """A lesson's points, scaled to a platform's maximum if an exercise is excused; or `excused`, if all is."""
     decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
     left_out = [exercise for exercise in decided if exercise["decision"]["excused"]]
     if (lesson["decision"] and lesson["decision"]["excused"]) or (left_out and not lesson["max_points"]):

@@ -144,13 +144,9 @@ def _cells(cells):
 
 def _cell(cell, number, code_left):
     """A cell as `read_notebook` describes it."""
-    content = {
-        "number": number,
-        "id": _text(cell, "id") or "",
-        "type": _text(cell, "cell_type") or "",
-        "exercise": _text(cell, "metadata", "imgproc_course", "exercise") or "",
-        "functions": {},
-    }
+    content = {"number": number, "id": _text(cell, "id") or "", "type": _text(cell, "cell_type") or ""}
+    content["exercise"] = _text(cell, "metadata", "imgproc_course", "exercise") or ""
+    content["functions"] = {}
     if content["type"] == "code":
         content["count"] = _count(cell)
     source = _joined(cell.get("source"))
@@ -221,11 +217,8 @@ def _parsed_answer(source):
         return {**_UNKNOWN_SYNTAX, "error": line, "slip": _slip(source, error)}
     except (ValueError, RecursionError, MemoryError):
         return _UNKNOWN_SYNTAX
-    return {
-        **_UNKNOWN_SYNTAX,
-        "names": _bound_names(tree),
-        "stub_lines": cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS],
-    }
+    stub_lines = cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS]
+    return _UNKNOWN_SYNTAX | {"names": _bound_names(tree), "stub_lines": stub_lines}
 
 
 def _bound_names(tree):
@@ -253,10 +246,7 @@ def _output_text(cell):
 
 
 def compose_answers(cells, requests):
-    """The sources by which answers are graded: [[source, [[name, kind, number of the cell], ...]], ...].
-
-    `requests` is a list of the arguments of `cell_syntax.CellDefinitions.compose`.
-    """
+    """The sources by which answers are graded: [[source, [[name, kind, number of the cell], ...]], ...]."""
     definitions = cell_syntax.CellDefinitions([_source_to_search(cell) for cell in cells])
     answers = []
     for request in requests:
