@@ -46,21 +46,21 @@ def decode(form):
     """The value that `encode` wrote; arrays are writable and own their data."""
     if isinstance(form, _PLAIN):
         return form
-    if "int" in form:
-        return int(form["int"])
-    if "float" in form:
-        return float.fromhex(form["float"])
-    if "bytes" in form:
-        return base64.b64decode(form["bytes"])
     if "array" in form:
         values = np.frombuffer(base64.b64decode(form["array"]), np.dtype(form["dtype"]))
         return values.reshape(form["shape"], order=form["order"]).copy(order="K")
     if "scalar" in form:
         return np.frombuffer(base64.b64decode(form["scalar"]), np.dtype(form["dtype"]))[0]
-    if "tuple" in form:
-        return tuple(decode(item) for item in form["tuple"])
-    if "list" in form:
-        return [decode(item) for item in form["list"]]
-    if "dict" in form:
-        return {decode(key): decode(item) for key, item in form["dict"]}
-    return types.SimpleNamespace(**{name: decode(item) for name, item in form["namespace"]})
+    ((kind, content),) = form.items()
+    return _READERS[kind](content)
+
+
+_READERS = {
+    "int": int,
+    "float": float.fromhex,
+    "bytes": base64.b64decode,
+    "tuple": lambda items: tuple(map(decode, items)),
+    "list": lambda items: list(map(decode, items)),
+    "dict": lambda pairs: {decode(key): decode(item) for key, item in pairs},
+    "namespace": lambda pairs: types.SimpleNamespace(**{name: decode(item) for name, item in pairs}),
+}

@@ -159,6 +159,7 @@ def _lesson_entry(learner, submission, answer_keys, store, deadlines):
     result = store.result(submission.answers_digest) if submission.answers_digest else None
     findings = [*content.findings, *(_contradicted_outputs(content, result) if result else ())]
     earlier = learner.earlier.get(submission.lesson, ()) if submission.lesson else ()
+    earlier = [_file_entry(learner, one, deadlines) | {"reason": one.content.reason} for one in earlier]
     return {
         "lesson": submission.lesson,
         "title": lesson.title if lesson else "",
@@ -172,10 +173,7 @@ def _lesson_entry(learner, submission, answer_keys, store, deadlines):
         **_file_entry(learner, submission, deadlines),
         "findings": [asdict(finding) for finding in findings],
         "exercises": _exercise_entries(result) if result else [],
-        "earlier": [
-            _file_entry(learner, replaced, deadlines) | {"reason": replaced.content.reason}
-            for replaced in earlier
-        ],
+        "earlier": earlier,
     }
 
 

@@ -85,11 +85,8 @@ class Controller:
     def notes(self):
         """Sentences about what went wrong, without a text of the learner's."""
         outcomes = [one.outcome for one in self.explorations if not one.values]
-        notes = [
-            f"{count_of(outcomes.count(outcome), 'room')} without points: {TEXTS[outcome].label}"
-            for outcome in Outcome
-            if outcome in outcomes
-        ]
+        ends = [(outcomes.count(outcome), TEXTS[outcome].label) for outcome in Outcome if outcome in outcomes]
+        notes = [f"{count_of(count, 'room')} without points: {label}" for count, label in ends]
         silent = sum(bool(one.values) and not one.told for one in self.explorations)
         return notes + ([f'nothing in memory["found"] in {count_of(silent, "room")}'] if silent else [])
 

@@ -243,11 +243,8 @@ def _spelling(file):
 
 def unproven_dates(files, deadline):
     """An IntakeFinding for each zip of a platform that was made after the deadline and says earlier dates."""
-    counts = Counter(
-        file.group
-        for file in files
-        if file.archived_at and file.archived_at > deadline and file.submitted_at <= deadline
-    )
+    packed_late = [file for file in files if file.archived_at and file.archived_at > deadline]
+    counts = Counter(file.group for file in packed_late if file.submitted_at <= deadline)
     for group, count in counts.items():
         text = f"{count} of its files are in time only by the dates in this zip, which its maker can choose"
         yield IntakeFinding("date", "", group, text)

@@ -97,7 +97,7 @@ def _decision_texts(lesson):
 
 
 def platform_points(lesson, excused=""):
-    """A lesson's points, scaled to a platform's maximum if an exercise is excused; or `excused`, if all is."""
+    """A lesson's points, scaled to a platform's maximum if an exercise is excused; or `excused`."""
     decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
     left_out = [exercise for exercise in decided if exercise["decision"]["excused"]]
     if (lesson["decision"] and lesson["decision"]["excused"]) or (left_out and not lesson["max_points"]):

@@ -65,12 +65,9 @@ class NotebookReader(contextlib.AbstractContextManager):
         return b""
 
     def _start(self):
-        self._process = subprocess.Popen(
-            [sys.executable, "-I", "-S", "-B", str(_READER), *self._limits],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-        )
+        command = [sys.executable, "-I", "-S", "-B", str(_READER), *self._limits]
+        pipes = dict.fromkeys(("stdin", "stdout"), subprocess.PIPE)
+        self._process = subprocess.Popen(command, stderr=subprocess.DEVNULL, **pipes)
 
     def close(self):
         """End the process; returns how it ended, as `Popen.returncode` says it."""

@@ -110,10 +110,7 @@ def _people(roster, learners):
 
     A folder that a class list numbered, 01_ada, is Ada's if nothing else arrived under her name.
     """
-    people = {
-        entry: [learner for learner in learners if any(map(entry.is_sender, learner.files))]
-        for entry in roster
-    }
+    people = {entry: [one for one in learners if any(map(entry.is_sender, one.files))] for entry in roster}
     known = _names_of(people)
     numbers = [(one, _CLASS_LIST_NUMBER.match(one.name)) for one in learners if one.name not in known]
     numbered = [(one, one.name[number.end() :]) for one, number in numbers if number]

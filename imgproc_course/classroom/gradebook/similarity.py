@@ -94,13 +94,10 @@ def _copied(shapes, solution_shapes):
 
 def _groups(lesson, documents, known):
     counts = Counter(fingerprint for document in documents for fingerprint in document.prints)
+    telling = {fingerprint for fingerprint, count in counts.items() if count <= MOST_COMMON} - known
     for document in documents:
         document.learners.sort(key=str.casefold)
-        document.prints = {
-            fingerprint: place
-            for fingerprint, place in document.prints.items()
-            if fingerprint not in known and counts[fingerprint] <= MOST_COMMON
-        }
+        document.prints = {one: place for one, place in document.prints.items() if one in telling}
     documents = [document for document in documents if len(document.prints) >= FEWEST_PRINTS]
     shares = np.diag([float(len(document.learners) > 1) for document in documents])
     for (i, first), (j, second) in combinations(enumerate(documents), 2):

@@ -113,12 +113,9 @@ def read_submission(data, catalog, reader, name=""):
 def _predictions(cells, lesson):
     """{id: source} of the predict cells; of a lesson that was handed out with some only those."""
     handed_out = {id for id in lesson.cells if id.startswith("predict-")}
-    predictions = {
-        cell["id"]: cell["source"][:_LONGEST_PREDICTION]
-        for cell in cells
-        if cell["id"].startswith(f"predict-{lesson.name}-") and cell["source"]
-        if not handed_out or cell["id"] in handed_out
-    }
+    own = [cell for cell in cells if cell["id"].startswith(f"predict-{lesson.name}-") and cell["source"]]
+    own = [cell for cell in own if not handed_out or cell["id"] in handed_out]
+    predictions = {cell["id"]: cell["source"][:_LONGEST_PREDICTION] for cell in own}
     return dict(list(predictions.items())[:_MOST_PREDICTIONS])
 
 
