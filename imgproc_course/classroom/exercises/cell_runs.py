@@ -13,6 +13,7 @@ from .cell_syntax import bound_names, function_definitions, plain_python
 from .error_advice import advice_on
 from .guesses import read_bare_guess
 from .running import code_of, source_of
+from .source_remarks import SAYS
 
 _MOST_RUNS = 500
 _SIMILAR = 0.8
@@ -72,7 +73,7 @@ class CellRuns:
             self._runs[-1].fail(error)
 
     def cells(self):
-        """The cells that ran, for `find_answer_cell`: in the order of their first runs, each as it ran last."""
+        """The cells that ran, for `find_answer_cell`: by their first runs, each as it ran last."""
         latest = {run.cell_id or count: (count, run) for count, run in enumerate(self._runs, 1)}
         return [_as_cell(number, *counted) for number, counted in enumerate(latest.values())]
 
@@ -129,10 +130,7 @@ def _explain_name(run, name, kind):
     defined_name = _similar(run, name) or next(iter(run.definitions()), "")
     marks, start = ("()", f"def {name}(...):") if kind == "function" else ("", f"class {name}(...):")
     defined = f"defines {defined_name}{marks}" if defined_name else f"defines no {kind}"
-    return (
-        f"Your cell {defined}, and this exercise needs a {kind} with the name {name}{marks}. Python still has"
-        f" the older {name}{marks}. Write {start} in the cell, run it, then run this one."
-    )
+    return SAYS["another name"].format(defined=defined, kind=kind, name=f"{name}{marks}", start=start)
 
 
 RUNS = CellRuns()

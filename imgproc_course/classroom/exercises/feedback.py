@@ -13,6 +13,7 @@ from .drive import METRICS, metric_text, sentences_of
 from .error_advice import advice_on
 from .node_feedback import NODE_ERRORS, advice_on_node_error, differing_images, sentence_on_node
 from .running import NODES
+from .source_remarks import SAYS
 from .values import answer_parts, describe_value, differing_elements, table_rows
 
 _MOST_LINES = 12  # of the function's own prints
@@ -248,15 +249,9 @@ def _advice(result, call):
         yield result.mistake.says
         return
     if call.result.timed_out:
-        yield (
-            "If the function is fast as a rule, the computer was busy: check again. A while loop may be"
-            " endless: does each step change what the loop tests?"
-        )
+        yield SAYS["time is up"]
         if "overflow" in call.result.warning:
-            yield (
-                "A number overflowed: after 255 a uint8 goes on with 0. Count with Python's int, as range()"
-                " does."
-            )
+            yield SAYS["overflow in a loop"]
     elif call.result.error:
         error, exercise = call.result, result.exercise
         names = exercise.names if exercise.subject not in NODES else None

@@ -10,7 +10,8 @@ from .error_advice import read_phrases
 from .running import source_of
 
 STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
-_SAYS = read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8"))
+# What is said of an answer, and not of the errors of its calls
+SAYS = read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8"))
 _IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
@@ -63,7 +64,7 @@ def _repeated_and_ended(tree):
         line = ast.unparse(loop).splitlines()[0].removesuffix(":")
         end = _end_of(loop.body)
         if end and not any(isinstance(node, ast.Continue) for node in ast.walk(loop)):
-            yield _SAYS["end inside a loop"].format(line=line, end=end)
+            yield SAYS["end inside a loop"].format(line=line, end=end)
         yield from _counter_written_over(loop, line)
 
 
@@ -86,7 +87,7 @@ def _counter_written_over(loop, line):
         # row = row * 2, and not b, g, r = image[r, c]
         is_meant = (number, False) in uses and len(stores) == 1
         if is_store and not is_meant and max(uses)[0] > number:
-            yield _SAYS["counter with another value"].format(name=line.split()[1], line=line)
+            yield SAYS["counter with another value"].format(name=line.split()[1], line=line)
 
 
 def _why_none(tree):
@@ -94,13 +95,13 @@ def _why_none(tree):
     if not any(isinstance(node, ast.Return) and node.value for node in ast.walk(tree)):
         yield f"{tree.name}() has no return with a value. Did you forget return?"
     elif _reaches_end(tree.body):
-        yield _SAYS["way without return"].format(name=tree.name)
+        yield SAYS["way without return"].format(name=tree.name)
     for node in ast.walk(tree):
         value = getattr(node, "value", None)
         name = getattr(getattr(value, "func", None), "attr", "")
         if name in _IN_PLACE and not isinstance(node, ast.Expr) and ast.unparse(value.func.value) != "np":
             parts = {"call": ast.unparse(value), "value": ast.unparse(value.func.value)}
-            yield _SAYS["method in place"].format(**parts)
+            yield SAYS["method in place"].format(**parts)
 
 
 def _unused(tree):
@@ -132,14 +133,14 @@ def _always_true(node, _source):
     constants = [value for value in node.values[1:] if isinstance(value, ast.Constant) and value.value]
     if constants:
         parts = {"test": ast.unparse(node), "part": ast.unparse(constants[0])}
-        yield _SAYS["always true"].format(**parts)
+        yield SAYS["always true"].format(**parts)
 
 
 def _loop_over_uint8(node, source):
     for part in ast.walk(node.test) if "uint8(" in source else ():
         comparison = ast.unparse(part) if isinstance(part, ast.Compare) else ""
         if re.search(r"<= 255$|< 256$", comparison):
-            yield _SAYS["loop over uint8"].format(test=comparison)
+            yield SAYS["loop over uint8"].format(test=comparison)
 
 
 def _remarks_on_comparison(node, source):
@@ -149,7 +150,7 @@ def _remarks_on_comparison(node, source):
     for part in (node.left, *node.comparators):
         is_mask = isinstance(part, ast.BinOp) and isinstance(part.op, ast.BitAnd | ast.BitOr)
         if is_mask and line[part.col_offset - 1 : part.col_offset] != b"(" and part.lineno == node.lineno:
-            yield _SAYS["mask in a comparison"].format(part=ast.unparse(part))
+            yield SAYS["mask in a comparison"].format(part=ast.unparse(part))
 
 
 def _without_effect(node, _source):
@@ -164,14 +165,10 @@ def _else_of_last_if(node, _source):
     pairs = (pair for body in bodies if isinstance(body, list) for pair in pairwise(body))
     for first, last in pairs:
         tests = [_equality(statement) for statement in (first, last)]
-        if (
-            None not in tests
-            and ast.dump(tests[0].left) == ast.dump(tests[1].left)
-            and not isinstance(first.body[-1], _ENDS)
-            and last.orelse
-            and not first.orelse
-        ):
-            yield _SAYS["else of the last if"].format(test=ast.unparse(tests[0]))
+        if None in tests or ast.dump(tests[0].left) != ast.dump(tests[1].left):
+            continue
+        if last.orelse and not first.orelse and not isinstance(first.body[-1], _ENDS):
+            yield SAYS["else of the last if"].format(test=ast.unparse(tests[0]))
 
 
 def _equality(statement):
@@ -193,7 +190,7 @@ def _remarks_on_function(tree):
     for node in ast.walk(tree):
         target = getattr(node, "target", None) if isinstance(node, ast.For) else None
         if isinstance(target, ast.Name) and target.id in parameters:
-            yield _SAYS["loop over an argument"].format(name=target.id)
+            yield SAYS["loop over an argument"].format(name=target.id)
 
 
 def _values_as_indices(node):
@@ -207,4 +204,4 @@ def _values_as_indices(node):
     # A value that has indices of its own, as in change[ray[:-1]], is no index itself.
     names = {part for inner in subscripts for part in ast.walk(inner.slice) if isinstance(part, ast.Name)}
     if any(name.id == value for name in names - {inner.value for inner in subscripts}):
-        yield _SAYS["values as indices"].format(value=value, array=array)
+        yield SAYS["values as indices"].format(value=value, array=array)
