@@ -304,6 +304,9 @@ def _assemble(path, heading, cells):
         [_case(heading, cell, number) for number, cell in enumerate(cells_by_role[role], 1)]
         for role in ("case", "hidden")
     )
+    mistakes = []
+    for cell in cells_by_role["mistake"]:
+        mistakes.append(Mistake(_text(cell, "name"), _text(cell, "says"), cell.source))
     return Exercise(
         **{name: value for name, value in heading.items() if name not in ("hint", "tolerance")},
         master=path,
@@ -313,10 +316,7 @@ def _assemble(path, heading, cells):
         cases=(*cases, *hidden),
         hidden_count=len(hidden),
         hidden_points=sum(case.points for case in hidden),
-        mistakes=tuple(
-            Mistake(_text(cell, "name"), _text(cell, "says"), cell.source)
-            for cell in cells_by_role["mistake"]
-        ),
+        mistakes=tuple(mistakes),
         helpers="\n\n".join(cell.source for cell in cells_by_role[""]),
     )
 
@@ -325,10 +325,11 @@ def _case(heading, cell, number):
     points = 0 if heading["practice"] else cell.options.get("points", 1)
     if not isinstance(points, int) or points < 0:
         raise MasterError(f"{cell.place}: points={points!r}, expected a whole number >= 0")
-    about = {"hint": heading["hint"], "tolerance": heading["tolerance"]} | cell.options
-    about = {"hint": about["hint"], "tolerance": float(about["tolerance"]), "hidden": cell.role == "hidden"}
     id, title = f"{cell.role}-{heading['id']}-{number}", _text(cell, "title")
-    return Case(id=id, title=title, points=points, source=cell.source, line=cell.line, **about)
+    hint = cell.options.get("hint", heading["hint"])
+    tolerance = float(cell.options.get("tolerance", heading["tolerance"]))
+    about = {"hidden": cell.role == "hidden", "source": cell.source, "line": cell.line}
+    return Case(id, title, points, hint, tolerance, **about)
 
 
 def _text(cell, key):

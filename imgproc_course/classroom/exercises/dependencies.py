@@ -78,10 +78,9 @@ def dependencies_of(answer, names, namespace):
     names_read = unbound.union(*(statement.binds for statement in statements)) & names
     kinds = {taken.name: taken.kind for taken in answer.taken}
     taken = {name: kind for name, kind in kinds.items() if name.endswith(".*") or name in names_read}
-    foreign = {
-        name: "function" if isinstance(namespace[name], (types.FunctionType, type)) else "value"
-        for name in sorted(unbound & namespace.keys() - names)
-    }
+    is_function = {name: isinstance(namespace.get(name), (types.FunctionType, type)) for name in unbound}
+    missing = sorted(unbound & namespace.keys() - names)
+    foreign = {name: "function" if is_function[name] else "value" for name in missing}
     return Dependencies(foreign=foreign, taken=taken)
 
 

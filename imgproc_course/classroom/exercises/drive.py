@@ -208,11 +208,8 @@ def sentences_of(record, scenario):
     if record["looks"] < looks_of(scenario):
         return ["The drive did not come to its end."]
     names = {name for name, *_ in record["missed"]}
-    return [
-        _sentence(record, *missed)
-        for missed in record["missed"]
-        if missed[0] != "clearance" or "bumps" not in names  # a bump says it
-    ]
+    said = "clearance" if "bumps" in names else ""  # a bump says it
+    return [_sentence(record, *missed) for missed in record["missed"] if missed[0] != said]
 
 
 def _sentence(record, name, value, operator, limit):

@@ -125,11 +125,8 @@ def _traps(node_class):
         return trapped
 
     modules = {name: sys.modules[name] for name in _TRAPS if name in sys.modules}
-    functions = {
-        getattr(module, function): name
-        for module_name, module in modules.items()
-        for function, name in _TRAPS[module_name].items()
-    }
+    traps = [(module, *pair) for name, module in modules.items() for pair in _TRAPS[name].items()]
+    functions = {getattr(module, function): name for module, function, name in traps}
     namespace = next((value.__globals__ for value in _functions_of(node_class)), {})
     with contextlib.ExitStack() as stack:
         for names in (*map(vars, modules.values()), namespace):

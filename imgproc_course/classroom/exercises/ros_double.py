@@ -232,12 +232,8 @@ def _qos_names():
     zeros = dict.fromkeys(("depth", "reliability", "durability"), 0)
     system_default = _QoSProfile(history=_POLICIES["history"].SYSTEM_DEFAULT, **zeros)
     names = {f"{prefix}{kind.__name__}": kind for kind in _POLICIES.values() for prefix in ("", "QoS")}
-    return names | {
-        "QoSProfile": _QoSProfile,
-        "InvalidQoSProfileException": InvalidQoSProfileException,
-        "qos_profile_sensor_data": sensor_data,
-        "qos_profile_system_default": system_default,
-    }
+    names |= {"qos_profile_sensor_data": sensor_data, "qos_profile_system_default": system_default}
+    return names | {"QoSProfile": _QoSProfile, "InvalidQoSProfileException": InvalidQoSProfileException}
 
 
 def _modules():
