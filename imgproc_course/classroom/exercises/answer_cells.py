@@ -8,8 +8,14 @@ another cell may. Of several answer cells, such as a copy below, the one counts 
 import re
 from dataclasses import dataclass, replace
 
-from . import cell_syntax
-from .cell_syntax import BLANK, CellDefinitions, argument_count, bound_names, function_definitions
+from .cell_syntax import (
+    BLANK,
+    CellDefinitions,
+    argument_count,
+    bound_names,
+    function_definitions,
+    plain_python,
+)
 
 
 @dataclass(frozen=True)
@@ -88,7 +94,10 @@ class ComposedAnswer:
 
 
 def compose_answer(lesson, exercise_id, function, cells):
-    """The ComposedAnswer by which an exercise is graded, or another try at it; None if no cell defines it."""
+    """The ComposedAnswer by which an exercise of a lesson is graded; None if no cell defines the function.
+
+    Another function than the one that the exercise asks for is another try.
+    """
     answers = {}
     for exercise in lesson.exercises:
         exercise = replace(exercise, function=function) if exercise.id == exercise_id else exercise
@@ -96,7 +105,7 @@ def compose_answer(lesson, exercise_id, function, cells):
     answered = {exercise: found.cell for exercise, found in answers.items() if found and found.is_answer}
     for exercise, request in zip(answered, requests_to_compose(answered), strict=True):
         if exercise.id == exercise_id:
-            definitions = CellDefinitions([cell_syntax.plain_python(cell["source"]) for cell in cells])
+            definitions = CellDefinitions([plain_python(cell["source"]) for cell in cells])
             return ComposedAnswer(function, *definitions.compose(*request))
     return None
 

@@ -25,8 +25,14 @@ MATRIX = "numpy.matrix"
 _MATRIX_TYPE = np.matrix
 
 # Types that hold the same values as a plain one, and are given as that one.
-_STAND_INS = {np.str_: str, np.bytes_: bytes, bytearray: bytes}
-_STAND_INS |= dict.fromkeys((collections.OrderedDict, collections.defaultdict, collections.Counter), dict)
+_STAND_INS = {
+    np.str_: str,
+    np.bytes_: bytes,
+    bytearray: bytes,
+    collections.OrderedDict: dict,
+    collections.defaultdict: dict,
+    collections.Counter: dict,
+}
 
 # Read through `type` itself: a metaclass may redefine __qualname__ and __module__.
 _QUALNAME = type.__dict__["__qualname__"]

@@ -73,12 +73,18 @@ class CellRuns:
             self._runs[-1].fail(error)
 
     def cells(self):
-        """The cells that ran, for `find_answer_cell`: by their first runs, each as it ran last."""
+        """The cells that ran, in the order of their first runs, each as it ran last.
+
+        They are dicts, as `answer_cells.find_answer_cell` reads them.
+        """
         latest = {run.cell_id or count: (count, run) for count, run in enumerate(self._runs, 1)}
         return [_as_cell(number, *counted) for number, counted in enumerate(latest.values())]
 
     def why_older(self, exercise_id, name, function):
-        """Why a function is older than the learner's cell for this name, and what to do; "" if it is not."""
+        """Why the function is older than the learner's cell, and what to do; "" if it is not.
+
+        `name` is the name that the exercise asks for, `function` the function that is checked.
+        """
         run = next((run for run in reversed(self._runs) if _is_about(run, exercise_id, name, function)), None)
         if run is None:
             return ""
@@ -104,9 +110,16 @@ def _exercise_of_request():
 def _as_cell(number, count, run):
     source = plain_python(run.source)
     names = bound_names(source)
-    cell = {"number": number, "id": run.cell_id, "type": "code", "exercise": run.exercise, "count": count}
-    answer = {"error": not run.is_read, "names": None if "*" in names else names}
-    return cell | {"source": run.source, "functions": function_definitions(source), "answer": answer}
+    return {
+        "number": number,
+        "id": run.cell_id,
+        "type": "code",
+        "exercise": run.exercise,
+        "count": count,
+        "source": run.source,
+        "functions": function_definitions(source),
+        "answer": {"error": not run.is_read, "names": None if "*" in names else names},
+    }
 
 
 def _is_about(run, exercise_id, name, function):

@@ -176,7 +176,10 @@ def _is_blank(statement):
 
 
 def functions_with_stub_line(tree):
-    """The functions and classes of a module that go on after the stub's `raise NotImplementedError(...)`."""
+    """The names of the functions of a module that go on after the stub's `raise NotImplementedError(...)`.
+
+    Also of the classes that have this line in __init__.
+    """
     definitions = [statement for statement in tree.body if isinstance(statement, _DEFINITIONS)]
     return [
         definition.name
@@ -350,7 +353,10 @@ def _kind_of(node):
 
 
 def _names_read(source):
-    """The global names that a source reads, in functions too; symtable knows scopes as Python does."""
+    """The global names that a source reads, also inside its functions and classes; a set.
+
+    symtable knows the scopes as Python's compiler does: a local variable of a function is no global name.
+    """
     try:
         tables = [symtable.symtable(source, "cell", "exec")]
     except UNPARSABLE:
@@ -380,7 +386,10 @@ def _names_read_at_once(source):
 
 
 def needed_statements(statements, function, *, with_changes=True):
-    """The statements of a cell that a function needs; with those that only change a value, such as a loop."""
+    """The statements of a cell that a function needs, itself included, in their order.
+
+    `with_changes`: also those that only change a value, such as a loop that fills a table.
+    """
     names, numbers, size = {function}, set(), -1
     definitions = [statement for statement in statements if statement.kind in ("function", "class")]
     helpers = {name for definition in definitions for name in definition.binds}

@@ -95,7 +95,10 @@ def _read_record(id, entry):
 
 
 def change_values(entry, change):
-    """A copy of a stored exercise with `change(item, its tolerance)` for each value, or for its key."""
+    """A copy of a stored exercise with `change(item, tolerance)` in the place of each value, or of its key.
+
+    The tolerance is that of the case; None for an argument.
+    """
     entry = copy.deepcopy(entry)
     tolerances = {case["id"]: case["tolerance"] for case in entry["cases"]}
     for case in entry["cases"]:
@@ -160,7 +163,11 @@ def _read_check_file(path, _version):
 
 
 def checks_folders(beside=None):
-    """The folders of checks files: of IMGPROC_COURSE_CHECKS, `beside` a lesson, and of the checkout."""
+    """The folders that hold checks files, those that are searched first in front, as a list of Path.
+
+    These are the folders of IMGPROC_COURSE_CHECKS, checks/ in the folder `beside` (the current one if
+    omitted), and the checkout's notebooks/checks.
+    """
     chosen_folders = [Path(part) for part in os.environ.get(CHECKS_VARIABLE, "").split(os.pathsep) if part]
     checkout = Path(__file__).resolve().parents[3] / "notebooks"
     folders = [*chosen_folders, (beside or Path.cwd()) / CHECKS, checkout / CHECKS]

@@ -181,7 +181,10 @@ def _numbers(form):
 
 
 def _numbers_form(expected, actual):
-    """An array of one element as a number, or an array as a list of numbers or pairs, if that is expected."""
+    """An array of one element as a number, or an array as a list of numbers or pairs, if that is expected.
+
+    Where two arrays are expected, one array of both stays what it is.
+    """
     values, kind = array_of(actual), kind_of(expected)
     if values is None:
         return actual

@@ -102,12 +102,21 @@ def exercise(
     if isinstance(hints, str):
         raise MasterError(f"exercise {id}: hints={hints!r}, expected a tuple of texts, one for each step")
     return {
-        **{"id": id, "function": function, "subject": subject, "title": title or id},
-        **{"hint": hint, "border_hint": border_hint, "explanation": explanation, "another_way": another_way},
-        **{"sensors": tuple(sensors), "hints": tuple(hints)},
-        **{"time_limit": float(time_limit), "exact_type": bool(exact_type), "practice": bool(practice)},
+        "id": id,
+        "function": function,
+        "subject": subject,
+        "sensors": tuple(sensors),
+        "title": title or id,
+        "time_limit": float(time_limit),
         "allowed": (*allowed, *(course.NODE_MODULES if subject in NODES else ())),
         "tolerance": PATH_TOLERANCE if subject == "drive" else float(tolerance),
+        "exact_type": bool(exact_type),
+        "practice": bool(practice),
+        "hint": hint,
+        "border_hint": border_hint,
+        "hints": tuple(hints),
+        "explanation": explanation,
+        "another_way": another_way,
     }
 
 
@@ -121,7 +130,10 @@ def _check_sensors(id, subject, sensors):
 
 @dataclass(frozen=True, kw_only=True)
 class Exercise(CheckData):
-    """An exercise as its master declares it; a mistake runs after the `preparation` and the `helpers`."""
+    """An exercise as its master declares it.
+
+    `preparation` runs before each case and mistake, and then `helpers` before each mistake.
+    """
 
     master: Path
     preparation: str
@@ -304,9 +316,6 @@ def _assemble(path, heading, cells):
         [_case(heading, cell, number) for number, cell in enumerate(cells_by_role[role], 1)]
         for role in ("case", "hidden")
     )
-    mistakes = []
-    for cell in cells_by_role["mistake"]:
-        mistakes.append(Mistake(_text(cell, "name"), _text(cell, "says"), cell.source))
     return Exercise(
         **{name: value for name, value in heading.items() if name not in ("hint", "tolerance")},
         master=path,
@@ -316,7 +325,10 @@ def _assemble(path, heading, cells):
         cases=(*cases, *hidden),
         hidden_count=len(hidden),
         hidden_points=sum(case.points for case in hidden),
-        mistakes=tuple(mistakes),
+        mistakes=tuple(
+            Mistake(_text(cell, "name"), _text(cell, "says"), cell.source)
+            for cell in cells_by_role["mistake"]
+        ),
         helpers="\n\n".join(cell.source for cell in cells_by_role[""]),
     )
 
@@ -325,11 +337,16 @@ def _case(heading, cell, number):
     points = 0 if heading["practice"] else cell.options.get("points", 1)
     if not isinstance(points, int) or points < 0:
         raise MasterError(f"{cell.place}: points={points!r}, expected a whole number >= 0")
-    id, title = f"{cell.role}-{heading['id']}-{number}", _text(cell, "title")
-    hint = cell.options.get("hint", heading["hint"])
-    tolerance = float(cell.options.get("tolerance", heading["tolerance"]))
-    about = {"hidden": cell.role == "hidden", "source": cell.source, "line": cell.line}
-    return Case(id, title, points, hint, tolerance, **about)
+    return Case(
+        id=f"{cell.role}-{heading['id']}-{number}",
+        title=_text(cell, "title"),
+        points=points,
+        hint=cell.options.get("hint", heading["hint"]),
+        tolerance=float(cell.options.get("tolerance", heading["tolerance"])),
+        hidden=cell.role == "hidden",
+        source=cell.source,
+        line=cell.line,
+    )
 
 
 def _text(cell, key):

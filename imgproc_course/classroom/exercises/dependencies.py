@@ -72,15 +72,19 @@ def find_refused(source, function, allowed, given, namespace):
 
 
 def dependencies_of(answer, names, namespace):
-    """The Dependencies of a ComposedAnswer that then has these names; the notebook has `namespace`."""
+    """The Dependencies of a ComposedAnswer that runs by itself and then has these names.
+
+    `namespace` is what the function finds in the notebook.
+    """
     statements = _searched_statements(answer.source, answer.function)
     unbound = _names_unbound(statements)
     names_read = unbound.union(*(statement.binds for statement in statements)) & names
     kinds = {taken.name: taken.kind for taken in answer.taken}
     taken = {name: kind for name, kind in kinds.items() if name.endswith(".*") or name in names_read}
-    is_function = {name: isinstance(namespace.get(name), (types.FunctionType, type)) for name in unbound}
-    missing = sorted(unbound & namespace.keys() - names)
-    foreign = {name: "function" if is_function[name] else "value" for name in missing}
+    foreign = {
+        name: "function" if isinstance(namespace[name], (types.FunctionType, type)) else "value"
+        for name in sorted(unbound & namespace.keys() - names)
+    }
     return Dependencies(foreign=foreign, taken=taken)
 
 

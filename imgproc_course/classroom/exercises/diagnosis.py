@@ -25,8 +25,12 @@ _FACTORS = {
 
 _COINCIDENCE = 0.01
 _MOST_REORDERED = 4
-_LINES = {"the first row": np.s_[:1], "the last row": np.s_[-1:]}
-_LINES |= {"the first column": np.s_[:, :1], "the last column": np.s_[:, -1:]}
+_LINES = {
+    "the first row": np.s_[:1],
+    "the last row": np.s_[-1:],
+    "the first column": np.s_[:, :1],
+    "the last column": np.s_[:, -1:],
+}
 _RIGHT = "The values are right"
 _FUNCTIONS = ("function", "builtin_function_or_method", "method")
 _FUNCTIONS += ("numpy.ufunc", "numpy._ArrayFunctionDispatcher")
@@ -254,11 +258,14 @@ def _shape_rules(expected, actual, given, name):
     """(whether it holds, advice) of each rule, the surest first; `given` are the shapes of the arguments."""
     shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
     values, actual_values = array_of(expected), array_of(actual)
-    is_reversed, text = actual_shape == shape[::-1], "Rows and columns are exchanged"
-    is_transposed = is_reversed and values is not None and _same(values.T, actual_values)
-    yield is_transposed, f"{text}: your result is the expected one, transposed."
-    has_other_shape = len(shape) > 1 and actual_shape == (*shape[1::-1], *shape[2:]) != shape
-    yield has_other_shape, f"{text} in the shape of your result: the number of rows comes first."
+    yield (
+        actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values),
+        "Rows and columns are exchanged: your result is the expected one, transposed.",
+    )
+    yield (
+        len(shape) > 1 and actual_shape == (*shape[1::-1], *shape[2:]) != shape,
+        "Rows and columns are exchanged in the shape of your result: the number of rows comes first.",
+    )
     first = given[0] if given and name else ()
     if len(first) > len(shape) and actual_shape == first[1:]:
         text = "Axis 0, the rows, is gone from your result: "
@@ -377,8 +384,11 @@ def _relation_of_texts(forms):
 
 def _arrays(calls):
     """(expected, actual, tolerance) of each part of all calls; an array, or None."""
-    pairs = [(call, pair) for call in calls for pair in side_by_side(call.expected.value, call.result.value)]
-    return [(*map(array_of, pair), call.case.tolerance) for call, pair in pairs]
+    return [
+        (array_of(expected), array_of(actual), call.case.tolerance)
+        for call in calls
+        for expected, actual in side_by_side(call.expected.value, call.result.value)
+    ]
 
 
 def _relation_of_arrays(calls):

@@ -129,8 +129,7 @@ class Drive:
         decisive  the look of the `decisive_moment`
         actions   [linear, angular] of each look
         """
-        env, limits = self._env.unwrapped, self.scenario["thresholds"]
-        results = [[name, self._info[name], *limit] for name, limit in limits.items()]
+        env = self._env.unwrapped
         record = {
             "metrics": dict(self._info),
             "ended": self._ended,
@@ -139,7 +138,11 @@ class Drive:
             "bumps": [
                 [int(look), round(float(x), 4), round(float(y), 4)] for look, (x, y, *_) in env.bump_places
             ],
-            "missed": [missed for missed in results if not _is_kept(*missed[1:])],
+            "missed": [
+                [name, self._info[name], *limit]
+                for name, limit in self.scenario["thresholds"].items()
+                if not _is_kept(self._info[name], *limit)
+            ],
             "actions": [list(speeds) for speeds in self._actions],
         }
         looks = {"the nearest place": self._decisive, "the end": self.looks}
@@ -208,8 +211,11 @@ def sentences_of(record, scenario):
     if record["looks"] < looks_of(scenario):
         return ["The drive did not come to its end."]
     names = {name for name, *_ in record["missed"]}
-    said = "clearance" if "bumps" in names else ""  # a bump says it
-    return [_sentence(record, *missed) for missed in record["missed"] if missed[0] != said]
+    return [
+        _sentence(record, *missed)
+        for missed in record["missed"]
+        if missed[0] != "clearance" or "bumps" not in names  # a bump says it
+    ]
 
 
 def _sentence(record, name, value, operator, limit):

@@ -39,9 +39,13 @@ class _Simulator:
     def __init__(self):
         places = [getattr(course, name) for name in PLACES]
         # A session of its own: Ctrl-C and a kernel's interrupt are for the process that asks.
-        options = dict.fromkeys(("stdin", "stdout"), subprocess.PIPE) | {"start_new_session": True}
-        command = [sys.executable, "-P", "-m", f"{__package__}.simulator", *places]
-        self._process = subprocess.Popen(command, stderr=subprocess.DEVNULL, **options)
+        self._process = subprocess.Popen(
+            [sys.executable, "-P", "-m", f"{__package__}.simulator", *places],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
 
     def ask(self, *request):
         """Send a request; its reply is to be read before the next one."""

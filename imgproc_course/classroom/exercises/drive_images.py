@@ -29,7 +29,10 @@ def draw_map(record, scenario):
 
 
 def look_back(env, record, scenario):
-    """The last camera images of a drive, which is driven again; ValueError: it takes another path."""
+    """The last camera images up to the decisive moment of a drive: it is driven again from its actions.
+
+    ValueError: the environment does not drive the same path again.
+    """
     again, frames = Drive(env, scenario), {}
     for look in range(record["decisive"] + 1):
         if record["decisive"] - look in _LOOKS_BEFORE:
@@ -43,7 +46,10 @@ def look_back(env, record, scenario):
 
 
 def draw_film(env, record, scenario):
-    """A film of a drive, which is driven again: what the camera saw each second, and the path until then."""
+    """A film of a drive, an AnswerImage that moves: what the camera saw each second, and the path until then.
+
+    The drive is driven again from its actions.
+    """
     again, room, frames = Drive(env, scenario), load(course.DRIVE_ROOM)(scenario.get("room")), []
     for look in range(record["looks"] + 1):
         if look % round(1 / LOOK) == 0:

@@ -32,7 +32,10 @@ class MistakeResults(dict):
 # Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
 @lru_cache(maxsize=256)
 def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
-    """The CheckData of an Exercise, or of some of its cases; MasterError: the solution or a case fails."""
+    """The CheckData of an Exercise, for these cases (the public ones if omitted) with inputs from this seed.
+
+    MasterError: the solution or a case fails.
+    """
     cases = exercise.public if cases is None else cases
     solution = exercise.function_of(exercise.solution, "solution")
     names, provided = argument_names(solution, exercise.subject), sorted(exercise.namespace())

@@ -20,7 +20,13 @@ _CODE = (
 
 @dataclass(frozen=True)
 class Help:
-    """Help with an exercise, in sentences and code; `print` gives the same as plain text."""
+    """Help with an exercise. A notebook shows it as HTML; `print` gives the same as plain text.
+
+    heading  one line
+    text     sentences, each paragraph on a line; "" for none
+    code     Python, or ""
+    more     sentences below the code, as `text`
+    """
 
     heading: str
     text: str = ""

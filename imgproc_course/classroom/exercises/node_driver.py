@@ -125,8 +125,11 @@ def _traps(node_class):
         return trapped
 
     modules = {name: sys.modules[name] for name in _TRAPS if name in sys.modules}
-    traps = [(module, *pair) for name, module in modules.items() for pair in _TRAPS[name].items()]
-    functions = {getattr(module, function): name for module, function, name in traps}
+    functions = {
+        getattr(module, function): name
+        for module_name, module in modules.items()
+        for function, name in _TRAPS[module_name].items()
+    }
     namespace = next((value.__globals__ for value in _functions_of(node_class)), {})
     with contextlib.ExitStack() as stack:
         for names in (*map(vars, modules.values()), namespace):
@@ -155,9 +158,11 @@ def _functions_of(node_class):
 def describe_node(name, subscriptions, publishers):
     """What the constructor of a node made, as plain values."""
     described = [_endpoint(one) | {name: _policy(one, name) for name in _POLICIES} for one in subscriptions]
-    endpoints = {"subscriptions": described, "publishers": map(_endpoint, publishers)}
-    by_topic = {key: sorted(ones, key=lambda one: one["topic"]) for key, ones in endpoints.items()}
-    return {"node": name} | by_topic
+    return {
+        "node": name,
+        "subscriptions": sorted(described, key=lambda entry: entry["topic"]),
+        "publishers": sorted(map(_endpoint, publishers), key=lambda entry: entry["topic"]),
+    }
 
 
 def _endpoint(endpoint):
@@ -204,15 +209,21 @@ def ask_parameters(node, step):
 
 
 def describe_answer(step, delivered, ended, logged, published):
-    """What came of a step that sent an image: how many subscriptions got it, what ended the node, ...
+    """What came of a step that sent an image, as plain values.
 
-    Of what it logged for a right image, only the text of an error counts.
+    delivered  how many subscriptions got it
+    ended      the type of the exception that ended the node, ""
+    logged     (level, text) of each message; of a right image only the text of an error counts
+    published  (topic, fields) of each message
     """
     level, text = max(logged, key=lambda entry: LEVELS.index(entry[0]), default=("", ""))
     level = "error" if level == "fatal" else level
-    log = level if step.get("bad") else text if level == "error" else ""
-    messages = [_with_pixels(topic, fields) for topic, fields in published]
-    return {"delivered": delivered, "ended": ended, "log": log, "published": messages}
+    return {
+        "delivered": delivered,
+        "ended": ended,
+        "log": level if step.get("bad") else text if level == "error" else "",
+        "published": [_with_pixels(topic, fields) for topic, fields in published],
+    }
 
 
 def _with_pixels(topic, fields):

@@ -24,7 +24,10 @@ _ORDER = (
 
 
 def sentence_on_node(expected, actual, arguments):
-    """What differs between the forms of two records; "" without a sentence for it."""
+    """What differs between two records, given as canonical forms; "" if there is no sentence for it.
+
+    `arguments` are those of the drive, look and steps.
+    """
     differences = list(_differences(_plain(expected), _plain(actual)))
     # An error that the node logs for a right image explains why it published nothing.
     differences.sort(key=lambda difference: not (difference[0].endswith("/log") and difference[1] == ""))

@@ -50,16 +50,27 @@ def _message(kind, package, /, **fields):
 
 _Time = _message("Time", "builtin_interfaces", sec=int, nanosec=int)
 _Header = _message("Header", "std_msgs", stamp=_Time, frame_id=str)
-_IMAGE = {"header": _Header, "encoding": str, "data": _bytes}
-_IMAGE |= dict.fromkeys(("height", "width", "is_bigendian", "step"), int)
-_DESCRIPTOR = {"type": int} | dict.fromkeys(("name", "description", "additional_constraints"), str)
-_DESCRIPTOR |= dict.fromkeys(("read_only", "dynamic_typing"), bool)
-_VALUE = {"type": int, "bool_value": bool, "integer_value": int, "double_value": float, "string_value": str}
 _MESSAGES = (
-    *(_Time, _Header, _message("Image", "sensor_msgs", **_IMAGE)),
+    *(_Time, _Header),
+    _message(
+        "Image",
+        "sensor_msgs",
+        **dict.fromkeys(("height", "width", "is_bigendian", "step"), int),
+        **{"header": _Header, "encoding": str, "data": _bytes},
+    ),
     _message("SetParametersResult", "rcl_interfaces", successful=bool, reason=str),
-    _message("ParameterDescriptor", "rcl_interfaces", **_DESCRIPTOR),
-    _message("ParameterValue", "rcl_interfaces", **_VALUE),
+    _message(
+        "ParameterDescriptor",
+        "rcl_interfaces",
+        **dict.fromkeys(("name", "description", "additional_constraints"), str),
+        **dict.fromkeys(("read_only", "dynamic_typing"), bool),
+        type=int,
+    ),
+    _message(
+        "ParameterValue",
+        "rcl_interfaces",
+        **{"type": int, "bool_value": bool, "integer_value": int, "double_value": float, "string_value": str},
+    ),
 )
 _PYTHON_TYPES = {bool: "BOOL", int: "INTEGER", float: "DOUBLE", str: "STRING"}
 _Type = enum.Enum("Type", ("NOT_SET", *_PYTHON_TYPES.values()), start=0)
@@ -232,8 +243,12 @@ def _qos_names():
     zeros = dict.fromkeys(("depth", "reliability", "durability"), 0)
     system_default = _QoSProfile(history=_POLICIES["history"].SYSTEM_DEFAULT, **zeros)
     names = {f"{prefix}{kind.__name__}": kind for kind in _POLICIES.values() for prefix in ("", "QoS")}
-    names |= {"qos_profile_sensor_data": sensor_data, "qos_profile_system_default": system_default}
-    return names | {"QoSProfile": _QoSProfile, "InvalidQoSProfileException": InvalidQoSProfileException}
+    return names | {
+        "QoSProfile": _QoSProfile,
+        "InvalidQoSProfileException": InvalidQoSProfileException,
+        "qos_profile_sensor_data": sensor_data,
+        "qos_profile_system_default": system_default,
+    }
 
 
 def _modules():

@@ -17,7 +17,10 @@ _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
 def remarks_on_source(function, errors=()):
-    """Sentences on what is certain from the source of an answer; `errors` are of its calls, or "None"."""
+    """Sentences on what is certain from the source of a function or class; [] if the source is not known.
+
+    `errors` are the types that its calls raised, and "None" if one of them returned None.
+    """
     try:
         source = source_of(function)
         tree = ast.parse(source).body[0]
@@ -178,8 +181,13 @@ def _equality(statement):
 
 
 # (kind of node, rule)
-_RULES = ((ast.BoolOp, _always_true), (ast.While, _loop_over_uint8), (ast.Compare, _remarks_on_comparison))
-_RULES += ((ast.Expr, _without_effect), (ast.AST, _else_of_last_if))
+_RULES = (
+    (ast.BoolOp, _always_true),
+    (ast.While, _loop_over_uint8),
+    (ast.Compare, _remarks_on_comparison),
+    (ast.Expr, _without_effect),
+    (ast.AST, _else_of_last_if),
+)
 
 
 def _remarks_on_function(tree):

@@ -20,7 +20,10 @@ _MOST_CHARACTERS = 60  # of a text inside another value
 
 
 def answer_parts(expected, actual):
-    """(name, expected form, actual form or None) of each item of an answer with arrays, or of the whole."""
+    """(name, expected form, actual form or None) of each item of a tuple, list, dict or message with arrays.
+
+    Another answer is one part, the whole, with the name "".
+    """
     items = named_items(expected)
     if not any(form["type"] == "ndarray" for _, form in items) or len(items) > _MOST_PARTS:
         return [("", expected, actual)]

@@ -48,8 +48,9 @@ class AnswerKeys:
                 handed_out |= {id: source for id, source in cells.items() if source}
                 exercises = key.lessons[lesson].exercises
                 handed_out |= {f"stub {exercise.id}": exercise.stub for exercise in exercises}
-                known = self._solutions[key.digest]
-                solutions |= {one.id: known[one.id] for one in exercises if one.id in known}
+                ids = {exercise.id for exercise in exercises}
+                known = self._solutions[key.digest].items()
+                solutions |= {id: source for id, source in known if id in ids}
         return [handed_out, solutions]
 
     def key_of(self, digest):

@@ -22,7 +22,10 @@ def read_grades(path):
 
 
 def changes_page(before, after, names):
-    """The teacher's page of what changed between two contents of grades.json, HTML; `names` to show."""
+    """The teacher's page of what changed between two contents of grades.json, HTML.
+
+    `names` are {learner's name: the name to show}.
+    """
     rows, names = list(changes_between(before, after)), {"": "everybody"} | names
     for row in rows:
         row["learner"] = names.get(row["learner"], "(gone)")
@@ -30,7 +33,11 @@ def changes_page(before, after, names):
 
 
 def changes_between(before, after):
-    """The differences of two contents of grades.json, as dicts of texts; the learner "" is the whole run."""
+    """The differences of two contents of grades.json.
+
+    Yields dicts: learner ("" for the whole run), page (of the later run, or ""), lesson, exercise (or ""),
+    aspect ("" for the points), before, after: texts.
+    """
     yield from _changes_of_run(before, after)
     anonymous = after.get("anonymous_pages", False)
     old, new = (_learners(grades, anonymous) for grades in (before, after))

@@ -70,7 +70,11 @@ class LessonCheck:
 
 
 class CheckFileCatalog:
-    """The lessons that the checks files of some folders describe, the first that has one; the `damage`."""
+    """The lessons that the checks files of some folders describe; the first folder that has one describes it.
+
+    lessons  {name: CheckFile}
+    damage   list of CheckFileError, of the files that cannot be read
+    """
 
     def __init__(self, folders):
         self.lessons, self.damage = {}, []

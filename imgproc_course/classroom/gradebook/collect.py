@@ -32,9 +32,18 @@ from pathlib import Path, PurePosixPath
 
 from ..authoring.lesson_names import is_lesson
 from ..autograder.sanitize import sanitize_line
-from . import archives, senders
+from . import archives
 from .archives import Archives, CollectError
-from .senders import Certainty, Sender, notebook_name, numbered_learners, platform_sender, sender_of
+from .senders import (
+    Certainty,
+    Sender,
+    is_lesson_file,
+    notebook_name,
+    numbered_learners,
+    platform_sender,
+    sender_of,
+    split_repetition,
+)
 
 MOST_SENDERS = 20_000
 MOST_NOTEBOOKS = 100  # of one sender; the course has 22 lessons
@@ -108,9 +117,13 @@ def collect(path, lessons=()):
 
 
 class Collection(AbstractContextManager):
-    """What was collected, of each sender no more than their budget of files and bytes; and IntakeFindings.
+    """What was collected, of each sender no more than their budget of files and bytes.
 
-    As a context manager, it keeps a zip open until the end of the block.
+    files     list of SubmittedFile, sorted by source
+    ignored   names of other files, sorted; of each sender at most some
+    findings  list of IntakeFinding
+
+    Use it as a context manager: a zip stays open until the end of the block.
     """
 
     def __init__(self):
@@ -154,7 +167,7 @@ class Collection(AbstractContextManager):
             self.add_finding("sender", sender.learner, parts, sender.doubt)
         if not group and not sender.platform and len(parts) > 1:
             group = sanitize_line(parts[0], 120)
-        _, repetition = senders.split_repetition(PurePosixPath(notebook_name(parts[-1])).stem)
+        _, repetition = split_repetition(PurePosixPath(notebook_name(parts[-1])).stem)
         moment, source = submitted_at.isoformat() if submitted_at else "", display_path(parts)
         order = (sender.sequence, moment, repetition, number, source)
         more |= {"source": source, "group": group, "submitted_at": submitted_at, "order": order}
@@ -164,11 +177,11 @@ class Collection(AbstractContextManager):
         """Report what can only be known now that everything is collected, and sort it."""
         files = list(_told_apart(self.files, self.findings))
         self.files = sorted(files, key=lambda file: file.source)
-        learners = {file.learner for file in files}
+        senders = {file.learner for file in files}
         for name, count in self._ignored.items():
             if count > _MOST_LISTED:
                 self.ignored.append(f"{name}: {count - _MOST_LISTED} more files")
-            if name not in learners:
+            if name not in senders:
                 self.findings.append(IntakeFinding("file", name, "", "no notebook and no zip"))
         self.ignored.sort()
         self.findings.sort()
@@ -324,16 +337,16 @@ class _Intake:
             return str(error)
         self._members[budget] += len(members)
         names = [_counted_name(member) for member in members]
-        known = self._senders_in(parts, list(filter(None, names)), sender, is_everything)
+        senders = self._senders_in(parts, list(filter(None, names)), sender, is_everything)
         for number, (member, name) in enumerate(zip(members, names, strict=True)):
             if not name:
                 continue
             if _suffix(name[-1]) not in _KINDS:
-                self._collection.ignore(known[name].learner, (*parts, *name))
+                self._collection.ignore(senders[name].learner, (*parts, *name))
                 continue
-            is_named_inside = known[name] != sender  # the zip is believed: then its dates count too
+            is_named_inside = senders[name] != sender  # the zip is believed: then its dates count too
             self._collection.add(
-                known[name],
+                senders[name],
                 (*parts, *archives.member_parts(member)),
                 # A learner can write any date into a zip.
                 submitted_at=archives.member_time(member, modified) if is_named_inside else modified,
@@ -367,10 +380,11 @@ class _Intake:
         is_wrapped = len(tops) == 1 and "" not in tops and platform_sender(*tops) is None
         depth = 1 if is_wrapped else 0
         numbered = numbered_learners([name[depth:] for name in notebooks], self._lessons)
-        known = {name: sender_of(name[depth:] or name, self._lessons, numbered) for name in names}
-        at_top = [name for name in names if len(name) <= depth + 1]
-        lessons = [name for name in at_top if senders.is_lesson_file(name[-1], self._lessons)]
-        return known | dict.fromkeys(lessons, sender)
+        senders = {name: sender_of(name[depth:] or name, self._lessons, numbered) for name in names}
+        lessons = (
+            name for name in names if len(name) <= depth + 1 and is_lesson_file(name[-1], self._lessons)
+        )
+        return senders | dict.fromkeys(lessons, sender)
 
     def _report_names(self, parts, names, sender):
         """Report a zip that may hold submissions of several people; all of them count as its sender's."""

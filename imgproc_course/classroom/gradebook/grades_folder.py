@@ -87,7 +87,11 @@ class LearnerPages:
 
 
 def write_grades(out, grades, learners, lessons, pages, groups, store):
-    """Write everything but the learners' pages and the results, which are in the ResultStore."""
+    """Write everything but the learners' pages and the results, which are in the ResultStore.
+
+    `learners` are in the order of grades["learners"]; `pages` are their LearnerPages, `groups` the
+    SimilarGroups.
+    """
     before, text = read_grades(out / "grades.json"), grades_text(grades)
     changed = before is not None and grades_text(before) != text
     write_grades_file(out / "grades.json", text)
@@ -121,7 +125,10 @@ def _write_review(out, page_grades, parts, names):
 
 
 def set_pages_aside(out):
-    """Move what an earlier run wrote to give back, lest it is packed as this run's; the folder, or None."""
+    """Move what an earlier run wrote to give back, so that nobody packs it as the result of this run.
+
+    Returns the folder that holds it now, or None if there was nothing.
+    """
     aside = out / "last-run"
     folders = [out / name for name in _GIVEN_BACK if (out / name).is_dir()]
     for folder in folders:

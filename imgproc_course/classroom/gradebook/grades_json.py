@@ -147,7 +147,10 @@ def _decide(entry, decision):
 
 
 def _nothing_submitted(lesson, submissions):
-    """In place of a Submission that is not there; the learner's others know the platform."""
+    """In place of the Submission of a lesson on which the teacher has decided without one.
+
+    The learner's other submissions know the platform.
+    """
     known = next((submission.file for submission in submissions), Sender(""))
     file = SubmittedFile(learner=known.learner, platform=known.platform, platform_id=known.platform_id)
     return Submission(file, "", SubmissionContent(lesson=lesson, reason="nothing was submitted"))

@@ -123,8 +123,10 @@ def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, 
         write_grades_file(out / "league.html", page)
         write_grades_file(out / "league.csv", league_csv(ranked, excluded))
     drove = f"{count_of(len(driving), 'controller')} in {count_of(rooms, 'room')}"
-    drove += f"; {count_of(len(excluded), 'other')} could not drive" if excluded else ""
-    return [f"{drove}.", f"For the class: {out}/league.html   For you, with names: {out}/league.csv"]
+    return [
+        f"{drove}; {count_of(len(excluded), 'other')} could not drive." if excluded else f"{drove}.",
+        f"For the class: {out}/league.html   For you, with names: {out}/league.csv",
+    ]
 
 
 # ---------------------------------------------------------------- controllers and rooms

@@ -97,7 +97,10 @@ def _decision_texts(lesson):
 
 
 def platform_points(lesson, excused=""):
-    """A lesson's points, scaled to a platform's maximum if an exercise is excused; or `excused`."""
+    """A lesson's points as a platform takes them, whose maximum does not change if an exercise is excused.
+
+    Of a lesson that is excused as a whole, `excused`.
+    """
     decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
     left_out = [exercise for exercise in decided if exercise["decision"]["excused"]]
     if (lesson["decision"] and lesson["decision"]["excused"]) or (left_out and not lesson["max_points"]):

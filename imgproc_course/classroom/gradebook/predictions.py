@@ -13,7 +13,10 @@ _LONGEST = 200  # characters of a guess
 
 
 def predictions_page(learners, lessons, names):
-    """The teacher's page of all predictions, HTML, with the names to show; "" if there are none."""
+    """The teacher's page of all predictions, HTML; "" if nobody has predicted anything.
+
+    `names` are {learner's name: the name to show}.
+    """
     views = []
     for name, lesson in sorted(lessons.items(), key=lambda item: (item[1].number, item[0])):
         questions = _questions(learners, name, names)
@@ -32,12 +35,15 @@ def _questions(learners, lesson, names):
             if guess:
                 asked.setdefault(id, Counter())[question] += bool(question)
                 guesses.setdefault(id, {}).setdefault(guess, []).append(names[learner.name])
-    questions = []
-    for id in sorted(asked, key=lambda id: (len(id), id)):
-        question = asked[id].most_common(1)[0][0]  # a learner can have changed it: most have not
-        ranked = sorted(guesses[id].items(), key=lambda item: (-len(item[1]), item[0]))
-        questions.append({"id": id, "question": question, "guesses": ranked})
-    return questions
+    return [
+        {
+            "id": id,
+            # A learner can have changed the question too: most have not.
+            "question": asked[id].most_common(1)[0][0],
+            "guesses": sorted(guesses[id].items(), key=lambda item: (-len(item[1]), item[0])),
+        }
+        for id in sorted(asked, key=lambda id: (len(id), id))
+    ]
 
 
 def _guess_and_question(source):

@@ -37,9 +37,13 @@ _NAME_ADVICE = (
 def _environment():
     import jinja2  # see `prepare_templates`
 
-    options = dict.fromkeys(("autoescape", "trim_blocks", "lstrip_blocks"), True)
-    loader = jinja2.FileSystemLoader(TEMPLATES)
-    environment = jinja2.Environment(loader=loader, undefined=jinja2.StrictUndefined, **options)
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(TEMPLATES),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
     environment.finalize = _shown
     environment.markup = jinja2.utils.markupsafe.Markup
     environment.filters |= {

@@ -24,7 +24,10 @@ class GradesFolderError(ValueError):
 
 
 def write_grades_file(path, data):
-    """Write a file for its owner alone, whole; GradesFolderError: the disk is full or read-only."""
+    """Write a file that only its owner can read, whole: a reader finds the old file or the new one.
+
+    GradesFolderError: the disk is full or read-only.
+    """
     try:
         write_file(path, data, permissions=0o600)
     except OSError as error:
@@ -55,7 +58,10 @@ def open_grades_folder(folder):
 
 
 class ResultStore:
-    """Answers and their results in a folder, by a digest of answers, key, and options as the sandbox."""
+    """Answers and their results in a folder, by a digest of answers, key and options.
+
+    `options` is what a result depends on besides key and answers: the sandbox and the like.
+    """
 
     def __init__(self, folder, options):
         self._folder = Path(folder)
@@ -76,7 +82,10 @@ class ResultStore:
         return json.loads((self._folder / f"{digest}.answers.json").read_text(encoding="utf-8"))
 
     def keep_result(self, digest, result):
-        """Store a GradedSubmission; one that could not be graded only for this run: the next tries again."""
+        """Store a GradedSubmission. One that could not be graded is kept for this run: the next tries again.
+
+        The autograder's failure may be gone by then.
+        """
         if result.exercises_with(Outcome.NOT_GRADED):
             self._not_graded[digest] = result
             return

@@ -70,7 +70,10 @@ class _Review:
 
 
 def review_pages(grades, parts, names):
-    """Yields (path below the folder of grades, HTML) of the pages; `names` are {name to show: name}."""
+    """Yields (path below the folder of grades, HTML) of the pages; `parts` are the AnswerParts.
+
+    `grades` are those to show, and `names` {name to show: the learner's name}.
+    """
     reviews = _reviews(grades["learners"])
     about = [
         {"path": f"{FOLDER}/{id}.html", "id": id, "lesson": one.lesson, "title": one.exercise["title"]}

@@ -28,7 +28,10 @@ _NO_PEOPLE = ("", "student, test", "points possible")
 
 @dataclass(frozen=True)
 class RosterEntry:
-    """One row: the name to show, those by which a submission can arrive, (platform, its number) or None."""
+    """One row: the `name` to show, all `names` by which a submission can arrive, the platform's `number`.
+
+    `number` is (platform, digits), or None.
+    """
 
     name: str
     names: tuple
@@ -132,7 +135,10 @@ def _certainty(entry, learner):
 
 
 def names_in_roster(roster, learners):
-    """{name in a roster: the learner's name, None if nothing came}, without names that two people have."""
+    """Whom the names of a roster mean, for the teacher's tables, without names of two people.
+
+    {name: the learner's name, or None if this person submitted nothing}
+    """
     names, count = {}, Counter(name for entry in roster for name in {entry.name, *entry.names})
     for entry, found in _people(roster, learners).items():
         # Of two with nearly one name, the platform's number decides, then the exact name.

@@ -11,8 +11,14 @@ from pathlib import Path
 from .result_store import GradesFolderError, write_grades_file
 
 FILE = "rules.json"
-_TITLES = {"keys": "the key", "deadline": "the deadline", "late": "the late policy"}
-_TITLES |= {"extensions": "the extensions", "decisions": "the decisions", "roster": "the roster"}
+_TITLES = {
+    "keys": "the key",
+    "deadline": "the deadline",
+    "late": "the late policy",
+    "extensions": "the extensions",
+    "decisions": "the decisions",
+    "roster": "the roster",
+}
 NAMES = tuple(_TITLES)
 _PATHS = ("keys", "extensions", "decisions", "roster")
 

@@ -55,7 +55,10 @@ class Sender:
 
 
 def sender_of(parts, lessons, numbered=frozenset()):
-    """The Sender of the file whose path has these parts; folders of lessons count only if `numbered`."""
+    """The Sender of the file whose path has these parts; `numbered` is what `numbered_learners` found.
+
+    Folders with a lesson's name are ignored.
+    """
     parts = (*parts[:-1], notebook_name(parts[-1]))
     folders = (part in numbered or not is_lesson(part, lessons) for part in parts[:-1])
     depth = next((depth for depth, names_somebody in enumerate(folders) if names_somebody), len(parts) - 1)
@@ -112,7 +115,10 @@ def platform_sender(name):
 
 
 def name_in_stem(stem, lessons):
-    """A file's stem without the lesson's name: ada for ada_04_grayscale-1, but student-1 stays."""
+    """A file's stem without the lesson's name.
+
+    student-1 and student-2 are two learners; ada_04_grayscale and ada_04_grayscale-1 are both ada's.
+    """
     unnumbered, _ = split_repetition(stem)
     named_lessons = lessons_named(unnumbered, lessons)
     stem = unnumbered if named_lessons and unnumbered.endswith(named_lessons[-1]) else stem

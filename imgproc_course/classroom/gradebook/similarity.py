@@ -160,7 +160,10 @@ def _versions(id, equal_answers):
 
 
 def report_copies(entries, learners, copies):
-    """Add a finding for each graded answer that equals the solution; entries are in the order of learners."""
+    """Add a finding for each graded answer that equals the course's solution; practice has no points.
+
+    `entries` are the learners' parts of grades.json, in the order of `learners`; `copies` is from `compare`.
+    """
     text = "it equals the course's solution, whatever the names; the solutions are public: a reason to ask"
     for entry, learner in zip(entries, learners, strict=True):
         for lesson in entry["lessons"]:
@@ -180,7 +183,10 @@ def similar_entries(groups):
 
 
 def similarity_page(groups, names):
-    """The teacher's page of similar submissions, HTML, with the names to show; "" if there are none."""
+    """The teacher's page of similar submissions, the versions of an answer side by side; HTML, or "".
+
+    `names` are {learner's name: the name to show}.
+    """
     content = {"groups": groups, "names": names, "marked": _marked, "most": MOST_VERSIONS}
     return render_page("similar.html", **content) if groups else ""
 

@@ -144,9 +144,13 @@ def _cells(cells):
 
 def _cell(cell, number, code_left):
     """A cell as `read_notebook` describes it."""
-    content = {"number": number, "id": _text(cell, "id") or "", "type": _text(cell, "cell_type") or ""}
-    content["exercise"] = _text(cell, "metadata", "imgproc_course", "exercise") or ""
-    content["functions"] = {}
+    content = {
+        "number": number,
+        "id": _text(cell, "id") or "",
+        "type": _text(cell, "cell_type") or "",
+        "exercise": _text(cell, "metadata", "imgproc_course", "exercise") or "",
+        "functions": {},
+    }
     if content["type"] == "code":
         content["count"] = _count(cell)
     source = _joined(cell.get("source"))
@@ -217,8 +221,11 @@ def _parsed_answer(source):
         return {**_UNKNOWN_SYNTAX, "error": line, "slip": _slip(source, error)}
     except (ValueError, RecursionError, MemoryError):
         return _UNKNOWN_SYNTAX
-    stub_lines = cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS]
-    return _UNKNOWN_SYNTAX | {"names": _bound_names(tree), "stub_lines": stub_lines}
+    return {
+        **_UNKNOWN_SYNTAX,
+        "names": _bound_names(tree),
+        "stub_lines": cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS],
+    }
 
 
 def _bound_names(tree):
@@ -246,7 +253,10 @@ def _output_text(cell):
 
 
 def compose_answers(cells, requests):
-    """The sources by which answers are graded: [[source, [[name, kind, number of the cell], ...]], ...]."""
+    """The sources by which answers are graded: [[source, [[name, kind, number of the cell], ...]], ...].
+
+    `requests` is a list of the arguments of `cell_syntax.CellDefinitions.compose`.
+    """
     definitions = cell_syntax.CellDefinitions([_source_to_search(cell) for cell in cells])
     answers = []
     for request in requests:

@@ -49,7 +49,10 @@ class Extension:
 
 
 def read_decisions(path, answer_keys, text=None):
-    """Read the Decisions in a file, or in the text that it shall have; TableError: a row has a mistake."""
+    """Read a teacher's decisions, as a list of Decision; TableError: a row has a mistake.
+
+    `text` is what the file shall have, if it has something else yet.
+    """
     decisions, places = [], {}
     for row, place in _rows(read_csv(path, text), DECISION_COLUMNS, ("learner", "lesson", "points")):
         lesson = _lesson(row["lesson"], answer_keys, place)
