@@ -1,7 +1,7 @@
 """Draw the scenarios of a driving exercise for a key: those that tell a right controller from a wrong one.
 
 The solution must pass with a margin, else chance could cost a good answer its points; and in a hidden
-scenario each declared mistake must fail, and so must what the solution drives in a public one, repeated.
+scenario stub and mistakes must fail, and so must what the solution drives in a public one, repeated.
 """
 
 import itertools
@@ -33,7 +33,7 @@ def draw_scenario(exercise, case, seed, drive_solution, public=(), on_drive=lamb
     called after each drive.
     MasterError: no draw fits; it says why.
     """
-    tried, problem = [], ""
+    tried, problem, stub = [], "", exercise.function_of(exercise.stub, "stub")
     for ((scenario,),) in itertools.islice(exercise.draws(case, seed), MOST_DRAWS):
         if scenario in tried:  # perhaps it does not depend on the seed
             continue
@@ -45,6 +45,8 @@ def draw_scenario(exercise, case, seed, drive_solution, public=(), on_drive=lamb
         record = drive_solution(stricter)
         on_drive()
         problem = _problem_of_solution(record, stricter)
+        if not problem and case.hidden and passes(drive_here(stub, exercise.sensors, scenario)[0], scenario):
+            problem = "the stub passes"
         while not problem and len(mistakes) < len(exercise.mistakes):
             mistake = exercise.mistakes[len(mistakes)]
             mistakes[mistake.name], has_passed = _drive_mistake(exercise, mistake, scenario)
@@ -54,7 +56,7 @@ def draw_scenario(exercise, case, seed, drive_solution, public=(), on_drive=lamb
             return DrawnScenario(scenario, record, mistakes)
     raise MasterError(
         f"{exercise.master.name}, line {case.line}: {case.id}: none of {MOST_DRAWS} drawn scenarios fits;"
-        f" in the last one {problem}. Change inputs(rng), the thresholds, the solution or the mistake"
+        f" in the last one {problem}. Change inputs(rng), the thresholds, or one of the controllers"
     )
 
 

@@ -285,9 +285,9 @@ def _report_place(exercise, answer, content):
         text = f"its answer cell is a {_kind(answer.cell)} cell; its text is graded"
         content.add(f"{text} (key Y makes it code again)", exercise.id)
     if answer.others:
-        places = ", ".join(map(_place, answer.others[:_MOST_NAMES]))
-        text = f"{len(answer.others) + 1} cells define {name}: {_place(answer.cell)} is graded"
-        content.add(f"{text}, and not {places}", exercise.id)
+        graded, *others = _places([answer.cell, *answer.others[:_MOST_NAMES]])
+        text = f"{graded} is graded, and not {', '.join(others)}"
+        content.add(f"{len(answer.others) + 1} cells define {name}: {text}", exercise.id)
 
 
 def _state_of_marked(exercise, own):
@@ -304,6 +304,14 @@ def _state_of_marked(exercise, own):
 
 def _place(cell):
     return sanitize_line(cell["id"], 80) or f"cell number {cell['number'] + 1}"
+
+
+def _places(cells):
+    """The places of cells; their numbers if two of them have one id."""
+    places = list(map(_place, cells))
+    if len(set(places)) == len(places):
+        return places
+    return [f"cell number {cell['number'] + 1}" for cell in cells]
 
 
 def _kind(cell):

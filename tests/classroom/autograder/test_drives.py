@@ -182,7 +182,7 @@ exercise(
 
 # %% role="answer"
 def control(observation, memory):
-    return 0.0, 0.0
+    return {stub}
 
 # %% role="solution"
 def control(observation, memory):
@@ -215,10 +215,10 @@ FIXED = f'{{"seed": 1, "room": 30, "duration": 8.0, {THRESHOLDS}}}'
 def key_of(tmp_path):
     """Makes a key of a lesson with these sources of scenarios, on the plane."""
 
-    def made(*, public=FIXED, hidden=DRAWN, mistake=MISTAKE, seed="seed", **options):
+    def made(*, public=FIXED, hidden=DRAWN, stub="0.0, 0.0", mistake=MISTAKE, seed="seed", **options):
         masters = tmp_path / "masters"
         masters.mkdir(exist_ok=True)
-        source = MASTER.replace("{public}", public).replace("{hidden}", hidden)
+        source = MASTER.replace("{public}", public).replace("{hidden}", hidden).replace("{stub}", stub)
         (masters / "10_plane.py").write_text(source, encoding="utf-8")
         (masters / "10_plane.mistakes.py").write_text(mistake, encoding="utf-8")
         with on_the_plane():
@@ -253,6 +253,8 @@ def test_a_key_names_the_case_that_no_draw_fits(key_of):
     right = MISTAKE.replace("return 0.25, 0.0", "return solution(observation, memory)")
     with pytest.raises(MasterError, match=r"none of 20 drawn .*the mistake 'it is blind' passes\. Change"):
         key_of(hidden=FIXED.replace("30", "16"), mistake=right)
+    with pytest.raises(MasterError, match=r"none of 20 drawn .*the stub passes\. Change"):
+        key_of(hidden=FIXED.replace("30", "16"), stub='(observation["scan"][0] > 0.6) / 4, 0.0')
     near = DRAWN.replace("5, 30", "4, 9")
     with pytest.raises(
         MasterError,

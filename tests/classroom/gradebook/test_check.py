@@ -147,7 +147,7 @@ def test_an_answer_that_would_get_no_points_is_reported(lesson, change, state, t
     [
         (move, "graded from another cell (mine), which defines double(): its answer cell"),
         (define_in_the_check, "graded from another cell (check-template-double-1), which defines double()"),
-        (duplicate, f"2 cells define double(): {ANSWER} is graded, and not {ANSWER}"),
+        (duplicate, "2 cells define double(): cell number 7 is graded, and not cell number 5"),
         (edit(ANSWER, cell_type="markdown"), "is a markdown cell; its text is graded (key Y makes it code"),
         (split, "graded from another cell (mine), which defines double(): its answer cell does not define"),
     ],

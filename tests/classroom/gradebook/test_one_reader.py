@@ -505,7 +505,7 @@ def two_answers(made):
         (too_long, "broken", "its answer is longer than 200000 characters, the most that are graded"),
         (format_2, None, "it has notebook format 2"),
         (no_metadata, "answered", "it was made from an unknown version of the lesson"),
-        (two_answers, "answered", "2 cells define double(): answer-light-double is graded, and not "),
+        (two_answers, "answered", "2 cells define double(): cell number 5 is graded, and not cell number "),
     ],
 )
 def test_notebooks_about_which_check_and_grade_once_disagreed(
