@@ -29,8 +29,7 @@ class DrawnScenario:
 def draw_scenario(exercise, case, seed, drive_solution, public=(), on_drive=lambda: None):
     """The first DrawnScenario of a case's draws that fits.
 
-    `drive_solution` takes a scenario and returns a record; `public` are the `public_drives`; `on_drive` is
-    called after each drive.
+    `drive_solution` gives a scenario's record; `public` are `public_drives`; `on_drive` follows each drive.
     MasterError: no draw fits; it says why.
     """
     tried, problem, stub = [], "", exercise.function_of(exercise.stub, "stub")

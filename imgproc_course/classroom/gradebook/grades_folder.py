@@ -122,6 +122,7 @@ def _write_review(out, page_grades, parts, names):
         written.add(Path(name).name)
         write_grades_file(out / name, page)
     _remove_others(out / FOLDER, "*.html", written)
+    _remove_others(out, "review.html", written)
 
 
 def set_pages_aside(out):

@@ -1,5 +1,6 @@
 """The pages on which a teacher reads answers and decides: in a browser, by keyboard, copied or saved."""
 
+import contextlib
 import html
 import json
 import re
@@ -16,8 +17,10 @@ import pytest
 from accessibility import violations
 from submissions import answers_of, notebook, write
 
+from imgproc_course.classroom.gradebook import grades_folder
 from imgproc_course.classroom.gradebook.csv_table import TableError
 from imgproc_course.classroom.gradebook.grade import grade_submissions
+from imgproc_course.classroom.gradebook.review import AnswerParts
 from imgproc_course.classroom.gradebook.review_server import ReviewServer, save_decisions
 
 pytestmark = pytest.mark.sandbox
@@ -291,3 +294,12 @@ def test_a_table_of_a_spreadsheet_keeps_its_form(tmp_path, answer_keys, learner)
         table.read_bytes().decode()
         == f"{header}light;''=Eve;3;light-double;\r\nlight;'=Eve;2;light-double;\"a; b\"\r\n"
     )
+
+
+def test_the_pages_of_answers_go_with_the_last_exercise(tmp_path):
+    (tmp_path / "review").mkdir()
+    for name in ("review.html", "review/light-double.html", "summary.html"):
+        (tmp_path / name).write_text("of the run before")
+    with contextlib.closing(AnswerParts()) as parts:
+        grades_folder._write_review(tmp_path, {"learners": []}, parts, {})
+    assert [path.name for path in tmp_path.rglob("*.html")] == ["summary.html"]
