@@ -162,6 +162,15 @@ def _without_effect(node, _source):
         yield f"{ast.unparse(node)} only compares, and changes nothing. To give a value, write = for ==."
 
 
+def _columns_first(node, _source):
+    """width, height = image.shape exchanges the two names."""
+    names = r"\(?((?:w|width|cols|columns), (?:h|height|rows))((?:, \w+)?)\)? = (\w+\.shape)((?:\[:2\])?)"
+    match = re.fullmatch(names, ast.unparse(node))
+    if match:
+        columns, rows = match[1].split(", ")
+        yield f"{match[3]} has the rows first. Write {rows}, {columns}{match[2]} = {match[3]}{match[4]}."
+
+
 def _else_of_last_if(node, _source):
     """An else after several ifs about one value belongs to the last of them only."""
     bodies = (getattr(node, name, None) for name in ("body", "orelse"))
@@ -186,6 +195,7 @@ _RULES = (
     (ast.While, _loop_over_uint8),
     (ast.Compare, _remarks_on_comparison),
     (ast.Expr, _without_effect),
+    (ast.Assign, _columns_first),
     (ast.AST, _else_of_last_if),
 )
 

@@ -38,6 +38,9 @@ def remarks(source, errors=()):
         ("return a.sum() == a.sum()", "a.sum() == a.sum() compares a value with itself."),
         ("return a > b & ~c", "Python computes b & ~c first, before the comparison."),
         ("a[b] == 1", "a[b] == 1 only compares, and changes nothing."),
+        ("width, height = a.shape", "a.shape has the rows first. Write height, width = a.shape."),
+        ("w, h, n = a.shape", "a.shape has the rows first. Write h, w, n = a.shape."),
+        ("cols, rows = a.shape[:2]", "a.shape has the rows first. Write rows, cols = a.shape[:2]."),
         ("for a in range(3): pass", "The loop for a in ... writes over the argument a."),
         (
             "raise NotImplementedError('x')\n    return a",
@@ -57,6 +60,8 @@ def test_a_certain_mistake_is_named(line, start):
         "return (a > b) & (a < c)",
         "for row in range(3): pass",
         "return a == b",
+        "width, height = a.size",
+        "width, height = a.T.shape",
         "raise NotImplementedError('x')",
         "height, width = a.shape",
         "t = 0\n    while t <= 255: t += 1",
