@@ -124,7 +124,7 @@ assert round(recording.pose("camera", 0)[2], 2) == 0.2  # metres above the floor
 # %% [markdown]
 # ## 4 · A frame from a topic ([[minutes]])
 #
-# Now we use ROS 2. `open_camera` starts a camera that publishes the recording on the robot's topic, as the robot does. A robot has one camera, so there is one for all your notebooks and programs, too: if it runs already, `open_camera` joins it. It ends with the last of them. `ImageSubscriber` subscribes to this topic, so it receives every frame that is published there. `wait` waits for the next frame and returns it.
+# Now we use ROS 2. `open_camera` starts a camera that publishes the recording on the robot's topic, as the robot does. A robot has one camera, so there is one for all your notebooks and programs, too: if it runs already, `open_camera` joins it. It stops when the last program that uses it stops. `ImageSubscriber` subscribes to this topic, so it receives every frame that is published there. `wait` waits for the next frame and returns it.
 #
 # If ROS 2 is not installed (macOS, Windows without WSL), `ros_available()` returns `False`. This lesson then uses the recording. In other lessons, the cells that begin with `if ros_available():` do nothing: read them. `environment/site --serve` opens the course's pages, which show their results, and a still image for each live view. The doctor above says what to install.
 
@@ -249,4 +249,4 @@ hint("start-count", step=1)
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.
 #
-# **Only one day?** *The original lesson in one day* is a route of about 6 hours through the cores of nine lessons. Their minutes: [[start_here]] 25, [[arrays]] 40, [[what_is_image_processing]] 35, [[images_as_messages]] 45, [[grayscale]] 35, [[grayscale_node]] 55, [[canny_stages]] 45, [[edge_detection_node]] 35, [[ros2_packages]] 55. The [list of all lessons](index.ipynb) names two other routes.
+# **Only one day?** *The original lesson in one day* is a route of about 6 hours through the cores of nine lessons. Their minutes: [[start_here]] 25, [[arrays]] 40, [[what_is_image_processing]] 35, [[images_as_messages]] 45, [[grayscale]] 35, [[grayscale_node]] 65, [[canny_stages]] 45, [[edge_detection_node]] 35, [[ros2_packages]] 55. The [list of all lessons](index.ipynb) names two other routes.

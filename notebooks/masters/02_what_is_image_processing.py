@@ -86,7 +86,7 @@ assert frame.size == 2_764_800 and recording.rate == 10
 #
 # The recording contains more than the frames. For each frame it also has two images with the right answers, the *[[term:ground truth]]*:
 # - a *[[term:label image]]*: the number in each pixel says what this pixel shows (1 is floor, for example),
-# - a *[[term:depth image]]*: the number in each pixel says how far in front of the camera the thing is that this pixel shows.
+# - a *[[term:depth image]]*: the number in each pixel says how far away the thing in this pixel is.
 #
 # A robot does not have the ground truth. It has to find the answers itself. Here we use the ground truth to see what the robot looks for.
 #
@@ -156,7 +156,7 @@ show(marked, "the marker", rows=(280, 430), cols=(590, 790),
      text="what_is_image_processing/marker")
 
 # %% [markdown]
-# The marker is small in the image, so it is far away. From its real size and its size in the image, a program computes how far. If a robot knows where in the room the marker is, it can then compute its own position; [[where_am_i]] does this.
+# The marker is small in the image, so it is far away. From its real size and its size in the image, a program computes how far away it is. If a robot knows where in the room the marker is, it can then compute its own position; [[where_am_i]] does this.
 
 # %%
 # Check: the marker's number

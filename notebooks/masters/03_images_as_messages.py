@@ -855,7 +855,7 @@ compare_guess(guess_received, reliable_count)
 assert not ros_available() or reliable_count == 0
 
 # %% [markdown]
-# Nothing arrives, and ROS raises no error. The QoS policies are not compatible, so ROS does not connect the publisher and the subscription. The line on a red background (here or below a later cell) is a warning of the course's subscriber. It gives the reason: the subscription requests more (reliable) than the camera offers (best effort). Other subscriptions log one warning at most, which is easy to overlook. The subscriber also keeps the reason:
+# Nothing arrives, and ROS raises no error. The QoS policies are not compatible, so ROS does not connect the publisher and the subscription. The line on a red background (here or below a later cell) is a warning of the course's subscriber. It gives the reason: the subscription requests more (reliable) than the camera offers (best effort). A subscription without the course's subscriber logs one warning at most, which is easy to overlook. The subscriber also keeps the reason:
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():

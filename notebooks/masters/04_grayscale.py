@@ -172,7 +172,7 @@ assert 255 * 19235 == 4_904_925 and (white * 19235)[0] == 4_904_925 % 65_536
 # %% [markdown]
 # ## 3 · Your eyes do not compute the average ([[minutes]])
 #
-# Is the average right? Here are pure blue, green and red:
+# Is the average right? We make three patches: pure blue, green and red.
 
 # %%
 patches = np.zeros((2, 6, 3), dtype=np.uint8)
@@ -181,7 +181,7 @@ patches[:, 2:4, 1] = 255  # two of pure green,
 patches[:, 4:6, 2] = 255  # and two of pure red
 
 # %% [markdown]
-# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*. Your guess is compared with the one that has the largest luma.
+# The cell after your guess draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*. Your guess is compared with the one that has the largest luma.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?

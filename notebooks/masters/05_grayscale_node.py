@@ -15,7 +15,7 @@
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted,
 # - deeper: explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2).
 #
-# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), the cells that begin with `if ros_available():` do nothing: their results, and still images of the live views, are on the page that `environment/site --serve` opens. Read the lesson, and do the exercises: their checks work without ROS 2. If you have never written a class, read section 2, too.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), the cells that begin with `if ros_available():` do nothing: their results, and still images of the live views, are on the page that `environment/site --serve` opens. Read the lesson, and do the exercises: their checks work without ROS 2.
 
 # %% role="given" exercise=["node-process"]
 import cv2
@@ -117,10 +117,11 @@ assert len({(stamp.sec, stamp.nanosec) for stamp in stamps}) == len(stamps)
 #         cells["your cells:<br>time.sleep(2)"]
 #     end
 # ```
+
+# %% [markdown]
+# ## 2 · A class in ten lines ([[minutes]])
 #
-# ## 2 · A class in ten lines ([[minutes]], deeper)
-#
-# In Python, a node is written as a *[[term:class]]*. If you have never written a class, this section is for you. It does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. If you want to know when it rings, you give it a callback.
+# In Python, a node is written as a *[[term:class]]*. If you know classes already, go on with section 3. This section does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. If you want to know when it rings, you give it a callback.
 
 # %%
 class Bell:
@@ -271,17 +272,17 @@ if ros_available():
 
 # %% [markdown]
 # **The code, explained**
-# 1. `GrayNode` inherits from ROS's class `Node`. `"gray_by_hand"` is the node's name. Other programs see it in the *[[term:ROS graph]]*: the network of all running nodes and topics. The *[[term:context]]* holds the state of ROS in one program; a script does not need to pass one.
+# 1. `GrayNode` inherits from ROS's class `Node`. `"gray_by_hand"` is the node's name. Other programs see it in the *[[term:ROS graph]]*: the network of all running nodes and topics. You can ignore the *[[term:context]]*: it holds the state of ROS in one program, and a script does not pass one.
 # 2. The node creates a *[[term:publisher]]* for messages of the type `Image` on `~/gray`. ROS replaces `~` by the node's name: `/gray_by_hand/gray`. So a node with another name publishes on another topic.
 # 3. The node creates a *[[term:subscription]]* to the camera's topic. The callback is the method `on_image`, without parentheses.
 # 4. The node *[[term:log|logs]]* one line of information when it starts. A node does not use `print`: a log line also has a time, a level (`INFO`, `WARN`, `ERROR`) and the node's name.
 # 5. `image_to_array` converts the message to an array with the channels blue, green, red, whatever the message's encoding is.
-# 6. If an image cannot be converted, the node logs the error and skips the image. One wrong message must not end the node.
+# 6. If an image cannot be converted, the node logs the error and skips the image. One wrong message must not end the node. `try` runs the lines below it. If they raise a `ConversionError`, Python goes on at `except`, and `return` then leaves the callback.
 # 7. This is the only line that processes the image. It does not use ROS.
 # 8. The node converts the result to a message. It **copies the header**, so that the receiver knows when the image was taken.
 # 9. The node publishes the message.
 #
-# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8; its third argument can be a header). If it is not installed, `offer_modules()` in the cell with the imports lets the same import line give the course's own class with these names:
+# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8; its third argument can be a header). If it is not installed, `offer_modules()` in the cell with the imports makes this import work too: you get the course's own class.
 
 # %%
 from cv_bridge import CvBridge, CvBridgeError
@@ -533,7 +534,7 @@ def inputs(rng):
 # 2. **Answer.** `image_callback` converts the message to a frame with `self.bridge.imgmsg_to_cv2(msg, "bgr8")`, makes it gray with `cv2.cvtColor`, and publishes it as `mono8` with the header of `msg`. *Afterwards* each image of the camera gives one gray image.
 # 3. **Survive.** If a message cannot be converted, the node logs an error with `self.get_logger().error(...)` and publishes nothing. *Afterwards* a bad message costs one image, and not the node.
 #
-# The node must not call `rclpy.spin`, `time.sleep` or `cv2.imshow`.
+# The answer cell must work alone: define your `QoSProfile` in it. The node must not call `rclpy.spin`, `time.sleep` or `cv2.imshow`.
 
 # %% role="exercise"
 exercise(
@@ -666,15 +667,15 @@ def inputs(rng):
 
 
 # %% [markdown]
-# **Run it.** The next cell makes a node of your class, and spins it in the background. The images below are those that your node publishes.
+# **Run it.** If all three steps show ✓, the next cell makes a node of your class, and spins it in the background. The images below are those that your node publishes.
 
 # %% tags=["nbval-ignore-output"]
-if ros_available() and check("node-class", ImageGrayProcessor).points > 0:
+if ros_available() and check("node-class", ImageGrayProcessor).passed:
     my_node = RosSession.current().add_node(ImageGrayProcessor)
     my_images = ImageSubscriber("/image_gray_processor/gray", encoding="mono8")
     my_view = live_view(my_images, encoding="mono8", text="grayscale_node/mine")
 else:
-    print("this needs your class and a running ROS 2")
+    print("first all three steps of your class must pass; this also needs ROS 2")
 
 # %% [markdown]
 # ### Change your node ([[minutes]], deeper)
@@ -697,7 +698,7 @@ else:
 # | *frame*, `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
 # | *gray*, published as `mono8` | (720, 1280) | uint8 | 0 to 255 | gray level |
 #
-# **Next:** [[noise_removal]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
+# **Next:** [[noise_removal]], or [[canny_stages]] if you have one day. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
 
 # %%
 # Check: the numbers in the table

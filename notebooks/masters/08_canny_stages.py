@@ -465,7 +465,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 6 · Non-maximum suppression: keep only the top of the ridge ([[minutes]])
 #
-# In an image, left and right are the neighbours to compare with only at a vertical edge. In general, Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps the pixel only if its magnitude is a maximum. This is **[[term:non-maximum suppression]]**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
+# Only at a vertical edge are the two neighbours left and right. In general, Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps the pixel only if its magnitude is a maximum. This is **[[term:non-maximum suppression]]**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
 #
 # | sector | the gradient points | first neighbour | second neighbour | a pixel is kept if it is |
 # |---|---|---|---|---|

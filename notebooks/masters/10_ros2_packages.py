@@ -104,7 +104,7 @@ for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "signal.signa
 # 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *[[term:environment variable]]*: a named text that a program receives when it starts.
 # 2. The second line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
 #
-# The cells that do the same as a command call the three functions below, which give a line to bash as a terminal does. You do not need to write such code. If the node runs in your terminal already, the cell does not start it again.
+# Cells can run the commands for you. They use the three functions below. You do not need to write such code. If the node runs in your terminal already, the cell does not start it again.
 
 # %%
 terminal = os.environ.copy()  # the environment variables of a new terminal
@@ -330,7 +330,7 @@ assert printed.count("Finished") == 2 and new_folders == ["build", "install", "l
 #
 # ## 5 · Ask ROS for the package ([[minutes]])
 #
-# The packages are built. Open a *second* terminal with **File → New → Terminal**, and ask ROS for the package. **Predict**: can ROS find it?
+# The packages are built. Click into the first terminal, open a *second* one with **File → New → Terminal**, and ask ROS for the package. **Predict**: can ROS find it?
 
 # %% role="predict"
 guess_found = None  # your guess: "yes" or "no"?
@@ -467,7 +467,7 @@ assert not ros_available() or len(pairs) >= 3
 # %% [markdown]
 # ### Stop the node ([[minutes]])
 #
-# Press **Ctrl-C** in the node's terminal. The next cell does the same if the notebook started the node.
+# Press **Ctrl-C** in the node's terminal. The live view then says in red that no image arrives: that is right. The next cell does the same if the notebook started the node.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():

@@ -102,7 +102,7 @@ def moved(x, y, yaw, linear, angular, dt, heading):
 def next_pose(x, y, yaw, linear, angular, dt):
     return moved(x, y, yaw, linear, angular, dt, yaw)
 
-# %% role="mistake" name="the direction at the end" says="You drive in the direction at the end of the step (yaw was changed before x and y). Use the direction in the middle, yaw + angular * dt / 2."
+# %% role="mistake" name="the direction at the end" says="You drive in the direction at the end of the step. Use the direction in the middle, yaw + angular * dt / 2."
 def next_pose(x, y, yaw, linear, angular, dt):
     return moved(x, y, yaw, linear, angular, dt, yaw + angular * dt)
 

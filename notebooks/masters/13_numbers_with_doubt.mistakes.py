@@ -131,7 +131,7 @@ def any_step(x, ahead, aside, distances, sigmas, sign=-1, of_errors=2, of_slopes
     numerator = (J * errors / sigmas**of_errors).sum()
     return float(x + sign * numerator / (J * J / sigmas**of_slopes).sum())
 
-# %% role="mistake" name="up in place of down" says="A sign is wrong: your step goes up, and the sum of squares becomes larger. Is the minus there in J and in the step: x - sum(w * J * errors) / sum(w * J * J)?"
+# %% role="mistake" name="up in place of down" says="A sign is wrong: your step goes the wrong way, and the sum of squares becomes larger. Are your errors computed minus measured, and is the minus there in J and in the step: x - sum(w * J * errors) / sum(w * J * J)?"
 def place_step(x, ahead, aside, distances, sigmas):
     return any_step(x, ahead, aside, distances, sigmas, sign=1)
 

@@ -30,7 +30,10 @@ Afterwards the failing ones were read and their feedback mended in general: 100 
 says nothing of new answers any more. With the answers to later lessons, on 23 November 2026: 365,
 98.4 % right (359), none false. On 24 November 2026, 118 answers to 12 exercises, written from the tasks alone
 and read by a person: 94 % right (111), 1 false. Afterwards the false one was mended in general; with 108 of
-them and 126 of a beginner: 599, 96.8 % right (580), none false.
+them and 126 of a beginner: 599, 96.8 % right (580), none false. On 26 November 2026, 100 answers to 10
+exercises of the lessons 11 to 22, written and read in this way: 90 % right, 1 false. Afterwards the false one
+and five silent ones were mended, by two sentences and four general rules; with 99 of them 726, 96.0 % right
+(697), none false. The main table then: 1,413, 98.0 % right (1,385), none false; before these rules 97.8 %.
 """
 
 import ast

@@ -73,6 +73,8 @@ def site(browser, tmp_path_factory):
 def test_everybody_can_use_a_page(site, name, width, theme):
     page = site[0](name, width=width, theme=theme)
     page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
+    # What opens fades in: until then its text is pale.
+    page.evaluate("Promise.all(document.getAnimations().map(animation => animation.finished))")
     rules = {"runOnly": COLOR_RULES} if theme == "dark" else {}  # a theme changes nothing else
     found = Axe().run(page, options={"resultTypes": ["violations"]} | rules).response["violations"]
     SCREENSHOTS.mkdir(exist_ok=True)

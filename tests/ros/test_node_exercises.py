@@ -215,11 +215,11 @@ def test_the_double_does_what_rclpy_does(answer, monkeypatch):
 def test_the_double_has_a_word_for_every_name_of_rclpys_node():
     from rclpy.node import Node
 
-    from imgproc_course.classroom.exercises.recording_node import UNKNOWN, RecordingNode
+    from imgproc_course.classroom.exercises.recording_node import _UNKNOWN, RecordingNode
 
     names = {name for name in dir(Node) if not name.startswith("_")}
     known = {name for name in dir(RecordingNode) if not name.startswith("_")}
-    assert known | set(UNKNOWN) == names and not known & set(UNKNOWN)
+    assert known | set(_UNKNOWN) == names and not known & set(_UNKNOWN)
 
 
 def test_the_policies_and_profiles_of_the_double_are_rclpys():

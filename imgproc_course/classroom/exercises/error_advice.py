@@ -26,6 +26,8 @@ def advice_on(error, message, line="", parameters=None, function="", closest="")
     if call and message.startswith(f"{function}()") and "positional argument" in message:
         return f"check calls {call}: begin your function with def {call}: and use these arguments."
     did_you_mean = f"Did you mean {closest}? Every letter counts, small or capital." if closest else ""
+    if closest.startswith("self."):
+        did_you_mean = f"Write {closest}: what belongs to the object has self. before its name."
     for pattern, advice in _ADVICE.items():
         match = re.match(pattern, f"{error}: {message}\n{source}")
         if match:
@@ -90,7 +92,10 @@ def _broadcast(match, source):
     # a += b names the shape of a twice
     shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in shapes_as_text))
     advice = next((advice for holds, advice in _broadcast_rules(shapes, source) if holds), "")
-    return f"Arithmetic with two arrays works value by value, and needs equal shapes. {advice}".rstrip()
+    into = re.search(r"input array from shape (\S+) into shape (\S+)", match[1])
+    if into:
+        return _ADVICE["<room on the left>"].format(*into.groups())
+    return f"{_ADVICE['<equal shapes>']} {advice}".rstrip()
 
 
 def _broadcast_rules(shapes, source):

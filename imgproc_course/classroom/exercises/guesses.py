@@ -86,11 +86,12 @@ def compare_guess(guess, value, unit=""):
         return GuessComparison("", result, advice=advice)
 
 
-def ask(name, answer=None):
+def ask(name, answer=None, *thousands):
     """Print why an answer to the question "<lesson that asks>/<name>" is right or wrong. It never raises.
 
-    The answer is a letter, such as "b", or a number; None is no answer yet.
+    The answer is a letter, such as "b", or a number, also with commas: 691,200; None is no answer yet.
     """
+    answer = (answer, *thousands) if thousands else answer
     lesson, _, name = str(name).partition("/")
     for folder in (Path(), Path(__file__).resolve().parents[3] / "notebooks"):
         with contextlib.suppress(OSError, ValueError, KeyError):
@@ -166,19 +167,26 @@ def _plain(value):
 def _as_kind_of(value, guess, unit):
     """The guess as the kind of value that the result is, if its text can be read so."""
     if isinstance(value, tuple):
-        if isinstance(guess, str):
-            parts = tuple(_number(match) for match in _NUMBER_IN_A_TUPLE.findall(guess))
-            return parts if parts and len(parts) == len(value) else guess
-        if isinstance(guess, tuple) and len(guess) == len(value):
-            return tuple(_as_kind_of(*pair, unit) for pair in zip(value, guess, strict=True))
-    elif isinstance(value, bool) and isinstance(guess, str):
+        return _as_tuple(value, guess, unit)
+    if isinstance(value, bool) and isinstance(guess, str):
         return _WORDS.get(guess.casefold().strip(".!"), guess)
-    elif isinstance(value, int | float) and isinstance(guess, str):
-        matches = _NUMBER.findall(guess)
-        if len(matches) == 1:
-            number = _number(matches[0])
-            is_fraction = guess.endswith("%") and unit != "%" and abs(value) <= 1
-            return number / 100 if is_fraction else number
+    if _is_number(value) and isinstance(guess, tuple):  # 2,764,800 is a tuple for Python
+        text = ",".join("000" if part == 0 else str(part) for part in guess)
+        return _number(text) if _THOUSANDS.fullmatch(text) else guess
+    matches = _NUMBER.findall(guess) if _is_number(value) and isinstance(guess, str) else ()
+    if len(matches) == 1:
+        number = _number(matches[0])
+        is_fraction = guess.endswith("%") and unit != "%" and abs(value) <= 1
+        return number / 100 if is_fraction else number
+    return guess
+
+
+def _as_tuple(value, guess, unit):
+    if isinstance(guess, str):
+        parts = tuple(_number(match) for match in _NUMBER_IN_A_TUPLE.findall(guess))
+        return parts if parts and len(parts) == len(value) else guess
+    if isinstance(guess, tuple) and len(guess) == len(value):
+        return tuple(_as_kind_of(*pair, unit) for pair in zip(value, guess, strict=True))
     return guess
 
 

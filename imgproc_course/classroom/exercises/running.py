@@ -258,6 +258,8 @@ def _closest(error):
         names = dir(error.obj)
     elif isinstance(error, NameError) and wanted:
         frame = list(traceback.walk_tb(error.__traceback__))[-1][0]
+        if wanted in dir(frame.f_locals.get("self")):
+            return f"self.{wanted}"
         names = [*frame.f_locals, *frame.f_globals, *keyword.kwlist]  # retrun (x) is a call
     plain = {name.lower(): name for name in names if not name.startswith("_")}
     close = difflib.get_close_matches(wanted.lower(), plain, n=1, cutoff=0.75) if plain else []

@@ -12,6 +12,10 @@ from .running import source_of
 STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
 # What is said of an answer, and not of the errors of its calls
 SAYS = read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8"))
+# Calls that give a value and change nothing
+_PURE = re.compile(
+    r"math\.\w+|np\.(abs|clip|round|sort|reshape|where|astype|sqrt)|\w+\.(astype|clip|copy|reshape|round)"
+)
 _IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
@@ -108,11 +112,20 @@ def _why_none(tree):
 
 
 def _unused(tree):
-    read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    read.add("memory")  # of a controller, which needs none
+    read = _names(tree) | {"memory"}  # of a controller, which needs none
     unused = [argument.arg for argument in tree.args.args if argument.arg not in read]
     if unused:
         yield f"{tree.name}() does not use what it gets: {', '.join(unused)}."
+    for argument in tree.args.args:
+        uses = (part for part in tree.body if re.search(rf"\b{argument.arg}\b", ast.unparse(part)))
+        first = next(uses, None)
+        targets = map(ast.unparse, first.targets) if isinstance(first, ast.Assign) else ()
+        if argument.arg in targets and argument.arg not in _names(first.value):
+            yield SAYS["argument lost"].format(name=argument.arg, line=ast.unparse(first))
+
+
+def _names(tree):
+    return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
 
 
 def _reaches_end(body):
@@ -157,7 +170,12 @@ def _remarks_on_comparison(node, source):
 
 
 def _without_effect(node, _source):
-    """A statement that only compares; Python allows it."""
+    """A statement that only compares, or whose result is lost; Python allows both."""
+    value = node.value
+    if isinstance(value, ast.Call) and _PURE.fullmatch(ast.unparse(value.func)) and not value.keywords:
+        owner = value.func.value
+        changed = next(iter(value.args), owner) if ast.unparse(owner) in ("np", "math") else owner
+        yield SAYS["result not kept"].format(call=ast.unparse(value), name=ast.unparse(changed))
     if isinstance(node.value, ast.Compare) and isinstance(node.value.ops[0], ast.Eq):
         yield f"{ast.unparse(node)} only compares, and changes nothing. To give a value, write = for ==."
 

@@ -45,6 +45,8 @@ ADVICE = {
     "{a: 1}": "A set or the key of a dictionary cannot hold an array.",
     "{a}": "Curly brackets without a key and a colon make a set",
     "a * kernel": "equal shapes. A kernel needs a window of its own size for each pixel.",
+    "a[0, :] = np.arange(9)": "The right side has the shape (9,), and the part on the left of"
+    " = has the shape (6,). Are rows and columns exchanged",
     "a.sum(axis=0) * np.arange(5)": "after axis=1 one for each row. Are rows and columns",
     "a / a[:, 2]": "array[:, 2:3] keeps it as a column",
     "np.zeros(8).reshape(3, 3)": "8 values are too few for 3 × 3 = 9.",
@@ -184,3 +186,5 @@ def test_a_close_name_comes_before_general_advice_but_not_before_a_missing_impor
     error = error_of("maths.sqrt(2)")
     assert advice_on(*error, closest="mask") == "Did you mean mask? Every letter counts, small or capital."
     assert "import os" in advice_on(*error_of("os.getcwd()"), closest="pos")
+    text = "Write self.mask: what belongs to the object has self. before its name."
+    assert advice_on(*error, closest="self.mask") == text

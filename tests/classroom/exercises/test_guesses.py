@@ -26,6 +26,8 @@ def test_without_a_guess_it_shows_the_result(guess):
         ("36 %", 0.36, "Your guess: 0.36. The result: 0.36. Right!"),
         ("0,36", 0.36, "Your guess: 0.36. The result: 0.36. Right!"),
         ("921,600", 921_600, "Your guess: 921600. The result: 921600. Right!"),
+        ((2, 764, 800), 2_764_800, "Your guess: 2764800. The result: 2764800. Right!"),  # 2,764,800
+        ((2, 3), 36, "Your guess: (2, 3). The result: 36."),
         ("−3", -3, "Your guess: -3. The result: -3. Right!"),
         ((720, 1280), (720, 1280), "Your guess: (720, 1280). The result: (720, 1280). Right!"),
         ([720, 1280], np.array([720, 1280]), "Your guess: (720, 1280). The result: (720, 1280). Right!"),

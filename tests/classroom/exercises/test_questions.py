@@ -66,6 +66,11 @@ def test_a_number_is_right_a_known_slip_too_small_or_too_large(answer, text, cap
     assert capsys.readouterr().out == f"{text}\n"
 
 
+def test_a_number_may_have_commas(capsys):
+    ask("light/where", 691, 200)
+    assert capsys.readouterr().out == "Not yet. Too large. Read section 4 again.\n"
+
+
 @pytest.mark.parametrize("name", ["which", "where"])
 def test_an_answer_that_raises_whatever_is_done_with_it_is_none(name, capsys):
     ask(f"light/{name}", Hostile())

@@ -131,6 +131,14 @@ def test_a_warning_is_kept():
     assert run(warn, 1).warning == "overflow"
 
 
+class Bell:
+    def __init__(self, *_):
+        self.sound = "ding"
+
+    def ring(self):
+        return sound  # noqa: F821
+
+
 @pytest.mark.parametrize(
     ("function", "closest"),
     [
@@ -139,6 +147,7 @@ def test_a_warning_is_kept():
         (lambda image: re.Compile(image), "re.compile"),
         (lambda image: imge + 1, "image"),  # noqa: F821
         (lambda image: SimpleNamespace(height=image).heigth, "height"),
+        (lambda image: Bell(image).ring(), "self.sound"),
         (lambda image: image.nothing_like_this, ""),
         (lambda image: unknown, ""),  # noqa: F821
         (lambda image: image / 0 + {}[3], ""),

@@ -38,6 +38,15 @@ def remarks(source, errors=()):
         ("return a.sum() == a.sum()", "a.sum() == a.sum() compares a value with itself."),
         ("return a > b & ~c", "Python computes b & ~c first, before the comparison."),
         ("a[b] == 1", "a[b] == 1 only compares, and changes nothing."),
+        ("math.remainder(a, 2)", "math.remainder(a, 2) gives a new value, which is not kept, and changes"),
+        (
+            "np.clip(b, 0, 255)",
+            "np.clip(b, 0, 255) gives a new value, which is not kept, and changes nothing.",
+        ),
+        (
+            "a.astype(int)",
+            "a.astype(int) gives a new value, which is not kept, and changes nothing. Write a = ",
+        ),
         ("width, height = a.shape", "a.shape has the rows first. Write height, width = a.shape."),
         ("w, h, n = a.shape", "a.shape has the rows first. Write h, w, n = a.shape."),
         ("cols, rows = a.shape[:2]", "a.shape has the rows first. Write rows, cols = a.shape[:2]."),
@@ -175,3 +184,20 @@ def test_an_argument_that_a_wrong_answer_does_not_use_is_named():
     source = "def f(image, mask):\n    return image > 100\n"
     assert remarks(source, {""}) == ["f() does not use what it gets: mask."]
     assert remarks(source) == []
+
+
+@pytest.mark.parametrize(
+    ("line", "is_lost"),
+    [
+        ("b = 0.1", True),
+        ("b = b + 0.1", False),
+        ("b = a * 2", True),
+        ("c = b\n    b = 0.1", False),
+        ("b[0] = 1", False),
+        ("if b is None:\n        b = 1", False),
+    ],
+)
+def test_an_argument_that_gets_another_value_before_it_is_read_is_named(line, is_lost):
+    start = "b comes as an argument, and " + line.splitlines()[0] + " gives it another value before"
+    found = remarks(f"def f(a, b):\n    {line}\n    return a + b\n", {""})
+    assert [remark.startswith(start) for remark in found] == [True] * is_lost
