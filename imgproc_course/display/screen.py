@@ -70,8 +70,8 @@ class Screen:
         layout = widgets.Layout(object_fit="contain", **common)
         self.image = NamedImage(format="jpeg", layout=layout, tooltip=look.alt or look.caption or alt)
         self._titles = widgets.HTML(layout=widgets.Layout(**common))
-        # It appears with the first text and keeps its height: texts that come and go must not move the page.
-        layout = widgets.Layout(height="62px", overflow="auto", display="none", **common)
+        # It appears with the first text and keeps a height: texts that come and go must not move the page.
+        layout = widgets.Layout(min_height="62px", display="none", **common)
         self._message = widgets.HTML(layout=layout)
         width = look.width or WIDTH
         self._resize(width, round(width * 9 / 16))

@@ -7,7 +7,13 @@ ROS, `ros_available()` is False, and everything that needs a graph raises RosMis
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from imgproc_course.ros.availability import RosMissingError, class_stub, import_problem, run_processor_stub
+from imgproc_course.ros.availability import (
+    RosMissingError,
+    class_stub,
+    import_problem,
+    run_processor_stub,
+    say_what_is_skipped,
+)
 from imgproc_course.ros.numeric_parameter import NumericParameter
 from imgproc_course.ros.profile import DdsProfile, choose_profile
 from imgproc_course.ros_domain import choose_domain
@@ -38,7 +44,9 @@ else:
 
 
 def ros_available() -> bool:
-    """Whether a ROS graph can run here."""
+    """Whether a ROS graph can run here; a notebook without one says once what its cells then do."""
+    if _problem is not None:
+        say_what_is_skipped()
     return _problem is None
 
 

@@ -1,6 +1,7 @@
 """Whether ROS can be used here; and if not, stubs with the public names that say what to install."""
 
 import ctypes
+import functools
 import importlib
 import os
 import sys
@@ -34,6 +35,17 @@ def import_problem():
                 "environment/Dockerfile. On Windows: WSL. Without ROS, use open_recording('drive')"
             )
     return None
+
+
+@functools.cache
+def say_what_is_skipped():
+    """Once, in a notebook: what cells that ask for ROS do without it, and where their results are."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if hasattr(shell, "kernel"):
+        print(
+            "Without ROS 2, the cells that begin with `if ros_available():` do nothing. environment/site"
+            " --serve opens the course's pages with their results, and a still image or film in their place."
+        )
 
 
 def _can_load(library):

@@ -250,3 +250,5 @@ def test_the_lessons_run_without_ros(kernel_without_ros, monkeypatch):
     modules = {path.name: path.read_text(encoding="utf-8") for path in NOTEBOOKS.glob("*.py")}
     execute(new_notebook(cells=cells), Path("without ROS"), kernel_name="without-ros", files=modules)
     assert all(cell.execution_count for cell in cells)
+    printed = "".join(output.get("text", "") for cell in cells for output in cell.outputs)
+    assert printed.count("do nothing. environment/site --serve opens the course's pages") == 1
