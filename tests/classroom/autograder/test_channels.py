@@ -8,6 +8,7 @@ import platform
 
 import pytest
 
+from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 
 pytestmark = [
@@ -219,3 +220,15 @@ def test_calls_that_cost_others_something_are_refused(kernel_factory, name):
     run = kernel.run(REFUSED[name])
     kernel.stop()
     assert (run.ended, run.error, run.printed.split()) == ("", ("", ""), [])
+
+
+@pytest.mark.timeout(60)
+def test_a_fork_server_that_has_lost_its_bubblewrap_ends_with_its_kernels(monkeypatch):
+    """If bubblewrap is killed while it starts, what it starts may live on, in a session of its own."""
+    command = bubblewrap.sandbox_command(confined=False)
+    live_on = 'setsid sh -c \'"$@"; true\' sh "$@" & wait'
+    monkeypatch.setattr(bubblewrap, "sandbox_command", lambda _: ["sh", "-c", live_on, "sh", *command])
+    with KernelFactory(unsafe=True) as factory:
+        kernel = factory.start((), 10)
+        assert kernel.run("print(6 * 7)").printed == "42\n"
+        kernel.stop()

@@ -285,7 +285,8 @@ class ForkServer:
             return ""
         with suppress(ProcessLookupError):
             os.killpg(self._process.pid, 9)
-        _, errors = self._process.communicate()
+        # First: what has lost its bubblewrap ends by this, and until then it holds the pipe of errors.
         self._control.close()
+        _, errors = self._process.communicate()
         self._process = None
         return " ".join(errors.decode(errors="replace").split())[-400:]
