@@ -132,7 +132,7 @@ def test_a_text_that_states_no_result_is_not_folded(pages):
 
 def test_no_link_leads_into_what_is_closed(built):
     html = (built[1] / "lessons/05_grayscale_node.html").read_text("utf-8")
-    before = html[: html.index('id="grayscale-node-11"')]
+    before = html[: html.index('id="grayscale-node-12"')]
     assert before.count("<details") == before.count("</details>")
 
 
