@@ -365,7 +365,9 @@ def _would_be_committed(path):
 )
 @option("--out", type=_FOLDER, default="grades", help="Folder for the grades.")
 @option(
-    "--workers", type=click.IntRange(1), help="Number of submissions graded at once.  [default: one per core]"
+    "--workers",
+    type=click.IntRange(1),
+    help="Number of submissions graded at once.  [default: one for two cores; if robots drive, one per core]",
 )
 @option(
     "--deadline",
@@ -428,11 +430,15 @@ def grade(submissions, keys, out, review, forget_rules, yes, **options):
     could not be graded (they get 0 points and a reason) or a page is incomplete, 1 nothing was graded, 130
     interrupted.
     """
-    from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
+    from imgproc_course.classroom.autograder.worker_threads import open_worker_threads, usual_workers
+    from imgproc_course.classroom.gradebook.answer_keys import load_keys
 
     rules = _rules_of_run(out, options | {"keys": keys}, forget_rules, yes)
     options |= rules.rules
     keys = options.pop("keys")
+    if not options["workers"]:
+        with _in_one_line(ValueError):
+            options["workers"] = usual_workers(drives=load_keys(keys).has_drives)
     with contextlib.ExitStack() as stack:
         if not options["scheduler"]:
             # After a first run, perhaps nothing is left to do.

@@ -14,6 +14,15 @@ from .temporary_folder import remove_abandoned_folders
 _numbers = itertools.count(1)
 
 
+def usual_workers(*, drives):
+    """How many submissions to grade at once; `drives`: some answers drive a robot.
+
+    A worker with its kernels, the next submission and the pages keep two cores busy; a robot keeps one.
+    """
+    cores = os.cpu_count() or 1
+    return cores if drives else (cores + 1) // 2
+
+
 @contextlib.contextmanager
 def open_worker_threads(workers=None, *, early=False, unsafe=False, limits=None):
     """A thread pool whose nbval processes are stopped at the end; `early`: they start now.

@@ -8,6 +8,7 @@ from submissions import notebook, write
 
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
 from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.gradebook.answer_keys import load_keys
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(300)]
@@ -28,6 +29,11 @@ def grades(tmp_path_factory):
         write(folder / "submissions" / name / "10_driven.ipynb", notebook(master, {"driven-control": source}))
     grade_submissions(folder / "submissions", [folder / "key"], folder / "grades", workers=1, quiet=True)
     return folder / "grades"
+
+
+def test_a_key_with_drives_says_so(grades, answer_keys):
+    assert load_keys([grades.parent / "key"]).has_drives
+    assert not answer_keys.has_drives
 
 
 def test_grades_json_has_metrics_in_the_messages_and_no_path(grades):
