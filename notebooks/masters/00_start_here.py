@@ -249,4 +249,4 @@ hint("start-count", step=1)
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.
 #
-# **Only one day?** *The original lesson in one day* is a route of about 6 hours through the cores of nine lessons. Their minutes: [[start_here]] 25, [[arrays]] 40, [[what_is_image_processing]] 35, [[images_as_messages]] 45, [[grayscale]] 35, [[grayscale_node]] 65, [[canny_stages]] 45, [[edge_detection_node]] 35, [[ros2_packages]] 55. The [list of all lessons](index.ipynb) names two other routes.
+# **Only one day?** *The original lesson in one day* is a route of about 6 hours through the cores of nine lessons. Their minutes: [[start_here]] 25, [[arrays]] 35, [[what_is_image_processing]] 30, [[images_as_messages]] 35, [[grayscale]] 35, [[grayscale_node]] 60, [[canny_stages]] 40, [[edge_detection_node]] 25, [[ros2_packages]] 50. The [list of all lessons](index.ipynb) names two other routes.

@@ -15,7 +15,7 @@
 # - recognise two common mistakes in an image (channels in the wrong order; rows cut wrongly) and repair them,
 # - choose the policies of a [[term:subscription]] so that they fit a camera.
 #
-# **Time** [[minutes]], with breaks before sections 6 and 8. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
+# **Time** [[minutes]], with a break before section 6. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
 
 # %%
 import cv2
@@ -752,8 +752,6 @@ def inputs(rng):
 
 # %% [markdown]
 # ## 8 · The header: time and camera ([[minutes]])
-#
-# **This is the second place for a break.**
 #
 # A moving robot must know when an image was taken: `header.stamp` (the *[[term:stamp]]*) is this time. `header.frame_id` names the [[term:coordinate frame]] of the camera. (Here *frame* means a coordinate system, not an image of a stream.) A *[[term:node]]* is a program that takes part in ROS. A node that publishes a processed image copies the header, so that a subscriber knows when the camera took the image.
 

@@ -1,5 +1,7 @@
 """Minutes of sections and lessons, and what of a lesson is deeper."""
 
+import re
+
 import pytest
 
 from imgproc_course.classroom.authoring.masters import read_master
@@ -50,8 +52,8 @@ def sources(master):
 
 def test_minutes_are_those_of_the_rule():
     counts = {"words": 1200, "code lines": 20, "predictions": 2, "exercises": 1, "solution lines": 4}
-    assert minutes_of(counts | {"terminal lines": 3}, "10") == pytest.approx(10 + 5.4 + 0.5 + 4 + 6 + 3)
-    assert minutes_of(counts, "11") == pytest.approx(0.6 * 25.9)
+    assert minutes_of(counts | {"terminal lines": 3}, "10") == pytest.approx(10 + 5.6 + 0.5 + 4 + 6 + 3)
+    assert minutes_of(counts, "11") == pytest.approx(0.62 * 26.1)
 
 
 def test_build_fills_in_the_minutes_of_sections_and_of_the_lesson(write_master):
@@ -96,7 +98,7 @@ def test_what_the_stub_gives_is_not_written_by_the_learner(write_master):
     lines = "\n".join(f"    # {n}\n    x{n} = {n}" for n in range(40))
     longer = read_master(write_master((solution, f"{lines}\n{solution}"))).minutes
     given = read_master(write_master((solution, f"{lines}\n{solution}"), (stub, f"{lines}\n{stub}"))).minutes
-    assert (longer, given) == (40, 5)  # 40 lines of 1.5 minutes, of which a practised learner needs 0.6
+    assert (longer, given) == (40, 5)  # 40 lines of 1.5 minutes, of which a practised learner needs 0.62
 
 
 def test_a_call_that_is_wrapped_in_a_solution_counts_as_one_line(write_master):
@@ -104,3 +106,21 @@ def test_a_call_that_is_wrapped_in_a_solution_counts_as_one_line(write_master):
     wrapped = "    values = [\n" + "        [1, 2],\n" * 40 + "    ]\n"
     masters = [write_master((solution, lines + solution)) for lines in ("    values = [[1, 2]]\n", wrapped)]
     assert [read_master(path).minutes for path in masters] == [5, 5]
+
+
+def test_of_code_to_read_a_wrapped_call_is_one_line_and_imports_are_none(write_master):
+    kinds = {
+        "ten lines": "first = 1\n" * 10,
+        "imports": "import math\n" * 8 + "from math import sin, cos\n",
+        "wrapped": "first = max(\n    1,\n    2,\n)\n" * 2,
+        "one line": "first = 1\n",
+    }
+
+    def minutes_of_ten_cells(kind):
+        section = "\n# %% [markdown]\n# ## 1 · Code ([[minutes]])\n" + f"\n# %%\n{kinds[kind]}" * 10
+        text = sources(read_master(write_master(add=section, name="09_template")))
+        return int(re.search(r"## 1 · Code \((\d+) minute", text)[1])
+
+    minutes = {kind: minutes_of_ten_cells(kind) for kind in kinds}
+    # A line takes 0.28 minutes; of a wrapped call, the line with its parenthesis at the end counts.
+    assert minutes == {"ten lines": 28, "imports": 1, "wrapped": 6, "one line": 3}
