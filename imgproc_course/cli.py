@@ -438,7 +438,7 @@ def grade(submissions, keys, out, review, forget_rules, yes, **options):
     keys = options.pop("keys")
     if not options["workers"]:
         with _in_one_line(ValueError):
-            options["workers"] = usual_workers(drives=load_keys(keys).has_drives)
+            options["workers"] = usual_workers(load_keys(keys).lessons.values())
     with contextlib.ExitStack() as stack:
         if not options["scheduler"]:
             # After a first run, perhaps nothing is left to do.

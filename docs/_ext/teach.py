@@ -45,7 +45,7 @@ def write_instructor_pages(folder, masters):
 
 
 def fill_in(text, masters, html_folder=None):
-    """A page with links for `[[arrays]]`, and the hours of lessons for `[[core: arrays, grayscale]]`.
+    """A page with links for [[arrays]], not in code, and the hours of lessons for [[core: arrays, grayscale]].
 
     html_folder: the links are elements <a> to pages of this folder, for captions in HTML.
     """
@@ -63,7 +63,7 @@ def fill_in(text, masters, html_folder=None):
         return f"{minutes / 60:.1f} hours"
 
     text = re.sub(r"\[\[(core|whole): ([^]]+)\]\]", hours, text)
-    return re.sub(r"\[\[(\w+)\]\]", link, text)
+    return re.sub(r"(?<!`)\[\[(\w+)\]\](?!`)", link, text)
 
 
 def read_masters():

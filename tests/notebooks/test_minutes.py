@@ -10,8 +10,10 @@ from imgproc_course.classroom.authoring.minutes import MINUTES, minutes_of
 
 ROOT = Path(__file__).parents[2]
 MASTERS = ROOT / "notebooks" / "masters"
-# Walks through the cores of a route: the counts of the texts as they were walked, in the order of MINUTES,
-# and the minutes; the median of some walks. One walk gave the first five lessons together, another the route.
+# Walks through the cores of the route *the original lesson*, as a second-year student without NumPy, ROS or
+# image processing: the counts of the texts as they were walked, in the order of MINUTES, and the minutes. Of
+# 09 it is the median of 26, 43 and 24. One walk gave the first five lessons together (each 23 to 38), another
+# the whole route.
 CORES = {
     "00 to 04": (6100, 296, 23, 3, 5, 0, 173),
     "00 to 10": (13156, 578, 48, 4, 18, 12, 331),

@@ -8,12 +8,8 @@ A section begins at a heading with `[[minutes]]`; build writes its minutes there
 A deeper section ends at the next heading of its level or of a higher one. The rest is the core of the lesson:
 it runs, and can be understood, without the deeper sections.
 
-The rule was fitted to walks through the cores of the route *the original lesson*, as a second-year student
-without NumPy, ROS or image processing: 00 to 04 took 173 minutes (each 23 to 38), 05 took 60 and 45, 08 took
-42 and 50, 09 took 26, 43 and 24, 10 took 53 and 55, 03 took 33. The median of walks counts; the rule agrees
-within 15 %. A last walk through all nine took 331 minutes. It agrees so with walks through all of 04, 05 and
-15. The weights of exercises, and the factor for practice from lesson 11 on, come from estimates for the other
-lessons, scaled by 0.82; these agree within 15 %, too.
+The rule was fitted to walks through cores, and to estimates for whole lessons, scaled by 0.82; it agrees with
+each of them within 15 %. tests/notebooks/test_minutes.py has them all.
 """
 
 import re

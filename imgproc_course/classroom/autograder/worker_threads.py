@@ -14,13 +14,13 @@ from .temporary_folder import remove_abandoned_folders
 _numbers = itertools.count(1)
 
 
-def usual_workers(*, drives):
-    """How many submissions to grade at once; `drives`: some answers drive a robot.
+def usual_workers(lessons):
+    """How many submissions to grade at once; `lessons` are the KeyLessons.
 
     A worker with its kernels, the next submission and the pages keep two cores busy; a robot keeps one.
     """
-    cores = os.cpu_count() or 1
-    return cores if drives else (cores + 1) // 2
+    cores, drives = os.cpu_count() or 1, (each.drives for lesson in lessons for each in lesson.exercises)
+    return cores if any(drives) else (cores + 1) // 2
 
 
 @contextlib.contextmanager

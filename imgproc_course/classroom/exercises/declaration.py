@@ -1,6 +1,6 @@
 """What an exercise is: its declaration, read from the master that teaches it.
 
-`imgproc_course.classroom.authoring.masters` describes the format of masters.
+docs/teach/masters.md describes the format of masters.
 """
 
 import ast

@@ -23,12 +23,6 @@ class AnswerKeys:
         self._cells = {key.digest: _read(key.path, HANDED_OUT) for key in self.keys}
         self._solutions = {key.digest: _read(key.path, SOLUTIONS) for key in self.keys}
 
-    @property
-    def has_drives(self):
-        """Whether a robot drives in one of the lessons."""
-        exercises = [exercise for lesson in self.lessons.values() for exercise in lesson.exercises]
-        return any(exercise.drives for exercise in exercises)
-
     def key_for(self, lesson, version):
         """The key made from this version of a lesson, or the lesson's default key."""
         candidates = [key for key in self.keys if lesson in key.lessons]

@@ -17,7 +17,6 @@ from imgproc_course.classroom.autograder import worker_threads
 from imgproc_course.classroom.autograder.answer_key import load_key
 from imgproc_course.classroom.exercises.declaration import MasterError
 from imgproc_course.classroom.gradebook import grade, result_store
-from imgproc_course.classroom.gradebook.answer_keys import AnswerKeys
 from imgproc_course.classroom.gradebook.deadlines import local_time_of
 from imgproc_course.cli import main
 
@@ -38,9 +37,7 @@ def run(tmp_path, monkeypatch):
 # ---------------------------------------------------------------- workers
 
 
-def test_without_workers_there_is_one_for_two_cores_and_one_per_core_if_robots_drive(
-    run, tmp_path, key_path, monkeypatch
-):
+def test_without_workers_there_is_one_for_two_cores(run, tmp_path, key_path, monkeypatch):
     write(tmp_path / "in" / "ada.ipynb", notebook(read_master(MASTERS / "21_sound.py"), {}))
     asked, grade_submissions = [], grade.grade_submissions
 
@@ -52,10 +49,8 @@ def test_without_workers_there_is_one_for_two_cores_and_one_per_core_if_robots_d
     monkeypatch.setattr(worker_threads, "open_worker_threads", lambda **_: contextlib.nullcontext())
     monkeypatch.setattr(os, "cpu_count", lambda: 5)
     assert run("grade", "in", "--key", key_path).exit_code == 0
-    monkeypatch.setattr(AnswerKeys, "has_drives", True)
-    assert run("grade", "in", "--key", key_path).exit_code == 0
     assert run("grade", "in", "--key", key_path, "--workers", 2).exit_code == 0
-    assert asked == [3, 5, 2]
+    assert asked == [3, 2]
 
 
 # ---------------------------------------------------------------- key

@@ -1,6 +1,7 @@
 """What the pages and grades.json show of drives."""
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,7 @@ from submissions import notebook, write
 
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
 from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.worker_threads import usual_workers
 from imgproc_course.classroom.gradebook.answer_keys import load_keys
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 
@@ -31,9 +33,10 @@ def grades(tmp_path_factory):
     return folder / "grades"
 
 
-def test_a_key_with_drives_says_so(grades, answer_keys):
-    assert load_keys([grades.parent / "key"]).has_drives
-    assert not answer_keys.has_drives
+def test_where_robots_drive_each_core_has_a_worker(grades, answer_keys, monkeypatch):
+    monkeypatch.setattr(os, "cpu_count", lambda: 5)
+    assert usual_workers(load_keys([grades.parent / "key"]).lessons.values()) == 5
+    assert usual_workers(answer_keys.lessons.values()) == 3
 
 
 def test_grades_json_has_metrics_in_the_messages_and_no_path(grades):
