@@ -17,6 +17,7 @@ except ImportError:  # no wheel of panda3d for this platform
     p3d = None
 
 NEAR, FAR = 0.06, 14.0  # metres
+NEAREST = 0.01  # where images begin beside what the body touches: it can be closer than NEAR
 LARGE_TEXEL = 2.0  # pixels
 CHUNK = 1.6  # metres; what lies outside of the image is left out chunk by chunk
 SKY = {"day": (0.97, 0.985, 1.0), "evening": (0.05, 0.07, 0.11)}
@@ -298,8 +299,12 @@ class Renderer:
         blinders.hide()
         return View(output, texture, path, blinders, pinhole)
 
-    def render(self, view, pose):
-        """What an optical frame of this pose sees, lowest row first: (H, W, 4) uint8 BGRA, read-only."""
+    def render(self, view, pose, near=NEAR):
+        """What an optical frame of this pose sees, lowest row first: (H, W, 4) uint8 BGRA, read-only.
+
+        `near`: how many metres before the camera it begins.
+        """
+        view.camera.node().get_lens().set_near(near)
         right, down, forward = pose.rotation.T
         view.camera.set_mat(p3d.LMatrix4f(*right, 0, *forward, 0, *(-down), 0, *pose.position, 1))
         view.blinders.show()
@@ -412,11 +417,11 @@ class ColorRenderer(Renderer):
                 shadow.set_mat(as_matrix(pose))
                 shadow.set_z(z + 0.003)
 
-    def render(self, view, pose):
+    def render(self, view, pose, near=NEAR):
         self._update_sheen(pose.position)
         for chunk in self._chunks:
             chunk.choose_filter(pose.position, view.pinhole.fx)
-        return super().render(view, pose)
+        return super().render(view, pose, near)
 
     def _update_sheen(self, position):
         self._sheen_rows[:, 16:20] = self._sheen.colors(position)

@@ -13,6 +13,7 @@ from ..geometry.poses import product, rotation_about
 from .drive import Drive, Odometry, WheelOdometry, clearance, gap, nearest_on_body
 from .laser import LaserScan
 from .movers import Movers
+from .renderer import NEAR, NEAREST
 from .room import MOVERS, Room, recorded_room
 from .scene import Scene
 from .sensor import Sensor
@@ -196,7 +197,7 @@ class Simulation:
         """The front camera's image, (height, width, 3) uint8 BGR."""
         renderer, view, columns, rows = self._scene.color_view(self._model, self._lighting)
         renderer.place(self._joint_poses())
-        drawn = renderer.render(view, self._camera_pose("front"))
+        drawn = renderer.render(view, self._camera_pose("front"), self._near("front"))
         drawn = cv2.remap(drawn, columns, rows, cv2.INTER_LINEAR)
         image = np.asarray(cv2.cvtColor(drawn, cv2.COLOR_BGRA2BGR), np.uint8)
         if self._sensor is None:
@@ -241,7 +242,7 @@ class Simulation:
         if self._drawn.get(camera, [None])[0] != key:
             renderer = self._scene.number_renderer
             renderer.place(self._joint_poses())
-            self._drawn[camera] = key, rays.numbers(renderer.render(view, pose))
+            self._drawn[camera] = key, rays.numbers(renderer.render(view, pose, self._near(camera)))
         return self._drawn[camera][1], rays
 
     def scan(self) -> LaserScan:
@@ -317,6 +318,14 @@ class Simulation:
         if self._joints[0] != self._steps:
             self._joints = self._steps, self._movers.joint_poses(self._room.model.joint_tree)
         return self._joints[1]
+
+    def _near(self, camera):
+        """How many metres before a camera of the robot its images begin."""
+        if self._look is not None:
+            return NEAR
+        x, y, _ = self._camera_pose(camera).position
+        gaps = self._room.free_space.distance(x, y) - 0.04, *self._movers.gaps(self._drive.place).values()
+        return NEAREST if min(gaps) < NEAR else NEAR
 
     def _robot_pose(self):
         return Pose.planar(*self._drive.place)

@@ -20,6 +20,18 @@ def place(room):
     return x, y, 2 * math.atan2(qz, qw)
 
 
+@pytest.mark.parametrize("room", [None, furnished(3)], ids=["recorded", "furnished"])
+def test_whoever_touches_something_still_sees_it(room):
+    with Simulation(1, room=room, start=(0, 0, math.pi) if room is None else None, movers=False) as drive:
+        while not drive.bumped:
+            drive.step(0.3, 0)
+        depth, frame, labels = drive.depth(), drive.frame(), drive.labels()
+        seen = drive.label_names[int(labels[180, 320])]
+    assert 10 < depth.min() < 60
+    assert frame.mean() > 50 and labels.min() > 0
+    assert room is not None or (seen == "wall" and depth.min() == depth.max() == 24)
+
+
 def test_speeds_stay_within_the_limits_and_grow_step_by_step():
     with Simulation(start=FREE) as room:
         speeds = []
