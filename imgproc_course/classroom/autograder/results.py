@@ -38,7 +38,7 @@ _OUTCOMES_OF_ERRORS = {
     "NotGradedError": Outcome.NOT_GRADED,
     "NodeError": Outcome.RAISED,
 }
-_EXCEPTIONS = frozenset(name for name, kind in vars(builtins).items() if isinstance(kind, type))
+_EXCEPTIONS = {CELL_FAILS} | {name for name, kind in vars(builtins).items() if isinstance(kind, type)}
 
 
 @dataclass(frozen=True)

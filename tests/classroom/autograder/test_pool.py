@@ -141,6 +141,11 @@ def test_a_hidden_check_that_fails_keeps_its_call_for_the_teacher(results):
     assert wrong and all(case.failed_call.expected != case.failed_call.actual for case in wrong)
 
 
+def test_a_hidden_check_says_that_the_cell_does_not_run_or_which_exception_was_raised(results):
+    messages = {name: doubles(results[name]).cases[1].message for name in ("a syntax error", "raises")}
+    assert messages == {"a syntax error": "its cell does not run", "raises": "AttributeError"}
+
+
 def test_every_outcome_has_its_texts():
     assert set(TEXTS) == set(Outcome)
     assert all(texts.label for texts in TEXTS.values())
