@@ -179,5 +179,7 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
     lines += table_lines
     width = shutil.get_terminal_size().columns * 3
     places = f"Points: {out}/grades.csv   Your page: {out}/summary.html   Pages to give back: {out}/learners/"
+    if (out / "changes.html").exists():
+        places += f"   What changed last: {out}/changes.html"
     lines = [*(line[:width] for line in lines), places]
     return GradingSummary("\n".join(lines), not_graded, len(failed_pages))

@@ -302,10 +302,11 @@ def test_the_changes_since_the_run_before(light, submissions, key_path, tmp_path
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
     write(submissions / "bob.ipynb", notebook(light, answers_of(light, "right")))
     out = tmp_path / "out"
-    grade_submissions(submissions, [key_path], out, **options)
-    assert not (out / "changes.html").exists()
+    first = grade_submissions(submissions, [key_path], out, **options)
+    assert not (out / "changes.html").exists() and "changes.html" not in first.text
     (out / "decisions.csv").write_text("learner,lesson,points\nbob,light,2\n")
-    grade_submissions(submissions, [key_path], out, **options)
+    second = grade_submissions(submissions, [key_path], out, **options)
+    assert second.text.endswith(f"   What changed last: {out}/changes.html")
     text = (out / "changes.html").read_text()
     row = re.sub(r"<.*?>", " ", text.partition("<tbody>")[2].partition("</tbody>")[0]).split()
     assert row == ["bob", "light", "6", "of", "6", "2", "of", "6,", "decided", "by", "hand"]
