@@ -1,7 +1,7 @@
 """The expected results of a declared exercise: its solution and its known mistakes are run on its cases."""
 
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, wraps
 
 from . import feedback
 from .check_data import ExpectedCall
@@ -29,6 +29,12 @@ class MistakeResults(dict):
         return _drive_mistake(self._exercise, self._mistake, self._cases, self._seed)
 
 
+def _cached(function):
+    """Caches what does not depend on the Exercise's other mistakes."""
+    cached = lru_cache(maxsize=1024)(function)
+    return wraps(function)(lambda exercise, *arguments: cached(replace(exercise, mistakes=()), *arguments))
+
+
 # Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
 @lru_cache(maxsize=256)
 def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
@@ -45,7 +51,7 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
     return replace(exercise, cases=tuple(solved), mistakes=tuple(mistakes))
 
 
-@lru_cache(maxsize=256)
+@_cached
 def _solve(exercise, case, seed):
     if exercise.subject == "drive":  # thresholds judge it
         return tuple(ExpectedCall(arguments, CallResult()) for arguments in exercise.arguments(case, seed))
@@ -60,13 +66,13 @@ def _solve(exercise, case, seed):
     return tuple(calls)
 
 
-@lru_cache(maxsize=256)
+@_cached
 def _drive_mistake(exercise, mistake, cases, seed):
     scenarios = [_solve(exercise, case, seed)[0].arguments[0] for case in cases]
     return drive_scenarios(exercise, scenarios, lambda: exercise.function_of_mistake(mistake))
 
 
-@lru_cache(maxsize=1024)
+@_cached
 def _results_of_mistake(exercise, mistake, case, seed):
     wrong_function = exercise.function_of_mistake(mistake)
     calls = _solve(exercise, case, seed)
