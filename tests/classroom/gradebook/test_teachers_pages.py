@@ -13,7 +13,7 @@ from submissions import answers_of, cell_of, notebook, write
 
 from imgproc_course.classroom.gradebook.changes import changes_between
 from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.summary import _concerns
+from imgproc_course.classroom.gradebook.summary import _concerns, summary_page
 
 pytestmark = pytest.mark.sandbox
 MOODLE = "Ada_B Lovelace_12345_assignsubmission_file_"
@@ -62,6 +62,17 @@ def test_who_may_have_lost_points_comes_first_and_the_dishonest_last(graded):
     assert "could not be graded: " in row and "<bdi>Zoe, =1+1</bdi>" in row
     (row,) = rows_of(graded[1], "Perhaps dishonest")
     assert "light-double: ended the Python process" in row and "<bdi>eve</bdi>" in row
+
+
+def test_more_than_ten_findings_that_may_be_dishonest_are_folded(graded):
+    grades = json.loads((graded[1] / "grades.json").read_text(encoding="utf-8"))
+    (eve,) = (learner for learner in grades["learners"] if learner["name"] == "eve")
+    for count, opening in (
+        (10, "<details open><summary>10 findings<"),
+        (11, "<details><summary>11 findings<"),
+    ):
+        grades["learners"] = [eve] * count
+        assert opening in summary_page(grades).partition("Perhaps dishonest")[2]
 
 
 def test_the_top_names_whose_zip_has_names_of_others(light, submissions, key_path, tmp_path):
