@@ -45,7 +45,7 @@ def write_instructor_pages(folder, masters):
 
 
 def fill_in(text, masters, html_folder=None):
-    """A page with links for [[arrays]], not in code, and the hours of lessons for [[core: arrays, grayscale]].
+    """A page with links for [[arrays]], not in code, and the hours of [[core: arrays, grayscale]].
 
     html_folder: the links are elements <a> to pages of this folder, for captions in HTML.
     """
