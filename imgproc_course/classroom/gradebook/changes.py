@@ -111,7 +111,7 @@ def _file(entry):
 
 
 def _checks(entry):
-    cases = [f"{one['title']}: {one['outcome']} {one['message']}" for one in entry.get("cases", ())]
+    cases = [f"{case['title']}: {case['outcome']} {case['message']}" for case in entry.get("cases", ())]
     return "; ".join(filter(None, [entry.get("mistake", ""), *map(str.strip, cases)]))
 
 

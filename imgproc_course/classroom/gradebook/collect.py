@@ -366,8 +366,8 @@ class _Intake:
         # No folder above the zip names a learner: then a platform may have made the zip.
         at_top = sender.place == parts[:-1] and sender.certainty is not Certainty.IN_UNKNOWN_FOLDER
         if at_top and not sender.platform and names:
-            found = [platform_sender(name[0]) for name in names]
-            if all(one is not None and not one.doubt for one in found):
+            senders = [platform_sender(name[0]) for name in names]
+            if all(sender is not None and not sender.doubt for sender in senders):
                 in_zip = {"place": parts, "certainty": Certainty.IN_ZIP}
                 return {name: replace(sender_of(name, self._lessons), **in_zip) for name in names}
             self._report_names(parts, names, sender)

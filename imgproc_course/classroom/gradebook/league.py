@@ -64,7 +64,7 @@ class Controller:
 
     @property
     def scores(self):
-        return [one.values.get("score", 0) for one in self.explorations]
+        return [drive.values.get("score", 0) for drive in self.explorations]
 
     @cached_property
     def score(self):
@@ -74,26 +74,26 @@ class Controller:
     @cached_property
     def coverage(self):
         """The mean share of a room that it came to."""
-        return statistics.fmean(one.values.get("coverage", 0.0) for one in self.explorations)
+        return statistics.fmean(drive.values.get("coverage", 0.0) for drive in self.explorations)
 
     @cached_property
     def sums(self):
         """{"markers", "word", "bumps": of all rooms together}."""
-        return {name: sum(one.values.get(name, 0) for one in self.explorations) for name in _SUMS}
+        return {name: sum(drive.values.get(name, 0) for drive in self.explorations) for name in _SUMS}
 
     @cached_property
     def notes(self):
         """Sentences about what went wrong, without a text of the learner's."""
-        outcomes = [one.outcome for one in self.explorations if not one.values]
+        outcomes = [drive.outcome for drive in self.explorations if not drive.values]
         ends = [(outcomes.count(outcome), TEXTS[outcome].label) for outcome in Outcome if outcome in outcomes]
         notes = [f"{count_of(count, 'room')} without points: {label}" for count, label in ends]
-        silent = sum(bool(one.values) and not one.told for one in self.explorations)
+        silent = sum(bool(drive.values) and not drive.told for drive in self.explorations)
         return notes + ([f'nothing in memory["found"] in {count_of(silent, "room")}'] if silent else [])
 
     @property
     def messages(self):
         """What went wrong in each room, with texts of the learner's."""
-        return list(dict.fromkeys(one.message for one in self.explorations if one.message))
+        return list(dict.fromkeys(drive.message for drive in self.explorations if drive.message))
 
 
 def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, **options):
@@ -178,14 +178,14 @@ def _reason_not_to_drive(source):
 
 def name_all(controllers, seed, *, with_names=False):
     """Give each learner the name that the page shows: an alias that only the seed's owner can compute."""
-    taken = {controller.alias for controller in controllers}
+    aliases = {controller.alias for controller in controllers}
     for controller in controllers:
         if controller.alias:  # the baseline
             continue
         alias = controller.name if with_names else _alias(controller.name, seed)
         names = itertools.chain([alias], (f"{alias} {number}" for number in itertools.count(2)))
-        controller.alias = next(name for name in names if name not in taken)
-        taken.add(controller.alias)
+        controller.alias = next(name for name in names if name not in aliases)
+        aliases.add(controller.alias)
 
 
 def _alias(name, seed):
@@ -247,7 +247,7 @@ def _draw_all(executor, controllers, scenarios):
     """Draw the best and the worst room of each controller, of those in which its robot drove."""
     futures = []
     for controller in controllers:
-        numbers = [number for number, one in enumerate(controller.explorations) if one.record]
+        numbers = [number for number, drive in enumerate(controller.explorations) if drive.record]
         numbers.sort(key=controller.scores.__getitem__, reverse=True)
         ends = dict.fromkeys(numbers[:1] + numbers[-1:])  # of one room, the best is the worst
         for place, number in zip(("best", "worst"), ends, strict=False):
@@ -263,11 +263,11 @@ def _draw_all(executor, controllers, scenarios):
 
 def league_csv(ranked, excluded):
     """The table for the teacher: names beside aliases, and what went wrong."""
-    rows = [_row(one) for one in ranked]
-    rows += [["", one.alias, one.name, *[""] * (len(_COLUMNS) - 4), one.reason] for one in excluded]
+    rows = [_row(entry) for entry in ranked]
+    rows += [["", entry.alias, entry.name, *[""] * (len(_COLUMNS) - 4), entry.reason] for entry in excluded]
     return csv_text([_COLUMNS, *(map(spreadsheet_text, row) for row in rows)])
 
 
-def _row(one):
-    figures = [one.score, round(one.coverage, 3), *one.sums.values(), " ".join(map(str, one.scores))]
-    return [one.rank, one.alias, one.name, *figures, "; ".join([*one.notes, *one.messages])]
+def _row(entry):
+    figures = [entry.score, round(entry.coverage, 3), *entry.sums.values(), " ".join(map(str, entry.scores))]
+    return [entry.rank, entry.alias, entry.name, *figures, "; ".join([*entry.notes, *entry.messages])]

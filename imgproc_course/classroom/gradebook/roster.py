@@ -114,18 +114,18 @@ def _people(roster, learners):
     A folder that a class list numbered, 01_ada, is Ada's if nothing else arrived under her name.
     """
     people = {entry: [one for one in learners if any(map(entry.is_sender, one.files))] for entry in roster}
-    known = _names_of(people)
-    numbers = [(one, _CLASS_LIST_NUMBER.match(one.name)) for one in learners if one.name not in known]
+    names = _names_of(people)
+    numbers = [(one, _CLASS_LIST_NUMBER.match(one.name)) for one in learners if one.name not in names]
     numbered = [(one, one.name[number.end() :]) for one, number in numbers if number]
-    for entry, found in people.items():
+    for entry, senders in people.items():
         others = [learner for learner, name in numbered if entry.has_name(name)]
-        if not found and len(others) == 1:
-            found += others
+        if not senders and len(others) == 1:
+            senders += others
     return people
 
 
 def _names_of(people):
-    return {learner.name for found in people.values() for learner in found}
+    return {learner.name for senders in people.values() for learner in senders}
 
 
 def _certainty(entry, learner):
@@ -140,10 +140,10 @@ def names_in_roster(roster, learners):
     {name: the learner's name, or None if this person submitted nothing}
     """
     names, count = {}, Counter(name for entry in roster for name in {entry.name, *entry.names})
-    for entry, found in _people(roster, learners).items():
+    for entry, senders in _people(roster, learners).items():
         # Of two with nearly one name, the platform's number decides, then the exact name.
-        found = sorted(found, key=partial(_certainty, entry))
-        sender = found[-1].name if found else None
+        senders = sorted(senders, key=partial(_certainty, entry))
+        sender = senders[-1].name if senders else None
         names |= {name: sender for name in (entry.name, *entry.names) if count[name] == 1}
     return names
 

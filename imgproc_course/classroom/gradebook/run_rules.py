@@ -66,7 +66,7 @@ def _read(path):
 
 def _value(name, value):
     if name in _PATHS:
-        return [Path(one) for one in value] if name == "keys" else Path(value)
+        return [Path(path) for path in value] if name == "keys" else Path(value)
     return value
 
 
@@ -87,5 +87,5 @@ def _usable(name, value):
 
 def _text(name, value):
     values = value if name == "keys" else [value]
-    shown = ", ".join(one.isoformat() if name == "deadline" else str(one) for one in values)
+    shown = ", ".join(value.isoformat() if name == "deadline" else str(value) for value in values)
     return f"{_TITLES[name]} {shown}"

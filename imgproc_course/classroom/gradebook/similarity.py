@@ -97,7 +97,7 @@ def _groups(lesson, documents, known):
     telling = {fingerprint for fingerprint, count in counts.items() if count <= MOST_COMMON} - known
     for document in documents:
         document.learners.sort(key=str.casefold)
-        document.prints = {one: place for one, place in document.prints.items() if one in telling}
+        document.prints = {digest: place for digest, place in document.prints.items() if digest in telling}
     documents = [document for document in documents if len(document.prints) >= FEWEST_PRINTS]
     shares = np.diag([float(len(document.learners) > 1) for document in documents])
     for (i, first), (j, second) in combinations(enumerate(documents), 2):

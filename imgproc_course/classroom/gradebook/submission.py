@@ -320,7 +320,7 @@ def _kind(cell):
 
 def _compose_answers(answers, all_cells, reader, content):
     """Replace each answer by the source that is graded: with what it reads from other cells."""
-    answered = [one for one in answers if content.states[one.id] is AnswerState.ANSWERED]
+    answered = [exercise for exercise in answers if content.states[exercise.id] is AnswerState.ANSWERED]
     if not answered:
         return
     composed = reader.compose(requests_to_compose({one: answers[one].cell for one in answered}))
