@@ -16,7 +16,7 @@
 # - compute the time to collision from one camera, without depth,
 # - write a node that brakes in time, and measure how good it is.
 #
-# **Time** [[minutes]], with a pause after section 4. **You need** [[drive_the_robot]] and [[arrays]]. Only the last section needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[drive_the_robot]] and [[arrays]]. Only the end of section 8 and the last part of section 9 need ROS 2.
 
 # %% role="given" exercise=["obstacles-ray", "obstacles-plane", "obstacles-inliers", "obstacles-nearest", "obstacles-ttc", "obstacles-drive"]
 import math
@@ -528,15 +528,15 @@ def inputs(rng):
 
 # %%
 height = points @ normal + offset  # (360, 640), metres
-obstacle = height > 0.03
+is_obstacle = height > 0.03
 true_obstacle = (labels != 1) & (labels != 14)  # neither floor nor rug
-both = (obstacle & true_obstacle).sum()
-iou = both / (obstacle | true_obstacle).sum()
+both = (is_obstacle & true_obstacle).sum()
+iou = both / (is_obstacle | true_obstacle).sum()
 print("IoU with the ground truth:", round(iou, 2))
 show(height.round(2), limits=(0, 0.5), cmap="viridis", text="obstacles_ahead/height")
 
 # %%
-show([obstacle, true_obstacle], ["computed", "ground truth"],
+show([is_obstacle, true_obstacle], ["computed", "ground truth"],
      text="obstacles_ahead/obstacles")
 
 # %%
@@ -984,7 +984,7 @@ assert not ros_available() or 0 < node.distance < 0.6
 #
 # The laser scanner looks over low things. The depth camera sees them, but only ahead, and not when they are nearer than 0.38 m. So the robot must remember them, or it turns back to the goal too early.
 #
-# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds: linear in m/s and angular in rad/s, to the left. The robot drives at most 0.3 m/s and turns at most 1.57 rad/s; more is reduced to that. One call may take 0.5 s, and 0.05 s on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
+# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds: linear in m/s and angular in rad/s, to the left. The robot drives at most 0.3 m/s and turns at most 1.57 rad/s; more is reduced to that. One call may take 0.5 s, and 0.05 s of processor time on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. `memory.setdefault("count", 0)` gives a value, and stores 0 if there is none yet. The *observation* is a dict, too:
 #
 # | key | value |
 # |---|---|
@@ -1054,7 +1054,7 @@ assert free_way(np.array([[0.24, 0.1]]), 0.0) == 0 and 2 * 0.32 == 0.64
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `observation`: the dict of the table above; `memory`: a dict that is yours | two numbers: the linear speed in m/s (at most 0.3) and the angular speed in rad/s (positive: to the left) | `control({"depth": ..., "scan": ..., "odometry": ..., "time": 0.0}, {})` |
+# | `observation`: the dict of the table above; `memory`: a dict that is yours | two numbers: the linear speed in m/s (at most 0.3) and the angular speed in rad/s (positive: to the left) | `control({**first_look, "odometry": np.zeros(3), "time": 0.0}, {})` |
 
 # %% role="exercise"
 exercise(
@@ -1210,12 +1210,13 @@ from imgproc_course.simulation.room_map import draw_map
 
 if try_room is not None:
     env = RoomEnv(("depth", "scan", "odometry"))
-    observation, info = env.reset(seed=1, options={"room": try_room, "start": (3.6, 0.6, -2.6), "duration": 40.0})
+    place = {"room": try_room, "start": (3.6, 0.6, -2.6), "goal": (1.71, -0.53, 0.6)}
+    observation, info = env.reset(seed=1, options=place | {"duration": 40.0})
     memory, over = {}, False
     while not over:
         speeds = control(controller_observation(observation), memory)
         observation, _, _, over, info = env.step(speeds)
-    print(info)
+    print({name: info[name] for name in ("bumps", "clearance", "goal_time", "places")})
     bumps = [(look, x, y) for look, (x, y, _) in env.bump_places]
     show(draw_map(env.path, bumps, room=env.room), text="obstacles_ahead/try")
 

@@ -486,6 +486,6 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, -angular
 
-# %% role="mistake" name="it turns without an end" says="Your robot turns on the spot, whatever it sees. Use the column of the ball."
+# %% role="mistake" name="it turns without an end" says="Your robot only turns, and never drives. Use the column of the ball."
 def control(observation, memory):
     return 0.03, 0.6

@@ -741,7 +741,7 @@ def control(observation, memory):
         memory["yaw"] = memory["seen"]  # it looks at the sign itself
     return speeds
 
-# %% role="mistake" name="it turns without an end" says="Your robot turns on the spot, whatever it sees. Drive to the sign when find_sign sees it."
+# %% role="mistake" name="it turns without an end" says="Your robot only turns, and never drives. Drive to the sign when find_sign sees it."
 def control(observation, memory):
     return 0.03, 0.6
 

@@ -1035,7 +1035,7 @@ with tempfile.TemporaryDirectory() as folder:
 #
 # At the start, the sign is 2.7 to 3.4 m away, and not in the image: the robot looks to another side. The straight way to the sign is free until 1.2 m before it.
 #
-# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds: linear in m/s (at most 0.3) and angular in rad/s, to the left (at most 1.57). One call may take 0.5 s, and 0.05 s on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
+# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds: linear in m/s (at most 0.3) and angular in rad/s, to the left (at most 1.57). One call may take 0.5 s, and 0.05 s of processor time on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. `memory.setdefault("count", 0)` gives a value, and stores 0 if there is none yet. The *observation* is a dict, too:
 #
 # | key | value |
 # |---|---|
@@ -1157,11 +1157,11 @@ assert sign_frames[1.8].shape == (180, 320, 3) and (MAX_LINEAR, MAX_ANGULAR) == 
 # %% [markdown]
 # ### Your turn: do the errand
 #
-# Write `control(observation, memory)`. Each drive takes 35 s in the check and 40 s in grading. It is judged by four metrics:
+# Write `control(observation, memory)`. Each drive takes 35 s in the check and 40 s in grading, where it has more time. It is judged by four metrics:
 #
 # - The **bumps**: none.
 # - The **reach**: at some time, the robot is at least 0.5 m away from its start. (It cannot read the sign from there.)
-# - The **distance from the start at the end**: at most 0.4 m.
+# - The distance **from the start, at the end**: at most 0.4 m.
 # - The **error of the answer**: at the end, the robot looks at most 15° beside the direction of the word.
 #
 # A drive gives all its points or none. The yaw of the odometry drifts on the way, sometimes by more than that. So do not trust the direction in which the sign was before: look at it again. `math`, `np`, `ANSWERS` and `find_sign` are there for you. The stub drives straight ahead. Check it first, and look at what happens: on the map, a green circle is around the sign. Then add one task after the other, as in the class `Errand`: a task is a word in `memory`. The check drives in three rooms, and takes about ten seconds.

@@ -33,11 +33,12 @@ _EXPECTED = "expected two numbers, (linear, angular)"
 
 @dataclass(frozen=True)
 class _Metric:
-    """How texts name a metric, its format, and a sentence about its value."""
+    """How texts name a metric, its format, a sentence about its value, and a question if it is missed."""
 
     title: str
     format: str
     sentence: str
+    question: str = ""
 
 
 METRICS = {
@@ -45,17 +46,31 @@ METRICS = {
     "clearance": _Metric("clearance", "{:.2f} m", "The robot came as near as {} to what stands still"),
     "distance": _Metric("distance driven", "{:.2f} m", "The robot drove {}"),
     "reach": _Metric("reach", "{:.2f} m", "The robot got {} away from its start"),
-    "places": _Metric("places", "{:.0f}", "The robot came to {} places (cells of 0.5 m)"),
+    "places": _Metric("places", "{:.0f}", "The places that the robot came to (cells of 0.5 m): {}"),
     "time": _Metric("time", "{:.1f} s", "The robot drove for {}"),
-    "goal_time": _Metric("time to the goal", "{:.1f} s", "The robot reached the goal after {}"),
+    "goal_time": _Metric(
+        "time to the goal",
+        "{:.1f} s",
+        "The robot reached the goal after {}",
+        "Does it steer to the goal, also after a way round something?",
+    ),
     "home": _Metric(
-        "distance from the start at the end", "{:.2f} m", "At the end, the robot was {} away from its start"
+        "from the start, at the end",
+        "{:.2f} m",
+        "At the end, the robot was {} away from its start",
+        "Does it drive back to (0, 0) of its odometry?",
     ),
     "answer_error": _Metric(
-        "error of the answer", "{:.0f}°", "At the end, the robot looked {} beside the right answer"
+        "error of the answer",
+        "{:.0f}°",
+        "At the end, the robot looked {} beside the right answer",
+        "Is the answer turned to the left where it is positive, and are its degrees made radians?",
     ),
     "ball_gap": _Metric(
-        "error of the distance", "{:.2f} m", "The robot's distance to the ball was wrong by {}"
+        "error of the distance",
+        "{:.2f} m",
+        "The robot's distance to the ball was wrong by {}",
+        "Does it turn to the side on which the ball is, and does it stop and drive back when it is too near?",
     ),
 }
 
@@ -211,11 +226,18 @@ def sentences_of(record, scenario):
     if record["looks"] < looks_of(scenario):
         return ["The drive did not come to its end."]
     names = {name for name, *_ in record["missed"]}
-    return [
+    sentences = [
         _sentence(record, *missed)
         for missed in record["missed"]
         if missed[0] != "clearance" or "bumps" not in names  # a bump says it
     ]
+    return [*sentences, question] if (question := question_of(record)) else sentences
+
+
+def question_of(record):
+    """A question about the first metric that a drive missed, if the metric has one; after a bump, none."""
+    name = record["missed"][0][0] if record["missed"] and not record["bumps"] else "bumps"
+    return METRICS[name].question
 
 
 def _sentence(record, name, value, operator, limit):

@@ -6,6 +6,7 @@ answers another one.
 
 import atexit
 import contextlib
+import math
 import os
 import pickle
 import select
@@ -26,6 +27,7 @@ from .running import CallResult, LimitedOutput, TimeUp, call_within, failure_fie
 _SIMULATORS = 2
 _SHOWN_LOOKS = 20  # between two states of the progress bar
 _LESS = "do less in each call, or keep results in memory"
+_KEPT_LINES = 13  # of what a drive prints: one more than is shown
 _STEP = 5  # looks between two places of a path that is stored or compared
 
 
@@ -103,7 +105,7 @@ class _Run:
     scenario: dict
     memory: dict = field(default_factory=dict)
     seconds: float = 0.0  # of processor time, of all its calls
-    output: LimitedOutput = field(default_factory=LimitedOutput)
+    prints: list = field(default_factory=list)  # (seconds after the start, LimitedOutput) of each call
     warning: str = ""
     failure: dict = field(default_factory=dict)
     record: dict | None = None
@@ -123,19 +125,27 @@ class _Run:
             return "stop", str(error)
 
     def _call(self, observation):
-        began = time.thread_time()
+        began, output = time.thread_time(), LimitedOutput()
+        self.prints.append((observation["time"], output))
         with warnings.catch_warnings(record=True) as caught_warnings:
             warnings.simplefilter("always")
-            with contextlib.redirect_stdout(self.output), contextlib.redirect_stderr(self.output):
+            with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
                 speeds = call_within(lambda: self.control(observation, self.memory), LOOK_SECONDS)
         self.seconds += time.thread_time() - began
         self.warning = self.warning or (str(caught_warnings[0].message) if caught_warnings else "")
         return speeds
 
     def result(self):
-        """What it did as a CallResult."""
+        """What it did as a CallResult; it printed the last lines before the moment that is shown."""
         fields = self.failure or {"value": form_of(self.record)}
-        return CallResult(printed=self.output.getvalue(), warning=self.warning, **fields)
+        end = math.inf if self.failure else self.record["decisive"] * LOOK
+        lines = [
+            f"{seconds:.1f} s: {line}"
+            for seconds, output in self.prints
+            for line in output.getvalue().splitlines()
+            if seconds <= end
+        ]
+        return CallResult(printed="\n".join(lines[-_KEPT_LINES:]), warning=self.warning, **fields)
 
 
 def form_of(record):

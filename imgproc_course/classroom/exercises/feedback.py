@@ -9,7 +9,7 @@ import re
 from itertools import chain, repeat
 
 from .canonical import array_of, canonical
-from .drive import METRICS, metric_text, sentences_of
+from .drive import METRICS, metric_text, question_of, sentences_of
 from .error_advice import advice_on
 from .node_feedback import NODE_ERRORS, advice_on_node_error, differing_images, sentence_on_node
 from .running import NODES
@@ -21,9 +21,9 @@ _MOST_LINES = 12  # of the function's own prints
 _BORDER = "Pixels there have neighbours outside the image: how does the task treat those?"
 
 _MAP = (
-    "The room from above. Green dot: start; blue: the path, and the robot at its end; red crosses: bumps;"
-    " orange ring: around the first bump, else around the nearest place, or around the end if only the way is"
-    " wrong. The black bar is 1 m long."
+    "The room from above. Green dot: start; green ring: the goal, or the sign; blue: the path, and the robot"
+    " at its end; red crosses: bumps; red dot: the ball, at the start. The orange ring is around the place"
+    " that the images show. The black bar is 1 m long."
 )
 
 # JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
@@ -260,7 +260,7 @@ def _advice(result, call):
         yield node_advice or advice_on(*about)
     if call.difference is None or call.result.changed or result.exercise.subject in NODES:
         return
-    if result.drives and call.record["ended"]:
+    if result.drives and (call.record["ended"] or question_of(call.record)):
         return
     diagnosis = result.diagnosis
     yield diagnosis.text

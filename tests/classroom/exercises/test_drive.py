@@ -7,7 +7,14 @@ import pytest
 from plane_env import PlaneEnv
 
 from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.drive import Drive, decisive_moment, passes, sentences_of, speeds_of
+from imgproc_course.classroom.exercises.drive import (
+    Drive,
+    decisive_moment,
+    passes,
+    question_of,
+    sentences_of,
+    speeds_of,
+)
 from imgproc_course.classroom.exercises.scenario import read_scenario
 
 SCENARIO = {
@@ -91,6 +98,29 @@ def test_a_robot_that_stands_has_no_clearance():
         "The robot never drove.",
         "The robot got 0.00 m away from its start; the task asks for at least 0.50 m.",
     ]
+
+
+def test_the_first_metric_that_is_missed_asks_a_question_but_not_after_a_bump():
+    metrics = {"goal_time": ["<=", 15], "answer_error": ["<=", 15], "home": ["<=", 0.4]}
+    missed = {"goal_time": None, "answer_error": 87.0, "home": 1.5, "places": 1}
+    questions = {}
+    for name, value in missed.items():
+        operator, limit = metrics.get(name, [">=", 10])
+        record = {"ended": "", "looks": 30, "bumps": [], "missed": [[name, value, operator, limit]]}
+        questions[name] = sentences_of(record, SCENARIO)[1:]
+        assert questions[name] == [question_of(record)] * bool(question_of(record))
+        assert question_of(record | {"bumps": [[3, 0.1, 0.0]]}) == ""
+    assert questions == {
+        "goal_time": ["Does it steer to the goal, also after a way round something?"],
+        "answer_error": [
+            "Is the answer turned to the left where it is positive, and are its degrees made radians?"
+        ],
+        "home": ["Does it drive back to (0, 0) of its odometry?"],
+        "places": [],
+    }
+    record["missed"] = [["places", 1, ">=", 10]]
+    sentence = "The places that the robot came to (cells of 0.5 m): 1; the task asks for at least 10."
+    assert sentences_of(record, SCENARIO) == [sentence]
 
 
 def test_speeds_beyond_the_robots_limits_are_cut():

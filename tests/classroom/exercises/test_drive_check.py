@@ -234,12 +234,17 @@ def test_a_controller_with_other_arguments_is_told_which(data):
     assert "begin your function with def control(observation, memory): and use these arguments." in text
 
 
-def test_what_a_controller_prints_and_what_numpy_warns_is_shown(data):
+def test_what_a_controller_prints_until_the_moment_that_is_shown_and_what_numpy_warns(data):
     source = BLIND.replace(
         "    return", "    print('now', round(observation['time'], 1))\n    np.float64(1) / 0\n    return"
     )
-    text = repr(checked(data, source))
-    assert "Your function printed:\n    …\n    now " in text and "now 0.0" not in text
+    result = checked(data, source)
+    text = repr(result)
+    printed = re.findall(r"^    (\d+\.\d) s: now (\d+\.\d)$", text, re.M)
+    end = result.drives[0].record["decisive"] * 0.1
+    assert "Your function printed:\n    …\n" in text and len(printed) == 12
+    assert [times[0] for times in printed] == [times[1] for times in printed]
+    assert float(printed[-1][0]) == pytest.approx(end) and end < result.drives[0].record["looks"] * 0.1
     assert "NumPy or Python warned: divide by zero" in text
 
 

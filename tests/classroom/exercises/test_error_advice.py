@@ -17,6 +17,7 @@ GIVEN = {
     "values": [3, 1, 2],
     "names": {"box": 1},
     "nothing": None,
+    "memory": {},
     "number": 5,
     "colour": np.zeros((4, 5, 3), np.uint8),
 }
@@ -26,6 +27,8 @@ ADVICE = {
     '"/".join(text, text)': "join takes one list of the parts, in square brackets",
     "mask - mask": "write a & ~b",
     'names["gauss"]': "The dictionary has no key 'gauss'.",
+    'memory["count"] += 1': "memory.setdefault('count', 0) gives the value, and stores 0",
+    "word, angle = nothing": "test it first: if value is None",
     "a[0, 0] = values": "One number is needed here, and this is a whole list.",
     "a.T @ a.mean()": "with axis=0 they give one for each column",
     "a > 3 and a < 9": "`and` and `or` need a single True or False",
