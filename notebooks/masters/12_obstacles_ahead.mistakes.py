@@ -355,7 +355,7 @@ def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & standing(height)
     return float(forward[mask][0]) if mask.any() else math.inf
 
-# %% role="mistake" name="times the mask" says="You multiplied forward by the mask, so each point outside the corridor has the distance 0, and the minimum is 0. Select the points in it: forward[mask].min()."
+# %% role="mistake" name="times the mask" says="Your smallest distance is 0, and no obstacle is there. Did you multiply forward by the mask, so that points outside the corridor get 0? Or does your search begin with 0? Select the points in the corridor: forward[mask].min()."
 def nearest_obstacle(forward, left, height, width):
     return float((forward * ((np.abs(left) <= width / 2) & standing(height))).min())
 

@@ -510,7 +510,8 @@ def inputs(rng):
 def inputs(rng):
     points = np.column_stack([rng.uniform(-1, 1, 20), rng.uniform(0.1, 0.3, 20), rng.uniform(1, 3, 20)])
     level = np.array([0.0, -1.0, 0.0])
-    return [(points.round(3), level, 0.2, 0.04), (points.round(3), level, 0.2, 1.5)]
+    at_the_limit = np.array([[0.0, 0.25, 1.0], [0.0, 0.5, 1.0], [0.0, 0.75, 2.0]])
+    return [(points.round(3), level, 0.2, 0.04), (points.round(3), level, 0.2, 1.5), (at_the_limit, level, 0.5, 0.25)]
 
 
 # %% role="hidden" title="any points" points=1 hint="Do you use the normal, the offset and the tolerance?"

@@ -175,13 +175,13 @@ def decode(cells, words):
     count = int(cells[1:5, 1:5].sum())
     return (counts.index(count), 0) if border_is_black(cells) and count in counts else (-1, 0)
 
-# %% role="mistake" name="upper and lower border only" says="You looked at the first and the last row only. The border also has a left and a right column."
+# %% role="mistake" name="upper and lower border only" says="A white cell in the left or right column of the border is missed. The border has four sides: rows 0 and 5, columns 0 and 5."
 def decode(cells, words):
     if cells[0].any() or cells[5].any():
         return -1, 0
     return search(cells[1:5, 1:5], words, np.rot90)
 
-# %% role="mistake" name="left and right border only" says="You looked at the first and the last column only. The border also has a first and a last row."
+# %% role="mistake" name="left and right border only" says="A white cell in the first or last row of the border is missed. The border has four sides: rows 0 and 5, columns 0 and 5."
 def decode(cells, words):
     if cells[:, 0].any() or cells[:, 5].any():
         return -1, 0

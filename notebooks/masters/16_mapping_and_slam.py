@@ -631,7 +631,7 @@ check("mapping-error", edge_error)
 
 # %% role="case" title="small turns" points=1
 def inputs(rng):
-    return [((1.0, 1.0, math.pi / 2), (1.0, 3.0, math.pi / 2), (1.9, 0.1, 0.0)), any_edge(rng, 0.6, 0.4), any_edge(rng, -1.1, -0.5)]
+    return [((1.0, 1.0, math.pi / 2), (1.0, 3.0, math.pi / 2), (1.9, 0.1, 0.0)), ((0.0, 0.0, 0.0), (9.0, 1.0, 0.2), (2.0, 0.5, 0.1)), any_edge(rng, 0.6, 0.4), any_edge(rng, -1.1, -0.5)]
 
 
 # %% role="case" title="angles across π" points=1 hint="Is the angle between -π and π at the very end?"

@@ -279,7 +279,8 @@ check("unknown-new", count_new)
 # %% role="case" title="straight ways" points=1
 def inputs(rng):
     return [((0.25, 0.25), 0.0, 1.45, np.array([[0, 0], [1, 0]])), ((0.25, 0.25), math.pi / 2, 1.05, np.array([[0, 0], [1, 0]])),
-            ((-0.2, 0.3), 3.1, 0.05, np.array([[0, 0]])), ((-0.2, 0.3), 3.1, 1.75, np.array([[0, 0], [-1, 0], [-1, 0]])), any_way(rng, 3)]
+            ((0.0, 0.25), 0.0, 0.5, np.array([[0, 0]])), ((-0.2, 0.3), 3.1, 0.05, np.array([[0, 0]])),
+            ((-0.2, 0.3), 3.1, 1.75, np.array([[0, 0], [-1, 0], [-1, 0]])), any_way(rng, 3)]
 
 
 # %% role="case" title="any direction" points=1 hint="Do you add the place, use cosine for x and sine for y, and round down below 0?"

@@ -34,6 +34,11 @@ them and 126 of a beginner: 599, 96.8 % right (580), none false. On 26 November 
 exercises of the lessons 11 to 22, written and read in this way: 90 % right, 1 false. Afterwards the false one
 and five silent ones were mended, by two sentences and four general rules; with 99 of them 726, 96.0 % right
 (697), none false. The main table then: 1,413, 98.0 % right (1,385), none false; before these rules 97.8 %.
+
+Read in this way too, 26 November 2026, each hundred measured once before anything was mended for it: 500 more
+answers to 41 exercises of the lessons 12 to 22, 81, 85, 85, 83 and 89 % right, 1, 1, 1, 0 and 1 false. The
+second to fourth were measured while the search for one change that makes an answer right was written, the
+fifth with it. Of 2,339 answers, it finds such a change for 548.
 """
 
 import ast

@@ -2,6 +2,7 @@
 
 import contextlib
 import inspect
+import re
 import types
 from dataclasses import dataclass, field, replace
 
@@ -21,6 +22,7 @@ from .diagnosis import Diagnosis, diagnose
 from .drive import passes, sentences_of
 from .drive_check import drive_scenarios, known_mistake, progress_bar
 from .expected_results import check_data_of
+from .one_change import sentence_on_change
 from .progress import ExerciseProgress, content_of, digest_of, note_progress
 from .running import CallResult, TimeUp, answer_name, call_within, code_of, codes_of, globals_of, source_of
 from .source_remarks import STUB_LINE, has_done, remarks_on_source
@@ -78,6 +80,7 @@ class CheckResult:
     dependencies  refused modules and names of other cells that the answer uses
     diagnosis     what is certain about the values of the shown call
     remarks       what is certain from the source of the function, sentences
+    one_change    where one change would make it right, a sentence
     why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
     drives        the calls if they are drives, those that passed too
     """
@@ -89,6 +92,7 @@ class CheckResult:
     dependencies: Dependencies = field(default_factory=Dependencies)
     diagnosis: Diagnosis = field(default_factory=Diagnosis)
     remarks: tuple = ()
+    one_change: str = ""
     why_older: str = ""
     drives: tuple = ()
 
@@ -217,7 +221,27 @@ def run_check(exercise, function, answer=None, progress=None):
             is_right = all(call.passed for call in _run_calls(exercise, function))
             remarks = (_ONLY_HERE.format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
-    return replace(result, remarks=(*remarks, *result.remarks))
+    one_change = _one_change(result, judged, calls)
+    return replace(result, remarks=(*remarks, *result.remarks), one_change=one_change)
+
+
+def _one_change(result, function, calls):
+    """Where one change would make a wrong answer right, unless only its type is wrong."""
+    exercise, shown = result.exercise, result.shown
+    if exercise.subject != "function" or not result.attempted or shown is None:
+        return ""
+    if any(call.result.timed_out for call in calls) or all(map(_has_right_values, calls)):
+        return ""
+    # The shown call first: most changes fail it.
+    ordered = sorted(calls, key=lambda call: call is not shown)
+
+    def passes(changed, seconds):
+        return all(
+            _run_call(exercise, changed, call.case, call.arguments, call.expected, seconds).passed
+            for call in ordered
+        )
+
+    return sentence_on_change(function, passes)
 
 
 def _as_graded(exercise, function, answer):
@@ -257,15 +281,19 @@ def _run_calls(exercise, function, answer=None, progress=None):
     pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
     for case, expected in pairs:
         running.overwrite_freed_memory(expected.result.value)
-        result = exercise.call(function, expected.arguments)
-        difference = None
-        if result.finished:
-            values = expected.result.value, result.value
-            difference = compare(*values, case.tolerance, exact_type=exercise.exact_type)
-        calls.append(CaseCall(case, expected.arguments, expected.result, result, difference))
-        if result.timed_out or result.error == "NotImplementedError":
+        calls.append(_run_call(exercise, function, case, expected.arguments, expected.result))
+        if calls[-1].result.timed_out or calls[-1].result.error == "NotImplementedError":
             break  # a learner waits for one time limit, not for one per call
     return calls
+
+
+def _run_call(exercise, function, case, arguments, expected, seconds=None):
+    """The CaseCall of a function, as of an answer; within `seconds` in place of the exercise's time limit."""
+    result, difference = exercise.call(function, arguments, seconds), None
+    if result.finished:
+        values = expected.value, result.value
+        difference = compare(*values, case.tolerance, exact_type=exercise.exact_type)
+    return CaseCall(case, arguments, expected, result, difference)
 
 
 def _drive_cases(exercise, function, answer, progress):
@@ -312,14 +340,21 @@ def _judge_calls(exercise, function, calls, dependencies):
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise, calls)
-    if mistake and has_done(source_of(function), mistake.says):
-        mistake = None  # it does the same for another reason
+    if mistake and _has_another_reason(mistake, function, calls):
+        mistake = None
     remarks = () if has_passed else tuple(remarks_on_source(function, errors))
     if is_stub and _has_other_lines(exercise, function):
         is_stub, remarks = False, (_NEVER_RUN.format(name=exercise.answer_name), *remarks)
     parts = {"remarks": remarks, "drives": tuple(calls) if is_drive else ()}
     result = CheckResult(exercise, not is_stub, results, mistake, dependencies, **parts)
     return replace(result, diagnosis=_diagnosis(result, calls))
+
+
+def _has_another_reason(mistake, function, calls):
+    """Whether an answer has all that a mistake tells to write, or an overflow that it does not name."""
+    overflows = any("overflow" in call.result.warning for call in calls)
+    says_so = re.search(r"overflow|int|25[56]", mistake.says)
+    return (overflows and not says_so) or has_done(source_of(function), mistake.says)
 
 
 def _has_other_lines(exercise, function):

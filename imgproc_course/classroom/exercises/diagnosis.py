@@ -127,6 +127,8 @@ def _advice_on_type(expected, actual, tolerance):
 def _wanted(expected, actual):
     """What the task asks for, the end of a sentence; "" for what no task asks for."""
     kind, actual_kind = kind_of(expected), kind_of(actual)
+    if kind in _NUMBERS and actual_kind == "None":
+        return "a number: was no value stored for this input"
     if kind == "str":
         return "a text, such as its name" if actual["type"] in _FUNCTIONS else "a single text"
     if kind == "dict":

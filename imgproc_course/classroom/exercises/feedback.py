@@ -247,6 +247,7 @@ def _advice(result, call):
     """What is known of the mistake; if that is not all, the hint of the case."""
     if result.mistake is not None:
         yield result.mistake.says
+        yield result.one_change
         return
     if call.result.timed_out:
         yield SAYS["time is up"]
@@ -258,6 +259,7 @@ def _advice(result, call):
         node_advice = advice_on_node_error(error) if exercise.subject != "function" else ""
         about = (error.error, error.message, error.line, names, exercise.function, error.closest)
         yield node_advice or advice_on(*about)
+    yield result.one_change
     if call.difference is None or call.result.changed or result.exercise.subject in NODES:
         return
     if result.drives and (call.record["ended"] or question_of(call.record)):
@@ -266,7 +268,7 @@ def _advice(result, call):
     yield diagnosis.text
     if diagnosis.on_border:
         yield result.exercise.border_hint or _BORDER
-    elif call.case.hint and not diagnosis.replaces_hint:
+    elif call.case.hint and not diagnosis.replaces_hint and not result.one_change:
         yield f"Hint: {call.case.hint}"
 
 
@@ -274,7 +276,7 @@ def _warning_and_output(call, kind, is_drive=False):
     if call.result.warning:
         yield f"NumPy or Python warned: {call.result.warning}"
         if "empty slice" in call.result.warning:
-            yield "A slice holds no values. Does it begin below 0? -1 is the last element."
+            yield SAYS["no values"]
     if call.result.printed.strip():
         lines = call.result.printed.rstrip().splitlines()
         ellipsis = ["…"] if len(lines) > _MOST_LINES else []

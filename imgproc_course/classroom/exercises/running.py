@@ -270,9 +270,11 @@ def _closest(error):
 
 def _own_line(error, function):
     """The innermost line of the learner's own code, `line 3: return a / 0`; "" if it is not known."""
-    namespace = globals_of(function)
+    namespace, code = globals_of(function), code_of(function)
     frames = traceback.walk_tb(error.__traceback__)
     own_frames = [(frame, line) for frame, line in frames if frame.f_globals is namespace]
+    in_file = [own for own in own_frames if code and own[0].f_code.co_filename == code.co_filename]
+    own_frames = in_file or own_frames
     if isinstance(error, SyntaxError) or not own_frames:
         return ""
     frame, line = own_frames[-1]

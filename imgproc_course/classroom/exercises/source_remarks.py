@@ -180,6 +180,14 @@ def _without_effect(node, _source):
         yield f"{ast.unparse(node)} only compares, and changes nothing. To give a value, write = for ==."
 
 
+def _one_list(node, _source):
+    """[[0] * columns] * rows"""
+    row = node.left.elts[0] if isinstance(node.left, ast.List) and len(node.left.elts) == 1 else None
+    if isinstance(node.op, ast.Mult) and isinstance(getattr(row, "left", row), ast.List):
+        parts = {"part": ast.unparse(node), "row": ast.unparse(row), "count": ast.unparse(node.right)}
+        yield SAYS["rows that are one list"].format(**parts)
+
+
 def _columns_first(node, _source):
     """width, height = image.shape exchanges the two names."""
     names = r"\(?((?:w|width|cols|columns), (?:h|height|rows))((?:, \w+)?)\)? = (\w+\.shape)((?:\[:2\])?)"
@@ -214,6 +222,7 @@ _RULES = (
     (ast.Compare, _remarks_on_comparison),
     (ast.Expr, _without_effect),
     (ast.Assign, _columns_first),
+    (ast.BinOp, _one_list),
     (ast.AST, _else_of_last_if),
 )
 

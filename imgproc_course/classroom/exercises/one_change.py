@@ -1,0 +1,433 @@
+"""The one small change that makes a wrong answer right: usual ones are tried until every public call passes.
+
+A sentence that points at its place is true whatever the answer means, and it does not give the change away.
+"""
+
+import ast
+import copy
+import math
+import re
+import time
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from itertools import groupby, pairwise
+
+import numpy as np
+
+from .running import code_of, globals_of, source_of
+
+_MOST_SECONDS = 2  # of processor time, for all changes together
+_PER_CALL = 0.1  # seconds, and ten times what the answer takes itself
+_DECOMPOSING = ("svd", "lstsq", "pinv", "eig", "eigh", "matrix_rank")
+_SHORT = 12  # characters: what is shorter is shown with its line
+_LIMIT = "does the limit itself count?"
+_DIRECTION = "is it the right way round?"
+_FIRST = "which of them comes first?"
+_NUMBER = "is this number right?"
+_ROUNDS = "should this happen in each round of the loop, or once?"
+_ROWS = "in compares the single numbers of an array, not its rows. Is that meant?"
+_TYPE = "your numbers do not fit into the dtype of {name}. Use int for them."
+_TRANSPOSED = "is it to be transposed?"
+_OTHER_END = ({"lower": None, "upper": ast.Constant(-1)}, {"lower": ast.Constant(1), "upper": None})
+_AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "prod", "cumsum")
+_METHODS = ("upper", "lower", "strip", "copy", "tolist", "items", "keys", "values", *_AXES)
+_ALIKE = ("int round floor ceil", "min max", "argmin argmax", "minimum maximum", "sin cos", "any all")
+_ALIKE += (
+    "sum mean",
+    "zeros ones",
+    "std var",
+    "append extend",
+    "log log10 log2",
+    "atan atan2",
+    "argsort sort",
+)
+_COMPARISONS = {
+    ast.Lt: ((ast.LtE, _LIMIT), (ast.Gt, _DIRECTION)),
+    ast.LtE: ((ast.Lt, _LIMIT), (ast.GtE, _DIRECTION)),
+    ast.Gt: ((ast.GtE, _LIMIT), (ast.Lt, _DIRECTION)),
+    ast.GtE: ((ast.Gt, _LIMIT), (ast.LtE, _DIRECTION)),
+    ast.Eq: ((ast.NotEq, _DIRECTION),),
+    ast.NotEq: ((ast.Eq, _DIRECTION),),
+    ast.In: ((ast.NotIn, _DIRECTION),),
+    ast.NotIn: ((ast.In, _DIRECTION),),
+}
+_OPERATORS = {
+    ast.Add: (ast.Sub,),
+    ast.Sub: (ast.Add,),
+    ast.Mult: (ast.Div,),
+    ast.Div: (ast.Mult, ast.FloorDiv),
+    ast.FloorDiv: (ast.Div,),
+}
+
+
+@dataclass(frozen=True)
+class _Change:
+    """What the `kind`-th possibility of a rule changes at the `number`-th node of a tree."""
+
+    rule: Callable
+    number: int
+    kind: int
+    question: str
+
+
+def sentence_on_change(function, passes):
+    """Where one change of a Python function makes it pass, a sentence; "" if no usual change does.
+
+    `passes(function, seconds)` tells whether a changed function passes every call within a time for each.
+    """
+    code, source = code_of(function), source_of(function)
+    try:
+        (tree,) = ast.parse(source).body
+    except (SyntaxError, ValueError):
+        return ""
+    if not isinstance(tree, ast.FunctionDef):
+        return ""
+    started, ends = time.perf_counter(), time.process_time() + _MOST_SECONDS
+    passes(function, 1)
+    seconds = _PER_CALL + 10 * (time.perf_counter() - started)
+
+    def helps(changes):
+        other = _compiled(_changed(tree, changes), function)
+        return other is not None and passes(other, seconds)
+
+    nodes = list(ast.walk(tree))
+    found = list(_possible_changes(tree, nodes))
+    for changes in _groups(found, nodes):
+        if time.process_time() > ends:
+            return ""
+        if helps(changes):
+            like = [change for change in found if _is_like(change, changes[0], nodes)]
+            changes = like if len(like) > len(changes) and helps(like) else changes
+            places = [nodes[change.number] for change in changes]
+            return _sentence(places, changes[0].question, source.splitlines(), code.co_firstlineno - 1)
+    return ""
+
+
+def _sentence(places, question, lines, offset):
+    if isinstance(places[0], ast.FunctionDef):
+        return f"With one change, these checks pass: {question}"
+    numbers = sorted({place.lineno for place in places})
+    shown = dict.fromkeys(ast.unparse(place).split("\n")[0] for place in places)
+    code = " and ".join(list(shown)[:2])
+    line = lines[numbers[0] - 1].strip().rstrip(":")
+    if len(numbers) == 1 and len(code) < min(_SHORT, len(line)):
+        code += f" in {line}"
+    where = f"line{'s' * (len(numbers) > 1)} {', '.join(str(number + offset) for number in numbers)}"
+    return f"With one change in {where}, these checks pass. Look at {code}: {question}"
+
+
+class _CheckedLinalg:
+    """np.linalg as changed answers get it: with NaN or infinity LAPACK prints, and may never end."""
+
+    def __getattr__(self, name):
+        function = getattr(np.linalg, name)
+        return partial(self._call, function) if name in _DECOMPOSING else function
+
+    def _call(self, function, *arrays, **options):
+        if not all(np.isfinite(array).all() for array in arrays if isinstance(array, np.ndarray)):
+            raise np.linalg.LinAlgError("a number is not finite")
+        return function(*arrays, **options)
+
+
+class _CheckedNumPy:
+    """np as changed answers get it."""
+
+    linalg = _CheckedLinalg()
+
+    def __getattr__(self, name):
+        return getattr(np, name)
+
+
+def _compiled(tree, function):
+    names = dict(globals_of(function))
+    names |= {"np": _CheckedNumPy()} if names.get("np") is np else {}
+    try:
+        with warnings.catch_warnings(action="ignore", category=SyntaxWarning):
+            module = ast.fix_missing_locations(ast.Module([tree], []))
+            exec(compile(module, "<changed answer>", "exec", dont_inherit=True), names)
+    except Exception:  # noqa: BLE001 - such as a default value of the learner's
+        return None
+    return names.get(tree.name)
+
+
+def _possible_changes(tree, nodes):
+    for rule in _RULES:
+        for number, node in enumerate(nodes):
+            for kind, (question, _) in enumerate(rule(node, tree)):
+                yield _Change(rule, number, kind, question)
+
+
+def _groups(found, nodes):
+    """Lists of changes to try together: of each rule one by one, then those of a kind."""
+    for _, same_rule in groupby(found, key=lambda change: change.rule):
+        groups = {}
+        for change in same_rule:
+            place, name = nodes[change.number], (change.kind, change.question)
+            groups[change] = [change]
+            for about in (getattr(place, "lineno", 0), type(getattr(place, "ctx", None)), _form(place)):
+                groups.setdefault((name, about), []).append(change)
+        yield from ([change] for change in groups if isinstance(change, _Change))
+        yield from (changes for changes in groups.values() if len(changes) > 1)
+
+
+def _form(place):
+    """What places have in common that differ only by their names; a number or a name is like no other."""
+    text = re.sub(r"[^\W\d]\w*", "x", ast.unparse(place))
+    return text if len(text) > 2 else place, type(getattr(place, "ctx", None))
+
+
+def _is_like(change, other, nodes):
+    """Whether two changes do the same, at places of one form."""
+    if (change.rule, change.kind, change.question) != (other.rule, other.kind, other.question):
+        return False
+    return _form(nodes[change.number]) == _form(nodes[other.number])
+
+
+def _changed(tree, changes):
+    """A copy of a tree with changes in it."""
+    tree = copy.deepcopy(tree)
+    nodes = list(ast.walk(tree))
+    for change in changes:
+        possible = list(change.rule(nodes[change.number], tree))
+        if change.kind < len(possible):  # one change can take away the place of the next
+            possible[change.kind][1]()
+    return tree
+
+
+# ---------------------------------------------------------------- what a rule does with a node
+
+
+def _become(node, new):
+    """Let a node be another one, which may contain a copy of it."""
+    node.__class__, node.__dict__ = type(new), {**vars(new), "lineno": node.lineno, "end_lineno": None}
+
+
+def _parsed(template, **parts):
+    """The expression of a template, in which names stand for nodes."""
+    tree = ast.parse(template, mode="eval").body
+    for name in [node for node in ast.walk(tree) if isinstance(node, ast.Name) and node.id in parts]:
+        part = parts[name.id]
+        name.__class__, name.__dict__ = type(part), dict(vars(part))
+    return tree
+
+
+def _setting(node, **values):
+    return lambda: vars(node).update(values)
+
+
+def _replacing(node, template, **parts):
+    """Replaces a node by the expression of a template; there, `node` is the node itself."""
+    return lambda: _become(node, _parsed(template, node=copy.copy(node), **parts))
+
+
+# ---------------------------------------------------------------- rules: (question, how to change the node)
+
+
+def _compare(node, _tree):
+    if isinstance(node, ast.Compare):
+        for number, operator in enumerate(node.ops):
+            for other, question in _COMPARISONS.get(type(operator), ()):
+                yield question, _setting(node, ops=[*node.ops[:number], other(), *node.ops[number + 1 :]])
+        if isinstance(node.ops[0], ast.In | ast.NotIn):
+            rows = _parsed("list(map(tuple, array.tolist()))", array=node.comparators[0])
+            yield _ROWS, _setting(node, comparators=[rows])
+    if isinstance(node, ast.BoolOp):
+        other = ast.And if isinstance(node.op, ast.Or) else ast.Or
+        yield "must both be true, or is one enough?", _setting(node, op=other())
+        for value in node.values if len(node.values) == 2 else ():
+            yield "are both conditions right?", _replacing(node, "value", value=value)
+
+
+def _order(node, _tree):
+    elements = getattr(node, "elts", ())
+    for first, last in pairwise(elements):
+        swapped = {first: last, last: first}
+        if ast.dump(first) != ast.dump(last):
+            yield _FIRST, _setting(node, elts=[swapped.get(element, element) for element in elements])
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub | ast.Div | ast.MatMult | ast.Pow):
+        yield _FIRST, _setting(node, left=node.right, right=node.left)
+    if isinstance(node, ast.BinOp) and isinstance(node.left, ast.BinOp):
+        left, inner = node.left, ast.BinOp(node.left.right, node.op, node.right)
+        yield "what does Python compute first?", _setting(node, left=left.left, op=left.op, right=inner)
+        left = ast.BinOp(left.left, node.op, node.right)
+        yield _FIRST, _setting(node, left=left, op=node.left.op, right=node.left.right)
+    if isinstance(node, ast.Call) and len(node.args) == 2:
+        yield _FIRST, _setting(node, args=node.args[::-1])
+
+
+def _operator(node, _tree):
+    if isinstance(node, ast.BinOp | ast.AugAssign):
+        for other in _OPERATORS.get(type(node.op), ()):
+            yield "is it the right operator?", _setting(node, op=other())
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+        yield "is the power right?", _replacing(node, "base", base=node.left)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub):
+        yield "can this be negative?", _replacing(node, "abs(node)")
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and isinstance(node.left, ast.Call):
+        yield "can this be negative?", _replacing(node, "abs(node)")
+    if isinstance(node, ast.BinOp):
+        for side in ("left", "right"):
+            column = _parsed("side[:, None]", side=getattr(node, side))
+            yield "which shape has each of the two?", _setting(node, **{side: column})
+        call = getattr(node.left, "right", node.left)
+        if isinstance(call, ast.Call) and len(call.args) == 1:
+            inner = [ast.BinOp(call.args[0], node.op, node.right)]
+            yield (
+                "where does its bracket close?",
+                lambda: (vars(call).update(args=inner), _become(node, node.left)),
+            )
+    yield from _axes(node)
+
+
+def _axes(node):
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+        for side in ("left", "right"):
+            turned = _parsed("side.T", side=getattr(node, side))
+            yield _TRANSPOSED, _setting(node, **{side: turned})
+    if isinstance(node, ast.Attribute) and node.attr == "T":
+        yield _TRANSPOSED, _replacing(node, "inner", inner=node.value)
+    if isinstance(node, ast.Slice):
+        yield "which end is left out?", _setting(node, **_OTHER_END[node.lower is None])
+    if isinstance(node, ast.UnaryOp):
+        yield "is the sign right, or the not?", _replacing(node, "operand", operand=node.operand)
+
+
+def _call(node, _tree):
+    if not isinstance(node, ast.Call):
+        return
+    owner, dot, name = ast.unparse(node.func).rpartition(".")
+    for other in next((group.split() for group in _ALIKE if name in group.split()), ()):
+        function = ast.parse(f"{owner}{dot}{other}", mode="eval").body
+        yield "is it the right function?", _setting(node, func=function)
+    for argument in node.args:
+        if isinstance(argument, ast.Name):
+            yield _TRANSPOSED, _replacing(argument, "node.T")
+    if dot and isinstance(node.func.value, ast.BinOp):
+        inner = node.func.value
+        first = ast.Call(ast.Attribute(inner.left, name, ast.Load()), node.args, node.keywords)
+        added = ast.BinOp(first, inner.op, inner.right)
+        yield "what does it add up?", lambda: _become(node, added)
+    yield from _arguments_of(node, name, dot)
+
+
+def _arguments_of(node, name, dot):
+    if name == "abs" and node.args:
+        yield "is its sign needed?", _replacing(node, "inner", inner=node.args[0])
+    if name in _AXES and dot and not node.keywords:
+        for axis in (0, 1):
+            keyword = ast.keyword("axis", ast.Constant(axis))
+            yield "of the whole array, or along an axis?", _setting(node, keywords=[keyword])
+    if name in ("min", "max", "hypot", "sum"):
+        yield "can these be negative?", _setting(node, args=[_parsed("abs(a)", a=part) for part in node.args])
+    if name == "enumerate" and len(node.args) == 1 and not node.keywords:
+        yield "where does it begin?", _setting(node, args=[*node.args, ast.Constant(1)])
+    if name == "range" and len(node.args) < 3:
+        for change in ("stop - 1", "stop + 1"):
+            stop = _parsed(change, stop=node.args[-1])
+            yield "where does it end?", _setting(node, args=[*node.args[:-1], stop])
+        for start in ([], [ast.Constant(1)]):
+            yield "where does it begin?", _setting(node, args=[*start, node.args[-1]])
+
+
+def _statement(node, tree):
+    if isinstance(node, ast.AugAssign) and isinstance(node.op, ast.Add):
+        new = ast.Assign([node.target], node.value)
+        yield "does it add up, or begin again?", lambda: _become(node, new)
+    if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name | ast.Subscript):
+        new = ast.AugAssign(node.targets[0], ast.Add(), node.value)
+        yield "does it begin again, or add up?", lambda: _become(node, new)
+    if isinstance(node, ast.Break | ast.Continue):
+        yield "should the loop end here?", lambda: _become(node, ast.Pass())
+    if isinstance(node, ast.If | ast.AugAssign | ast.Expr):
+        yield "is it needed?", lambda: _become(node, ast.Pass())
+    if isinstance(node, ast.stmt):
+        yield from _moved(node, tree)
+    is_called = any(isinstance(other, ast.Call) and other.func is node for other in ast.walk(tree))
+    if isinstance(node, ast.Attribute) and node.attr in _METHODS and not is_called:
+        yield "a method works only if it is called, with ().", _replacing(node, "node()")
+
+
+def _moved(node, tree):
+    """A statement moved into a loop after or before it, or behind its own loop."""
+    outer, block = _block_of(node, tree)
+    position, loop = block.index(node), ast.For | ast.While
+    if isinstance(outer, loop) and isinstance(node, ast.Assign) and not position:
+        _, around = _block_of(outer, tree)
+        yield _ROUNDS, lambda: (block.remove(node), around.insert(around.index(outer), node))
+    later = next((part for part in block[position + 1 :] if isinstance(part, loop)), None)
+    inside = [part for part in ast.walk(later) if isinstance(part, loop)] if later else ()
+    for inner in inside if isinstance(node, ast.Assign) else ():
+        yield _ROUNDS, lambda inner=inner: (block.remove(node), inner.body.insert(0, node))
+    before = block[position - 1] if position else None
+    if isinstance(before, loop) and not isinstance(node, ast.Return):
+        yield _ROUNDS, lambda: (before.body.append(node), block.remove(node))
+    while isinstance(outer, loop) and node is block[-1] and len(block) > 1:
+        inner, (outer, around) = outer, _block_of(outer, tree)
+        yield _ROUNDS, partial(_move_behind, node, block, inner, around)
+    if node is not block[-1]:
+        yield from _joined(node, block[position + 1], block)
+
+
+def _joined(node, second, block):
+    """Two assignments as one, so that the second sees the old value of the first."""
+    pair = (node, second)
+    if all(isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Name) for part in pair):
+        names, values = [part.targets[0] for part in pair], [part.value for part in pair]
+        both = ast.Assign([ast.Tuple(names, ast.Store())], ast.Tuple(values, ast.Load()))
+        question = f"the next line uses the new {names[0].id}. Is the old one meant?"
+        yield question, lambda: (block.remove(second), _become(node, both))
+
+
+def _move_behind(node, block, loop, around):
+    block.remove(node)
+    around.insert(around.index(loop) + 1, node)
+
+
+def _block_of(statement, tree):
+    """(the node around a statement, the list of statements with it)."""
+    for outer in ast.walk(tree):
+        for block in (getattr(outer, "body", None), getattr(outer, "orelse", None)):
+            if isinstance(block, list) and statement in block:
+                return outer, block
+    return None, [statement]
+
+
+def _constant(node, _tree):
+    if getattr(node, "attr", "") == "inf":
+        for other in ("0", "-node"):
+            yield _NUMBER, _replacing(node, other)
+    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+        for other in (node.value + 1, node.value - 1, -node.value, math.inf):
+            if node.value or other > 0:
+                yield _NUMBER, _setting(node, value=other)
+
+
+def _square(node, _tree):
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div):
+        for side in ("left", "right"):
+            squared = _parsed("base ** 2", base=getattr(node, side))
+            yield "is something to be squared?", _setting(node, **{side: squared})
+    inner = getattr(getattr(node, "func", None), "value", None)
+    if isinstance(node, ast.Call) and isinstance(inner, ast.BinOp) and isinstance(inner.op, ast.Div):
+        sums = _replacing(node, "a.sum() / b.sum()", a=inner.left, b=inner.right)
+        yield "is each value divided, or one sum by the other?", sums
+
+
+def _argument(node, tree):
+    for argument in tree.args.args if node is tree else ():
+        line = ast.parse(f"{argument.arg} = {argument.arg}.astype(int)").body[0]
+        yield _TYPE.format(name=argument.arg), lambda line=line: tree.body.insert(0, line)
+
+
+def _name(node, tree):
+    stored = [part for part in ast.walk(tree) if isinstance(getattr(part, "ctx", None), ast.Store)]
+    names = [part.arg for part in tree.args.args] + [part.id for part in stored if isinstance(part, ast.Name)]
+    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in names:
+        for other in sorted({*names} - {node.id}):
+            yield "is it the right variable?", _setting(node, id=other)
+
+
+# The first change that helps counts.
+_RULES = (_compare, _order, _operator, _call, _statement, _constant, _square, _argument, _name)

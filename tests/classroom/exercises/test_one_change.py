@@ -1,0 +1,130 @@
+"""The one change that would make a wrong answer right, named by its place."""
+
+import linecache
+
+import numpy as np
+import pytest
+
+from imgproc_course.classroom.exercises.one_change import _CheckedNumPy, sentence_on_change
+from imgproc_course.classroom.exercises.running import call
+
+
+def sentence(source, *pairs):
+    """The sentence on a function f, for which (arguments, expected value) are the calls."""
+    names = {"np": np}
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    exec(compile(source, "<answer>", "exec"), names)
+
+    def passes(function, seconds):
+        results = [call(function, arguments, [], seconds) for arguments, _ in pairs]
+        wanted = [call(lambda value=value: value, (), [], 1) for _, value in pairs]
+        return all(map(lambda one, other: one.matches(other, 1e-9, exact_type=False), results, wanted))
+
+    return sentence_on_change(names["f"], passes)
+
+
+ROWS = "def f(a):\n    found = []\n    for row in range(len(a)):\n        for col in range(len(a[0])):\n"
+TABLE = [[0, 5, 0], [7, 0, 0]]
+CASES = {
+    "a limit": (
+        "def f(a, b):\n    return a < b",
+        [((1, 1), True), ((2, 1), False)],
+        "line 2",
+        "a < b: does the",
+    ),
+    "an order": (
+        "def f(a, b):\n    return a - b",
+        [((1, 3), 2)],
+        "line 2",
+        "a - b: which of them comes first?",
+    ),
+    "an operator": ("def f(a):\n    return a // 2", [((3,), 1.5), ((4,), 2.0)], "line 2", "a // 2"),
+    "parentheses": (
+        "def f(a):\n    return a / 1 - a",
+        [((0.5,), 1.0), ((0.75,), 3.0)],
+        "line 2",
+        "a / 1 - a",
+    ),
+    "a function": ("def f(a):\n    return int(a)", [((1.6,), 2), ((1.2,), 1)], "line 2", "int(a)"),
+    "a number": ("def f(a):\n    return a[1:-1]", [(([1, 2, 3],), [1, 2])], "line 2", "1 in return a[1:-1]"),
+    "a variable": ("def f(a, b):\n    return a * a", [((2, 5), 10)], "line 2", "a in return a * a"),
+    "an axis": (
+        "def f(a):\n    return a.sum(axis=0).tolist()",
+        [((np.eye(2, 3),), [1.0, 1.0])],
+        "line 2",
+        "0 in return a.sum(axis=0)",
+    ),
+    "the dtype of an argument": (
+        "def f(a):\n    return int(a[0] + a[1])",
+        [((np.array([200, 100], np.uint8),), 300)],
+        "With one change, these",
+        "do not fit into the dtype of a. Use int for them.",
+    ),
+    "a start value": (
+        "def f(a):\n    sums = []\n    n = 0\n    for row in a:\n        for x in row:\n            n += x\n"
+        "        sums.append(n)\n    return sums",
+        [(([[1, 2], [3]],), [3, 3])],
+        "line 3",
+        "n = 0: should this happen in each round",
+    ),
+    "a return in a loop": (
+        "def f(a):\n    n = 0\n    for x in a:\n        n += x\n        return n",
+        [(([1, 2],), 3)],
+        "line 5",
+        "return n: should this happen in each round",
+    ),
+    "a new value used too early": (
+        "def f(a, b):\n    a = a + b\n    b = a - b\n    return a, b",
+        [((5, 3), (8, 2))],
+        "line 2",
+        "the next line uses the new a. Is the old one meant?",
+    ),
+    "the same at two places": (
+        ROWS + "            if a[row][col]:\n                r, c = col, row\n"
+        "                found.append((r, c))\n"
+        "    return found",
+        [((TABLE,), [(0, 1), (1, 0)])],
+        "line 6",
+        "(r, c)",
+    ),
+    "in two lines": (
+        "def f(a, b):\n    a = a // 2\n    b = b // 2\n    return a, b",
+        [((1, 3), (0.5, 1.5))],
+        "lines 2, 3",
+        "a // 2 and b // 2: is it the right operator?",
+    ),
+    "a method that is not called": ("def f(a):\n    return a.upper", [(("x",), "X")], "line 2", "a.upper"),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_place_of_one_change_is_named(name):
+    source, pairs, *parts = CASES[name]
+    text = sentence(source, *pairs)
+    assert "these checks pass" in text
+    assert all(part in text for part in parts), text
+
+
+def test_nothing_is_said_if_no_change_helps():
+    assert sentence("def f(a):\n    return 0", ((4,), 16), ((5,), 25)) == ""
+
+
+def test_a_change_that_never_ends_costs_no_more_than_its_time():
+    source = "def f(a):\n    n = 0\n    while n <= a:\n        n += 1\n    return n"
+    assert "n <= a" in sentence(source, ((3,), 3), ((5,), 5))
+
+
+def test_all_likely_places_are_named_if_one_is_enough():
+    """The calls do not show that the second line is wrong too."""
+    text = sentence("def f(a, b):\n    a = a // 2\n    b = b // 2\n    return a, b", ((1, 4), (0.5, 2)))
+    assert "lines 2, 3" in text
+
+
+def test_lapack_never_gets_a_number_that_is_not_finite():
+    """It prints into the notebook, and may never end."""
+    checked = _CheckedNumPy().linalg
+    with pytest.raises(np.linalg.LinAlgError, match="not finite"):
+        checked.svd(np.full((2, 2), np.nan))
+    assert checked.norm(np.array([3.0, 4.0])) == 5
+    source = "def f(a):\n    return np.linalg.svd(a * 2.0)[1].tolist()"
+    assert "2.0 in return" in sentence(source, ((np.eye(2),), [1.0, 1.0]), ((2 * np.eye(2),), [2.0, 2.0]))
