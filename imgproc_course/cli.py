@@ -373,7 +373,7 @@ def _would_be_committed(path):
     "--deadline",
     callback=_local_time,
     metavar="TIME",
-    help="Mark later submissions as late. In local time: 2026-12-01T23:59.",
+    help="Mark later submissions as late. In local time: 2026-12-01T23:59; a date alone is its end.",
 )
 @option(
     "--late",
@@ -430,7 +430,7 @@ def grade(submissions, keys, out, review, forget_rules, yes, **options):
     could not be graded (they get 0 points and a reason) or a page is incomplete, 1 nothing was graded, 130
     interrupted.
     """
-    from imgproc_course.classroom.autograder.worker_threads import open_worker_threads, usual_workers
+    from imgproc_course.classroom.autograder.worker_threads import usual_workers
     from imgproc_course.classroom.gradebook.answer_keys import load_keys
 
     rules = _rules_of_run(out, options | {"keys": keys}, forget_rules, yes)
@@ -439,6 +439,21 @@ def grade(submissions, keys, out, review, forget_rules, yes, **options):
     if not options["workers"]:
         with _in_one_line(ValueError):
             options["workers"] = usual_workers(load_keys(keys).lessons.values())
+    try:
+        report = _grade_and_review(submissions, keys, out, rules, review, options)
+    except KeyboardInterrupt:
+        text = "\nStopped. Finished grades are saved: run the same command again to continue."
+        click.echo(text, err=True)
+        raise SystemExit(130) from None
+    click.echo(report.text)
+    if report.not_graded or report.failed_pages:
+        raise SystemExit(_COULD_NOT_GRADE)
+
+
+def _grade_and_review(submissions, keys, out, rules, review, options):
+    """The GradingSummary of a run, or of the second one after a review."""
+    from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
+
     with contextlib.ExitStack() as stack:
         if not options["scheduler"]:
             # After a first run, perhaps nothing is left to do.
@@ -450,23 +465,15 @@ def grade(submissions, keys, out, review, forget_rules, yes, **options):
         from imgproc_course.classroom.gradebook.grade import grade_submissions
         from imgproc_course.classroom.gradebook.review_server import serve_review
 
-        try:
-            with _in_one_line(SandboxError, ValueError):  # the other errors of grading are ValueErrors
+        with _in_one_line(SandboxError, ValueError):  # the other errors of grading are ValueErrors
+            report = grade_submissions(submissions, keys, out, **options)
+            rules.keep()
+            if review:
+                click.echo(report.text)
+                serve_review(out, keys, options["decisions"], say=click.echo)
+                options |= {"fresh": False, "regrade": ()}
                 report = grade_submissions(submissions, keys, out, **options)
-                rules.keep()
-                if review:
-                    click.echo(report.text)
-                    serve_review(out, keys, options["decisions"], say=click.echo)
-                    options |= {"fresh": False, "regrade": ()}
-                    report = grade_submissions(submissions, keys, out, **options)
-        except KeyboardInterrupt:
-            click.echo(
-                "\nStopped. Finished grades are saved: run the same command again to continue.", err=True
-            )
-            raise SystemExit(130) from None
-    click.echo(report.text)
-    if report.not_graded or report.failed_pages:
-        raise SystemExit(_COULD_NOT_GRADE)
+    return report
 
 
 def _rules_of_run(out, given, forget, yes):

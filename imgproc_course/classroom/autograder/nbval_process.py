@@ -35,6 +35,7 @@ _PLUGINS = (
 _PROGRAM = "from imgproc_course.classroom.autograder import nbval_main; nbval_main.main()"
 
 _processes = {}  # name of a thread: its NbvalProcess
+_stopped = set()  # prefixes of the threads that start no more
 
 
 class NbvalProcessEnded(Exception):
@@ -51,15 +52,23 @@ class NbvalProcessNotStarted(SandboxError):
 
 def nbval_process_of_thread(unsafe, limits):
     """This thread's NbvalProcess with these options of `autograde`; one with others is stopped."""
-    process = _processes.get(threading.current_thread().name)
+    thread = threading.current_thread().name
+    if thread.startswith(tuple(_stopped)):
+        raise NbvalProcessNotStarted("the run was stopped")
+    process = _processes.get(thread)
     if process is not None and process.options != (unsafe, limits):
         process.stop()
         process = None
     return process or NbvalProcess(unsafe, limits)
 
 
-def stop_nbval_processes(thread_prefix=""):
-    """Stop this process's nbval processes, of threads with this prefix; the next submission starts others."""
+def stop_nbval_processes(thread_prefix="", *, for_good=False):
+    """Stop this process's nbval processes, of threads with this prefix; the next submission starts others.
+
+    `for_good`: none starts in such a thread again.
+    """
+    if for_good:
+        _stopped.add(thread_prefix)
     processes = [process for name, process in list(_processes.items()) if name.startswith(thread_prefix)]
     for process in processes:
         process.close_connection()
@@ -187,8 +196,9 @@ class NbvalProcess:
         It has so many seconds for that; None: five if it has graded or could have.
         """
         code = 0
-        if _processes.pop(self._thread, None) is None:  # it was stopped before
+        if _processes.get(self._thread) is not self:  # it was stopped before
             return code
+        del _processes[self._thread]
         self.close_connection()
         self._lines.close()
         self._socket.close()

@@ -17,6 +17,7 @@ that slow ones left no time for come first: only what is slow itself can lose by
 import contextlib
 import itertools
 import os
+import sys
 from collections import deque
 from concurrent.futures import Future, wait
 from dataclasses import replace
@@ -74,7 +75,12 @@ def _grade_all(submissions, key, options, workers, executor):
                 queue.add((name, lesson, dict(answers)), key_of_submission)
             if not queue.waiting:
                 return
-            yield queue.next_result()
+            try:
+                result = queue.next_result()
+            except KeyboardInterrupt:
+                print("\nStopping after what runs now; Ctrl-C again stops at once.", file=sys.stderr)
+                raise
+            yield result
 
 
 class _Queue:

@@ -36,7 +36,7 @@ def open_worker_threads(workers=None, *, early=False, unsafe=False, limits=None)
             executor.submit(nbval_process_of_thread, unsafe, limits)
         yield executor
     finally:
-        stop_nbval_processes(prefix)
+        stop_nbval_processes(prefix, for_good=True)
         executor.shutdown()
         # The next run after a killed one perhaps finds everything graded, and needs no folder of its own.
         remove_abandoned_folders()

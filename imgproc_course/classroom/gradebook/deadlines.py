@@ -6,16 +6,22 @@ Each day that has begun after the deadline costs 10 % of the points that the les
 lesson gets none. Without the second part the deduction grows to 100 %. A learner can have another deadline.
 """
 
+import contextlib
 import math
 import re
 from dataclasses import dataclass, field
-from datetime import datetime, timedelta
+from datetime import date, datetime, time, timedelta
 
 _POLICY = re.compile(r"(\d{1,3}(?:\.\d{1,2})?) ?% (?:a|per) day(?:, ?(\d{1,4}) days?)?", re.I)
 
 
 def local_time_of(text):
-    """The local time in a text like 2026-12-01T23:59, perhaps with a zone; ValueError: it holds none."""
+    """The local time in a text like 2026-12-01T23:59, perhaps with a zone; ValueError: it holds none.
+
+    A date alone means its last second: work of that day is in time.
+    """
+    with contextlib.suppress(ValueError):
+        return datetime.combine(date.fromisoformat(text), time(23, 59, 59))
     moment = datetime.fromisoformat(text)
     return moment.astimezone().replace(tzinfo=None) if moment.tzinfo else moment
 

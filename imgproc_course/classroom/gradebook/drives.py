@@ -1,6 +1,6 @@
 """The teacher's page of all drives: a map of each, those of hidden scenarios, too."""
 
-from .report import map_of, render_page
+from .report import label_of, map_of, render_page
 
 
 def drives_page(learners, store, names):
@@ -14,7 +14,10 @@ def drives_page(learners, store, names):
                     drives = views.setdefault((exercise.title, case.title, case.id), [])
                     drives.append((names[learner.name], case))
     maps = {  # one scenario after another: its room is made once
-        about: [{"name": name, "case": case, "map": map_of(case)} for name, case in drives]
+        about: [
+            {"name": name, "case": case, "label": label_of(case), "map": map_of(case)}
+            for name, case in drives
+        ]
         for about, drives in views.items()
     }
     return render_page("drives.html", views=maps) if maps else ""

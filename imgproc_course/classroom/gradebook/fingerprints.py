@@ -79,8 +79,13 @@ def _parts(node):
 
 
 def shape_of(tokens):
-    """[digest, number] of tokens: equal for answers that differ in names, comments and spacing only."""
-    return [_digest(token for token, _ in tokens), len(tokens)]
+    """[digest, number of tokens, digest without the numbers in them].
+
+    The first is equal for answers that differ in names, comments and spacing only.
+    """
+    texts = [token for token, _ in tokens]
+    without_numbers = ["number" if text[:1].isdigit() else text for text in texts]
+    return [_digest(texts), len(texts), _digest(without_numbers)]
 
 
 def winnowed(tokens):
@@ -102,7 +107,7 @@ def _digest(tokens):
 def fingerprints(answers):
     """Of {exercise id: source}: what grading compares, as JSON can hold it.
 
-    shapes  {exercise id: [digest, number of tokens]}
+    shapes  {exercise id: shape_of its tokens}
     prints  {fingerprint: [exercise id, first line, last line]}
     """
     shapes, prints = {}, {}

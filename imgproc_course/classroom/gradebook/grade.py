@@ -24,12 +24,14 @@ from .roster import read_roster, roster_report
 from .similarity import compare, report_copies, similar_entries
 from .teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
+_NOT_FILLED = "Not filled: "
+_MOST_REPEATED = 3  # times that one learner submits one lesson
 _MAX_LINES = 12  # of a run's summary, before the last lines
 
 
 @dataclass(frozen=True)
 class GradingSummary:
-    """What to print after a run: `text`; how many submissions could not be graded, and pages not written."""
+    """What to print after a run; how many submissions were not graded, and pages or tables not written."""
 
     text: str
     not_graded: int
@@ -135,6 +137,12 @@ def _decisions_file(out):
     return path
 
 
+def _folder_above(learners):
+    """A line if everything came from one folder, which perhaps holds the submissions."""
+    if len(learners) == 1 and any(len(one["earlier"]) >= _MOST_REPEATED for one in learners[0]["lessons"]):
+        yield f"All of them came from {learners[0]['name']}. Is this a folder of submissions? Then name it."
+
+
 def _fill_tables(platform_tables, grades, out):
     """Write the platforms' tables with points in them; returns lines for the summary."""
     lines = []
@@ -142,7 +150,7 @@ def _fill_tables(platform_tables, grades, out):
         try:
             text, table_lines = fill_table(table, grades)
         except TableError as error:  # the other tables have the points all the same
-            lines.append(f"Not filled: {error}")
+            lines.append(f"{_NOT_FILLED}{error}")
             continue
         result_store.write_grades_file(out / "exports" / f"filled-{table.path.name}", text)
         lines += table_lines
@@ -173,6 +181,7 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
                 lines.append(f"  {learner['name']}: {lesson['file']}: {fault}; run the command again")
     if len(lines) > _MAX_LINES:
         lines[_MAX_LINES - 1 :] = [f"  and {len(lines) - _MAX_LINES + 1} more"]
+    lines += _folder_above(grades["learners"])
     lines += [f"The page of {name} is incomplete ({reason})." for name, reason in failed_pages.items()]
     if not grades["sandbox"]:
         lines.append("Graded without a sandbox; grades.json records it.")
@@ -182,4 +191,5 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
     if (out / "changes.html").exists():
         places += f"   What changed last: {out}/changes.html"
     lines = [*(line[:width] for line in lines), places]
-    return GradingSummary("\n".join(lines), not_graded, len(failed_pages))
+    not_filled = sum(line.startswith(_NOT_FILLED) for line in table_lines)
+    return GradingSummary("\n".join(lines), not_graded, len(failed_pages) + not_filled)

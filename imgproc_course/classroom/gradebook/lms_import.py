@@ -6,7 +6,8 @@
 Only the points of graded lessons are written; every other cell stays as it is, save for an apostrophe before
 what a spreadsheet would take for a formula. A row is matched to a learner
 by the platform's number, which is part of the names of the files that the platform hands out. Otherwise it is
-matched by a login, an e-mail address or a number that is the learner's name here.
+matched by a login, an e-mail address or a number that is the learner's name here, or by the full name if only
+one row and one learner have it.
 """
 
 import re
@@ -16,7 +17,7 @@ from ..authoring.lesson_names import lesson_name, lessons_named
 from ..autograder.sanitize import without_formulas
 from .csv_table import TableError, csv_text, read_csv
 from .lms_export import EXCUSED, lessons_of, platform_points
-from .roster import identities_of, number_of
+from .roster import forms_of_name, identities_of, number_of, squeezed
 
 _CANVAS = ("Student", "ID"), ("LastName", "FirstName", "ID")
 _NUMBER = re.compile(r"[+-]?[\d.,]*")
@@ -61,10 +62,7 @@ def fill_table(table, grades):
     columns = _lesson_columns(table, grades)
     rows, filled, without_row = [list(row) for _, row in table.rows], 0, _graded_lessons(grades)
     graded, excused = dict(without_row), EXCUSED if _is_canvas(table) else ""
-    for row in rows:
-        learner = _learner(table.record(row), grades["learners"])
-        if learner is None:
-            continue
+    for row, learner in _matched(table, rows, grades["learners"]):
         without_row.pop(learner["name"], None)
         for column, name in columns.items():
             lesson = graded[learner["name"]].get(name)
@@ -126,6 +124,20 @@ def _lesson_of_worksheet(table, grades, lessons):
         f"{table.path}: a worksheet belongs to one lesson, but this one can belong to"
         f" {', '.join(candidates) or 'none'}: put the lesson's name into the file's name"
     )
+
+
+def _matched(table, rows, learners):
+    """(row, its learner) of a table; by the name alone if one row and one learner without a row have it."""
+    records = [table.record(row) for row in rows]
+    matched = [_learner(record, learners) for record in records]
+    names = [set(map(squeezed, forms_of_name(record))) for record in records]
+    own_names = [squeezed(learner["name"]) for learner in learners]
+    for learner, name in zip(learners, own_names, strict=True):
+        numbers = [number for number, forms in enumerate(names) if name in forms]
+        is_another = _is_canvas(table) and "canvas" in {lesson["platform"] for lesson in learner["lessons"]}
+        if learner not in matched and not is_another and len(numbers) == own_names.count(name) == 1:
+            matched[numbers[0]] = matched[numbers[0]] or learner
+    return [(row, learner) for row, learner in zip(rows, matched, strict=True) if learner is not None]
 
 
 def _learner(row, learners):

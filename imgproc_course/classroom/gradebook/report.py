@@ -24,6 +24,10 @@ _LONGEST_DESCRIPTION = 400  # characters of a value
 _CELL_ADVICE = (
     "No check could use your answer: run the cell in the lesson, and fix what Python reports there."
 )
+_FOREIGN_VALUE = (
+    "Your answer reads a value that another cell makes with a module that is not allowed here. In the lesson"
+    " it works; grading gives your function only its arguments. Compute with those."
+)
 _MAP_CAPTION = "The drive: a green dot is its start, a cross a bump, a ring the decisive moment."
 _DRIVES_WRONG = "does not drive as the task asks"
 _NAME_ADVICE = (
@@ -188,16 +192,20 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
         values_view = _values_view(case, key_exercise)
         view |= {"secret": values_view} if case.hidden else values_view
     is_open = case.outcome == Outcome.NOT_ATTEMPTED  # a hint would give away what nobody asked for
-    is_wrong_drive = case.drive and case.outcome == Outcome.WRONG
     return {
         **(view | vars(case)),
         "passed": case.passed,
-        "label": _DRIVES_WRONG if is_wrong_drive else TEXTS[case.outcome].label,
+        "label": label_of(case),
         "message": "" if replaced_by_advice else _message_of(case),
         "hint": "" if replaced_by_advice or is_open else case.hint,
         "state": "passed" if case.passed else "open" if is_open else "failed",
         "open": False,
     }
+
+
+def label_of(case):
+    """How a case ended, in a few words."""
+    return _DRIVES_WRONG if case.drive and case.outcome == Outcome.WRONG else TEXTS[case.outcome].label
 
 
 def map_of(case):
@@ -222,6 +230,8 @@ def _advice_on(exercise):
         return "", False
     (outcome,) = outcomes
     if outcome == Outcome.RAISED:
+        if "RefusedModule" in exercise.message:
+            return _FOREIGN_VALUE, True
         if exercise.message:
             advice = _advice_on_exception(exercise.message.partition(": ")[2])
             return f"{advice} {_CELL_ADVICE}".strip(), True

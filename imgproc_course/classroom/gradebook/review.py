@@ -4,6 +4,7 @@ A page shows each learner's answer as it was graded, beside its checks; learners
 follow each other. What is typed there becomes lines for decisions.csv, to copy, or saved by `grade --review`.
 """
 
+import re
 import tempfile
 from dataclasses import dataclass, field
 
@@ -114,5 +115,5 @@ def _ending(case):
     """How a case ended; of an exception its name, because the rest quotes the learner's own line."""
     label, message = TEXTS[case["outcome"]].label, case["message"]
     if case["outcome"] == Outcome.RAISED:
-        message = message.partition(":")[0]
+        message = "".join(re.findall(r"^[A-Z]\w+", message))
     return f"{label} ({message})" if message else label

@@ -50,7 +50,7 @@ def serve_review(out, keys, decisions=None, *, say=print):
     """Serve the pages of a folder of grades until Ctrl-C; the arguments are those of the command `grade`."""
     with ReviewServer(out, decisions or Path(out) / "decisions.csv", load_keys(keys)) as server:
         say(f"Read the answers and decide: {server.url}")
-        say("Your decisions are counted when you press Ctrl-C here.")
+        say("What you type there is saved at once, and counted when you press Ctrl-C here.")
         with contextlib.suppress(KeyboardInterrupt):
             server.serve_forever()
 

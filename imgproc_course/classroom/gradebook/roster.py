@@ -48,7 +48,7 @@ class RosterEntry:
 
     def has_name(self, name):
         """Whether this person's submission can arrive under a name."""
-        return _squeezed(name) in {_squeezed(own) for own in self.names}
+        return squeezed(name) in {squeezed(own) for own in self.names}
 
 
 def read_roster(path):
@@ -67,7 +67,7 @@ def read_roster(path):
 
 def _entry(row):
     """The RosterEntry of {column: cell}; None if the row is no person's."""
-    full, *other_forms = _forms_of_name(row)
+    full, *other_forms = forms_of_name(row)
     identities = identities_of(row)
     if full.casefold() in _NO_PEOPLE and not (full == "" and identities):
         return None
@@ -87,7 +87,7 @@ def number_of(row):
     return next(((platform, match[0]) for platform, match in numbers if match), None)
 
 
-def _forms_of_name(row):
+def forms_of_name(row):
     """A person's name as the table has it, and with the first and with the last name first; perhaps empty."""
     full, first, last = (_first_cell(row, columns) for columns in (_FULL_NAME, _FIRST_NAME, _LAST_NAME))
     if not full:
@@ -103,7 +103,7 @@ def _first_cell(row, columns):
     return next((row[column] for column in columns if row.get(column)), "")
 
 
-def _squeezed(name):
+def squeezed(name):
     """A name by its letters and digits alone: Canvas writes lovelaceada for "Lovelace, Ada"."""
     return "".join(filter(str.isalnum, unicodedata.normalize("NFC", name).casefold()))
 

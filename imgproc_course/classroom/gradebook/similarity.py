@@ -88,8 +88,8 @@ def compare(learners, answer_keys, store):
 
 def _copied(shapes, solution_shapes):
     """The exercises whose answer has the solution's shape, if that is long enough to say something."""
-    equal = [id for id, shape in shapes.items() if shape == solution_shapes.get(id)]
-    return [id for id in equal if shapes[id][1] >= SHORTEST_SOLUTION]
+    equal = [id for id in shapes.keys() & solution_shapes if shapes[id][2] == solution_shapes[id][2]]
+    return sorted(id for id in equal if shapes[id][1] >= SHORTEST_SOLUTION)
 
 
 def _groups(lesson, documents, known):
@@ -164,7 +164,7 @@ def report_copies(entries, learners, copies):
 
     `entries` are the learners' parts of grades.json, in the order of `learners`; `copies` is from `compare`.
     """
-    text = "it equals the course's solution, whatever the names; the solutions are public: a reason to ask"
+    text = "it equals the course's solution, whatever the names and numbers; it is public: a reason to ask"
     for entry, learner in zip(entries, learners, strict=True):
         for lesson in entry["lessons"]:
             copied = copies.get(learner.digests.get(lesson["lesson"]), ())

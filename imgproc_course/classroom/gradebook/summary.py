@@ -12,6 +12,7 @@ from ..exercises.running import MEANT
 from .csv_table import csv_text
 from .grades_json import lesson_names
 from .report import count_of, finding_text, render_page
+from .roster import squeezed
 from .teacher_tables import plain_number
 
 _BIN_COUNT = 10
@@ -30,6 +31,7 @@ def summary_page(grades, failed_pages=(), other_pages=()):
     submitted = {lesson["lesson"] for lesson in submissions}
     graded = [lesson for lesson in submissions if lesson["status"] == "graded"]
     senders = [finding for finding in grades["intake"] if finding["kind"] != "file"]
+    missing = grades["roster"]["missing"] if grades["roster"] else ()
     own_modules = {PurePosixPath(path).stem for path in grades["ignored"] if path.endswith(".py")}
     return render_page(
         "summary.html",
@@ -44,6 +46,7 @@ def summary_page(grades, failed_pages=(), other_pages=()):
         checks=_check_rows(graded),
         mistakes=_mistake_counts(graded),
         senders=senders,
+        sent={name: sum(squeezed(name) in squeezed(path) for path in grades["ignored"]) for name in missing},
         doubtful=list(dict.fromkeys(finding["learner"] or finding["file"] for finding in senders)),
         **_mean_and_median(grades["learners"]),
         **_lists_of_concerns(grades["learners"], own_modules),
@@ -110,7 +113,8 @@ def _texts_in_short(texts):
 def _about_submission(lesson, _):
     if lesson["status"] != "graded":
         yield "unfair", "", f"could not be graded: {lesson['reason']}"
-    if lesson["late_deduction"] and not all(earlier["late"] for earlier in lesson["earlier"]):
+    in_time = [earlier for earlier in lesson["earlier"] if not earlier["late"] and not earlier["reason"]]
+    if lesson["late"] and in_time and lesson["points"] < lesson["max_points"]:
         yield "unfair", "", "an earlier submission was in time, but the latest one counts"
     if lesson["late"] and not lesson["days_late"]:
         text = "the platform says that it is late; by how much is unknown, so nothing is deducted"
@@ -129,7 +133,9 @@ def _about_findings(lesson, _):
         elif finding["kind"] == "odd":
             yield "dishonest", finding["exercise"], finding_text(finding)
         elif finding["kind"] == "message" and not repeated:
-            yield ("unfair" if lost_points else "others"), finding["exercise"], finding_text(finding)
+            reason = entry.get("message") if lost_points and entry is not lesson else ""
+            text = "; ".join(filter(None, (finding_text(finding), reason)))
+            yield ("unfair" if lost_points else "others"), finding["exercise"], text
 
 
 def _about_outcomes(lesson, own_modules):

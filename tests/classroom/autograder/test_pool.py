@@ -9,7 +9,7 @@ import subprocess
 import sys
 import threading
 import time
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import suppress
 
 import psutil
@@ -19,11 +19,13 @@ from imgproc_course.classroom.authoring.lesson_files import lesson_files
 from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.classroom.autograder import nbval_process
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
+from imgproc_course.classroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
 from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde, grade_one
 from imgproc_course.classroom.autograder.results import from_json, to_json
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
 from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
 from imgproc_course.classroom.exercises.checking import run_check
@@ -440,3 +442,13 @@ def test_an_nbval_process_loads_nothing_that_only_teachers_tools_need():
     )
     done = subprocess.run([sys.executable, "-I", "-c", code], capture_output=True, text=True)
     assert (done.stdout, done.stderr) == ("[]\n[]\n", "")
+
+
+def test_a_thread_of_a_stopped_pool_starts_no_process_again():
+    """Else a submission that runs while the pool is stopped starts one, and the command waits."""
+    with open_worker_threads(1) as executor:
+        name = executor.submit(lambda: threading.current_thread().name).result()
+    with ThreadPoolExecutor(1, thread_name_prefix=name.removesuffix("_0")) as again:
+        future = again.submit(nbval_process_of_thread, False, None)
+        with pytest.raises(NbvalProcessNotStarted, match="the run was stopped"):
+            future.result()

@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+from datetime import datetime
 
 import pytest
 from click.testing import CliRunner
@@ -270,6 +271,10 @@ def test_a_scheduler_is_found_by_its_address(run, light, key_path, tmp_path, mon
     ended = run("grade", "in", "--key", key_path, "--scheduler", "tcp://127.0.0.1:9")
     assert asked == ["tcp://127.0.0.1:9"]
     assert ended.exit_code == 1 and "no Dask scheduler answers" in ended.output
+
+
+def test_a_deadline_without_a_time_is_the_end_of_the_day():
+    assert local_time_of("2026-12-01") == datetime(2026, 12, 1, 23, 59, 59)
 
 
 def test_a_deadline_with_a_zone_is_in_local_time():

@@ -94,6 +94,17 @@ def test_what_a_spreadsheet_would_take_for_a_formula_gets_an_apostrophe(submitte
     assert rows[3][6:] == ["-9.0", "-"]
 
 
+def test_a_row_is_found_by_its_name_if_nobody_else_has_it(light, submissions, grade, table):
+    right = notebook(light, answers_of(light, "right"))
+    for name in ("Ada Lovelace", "Bob", "Cy"):
+        write(submissions / name / "20_light.ipynb", right)
+    rows = "Participant 1,Ada Lovelace,a@x,,,\nParticipant 2,Bob,b@x,,,\nParticipant 3,bob,c@x,,,\n"
+    head = "Identifier,Full name,Email address,Status,Grade,Maximum grade\n"
+    text, lines = fill_table(read_tables([table("20_light.csv", head + rows)])[0], grade(submissions))
+    assert [row[4] for row in cells(text)] == ["Grade", "6", "", ""]
+    assert lines == ["20_light.csv: 1 points filled in.", "  graded, but in no row of the table: Bob, Cy"]
+
+
 def test_empty_lines_of_a_table_stay(submitted, grade, table):
     grades = grade(submitted)
     text, lines = filled(table("gradebook.csv", CANVAS), grades)

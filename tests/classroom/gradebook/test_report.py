@@ -8,6 +8,7 @@ import shutil
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from accessibility import violations
 from PIL import Image
 from submissions import SEED, answers_of, notebook, write
 
+from imgproc_course.classroom.autograder.outcomes import Outcome
 from imgproc_course.classroom.autograder.results import from_json
 from imgproc_course.classroom.autograder.sanitize import (
     sanitize_line,
@@ -26,7 +28,7 @@ from imgproc_course.classroom.exercises.answer_images import answer_images
 from imgproc_course.classroom.exercises.canonical import canonical
 from imgproc_course.classroom.exercises.values import differing_elements
 from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.report import learner_page, value_of
+from imgproc_course.classroom.gradebook.report import _advice_on, learner_page, value_of
 from imgproc_course.classroom.gradebook.similarity import SimilarGroup, Version, similarity_page
 
 pytestmark = pytest.mark.sandbox
@@ -468,3 +470,13 @@ def test_what_follows_a_semicolon_is_no_formula_either():
 def test_other_table_cells_are_unchanged():
     assert spreadsheet_text("Ada = Lovelace") == "Ada = Lovelace"
     assert spreadsheet_text(-3.5) == -3.5 and spreadsheet_text("") == ""
+
+
+def test_a_value_that_another_cell_makes_with_a_module_is_explained():
+    """In the lesson this works, so "fix what Python reports there" would not help."""
+    message = (
+        "a statement in its cell fails: RefusedModule: write this exercise without imgproc_course.recording"
+    )
+    exercise = SimpleNamespace(message=message, cases=[SimpleNamespace(outcome=Outcome.RAISED)])
+    text, _ = _advice_on(exercise)
+    assert "In the lesson it works" in text and "Compute with those" in text

@@ -366,6 +366,46 @@ def test_a_lesson_that_lost_points_by_lateness_alone_gets_back_only_those(
     assert "0 of 6" in row and "<code>ada,light,,3,looked at by hand</code>" in row
 
 
+def test_a_wrong_late_submission_after_a_right_one_in_time_is_listed(light, submissions, key_path, tmp_path):
+    right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
+    write(submissions / "ada" / "a.ipynb", right, datetime(2026, 11, 1))
+    write(submissions / "ada" / "b.ipynb", wrong, datetime(2026, 11, 4))
+    write(submissions / "bob" / "a.ipynb", wrong, datetime(2026, 11, 4))
+    late = {"deadline": datetime(2026, 11, 2), "late": "50% a day, 1 day"}
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True, **late)
+    (row,) = rows_of(tmp_path / "out", "May have lost points unfairly")
+    assert "ada" in row and "an earlier submission was in time" in row
+
+
+def test_who_sent_only_other_files_is_named_with_them(light, submissions, key_path, tmp_path):
+    write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
+    write(submissions / "Uwe Ulm" / "answer.py", b"x = 1")
+    (tmp_path / "roster.csv").write_text("name\nada\nUwe Ulm\nMax Nobody\n", encoding="utf-8")
+    options = {"workers": 1, "quiet": True, "roster": tmp_path / "roster.csv"}
+    grade_submissions(submissions, [key_path], tmp_path / "out", **options)
+    page = (tmp_path / "out" / "summary.html").read_text(encoding="utf-8")
+    assert "<bdi>Uwe Ulm</bdi> (sent 1 file, no notebook); <bdi>Max Nobody</bdi>." in page
+
+
+def test_a_folder_above_the_submissions_is_noticed(light, submissions, key_path, tmp_path):
+    for name in ("ada", "bob", "cy", "di"):
+        write(submissions / "week_1" / name / "a.ipynb", notebook(light, answers_of(light, "right")))
+    summary = grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    assert "All of them came from week_1. Is this a folder of submissions?" in summary.text
+
+
+def test_an_excused_lesson_is_no_practice(light, submissions, key_path, tmp_path):
+    write(submissions / "ada.ipynb", notebook(light, answers_of(light, 0)))
+    (tmp_path / "decisions.csv").write_text(
+        "learner,lesson,exercise,points,comment\nada,light,,excused,ill\n"
+    )
+    options = {"workers": 1, "quiet": True, "decisions": tmp_path / "decisions.csv"}
+    grade_submissions(submissions, [key_path], tmp_path / "out", **options)
+    (page,) = (tmp_path / "out" / "learners").iterdir()
+    text = page.read_text(encoding="utf-8")
+    assert "counts neither for you nor against you" in text and "practice, without points" not in text
+
+
 def test_each_check_of_each_learner_is_a_row(graded):
     with (graded[1] / "checks.csv").open(encoding="utf-8-sig", newline="") as file:
         rows = list(csv.DictReader(file))

@@ -33,6 +33,7 @@ function decideForAll(event) {
     fieldsOf(event.target).forEach((field, k) => { if (field.value) fields[k].value = field.value; });
   }
   update();
+  if (isServed) saveLines();
 }
 
 async function saveLines() {
@@ -40,7 +41,10 @@ async function saveLines() {
   const values = forms.map(form => fieldsOf(form).map(field => field.value));
   const answer = await fetch("../decisions", { method: "POST", body: lines.value }).catch(
     () => ({ ok: false, text: () => "Not saved: the command does not run any more. Copy the lines." }));
-  if (answer.ok) forms.forEach((form, i) => fieldsOf(form).forEach((field, k) => { field.defaultValue = values[i][k]; }));
+  if (answer.ok) forms.forEach((form, i) => {
+    fieldsOf(form).forEach((field, k) => { field.defaultValue = values[i][k]; });
+    sessionStorage.setItem(form.dataset.line, JSON.stringify(values[i]));
+  });
   status.textContent = await answer.text();
   update();
 }
@@ -66,6 +70,17 @@ document.addEventListener("focusin", event => {
   if (answer) current = answers.indexOf(answer);
 });
 document.addEventListener("input", update);
+// The page is of the last run: after a reload it has what was saved since then.
+const isServed = location.protocol === "http:";
+for (const form of isServed ? answers.map(answer => answer.querySelector("form")) : []) {
+  const saved = JSON.parse(sessionStorage.getItem(form.dataset.line) ?? "[]");
+  saved.forEach((value, k) => { fieldsOf(form)[k].value = fieldsOf(form)[k].defaultValue = value; });
+}
+let pause;
+if (isServed) document.addEventListener("input", event => {
+  clearTimeout(pause);
+  if (event.target.closest("article")) pause = setTimeout(saveLines, 1000);
+});
 document.addEventListener("submit", event => {
   if (event.target.matches(".alike")) decideForAll(event);
   else event.preventDefault();
@@ -73,4 +88,4 @@ document.addEventListener("submit", event => {
 window.addEventListener("beforeunload", event => { if (lines.value) event.preventDefault(); });
 copy.addEventListener("click", copyLines);
 save.addEventListener("click", saveLines);
-save.hidden = location.protocol !== "http:";
+save.hidden = !isServed;
