@@ -38,7 +38,7 @@ and five silent ones were mended, by two sentences and four general rules; with 
 Read in this way too, 26 November 2026, each hundred measured once before anything was mended for it: 500 more
 answers to 41 exercises of the lessons 12 to 22, 81, 85, 85, 83 and 89 % right, 1, 1, 1, 0 and 1 false. The
 second to fourth were measured while the search for one change that makes an answer right was written, the
-fifth with it. Of 2,339 answers, it finds such a change for 548.
+fifth with it. Of 2,339 answers, it finds such a change for 548. `--fresh` then: 726, 96.1 % right (698).
 """
 
 import ast
@@ -160,6 +160,7 @@ def sentences(text, exercise_id):
     """The sentences of a feedback's text."""
     text = text.removeprefix(f"{exercise_id}: ")
     text = re.sub(r"(Your function printed:)\n(    .*\n)+", r"\1\n", text)
+    text = re.sub(r"(these checks pass)\. Look at .*: ", r"\1: ", text)  # it quotes the learner's code
     lines = text.splitlines()
     if re.match(r"\d+ of \d+ checks? pass", lines[0]):
         lines = lines[1:]

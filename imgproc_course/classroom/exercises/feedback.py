@@ -268,7 +268,7 @@ def _advice(result, call):
     yield diagnosis.text
     if diagnosis.on_border:
         yield result.exercise.border_hint or _BORDER
-    elif call.case.hint and not diagnosis.replaces_hint and not result.one_change:
+    elif call.case.hint and not diagnosis.replaces_hint:
         yield f"Hint: {call.case.hint}"
 
 

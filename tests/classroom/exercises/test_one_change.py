@@ -30,7 +30,7 @@ CASES = {
         "def f(a, b):\n    return a < b",
         [((1, 1), True), ((2, 1), False)],
         "line 2",
-        "a < b: does the",
+        "a < b: is the limit",
     ),
     "an order": (
         "def f(a, b):\n    return a - b",
