@@ -89,16 +89,16 @@ def sentence_on_change(function, passes):
     seconds = _PER_CALL + 10 * (time.perf_counter() - started)
 
     def helps(changes):
-        other = _compiled(_changed(tree, changes), function)
-        return other is not None and passes(other, seconds)
+        changed_function = _compiled(_changed(tree, changes), function)
+        return changed_function is not None and passes(changed_function, seconds)
 
     nodes = list(ast.walk(tree))
-    found = list(_possible_changes(tree, nodes))
-    for changes in _groups(found, nodes):
+    possible = list(_possible_changes(tree, nodes))
+    for changes in _groups(possible, nodes):
         if time.process_time() > ends:
             return ""
         if helps(changes):
-            like = [change for change in found if _is_like(change, changes[0], nodes)]
+            like = [change for change in possible if _is_like(change, changes[0], nodes)]
             changes = like if len(like) > len(changes) and helps(like) else changes
             places = [nodes[change.number] for change in changes]
             return _sentence(places, changes[0].question, source.splitlines(), code.co_firstlineno - 1)
@@ -159,9 +159,9 @@ def _possible_changes(tree, nodes):
                 yield _Change(rule, number, kind, question)
 
 
-def _groups(found, nodes):
+def _groups(possible, nodes):
     """Lists of changes to try together: of each rule one by one, then those of a kind."""
-    for _, same_rule in groupby(found, key=lambda change: change.rule):
+    for _, same_rule in groupby(possible, key=lambda change: change.rule):
         groups = {}
         for change in same_rule:
             place, name = nodes[change.number], (change.kind, change.question)
@@ -228,14 +228,15 @@ def _replacing(node, template, **parts):
 def _compare(node, _tree):
     if isinstance(node, ast.Compare):
         for number, operator in enumerate(node.ops):
-            for other, question in _COMPARISONS.get(type(operator), ()):
-                yield question, _setting(node, ops=[*node.ops[:number], other(), *node.ops[number + 1 :]])
+            for comparison, question in _COMPARISONS.get(type(operator), ()):
+                ops = [*node.ops[:number], comparison(), *node.ops[number + 1 :]]
+                yield question, _setting(node, ops=ops)
         if isinstance(node.ops[0], ast.In | ast.NotIn):
             rows = _parsed("list(map(tuple, array.tolist()))", array=node.comparators[0])
             yield _ROWS, _setting(node, comparators=[rows])
     if isinstance(node, ast.BoolOp):
-        other = ast.And if isinstance(node.op, ast.Or) else ast.Or
-        yield "must both be true, or is one enough?", _setting(node, op=other())
+        opposite = ast.And if isinstance(node.op, ast.Or) else ast.Or
+        yield "must both be true, or is one enough?", _setting(node, op=opposite())
         for value in node.values if len(node.values) == 2 else ():
             yield "are both conditions right?", _replacing(node, "value", value=value)
 
@@ -259,8 +260,8 @@ def _order(node, _tree):
 
 def _operator(node, _tree):
     if isinstance(node, ast.BinOp | ast.AugAssign):
-        for other in _OPERATORS.get(type(node.op), ()):
-            yield "is it the right operator?", _setting(node, op=other())
+        for operator in _OPERATORS.get(type(node.op), ()):
+            yield "is it the right operator?", _setting(node, op=operator())
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
         yield "is the power right?", _replacing(node, "base", base=node.left)
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub):
@@ -298,8 +299,8 @@ def _call(node, _tree):
     if not isinstance(node, ast.Call):
         return
     owner, dot, name = ast.unparse(node.func).rpartition(".")
-    for other in next((group.split() for group in _ALIKE if name in group.split()), ()):
-        function = ast.parse(f"{owner}{dot}{other}", mode="eval").body
+    for alike in next((group.split() for group in _ALIKE if name in group.split()), ()):
+        function = ast.parse(f"{owner}{dot}{alike}", mode="eval").body
         yield "is it the right function?", _setting(node, func=function)
     for argument in node.args:
         if isinstance(argument, ast.Name):
@@ -344,7 +345,7 @@ def _statement(node, tree):
         yield "is it needed?", lambda: _become(node, ast.Pass())
     if isinstance(node, ast.stmt):
         yield from _moved(node, tree)
-    is_called = any(isinstance(other, ast.Call) and other.func is node for other in ast.walk(tree))
+    is_called = any(isinstance(part, ast.Call) and part.func is node for part in ast.walk(tree))
     if isinstance(node, ast.Attribute) and node.attr in _METHODS and not is_called:
         yield "a method works only if it is called, with ().", _replacing(node, "node()")
 
@@ -375,9 +376,9 @@ def _joined(node, second, block):
     pair = (node, second)
     if all(isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Name) for part in pair):
         names, values = [part.targets[0] for part in pair], [part.value for part in pair]
-        both = ast.Assign([ast.Tuple(names, ast.Store())], ast.Tuple(values, ast.Load()))
+        joined = ast.Assign([ast.Tuple(names, ast.Store())], ast.Tuple(values, ast.Load()))
         question = f"the next line uses the new {names[0].id}. Is the old one meant?"
-        yield question, lambda: (block.remove(second), _become(node, both))
+        yield question, lambda: (block.remove(second), _become(node, joined))
 
 
 def _move_behind(node, block, loop, around):
@@ -396,12 +397,12 @@ def _block_of(statement, tree):
 
 def _constant(node, _tree):
     if getattr(node, "attr", "") == "inf":
-        for other in ("0", "-node"):
-            yield _NUMBER, _replacing(node, other)
+        for start in ("0", "-node"):
+            yield _NUMBER, _replacing(node, start)
     if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-        for other in (node.value + 1, node.value - 1, -node.value, math.inf):
-            if node.value or other > 0:
-                yield _NUMBER, _setting(node, value=other)
+        for number in (node.value + 1, node.value - 1, -node.value, math.inf):
+            if node.value or number > 0:
+                yield _NUMBER, _setting(node, value=number)
 
 
 def _square(node, _tree):
@@ -425,8 +426,8 @@ def _name(node, tree):
     stored = [part for part in ast.walk(tree) if isinstance(getattr(part, "ctx", None), ast.Store)]
     names = [part.arg for part in tree.args.args] + [part.id for part in stored if isinstance(part, ast.Name)]
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in names:
-        for other in sorted({*names} - {node.id}):
-            yield "is it the right variable?", _setting(node, id=other)
+        for variable in sorted({*names} - {node.id}):
+            yield "is it the right variable?", _setting(node, id=variable)
 
 
 # The first change that helps counts.
