@@ -21,6 +21,7 @@ from .submission_reader import MOST_CHARACTERS
 _LONGEST_PREDICTION = 1_000  # characters
 _MOST_PREDICTIONS = 100
 _MOST_NAMES = 8  # that a finding lists
+GRADED_WITH_IT = "which is graded with it"
 NOT_PYTHON = "of its answer cell is not Python"
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
@@ -349,7 +350,7 @@ def _taken_text(taken, cells, functions):
     more_names = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
     place = "another cell" if len(places) == 1 else "other cells"
     listed, listed_places = (", ".join(list(texts)[:_MOST_NAMES]) for texts in (names, places))
-    return f"its answer reads {listed}{more_names} of {place} ({listed_places}), which is graded with it"
+    return f"its answer reads {listed}{more_names} of {place} ({listed_places}), {GRADED_WITH_IT}"
 
 
 # ---------------------------------------------------------------- cells of the lesson
