@@ -994,7 +994,7 @@ assert not ros_available() or 0 < node.distance < 0.6
 # | `"odometry"` | (3,) float64: x, y (metres) and yaw (radians), as the wheels count them: (0, 0, 0) at the start, x points to where the robot looks then |
 # | `"time"` | float: seconds since the start |
 #
-# The goal is the place (2.2, 0) of the odometry. Two functions are given. `obstacles` makes points of both sensors, as in sections 5 and 6. `free_way` measures how far the robot can go in any direction: it turns the points, and finds the nearest one in a corridor of 0.64 m: the robot is 0.24 m wide, so 0.20 m stay free on each side. All numbers are counted from the middle of the robot's axle; its front is 0.24 m ahead of it. The check and grading take `obstacles` and `free_way` as they stand here: to change one of them, write a function with another name in your answer cell.
+# The goal is the place (2.2, 0) of the odometry. Two functions are given. `obstacles` makes points of both sensors, as in sections 5 and 6. The sole of a slipper is only 3 cm high, and the rug 1.2 cm; far away, the depth is less exact. So a point counts above 2.2 cm at 1 m, and above 3.6 cm at 3 m. `free_way` measures how far the robot can go in any direction: it turns the points, and finds the nearest one in a corridor of 0.64 m: the robot is 0.24 m wide, so 0.20 m stay free on each side. All numbers are counted from the middle of the robot's axle; its front is 0.24 m ahead of it. The check and grading take `obstacles` and `free_way` as they stand here: to change one of them, write a function with another name in your answer cell.
 
 # %% role="given" exercise="obstacles-drive" tags=["long"]
 from imgproc_course.geometry import CameraModel
@@ -1008,7 +1008,7 @@ def obstacles(observation):
     """(N, 2) metres: forward and left of the axle, everything that stands there."""
     seen = drive_rays * (observation["depth"][::2, ::2] / 1000)[:, :, np.newaxis]
     forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
-    stands = (height > 0.03) & (height < 0.40) & (forward > 0) & (forward < 3)
+    stands = (height > 0.015 + 0.007 * forward) & (height < 0.40) & (forward > 0) & (forward < 3)
     by_camera = np.column_stack([forward[stands] + 0.21, left[stands]])
     hit = np.isfinite(observation["scan"])
     ranges, angles = observation["scan"][hit], np.radians(np.arange(360))[hit]
@@ -1038,6 +1038,7 @@ for degrees in (0, 45, 90, 180):
 assert first_look["depth"].shape == (90, 160) and things.shape[1] == 2
 assert 0.3 < free_way(things, 0.0) < 0.5 and free_way(things, math.radians(90)) > 1
 assert free_way(np.array([[0.24, 0.1]]), 0.0) == 0 and 2 * 0.32 == 0.64
+assert [round(0.015 + 0.007 * forward, 3) for forward in (1, 3)] == [0.022, 0.036]
 
 # %% [markdown]
 # ### Your turn: drive

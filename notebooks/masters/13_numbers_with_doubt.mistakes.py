@@ -120,6 +120,18 @@ def fit_line(x, y, sigmas):
     slope, offset = solution(x, y, sigmas)
     return round(slope, 2), round(offset, 2)
 
+# %% role="mistake" name="around the plain means" says="The slope has its weights, but the means of x and y have none. Weigh them too: (w * x).sum() / w.sum()."
+def fit_line(x, y, sigmas):
+    w = 1 / sigmas**2
+    slope = (w * (x - x.mean()) * (y - y.mean())).sum() / (w * (x - x.mean()) ** 2).sum()
+    return float(slope), float(y.mean() - slope * x.mean())
+
+# %% role="mistake" name="the offset afterwards" says="Your slope is that of a line through 0, and the offset comes afterwards. Compute both together: the matrix needs a column of ones."
+def fit_line(x, y, sigmas):
+    w = 1 / sigmas**2
+    slope = (w * x * y).sum() / (w * x * x).sum()
+    return float(slope), float((w * (y - slope * x)).sum() / w.sum())
+
 # %% [markdown]
 # # doubt-step
 

@@ -482,6 +482,13 @@ def find_loops(places, shares, radius, gap, least):
 def find_loops(places, shares, radius, gap, least):
     return []
 
+# %% role="mistake" name="a square in place of a circle" says="You compare x and y one by one with the radius: that is a square. The distance has both parts: math.dist(...) <= radius."
+def find_loops(places, shares, radius, gap, least):
+    def is_near(i, j):
+        return max(abs(a - b) for a, b in zip(places[i], places[j], strict=True)) <= radius
+
+    return all_loops(places, lambda i, j: j - i >= gap and is_near(i, j) and shares[i, j] >= least)
+
 # %% [markdown]
 # # mapping-step
 

@@ -578,7 +578,7 @@ check("objects-confusion", confusion)
 
 # %% role="case" title="four classes" points=1
 def inputs(rng):
-    return [answers_of(rng, 4, 4), answers_of(rng, 4, 4, 20), answers_of(rng, 3, 3, 900)]
+    return [answers_of(rng, 4, 4), answers_of(rng, 4, 4, 20), answers_of(rng, 3, 3, 4000)]
 
 
 # %% role="case" title="classes that do not occur" points=1 hint="The matrix has count rows and count columns, also if a class does not occur."

@@ -97,6 +97,11 @@ def integral_image(gray):
     sums[1:, 1:] = sums[:-1, :-1].copy()
     return sums
 
+# %% role="mistake" name="rows and columns added" says="You add all rows above and all columns on the left. Only pixels that are above and on the left at once belong to the sum: gray[:r, :c]."
+def integral_image(gray):
+    sums = running(gray)
+    return sums[:, -1:] + sums[-1:]
+
 # %% [markdown]
 # # faces-haar
 

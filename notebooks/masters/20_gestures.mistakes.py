@@ -584,3 +584,15 @@ def dtw_cost(track, other):
 # %% role="mistake" name="root of squares" says="You added squares, and took the root at the end. Take the root of each distance: np.linalg.norm(p - q)."
 def dtw_cost(track, other):
     return float(np.sqrt(table_of(track, other, lambda d: (d * d).sum(axis=-1))[-1, -1]))
+
+# %% role="mistake" name="no border" says="The first row and the first column of your distances are left out. Make the table one row and one column larger than the distances: costs[i + 1, j + 1] belongs to the points i and j."
+def dtw_cost(track, other):
+    return float(table_of(track[1:], other[1:])[-1, -1])
+
+# %% role="mistake" name="edit distance" says="This is the edit distance, with 1 for a step to the side and 0, 1, 2 on the border. Here each pair costs its distance, from whichever neighbour it comes, and the border is np.inf."
+def dtw_cost(track, other):
+    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.add.outer(np.arange(len(track) + 1.0), np.arange(len(other) + 1.0))
+    for i, j in np.ndindex(distances.shape):
+        costs[i + 1, j + 1] = min(costs[i, j] + distances[i, j], costs[i, j + 1] + 1, costs[i + 1, j] + 1)
+    return float(costs[-1, -1])

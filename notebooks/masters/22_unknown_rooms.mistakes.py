@@ -85,6 +85,23 @@ def count_new(place, heading, way, visited):
 def count_new(place, heading, way, visited):
     return not_visited(cells_along(place, math.cos(heading), math.sin(heading), np.array([way])), visited)
 
+# %% role="mistake" name="only the columns" says="You compare only the columns. A cell is a pair, (column, row): the row comes from y and the sine of heading."
+def count_new(place, heading, way, visited):
+    pairs = cells_along(place, math.cos(heading), math.sin(heading), np.arange(0.1, way, 0.1))
+    return len({column for column, _ in pairs} - set(visited[:, 0].tolist()))
+
+# %% role="mistake" name="the number of visited cells" says="You subtract the number of all visited cells, but most of them are not on this way. Subtract the sets, and then count."
+def count_new(place, heading, way, visited):
+    pairs = cells_along(place, math.cos(heading), math.sin(heading), np.arange(0.1, way, 0.1))
+    return max(0, len(set(pairs)) - len(visited))
+
+# %% role="mistake" name="stops at a visited cell" says="You stop at the first visited cell. Leave this cell out, and go on: new cells can follow."
+def count_new(place, heading, way, visited):
+    known = {tuple(cell) for cell in visited.tolist()}
+    pairs = cells_along(place, math.cos(heading), math.sin(heading), np.arange(0.1, way, 0.1))
+    first = next((k for k, pair in enumerate(pairs) if pair in known), len(pairs))
+    return len(set(pairs[:first]))
+
 # %% [markdown]
 # # unknown-drive
 

@@ -310,7 +310,7 @@ def obstacles(observation):
     """(N, 2) metres: forward and left of the axle, everything that stands there."""
     seen = drive_rays * (observation["depth"][::2, ::2] / 1000)[:, :, np.newaxis]
     forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
-    stands = (height > 0.03) & (height < 0.40) & (forward > 0) & (forward < 3)
+    stands = (height > 0.015 + 0.007 * forward) & (height < 0.40) & (forward > 0) & (forward < 3)
     by_camera = np.column_stack([forward[stands] + 0.21, left[stands]])
     hit = np.isfinite(observation["scan"])
     ranges, angles = observation["scan"][hit], np.radians(np.arange(360))[hit]

@@ -40,6 +40,10 @@ _NOUNS = {
     **{"bool": "True or False", "bytes": "bytes", "set": "a set"},
     **dict.fromkeys(_FUNCTIONS, "a function itself"),
 }
+_ONE_FACTOR = (
+    "In each call, all your values are the expected ones times one number. Is a division or a multiplication"
+    " missing at the end, or one too many?"
+)
 _CUT_OFF = (
     "Some values are one too small, and none is wrong by more. Is the fraction cut off, instead of rounded?"
 )
@@ -403,7 +407,18 @@ def _relation_of_arrays(calls):
     for text, change in _RELATIONS:
         if all(_same(change(_wide(expected)), _wide(actual)) for expected, actual in arrays):
             return text
-    return _CUT_OFF if _is_cut_off(arrays) else ""
+    if _is_cut_off(arrays):
+        return _CUT_OFF
+    return _ONE_FACTOR if all(_is_multiple(*pair) for pair in arrays) else ""
+
+
+def _is_multiple(expected, actual):
+    """Whether an array of floats is the expected one times a number other than 0."""
+    values, actual_values = _wide(expected).ravel(), _wide(actual).ravel()
+    if expected.dtype.kind != "f" or len(np.unique(values)) < 3:
+        return False
+    factor = values @ actual_values / (values @ values)
+    return factor != 0 and np.allclose(actual_values, factor * values, rtol=1e-6, atol=0)
 
 
 def _is_cut_off(arrays):

@@ -30,8 +30,9 @@ _ROUNDS = "should this happen in each round of the loop, or once?"
 _ROWS = "in compares the single numbers of an array, not its rows. Is that meant?"
 _TYPE = "your numbers do not fit into the dtype of {name}. Use int for them."
 _TRANSPOSED = "is it to be transposed?"
+_DTYPE = "which dtype has the result, and can it hold every value?"
 _OTHER_END = ({"lower": None, "upper": ast.Constant(-1)}, {"lower": ast.Constant(1), "upper": None})
-_AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "prod", "cumsum")
+_AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "prod", "cumsum", "norm")
 _METHODS = ("upper", "lower", "strip", "copy", "tolist", "items", "keys", "values", *_AXES)
 _ALIKE = ("int round floor ceil", "min max", "argmin argmax", "minimum maximum", "sin cos", "any all")
 _ALIKE += (
@@ -233,7 +234,7 @@ def _compare(node, _tree):
                 yield question, _setting(node, ops=ops)
         if isinstance(node.ops[0], ast.In | ast.NotIn):
             rows = _parsed("list(map(tuple, array.tolist()))", array=node.comparators[0])
-            yield _ROWS, _setting(node, comparators=[rows])
+            yield _ROWS, _setting(node, left=_parsed("tuple(row)", row=node.left), comparators=[rows])
     if isinstance(node, ast.BoolOp):
         opposite = ast.And if isinstance(node.op, ast.Or) else ast.Or
         yield "must both be true, or is one enough?", _setting(node, op=opposite())
@@ -317,11 +318,16 @@ def _arguments_of(node, name, dot):
     if name == "abs" and node.args:
         yield "is its sign needed?", _replacing(node, "inner", inner=node.args[0])
     if name in _AXES and dot and not node.keywords:
-        for axis in (0, 1):
+        for axis in (0, 1, -1):
             keyword = ast.keyword("axis", ast.Constant(axis))
             yield "of the whole array, or along an axis?", _setting(node, keywords=[keyword])
     if name in ("min", "max", "hypot", "sum"):
         yield "can these be negative?", _setting(node, args=[_parsed("abs(a)", a=part) for part in node.args])
+    for argument in (*node.args, *(part.value for part in node.keywords if part.arg == "dtype")):
+        if re.search(r"^int$|\bu?int\d+$|\.dtype$", ast.unparse(argument)):
+            yield from ((_DTYPE, _replacing(argument, dtype)) for dtype in ("float", "int"))
+    if name in ("zeros_like", "ones_like", "full_like") and not node.keywords:
+        yield _DTYPE, _setting(node, keywords=[ast.keyword("dtype", _parsed("float"))])
     if name == "enumerate" and len(node.args) == 1 and not node.keywords:
         yield "where does it begin?", _setting(node, args=[*node.args, ast.Constant(1)])
     if name == "range" and len(node.args) < 3:
@@ -341,6 +347,7 @@ def _statement(node, tree):
         yield "does it begin again, or add up?", lambda: _become(node, new)
     if isinstance(node, ast.Break | ast.Continue):
         yield "should the loop end here?", lambda: _become(node, ast.Pass())
+        yield "should the loop end here?", lambda: _become(node, ast.Continue())
     if isinstance(node, ast.If | ast.AugAssign | ast.Expr):
         yield "is it needed?", lambda: _become(node, ast.Pass())
     if isinstance(node, ast.stmt):

@@ -134,6 +134,7 @@ VALUES = [
     (SIGNED, SIGNED[:, ::-1], "mirrored from left to right"),
     (SIGNED, SIGNED[::-1], "upside down"),
     (COLOUR, COLOUR[..., ::-1], "the first and the last are exchanged"),
+    (GRAY / 7, GRAY / 21, "are the expected ones times one number."),
     (SIGNED, SIGNED - MASK, "Some values are one too small"),
 ]
 PLACES = [

@@ -26,6 +26,8 @@ ADVICE = {
     'values.join("/")': '"/".join(parts)',
     '"/".join(text, text)': "join takes one list of the parts, in square brackets",
     "mask - mask": "write a & ~b",
+    "text[a]": "A list or a text takes one number as its index",
+    "np.linalg.norm(a)[0]": "A sum, a mean or a norm without axis=... is one number",
     'names["gauss"]': "The dictionary has no key 'gauss'.",
     'memory["count"] += 1': "memory.setdefault('count', 0) gives the value, and stores 0",
     "word, angle = nothing": "test it first: if value is None",

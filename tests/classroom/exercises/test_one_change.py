@@ -93,6 +93,37 @@ CASES = {
         "lines 2, 3",
         "a // 2 and b // 2: is it the right operator?",
     ),
+    "break and continue": (
+        "def f(a):\n    found = []\n    for x in a:\n        if x < 0:\n            break\n"
+        "        found.append(x)\n    return found",
+        [(([1, -1, 2],), [1, 2])],
+        "line 5",
+        "break: should the loop end here?",
+    ),
+    "the dtype of a result": (
+        "def f(a):\n    b = np.zeros(len(a), dtype=int)\n    b[:] = a\n    return b.tolist()",
+        [(([0.5, 1.5],), [0.5, 1.5])],
+        "line 2",
+        "can it hold every value?",
+    ),
+    "the dtype of what is like another": (
+        "def f(a):\n    b = np.zeros_like(a)\n    b[0] = a[0] / 2\n    return float(b[0])",
+        [((np.array([1, 2]),), 0.5), ((np.array([3, 2]),), 1.5)],
+        "line 2",
+        "np.zeros_like(a): which dtype",
+    ),
+    "the last axis": (
+        "def f(a):\n    return float(np.linalg.norm(a)[0])",
+        [((np.array([[3.0, 4.0], [0.0, 1.0]]),), 5.0)],
+        "line 2",
+        "np.linalg.norm(a): of the whole array, or along an axis?",
+    ),
+    "a list among rows": (
+        "def f(a):\n    return [1, 0] in a",
+        [((np.array([[1, 2], [0, 0]]),), False), ((np.array([[1, 0], [2, 2]]),), True)],
+        "line 2",
+        "in compares the single numbers of an array, not its rows.",
+    ),
     "a method that is not called": ("def f(a):\n    return a.upper", [(("x",), "X")], "line 2", "a.upper"),
 }
 
