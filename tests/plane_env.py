@@ -72,6 +72,7 @@ class PlaneEnv:
             "places": len({(math.floor(x / 0.5), math.floor(y / 0.5)) for x, y, _ in self.path}),
             "time": round((len(self.path) - 1) * LOOK, 3),
             "bumped_into": "wall" if self.bump_places else "",
+            "nearest_to": "wall",
         } | dict.fromkeys(KEYS)
 
 
@@ -87,9 +88,10 @@ def room_of(number):
 
 
 def draw_map(path, bumps=(), *, room=None, goal=None, ball=None, mark=None):
-    """Columns: one for each look of the path, white up to the mark, gray from there on."""
+    """Columns: one for each look of the path, white up to the mark, else gray."""
     image = np.full((20, len(path), 3), 128, np.uint8)
-    image[:, : [list(place) for place in path].index(list(mark)) + 1] = 255
+    if mark:
+        image[:, : [list(place) for place in path].index(list(mark)) + 1] = 255
     return image
 
 

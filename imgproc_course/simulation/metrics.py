@@ -5,6 +5,7 @@ from typing import Any
 
 BALL_DISTANCE, BALL_AFTER = 0.6, 5.0  # metres from the camera to the ball's center, seconds
 PLACE = 0.5  # metres: the size of the cells that `places` counts
+NEAR = 0.2  # metres: what is nearer gets its name
 MOVING = 0.02  # m/s: who is slower stands, and is not judged by what is near
 
 
@@ -28,6 +29,7 @@ class Metrics:
             "answer_error": self._error_of_answer,
             "ball_gap": None,
             "bumped_into": "",
+            "nearest_to": "",
         }
 
     def update(self, time):
@@ -69,7 +71,10 @@ class Metrics:
         if bumped or abs(self._simulation.speeds[0]) > MOVING:
             clearance = max(0.0, self._simulation.gaps()[""])
             known = self._values["clearance"]
-            self._values["clearance"] = clearance if known is None else min(known, clearance)
+            if known is None or clearance < known:
+                self._values["clearance"] = clearance
+                near = clearance < NEAR
+                self._values["nearest_to"] = self._simulation.thing_at(self._place) if near else ""
         return began
 
     def _note_ball(self, time):

@@ -13,6 +13,7 @@ from .room_model import FreeSpace, RoomModel, load_room, read_image
 WALK_TIME, WALK_LENGTH, STAND_TIME, TURN_TIME = 6.5, 2.35, 4.5, 1.5
 CAR_TIME, CAR_REST, CAR_SPEED, CAR_SWING = 9.0, 1.0, 0.30, 0.30
 ROLL_TIME = 3.5  # seconds in which the ball loses all but 1/e of its speed
+ROLLED = 0.88  # of its direction, the way that it rolls in all
 SIGN = (5.594, -0.29, 0.72, 0.0, 0.0, -0.707106781, 0.707106781)  # of the recorded room
 MOVERS = ("person", "toycar", "ball")
 
@@ -93,7 +94,7 @@ class BallWay:
         """(x, y) and (vx, vy) at a time, metres and m/s."""
         decay = math.exp(-time / ROLL_TIME)
         (x, y), (dx, dy) = self.start, self.direction
-        way, speed = 0.88 * (1 - decay), 0.88 / ROLL_TIME * decay
+        way, speed = ROLLED * (1 - decay), ROLLED / ROLL_TIME * decay
         return (x + dx * way, y + dy * way), (round(dx * speed, 9), round(dy * speed, 9))
 
 

@@ -65,7 +65,8 @@ class RoomEnv(gymnasium.Env):
     `info` has the metrics of the drive; None: nothing was measured.
 
     - "bumps": how often the robot began to touch something; "bumped_into": what it touched first, or ""
-    - "clearance": the least distance of its body to what stands still, while it moved, metres
+    - "clearance": the least distance of its body to what stands still, while it moved, metres;
+      "nearest_to": what that was, if nearer than 0.2 m, or ""
     - "distance": driven, metres; "reach": the greatest distance from the start, metres
     - "places": number of cells of 0.5 m that the robot has been in; "time": seconds
     - "goal_time": seconds until the robot was in the goal
@@ -95,7 +96,8 @@ class RoomEnv(gymnasium.Env):
 
     Raises
     ------
-    ValueError : other sensors or sizes; of `reset`: other options, or a start that is not free
+    ValueError : other sensors or sizes; of `reset`: other options, or a start that is not free; of `step`: an
+        action that is not two numbers
     """
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": round(1 / LOOK)}  # noqa: RUF012
@@ -149,8 +151,9 @@ class RoomEnv(gymnasium.Env):
     def step(self, action: Sequence[float]) -> tuple[dict[str, NDArray], float, bool, bool, dict[str, Any]]:
         """Drives for 0.1 s: the observation after it, reward, False, whether it was the last one, `info`."""
         simulation = self._started()
-        linear, angular = action
-        simulation.step(float(linear), float(angular), LOOK)
+        if np.shape(action) != (2,):
+            raise ValueError(f"an action is two numbers, (linear, angular), got {action!r}")
+        simulation.step(*map(float, action), LOOK)
         self.path.append(simulation.place)
         look = len(self.path) - 1
         time = round(look * LOOK, 9)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .drive import BODY_CENTER, BODY_LENGTH, BODY_WIDTH
-from .room import Room, recorded_room
+from .room import ROLLED, Room, recorded_room
 
 PIXELS = 60  # per metre
 FLOOR, THINGS, SCALE = (245, 250, 250), (150, 140, 130), (40, 40, 40)  # blue, green, red
@@ -39,7 +39,7 @@ def draw_map(
     bumps : (look, x, y), where the robot was: red crosses
     room : the living room of the recorded drive, if omitted
     goal : (x, y, radius), a green circle
-    ball : (x, y) or more: where it began
+    ball : (x, y), where it began; with (dx, dy) a line to where it would roll
     mark : (x, y) or more, where the robot was at a moment: an orange ring around it
     """
     space = (room or recorded_room()).free_space
@@ -59,6 +59,8 @@ def draw_map(
         cv2.circle(image, pixel(goal), round(goal[2] * PIXELS), GOAL, 2, cv2.LINE_AA)
     if ball is not None:
         cv2.circle(image, pixel(ball), round(0.11 * PIXELS), BALL, -1, cv2.LINE_AA)
+        x, y, dx, dy = (*ball, 0.0, 0.0)[:4]
+        cv2.line(image, pixel(ball), pixel((x + ROLLED * dx, y + ROLLED * dy)), BALL, 2, cv2.LINE_AA)
     if mark is not None:
         cv2.circle(image, pixel(mark), round(0.55 * PIXELS), MARK, 2, cv2.LINE_AA)
     for _, *place in bumps:

@@ -295,7 +295,11 @@ class Simulation:
         """The name of what is nearest to the body: "wall", "sofa", "person", "toy car" …"""
         gaps = self.gaps()
         name = min(gaps, key=gaps.__getitem__)
-        return name.replace("toycar", "toy car") or self._scene.thing_at(self.place)
+        return name.replace("toycar", "toy car") or self.thing_at(self.place)
+
+    def thing_at(self, place: tuple[float, float, float]) -> str:
+        """The name of what stands still nearest to the body at (x, y, yaw)."""
+        return self._scene.thing_at(place)
 
     def pose(self, name: str) -> NDArray[np.float64]:
         """The true pose in the map, [x, y, z, qx, qy, qz, qw], float64.

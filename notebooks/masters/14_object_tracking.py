@@ -1188,14 +1188,14 @@ assert not ros_available() or node.looks > 0
 #
 # In section 8 the tracker was given, and the robot knew depth and odometry. In this exercise your function drives the robot with the image alone. A ball rolls away in front of the robot, to the left or to the right, and slows down. Nothing stands in its way. The robot follows the ball, and keeps a distance of 0.6 m between the camera and the middle of the ball.
 #
-# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds, as for `robot.step`. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
+# Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds, as for `robot.step`. One call may take 0.5 s, and 0.05 s of processor time on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
 #
 # | key | value |
 # |---|---|
 # | `"image"` | (180, 320, 3) uint8 BGR: the image of the front camera |
 # | `"time"` | float: seconds since the start |
 #
-# The function `red_spots` is given. It finds the red spots of the image by their hue and saturation, as in section 2, and returns their boxes. At this size of the image, the focal length is 176.25 pixels. The ball is 0.22 m wide, so the width of its box gives its distance, as in section 5:
+# The function `red_spots` is given. It finds the red spots of the image by their hue and saturation, as in section 2, and returns their boxes. At this size of the image, the focal length is 176.25 pixels, and column 160 is straight ahead. The ball is 0.22 m wide, so the width of its box gives its distance, as in section 5:
 
 # %% role="given" exercise="tracking-drive" tags=["long"]
 import cv2
@@ -1236,7 +1236,7 @@ assert rolling.camera.fx == 176.25 and rolling.frame().shape == (180, 320, 3)
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `observation`: the dict of the table above; `memory`: a dict that is yours | two numbers: the linear speed in m/s (at most 0.3; negative: backwards) and the angular speed in rad/s (positive: to the left) | `control({"image": rolling.frame(), "time": 0.0}, {})` |
+# | `observation`: the dict of the table above; `memory`: a dict that is yours | two numbers: the linear speed in m/s (at most 0.3; negative: backwards) and the angular speed in rad/s (at most 1.57; positive: to the left) | `control({"image": rolling.frame(), "time": 0.0}, {})` |
 
 # %% role="exercise"
 exercise(

@@ -15,7 +15,7 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 from gymnasium.wrappers import RecordVideo, TimeLimit
 
-from imgproc_course.simulation import Simulation, furnished, recorded_room
+from imgproc_course.simulation import Simulation, furnished, recorded_room, room_map
 from imgproc_course.simulation.drive import BODY_CENTER, BODY_LENGTH, BODY_WIDTH
 from imgproc_course.simulation.room_env import NO_RANGE, SENSORS, RoomEnv, controller_observation
 from imgproc_course.simulation.room_map import BUMP, PIXELS, START, draw_map
@@ -174,7 +174,10 @@ def test_metrics_of_a_drive_into_the_boxes():
     info = env._metrics.info()
     assert overs == [False] * 49 + [True]
     assert (info["bumps"], info["bumped_into"], info["places"]) == (1, "box", 2)
-    assert 0 <= info["clearance"] < 0.005
+    assert 0 <= info["clearance"] < 0.005 and info["nearest_to"] == "box"
+    for action in (0.3, [], (0.1, 0.2, 0.3)):
+        with pytest.raises(ValueError, match="an action is two numbers"):
+            env.step(action)
     x, y, _ = env.path[-1]
     assert info["reach"] == info["distance"] == pytest.approx(math.dist((0.95, -1.3), (x, y)), abs=1e-3)
     first = next(k for k, (x, _, _) in enumerate(env.path) if abs(x - 1.2) < 0.1)
@@ -250,13 +253,14 @@ def test_a_ball_that_rolls_away():
 
 
 def test_the_map_shows_path_and_bumps():
-    drawn = draw_map([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)], [(3, 0.5, 0.5)])
+    drawn = draw_map([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)], [(3, 0.5, 0.5)], ball=(0.5, -0.5, 1.0, 0.0))
     x0, y0 = recorded_room().free_space.origin
 
     def color(x, y):
         return tuple(drawn[drawn.shape[0] - 1 - round((y - y0) * PIXELS), round((x - x0) * PIXELS)].tolist())
 
     assert color(0, 0) == START and color(0.5, 0.5) == BUMP
+    assert color(0.5, -0.5) == color(1.35, -0.5) == room_map.BALL != color(1.5, -0.5)
     assert color(0.5, 0.0) not in (color(0.5, 0.2), START) and color(1.75, -1.2) != color(0.5, 0.2)
 
 

@@ -43,7 +43,7 @@ class _Metric:
 
 METRICS = {
     "bumps": _Metric("bumps", "{:.0f}", "The robot bumped {} times"),
-    "clearance": _Metric("clearance", "{:.2f} m", "The robot came as near as {} to what stands still"),
+    "clearance": _Metric("clearance", "{:.2f} m", "The robot came as near as {}"),
     "distance": _Metric("distance driven", "{:.2f} m", "The robot drove {}"),
     "reach": _Metric("reach", "{:.2f} m", "The robot got {} away from its start"),
     "places": _Metric("places", "{:.0f}", "The places that the robot came to (cells of 0.5 m): {}"),
@@ -249,4 +249,8 @@ def _sentence(record, name, value, operator, limit):
         text = f"The robot bumped into the {obstacle} at {record['bumps'][0][0] * LOOK:.1f} s"
         text += f", and bumped {value} times in all" if value > 1 else ""
         return f"{text}; {asked}" if limit else f"{text}."
-    return f"{METRICS[name].sentence.format(metric_text(name, value))}; {asked}"
+    text = METRICS[name].sentence.format(metric_text(name, value))
+    if name == "clearance":
+        thing = record["metrics"].get("nearest_to")
+        text += f" to {f'the {thing}' if thing else 'what stands still'} at {record['decisive'] * LOOK:.1f} s"
+    return f"{text}; {asked}"

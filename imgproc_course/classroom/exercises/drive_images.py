@@ -20,7 +20,9 @@ _MOST_FILM = 150_000  # bytes
 def draw_map(record, scenario):
     """The room from above with the path of a drive, as an AnswerImage."""
     path, room = record["path"], load(course.DRIVE_ROOM)(scenario.get("room"))
-    marks = {name: scenario.get(name) for name in ("goal", "ball")} | {"mark": path[record["decisive"]]}
+    marks = {name: scenario.get(name) for name in ("goal", "ball")}
+    if record["ended"] or record["missed"]:
+        marks["mark"] = path[record["decisive"]]
     pixels = load(course.DRIVE_MAP)(path, record["bumps"], room=room, **marks)
     (x, y, _), (end_x, end_y, _) = path[0], path[-1]
     alt = f"The room from above: the path begins at x {x:.1f} m, y {y:.1f} m and ends at x {end_x:.1f} m,"

@@ -22,8 +22,8 @@ _BORDER = "Pixels there have neighbours outside the image: how does the task tre
 
 _MAP = (
     "The room from above. Green dot: start; green ring: the goal, or the sign; blue: the path, and the robot"
-    " at its end; red crosses: bumps; red dot: the ball, at the start. The orange ring is around the place"
-    " that the images show. The black bar is 1 m long."
+    " at its end; red crosses: bumps; red dot and line: the ball, at the start, and its way. If the drive"
+    " failed, the orange ring is around the place that the images show. The black bar is 1 m long."
 )
 
 # JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
@@ -374,6 +374,8 @@ def _table(rows, first="td"):
     lines = ""
     for tag, row in zip(chain([first], repeat("td")), rows, strict=False):
         styled = [(framed if mark else plain, html.escape(text)) for text, mark in row]
+        if tag.startswith("th"):  # a long name of a metric takes two lines
+            styled = [(style.replace("nowrap", "normal"), text) for style, text in styled]
         cells = "".join(f'<{tag} style="{style}">{text}</{tag[:2]}>' for style, text in styled)
         lines += f"<tr>{cells}</tr>"
     table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{lines}</table>'

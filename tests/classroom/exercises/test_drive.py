@@ -88,7 +88,7 @@ def test_the_first_bump_decides_also_where_the_clearance_is_larger():
 def test_a_robot_that_comes_too_near_is_told():
     record, scenario = driven((0.19, 0.0), room=10)
     assert sentences_of(record, scenario) == [
-        "The robot came as near as 0.23 m to what stands still; the task asks for at least 0.25 m."
+        "The robot came as near as 0.23 m to the wall at 3.0 s; the task asks for at least 0.25 m."
     ]
 
 

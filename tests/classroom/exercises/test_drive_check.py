@@ -1,5 +1,6 @@
 """What `check` does with a controller: it drives, and says and shows what the robot did."""
 
+import io
 import linecache
 import os
 import re
@@ -11,6 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PIL import Image
 from plane_env import BLIND, LATE, ON_A_PLANE, PARTS, RIGHT, STOPS, PlaneEnv, driving_on_a_plane
 
 from imgproc_course.classroom.authoring.lesson_files import lesson_files
@@ -30,7 +32,7 @@ from imgproc_course.classroom.exercises.drive import (
     SENSORS,
     Drive,
 )
-from imgproc_course.classroom.exercises.drive_images import look_back
+from imgproc_course.classroom.exercises.drive_images import draw_map, look_back
 from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.scenario import read_scenario
 from imgproc_course.simulation import room_env
@@ -72,7 +74,7 @@ def checked(data, source):
 def test_the_environment_of_the_room_is_as_a_drive_expects():
     assert (room_env.SENSORS, room_env.LOOK, tuple(room_env.OPTIONS)) == (SENSORS, LOOK, OPTIONS)
     _, info = room_env.RoomEnv(()).reset(seed=1, options={"duration": 1.0})
-    assert {*METRICS, "bumped_into"} == {*info}
+    assert {*METRICS, "bumped_into", "nearest_to"} == {*info}
 
 
 def test_a_scenario_has_the_defaults_of_the_environment():
@@ -370,6 +372,13 @@ def test_a_repeated_drive_must_take_the_same_path():
     record["actions"][4] = [0.0, 0.0]
     with pytest.raises(ValueError, match="the drive in the scenario 'near' takes another path if repeated"):
         look_back(env, record, scenario)
+
+
+def test_the_map_of_a_drive_that_passes_has_no_ring():
+    record = {"path": [[0, 0, 0], [1, 0, 0]], "bumps": [], "ended": "", "missed": [], "decisive": 0}
+    maps = [draw_map(record | {"missed": missed}, {"title": "near"}) for missed in ([], [["bumps"]])]
+    values = [np.unique(Image.open(io.BytesIO(drawn.png)).convert("L")).tolist() for drawn in maps]
+    assert len(values[0]) == 1 and len(values[1]) > 1
 
 
 # ---------------------------------------------------------------- simulators
