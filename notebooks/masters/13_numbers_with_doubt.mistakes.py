@@ -294,3 +294,10 @@ def mean_rotation(rotations):
 # %% role="mistake" name="rounded" says="The numbers are rounded. Return the exact numbers, and leave round out."
 def mean_rotation(rotations):
     return solution(rotations).round(2)
+
+# %% role="mistake" name="the product" says="You multiply the rotations: that is one turn after the other. Take their mean, rotations.mean(axis=0), and its nearest rotation."
+def mean_rotation(rotations):
+    product = rotations[0]
+    for rotation in rotations[1:]:
+        product = product @ rotation
+    return product

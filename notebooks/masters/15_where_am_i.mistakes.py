@@ -316,6 +316,11 @@ def find_motion(before, after):
     R, t = solution(before, after)
     return R.round(2), t.round(2)
 
+# %% role="mistake" name="the shift of the first pair" says="The shift comes from the first pair of points alone, with its noise. Take the means: t = after_mean - R @ before_mean."
+def find_motion(before, after):
+    R, _ = solution(before, after)
+    return R, after[0] - R @ before[0]
+
 # %% [markdown]
 # # where-inliers
 

@@ -38,6 +38,12 @@ def coverage(path, cells):
 def coverage(path, cells):
     return len(set(pairs_of(path, size=1.0)) & reachable_of(cells)) / len(cells)
 
+# %% role="mistake" name="only the cell before" says="You compare a cell only with the one just before. The robot can come back to it later: make a set of all pairs."
+def coverage(path, cells):
+    pairs, reachable = pairs_of(path), reachable_of(cells)
+    news = [pair for k, pair in enumerate(pairs) if k == 0 or pair != pairs[k - 1]]
+    return sum(pair in reachable for pair in news) / len(cells)
+
 # %% [markdown]
 # # unknown-new
 

@@ -269,6 +269,8 @@ def _operator(node, _tree):
         yield "can this be negative?", _replacing(node, "abs(node)")
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and isinstance(node.left, ast.Call):
         yield "can this be negative?", _replacing(node, "abs(node)")
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
+        yield "is the second part needed?", _replacing(node, "left", left=node.left)
     if isinstance(node, ast.BinOp):
         for side in ("left", "right"):
             column = _parsed("side[:, None]", side=getattr(node, side))
@@ -374,6 +376,9 @@ def _moved(node, tree):
     while isinstance(outer, loop) and node is block[-1] and len(block) > 1:
         inner, (outer, around) = outer, _block_of(outer, tree)
         yield _ROUNDS, partial(_move_behind, node, block, inner, around)
+    if isinstance(node, ast.Assign) and position < len(block) - 2:
+        question = "does a later line change what it uses?"
+        yield question, lambda: (block.remove(node), block.insert(len(block) - 1, node))
     if node is not block[-1]:
         yield from _joined(node, block[position + 1], block)
 

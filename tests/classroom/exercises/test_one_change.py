@@ -118,6 +118,18 @@ CASES = {
         "line 2",
         "np.linalg.norm(a): of the whole array, or along an axis?",
     ),
+    "a part too many": (
+        "def f(a, b):\n    return a * b + b",
+        [((2, 3), 6), ((4, 5), 20)],
+        "line 2",
+        "a * b + b: is the second part needed?",
+    ),
+    "a line too early": (
+        "def f(a):\n    b = 2 * a\n    if a < 0:\n        a = -a\n    return a, b",
+        [((-2,), (2, 4)), ((3,), (3, 6))],
+        "line 2",
+        "b = 2 * a: does a later line change what it uses?",
+    ),
     "a list among rows": (
         "def f(a):\n    return [1, 0] in a",
         [((np.array([[1, 2], [0, 0]]),), False), ((np.array([[1, 0], [2, 2]]),), True)],
