@@ -295,7 +295,7 @@ def mean_rotation(rotations):
 def mean_rotation(rotations):
     return solution(rotations).round(2)
 
-# %% role="mistake" name="the product" says="You multiply the rotations: that is one turn after the other. Take their mean, rotations.mean(axis=0), and its nearest rotation."
+# %% role="mistake" name="the product, in their order" says="You multiply the rotations: that is one turn after the other. Take their mean, rotations.mean(axis=0), and its nearest rotation."
 def mean_rotation(rotations):
     product = rotations[0]
     for rotation in rotations[1:]:

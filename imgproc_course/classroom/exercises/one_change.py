@@ -31,6 +31,9 @@ _ROWS = "in compares the single numbers of an array, not its rows. Is that meant
 _TYPE = "your numbers do not fit into the dtype of {name}. Use int for them."
 _TRANSPOSED = "is it to be transposed?"
 _DTYPE = "which dtype has the result, and can it hold every value?"
+_UNIT = "is this angle in radians, or in degrees?"
+_QUESTIONS = {"abs": "is its sign needed?", "radians": _UNIT, "degrees": _UNIT, "sqrt": "is the root needed?"}
+_QUESTIONS |= dict.fromkeys(("int", "round", "float", "floor"), "is it to be a whole number here?")
 _OTHER_END = ({"lower": None, "upper": ast.Constant(-1)}, {"lower": ast.Constant(1), "upper": None})
 _AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "prod", "cumsum", "norm")
 _METHODS = ("upper", "lower", "strip", "copy", "tolist", "items", "keys", "values", *_AXES)
@@ -317,8 +320,12 @@ def _call(node, _tree):
 
 
 def _arguments_of(node, name, dot):
-    if name == "abs" and node.args:
-        yield "is its sign needed?", _replacing(node, "inner", inner=node.args[0])
+    if name in _QUESTIONS and node.args:
+        yield _QUESTIONS[name], _replacing(node, "inner", inner=node.args[0])
+    if name in ("sin", "cos", "degrees", "radians") and node.args:
+        for function in ("radians", "degrees"):
+            converted = _parsed(f"np.{function}(angle)", angle=node.args[0])
+            yield _UNIT, _setting(node, args=[converted])
     if name in _AXES and dot and not node.keywords:
         for axis in (0, 1, -1):
             keyword = ast.keyword("axis", ast.Constant(axis))

@@ -17,6 +17,7 @@ _PURE = re.compile(
     r"math\.\w+|np\.(abs|clip|round|sort|reshape|where|astype|sqrt)|\w+\.(astype|clip|copy|reshape|round)"
 )
 _IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
+_FIRST_VALUE = r"-?((0|1)(\.0)?|(np|math)\.inf)"  # of the best one
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
@@ -209,6 +210,24 @@ def _else_of_last_if(node, _source):
             yield SAYS["else of the last if"].format(test=ast.unparse(tests[0]))
 
 
+def _never_stored(node, source):
+    """if depth > best: place = k, and best keeps its first value in the whole loop."""
+    stored = {name.id for name in ast.walk(node) if _is_store(name)}
+    for test in ast.walk(node):
+        compared = test.test if isinstance(test, ast.If) else None
+        if not isinstance(compared, ast.Compare) or not isinstance(compared.ops[0], ast.Lt | ast.Gt):
+            continue
+        for part in (compared.left, compared.comparators[0]):
+            name = ast.unparse(part)
+            starts = re.search(rf"^ *{re.escape(name)} = {_FIRST_VALUE}$", source, re.MULTILINE)
+            if starts and name not in stored and any(map(_is_store, ast.walk(test))):
+                yield SAYS["never stored"].format(test=ast.unparse(compared), name=name)
+
+
+def _is_store(node):
+    return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+
+
 def _equality(statement):
     """The test `a == b` of an if, or None."""
     test = statement.test if isinstance(statement, ast.If) else None
@@ -223,6 +242,7 @@ _RULES = (
     (ast.Expr, _without_effect),
     (ast.Assign, _columns_first),
     (ast.BinOp, _one_list),
+    (ast.For | ast.While, _never_stored),
     (ast.AST, _else_of_last_if),
 )
 

@@ -130,6 +130,18 @@ CASES = {
         "line 2",
         "b = 2 * a: does a later line change what it uses?",
     ),
+    "a conversion too many": (
+        "def f(a):\n    b = np.degrees(a)\n    return float(np.cos(b))",
+        [((np.pi,), -1.0), ((0.0,), 1.0)],
+        "line 2",
+        "np.degrees(a): is this angle in radians, or in degrees?",
+    ),
+    "a missing conversion": (
+        "def f(a):\n    return float(np.cos(a))",
+        [((180,), -1.0), ((0,), 1.0)],
+        "line 2",
+        "np.cos(a) in return float(np.cos(a)): is this angle in radians, or in degrees?",
+    ),
     "a list among rows": (
         "def f(a):\n    return [1, 0] in a",
         [((np.array([[1, 2], [0, 0]]),), False), ((np.array([[1, 0], [2, 2]]),), True)],
