@@ -234,6 +234,18 @@ def place_step(x, ahead, aside, distances, sigmas):
     expected = np.hypot(ahead - x, aside)
     return float(x - ((expected - distances) / (-(ahead - x) / expected)).mean())
 
+# %% role="mistake" name="distances from 0" says="You compute the distances as if the place were 0. Compute them from x: np.hypot(ahead - x, aside)."
+def place_step(x, ahead, aside, distances, sigmas):
+    computed, w = np.hypot(ahead, aside), 1 / sigmas**2
+    J = -(ahead - x) / computed
+    return float(x - (w * J * (computed - distances)).sum() / (w * J * J).sum())
+
+# %% role="mistake" name="the square of a sum" says="The lower sum adds up first, and is squared then. Square each J first: (w * J * J).sum()."
+def place_step(x, ahead, aside, distances, sigmas):
+    computed, w = np.hypot(ahead - x, aside), 1 / sigmas**2
+    J = -(ahead - x) / computed
+    return float(x - (w * J * (computed - distances)).sum() / (w * J).sum() ** 2)
+
 # %% [markdown]
 # # doubt-rotation
 

@@ -197,6 +197,18 @@ def decode(cells, words):
 def decode(cells, words):
     return -1, 0
 
+# %% role="mistake" name="the most similar word" says="You take the word with the most equal cells. All 16 must be equal: if no word fits, return (-1, 0)."
+def decode(cells, words):
+    if not border_is_black(cells):
+        return -1, 0
+    best, found = -1, (-1, 0)
+    for number, word in enumerate(words):
+        for turns in range(4):
+            same = int((np.rot90(cells[1:5, 1:5], turns) == word).sum())
+            if same > best:
+                best, found = same, (number, turns)
+    return found
+
 # %% [markdown]
 # # where-motion
 

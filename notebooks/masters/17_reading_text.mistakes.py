@@ -293,6 +293,11 @@ def ncc(a, b):
     root = np.sqrt(norm2(centered(a)) * norm2(centered(b)))
     return centered(a) * centered(b) / (root or 1.0)
 
+# %% role="mistake" name="matrix product" says="@ is the product of matrices. Multiply pixel by pixel: (a_centered * b_centered).sum()."
+def ncc(a, b):
+    x, y = centered(a), centered(b)
+    return quotient((x @ y.T).sum(), norm2(x) * norm2(y))
+
 # %% [markdown]
 # # text-distance
 

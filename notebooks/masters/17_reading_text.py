@@ -453,7 +453,7 @@ def inputs(rng):
 # %% role="case" title="a negative, and an image without form" points=1 hint="The NCC can be negative. If all pixels of one image are equal, return 0.0."
 def inputs(rng):
     a, b = two_images(rng)
-    return [(a, 90.0 - b), (np.full((3, 4), 7.0), b), (a, np.zeros((3, 4)))]
+    return [(a, 90.0 - b), (np.full((3, 4), 7.0), b), (a, np.zeros((3, 4))), (np.full((2, 3), 5.0), np.full((2, 3), 5.0))]
 
 
 # %% role="hidden" title="any two images" points=1 hint="Did you subtract both means, and divide by the root of both sums of squares?"

@@ -355,6 +355,11 @@ def residue(vector, mean, directions):
 def residue(vector, mean, directions):
     return 0.0
 
+# %% role="mistake" name="the mean in each round" says="Your loop adds the mean once for each direction. Add it once: begin with rebuilt = mean, or use weights @ directions."
+def residue(vector, mean, directions):
+    rebuilt = len(directions) * mean + (directions @ (vector - mean)) @ directions
+    return length_of(vector - rebuilt)
+
 # %% [markdown]
 # # faces-lbp
 

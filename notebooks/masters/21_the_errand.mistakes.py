@@ -322,6 +322,13 @@ def safe_speed(free, reaction, deceleration, limit):
 def safe_speed(free, reaction, deceleration, limit):
     return round(solution(free, reaction, deceleration, limit), 3)
 
+# %% role="mistake" name="in steps of 0.01" says="You try speeds in steps of 0.01 m/s, so yours is up to 0.01 m/s too low. Solve the equation: -h + math.sqrt(h ** 2 + q)."
+def safe_speed(free, reaction, deceleration, limit):
+    if free <= 0:
+        return 0.0
+    speeds = [k / 100 for k in range(1000) if k / 100 <= limit]
+    return max(v for v in speeds if reaction * v + v**2 / (2 * deceleration) <= free)
+
 # %% [markdown]
 # # errand-direction
 

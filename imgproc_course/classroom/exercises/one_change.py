@@ -33,7 +33,7 @@ _TRANSPOSED = "is it to be transposed?"
 _DTYPE = "which dtype has the result, and can it hold every value?"
 _UNIT = "is this angle in radians, or in degrees?"
 _QUESTIONS = {"abs": "is its sign needed?", "radians": _UNIT, "degrees": _UNIT, "sqrt": "is the root needed?"}
-_QUESTIONS |= dict.fromkeys(("int", "round", "float", "floor"), "is it to be a whole number here?")
+_QUESTIONS |= dict.fromkeys(("int", "round", "float", "floor"), "is it to be cut or rounded here?")
 _OTHER_END = ({"lower": None, "upper": ast.Constant(-1)}, {"lower": ast.Constant(1), "upper": None})
 _AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "prod", "cumsum", "norm")
 _METHODS = ("upper", "lower", "strip", "copy", "tolist", "items", "keys", "values", *_AXES)
@@ -60,7 +60,8 @@ _COMPARISONS = {
 _OPERATORS = {
     ast.Add: (ast.Sub,),
     ast.Sub: (ast.Add,),
-    ast.Mult: (ast.Div,),
+    ast.Mult: (ast.Div, ast.MatMult),
+    ast.MatMult: (ast.Mult,),
     ast.Div: (ast.Mult, ast.FloorDiv),
     ast.FloorDiv: (ast.Div,),
 }
@@ -113,7 +114,7 @@ def _sentence(places, question, lines, offset):
     if isinstance(places[0], ast.FunctionDef):
         return f"With one change, these checks pass: {question}"
     numbers = sorted({place.lineno for place in places})
-    shown = dict.fromkeys(ast.unparse(place).split("\n")[0] for place in places)
+    shown = dict.fromkeys(ast.unparse(place).split("\n")[0].rstrip(":") for place in places)
     code = " and ".join(list(shown)[:2])
     line = lines[numbers[0] - 1].strip().rstrip(":")
     if len(numbers) == 1 and len(code) < min(_SHORT, len(line)):

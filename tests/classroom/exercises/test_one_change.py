@@ -118,6 +118,12 @@ CASES = {
         "line 2",
         "np.linalg.norm(a): of the whole array, or along an axis?",
     ),
+    "an if too many": (
+        "def f(a):\n    if a > 9:\n        return 0\n    return a",
+        [((10,), 10), ((2,), 2)],
+        "line 2",
+        "Look at if a > 9: is it needed?",
+    ),
     "a part too many": (
         "def f(a, b):\n    return a * b + b",
         [((2, 3), 6), ((4, 5), 20)],
