@@ -78,10 +78,7 @@ def _unhashable(match, source):
     nouns = {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}
     noun, kinds = nouns.get(match[1], match[1]), set(map(type, _nodes(source)))
     if ast.Set in kinds:
-        return (
-            f"Curly brackets without a key and a colon make a set, and a set cannot hold {noun}."
-            ' A dictionary needs both: {"key": value}.'
-        )
+        return _ADVICE["<curly brackets>"].format(noun)
     if re.search(r"(?<![\w.])set\(", source):
         return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
     return f"A set or the key of a dictionary cannot hold {noun}. A key is mostly a text, in quotes."
