@@ -52,6 +52,8 @@ _masters_option = option(
     show_default=False,
     help="Folder of the masters.  [default: the course's own]",
 )
+_unsafe_help = "Run the learners' code without a sandbox: it can read and change your files."
+_unsafe_option = option("--unsafe", is_flag=True, help=_unsafe_help)
 
 
 @click.group(cls=CourseGroup, context_settings={"help_option_names": ["-h", "--help"], "show_default": True})
@@ -395,11 +397,7 @@ def _would_be_committed(path):
     help="Grade a learner, a lesson or an exercise again; repeat the option for more.",
 )
 @option("--anonymous", is_flag=True, help="Show an id instead of the name on every page.")
-@option(
-    "--unsafe",
-    is_flag=True,
-    help="Run the learners' code without a sandbox: it can read and change your files.",
-)
+@_unsafe_option
 @option("--fresh", is_flag=True, help="Grade again what was graded before.")
 @option(
     "--platform-table",
@@ -508,11 +506,7 @@ def _rules_of_run(out, given, forget, yes):
     show_default=False,
     help="Controller that drives beside the class.  [default: the course's own]",
 )
-@option(
-    "--unsafe",
-    is_flag=True,
-    help="Run the learners' code without a sandbox: it can read and change your files.",
-)
+@_unsafe_option
 def league(folder, out, **options):
     """Rank a class's controllers on secret rooms, on a page that you can show to the class.
 

@@ -3,7 +3,7 @@
 import shutil
 from pathlib import Path
 
-from imgproc_course.doctor.report import failure, ok, warning
+from imgproc_course.doctor.report import failure, failure_of, ok, warning
 
 ENOUGH_DISK = 200 << 20
 FRAMES = 3
@@ -18,8 +18,7 @@ def check_recording():
             rows, cols, _ = drive.frame(0).shape
             yield ok("recording", f"{len(drive)} frames of {cols}×{rows}, {drive.rate:g} per second")
     except (RecordingError, ConversionError) as error:
-        observation, _, remedy = str(error).partition("; ")
-        yield failure("recording", observation, remedy or "git checkout -- imgproc_course/recording/drive")
+        yield failure_of("recording", error, "git checkout -- imgproc_course/recording/drive")
 
 
 def check_disk():
@@ -42,8 +41,7 @@ def check_topics():
         yield _diagnosis_of_topic(_why_no_frames_of_the_camera())
     # A node or the robot process did not start; the error names the environment variable that is wrong.
     except (ValueError, RuntimeError) as error:
-        observation, _, remedy = str(error).partition("; ")
-        yield failure("topic", observation, remedy or "correct it, then restart the kernel")
+        yield failure_of("topic", error, "correct it, then restart the kernel")
     finally:
         if not was_running:
             RosSession().stop()

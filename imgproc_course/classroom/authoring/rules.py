@@ -42,7 +42,8 @@ def _exercise_rules(exercise):
     hints = exercise.hints
     yield not exercise.public, 'has no role="case"; without one, `check` has nothing to run'
     yield not exercise.hidden, 'has no role="hidden"; an answer could copy the public values'
-    is_node = exercise.subject == "node"
+    statements = statements_of(exercise.stub)
+    classes = {name for statement in statements if statement.kind == "class" for name in statement.binds}
     has_node = exercise.subject in NODES  # `node_feedback` has the sentences for its mistakes
     yield not (exercise.mistakes or has_node), 'has no role="mistake"; which wrong answer do learners give?'
     yield (
@@ -55,17 +56,11 @@ def _exercise_rules(exercise):
     another_way = 'needs another_way="You can also write ...", one sentence'
     yield not _is_text(exercise.another_way), another_way
     yield (
-        is_node and not _defines_class(exercise.stub, exercise.function),
+        exercise.subject == "node" and exercise.function not in classes,
         f'has subject="node"; its answer cell must define class {exercise.function}(Node)',
     )
     for name in _repeated([mistake.name for mistake in exercise.mistakes]):
         yield True, f"declares the mistake {name!r} twice"
-
-
-def _defines_class(source, name):
-    module = _parse(source)
-    classes = [node.name for node in module.body if isinstance(node, ast.ClassDef)] if module else []
-    return name in classes
 
 
 def _repeated(names):
