@@ -83,9 +83,8 @@ def start(jupyter_options):
     """
     from imgproc_course.lab.server import LabError
     from imgproc_course.lab.server import start as start_lab
-    from imgproc_course.lab.working_copies import LessonsError
 
-    with _in_one_line(LabError, LessonsError):
+    with _in_one_line(LabError):
         start_lab(jupyter_options, say=click.echo)
 
 
@@ -238,10 +237,11 @@ def handout(folder, lessons, source, with_solutions, zipped):
     from imgproc_course.classroom.exercises.declaration import MasterError
 
     with _in_one_line(HandoutError, MasterError, written="the lessons"):
-        result = hand_out(folder, source, lessons, with_solutions=with_solutions, zipped=zipped)
-    place = f"{folder}/ and {result.archive}" if zipped else f"{folder}/"
+        options = {"with_solutions": with_solutions, "zipped": zipped}
+        count, archive = hand_out(folder, source, lessons, **options)
+    place = f"{folder}/ and {archive}" if zipped else f"{folder}/"
     solutions = "with" if with_solutions else "without"
-    click.echo(f"Lessons handed out: {len(result.lessons)}, {solutions} solutions, in {place}")
+    click.echo(f"Lessons handed out: {count}, {solutions} solutions, in {place}")
 
 
 @main.command()

@@ -10,9 +10,9 @@ from pathlib import Path
 import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
+from ..exercises.atomic_write import write_file
 from ..exercises.check_files import CHECKS, SOLUTIONS
 from ..exercises.declaration import MasterError
-from .atomic_write import write_file
 from .cheat_sheet import CHEAT_SHEET, cheat_sheet_page
 from .execute import execute, normalize, output_texts, refuse_traces
 from .glossary import GLOSSARY, GLOSSARY_PAGE, glossary_page, read_glossary
@@ -201,9 +201,6 @@ def _cell_metadata(cell):
     if cell.role == "answer":  # survives merging and splitting, and tools that rewrite ids
         metadata["imgproc_course"] = {"exercise": cell.exercise}
     return metadata
-
-
-# ---------------------------------------------------------------- stored lessons
 
 
 def _keep_varying_outputs(notebook, stored_path, master):
