@@ -1,4 +1,4 @@
-"""The doctor's checks of ROS: what is loaded, the DDS profile, shared memory, the domain, the network."""
+"""The doctor's checks of ROS: what is loaded, DDS profile, shared memory, domain, network, topics."""
 
 import contextlib
 import importlib.metadata
@@ -7,9 +7,10 @@ import os
 import socket
 import sys
 
-from imgproc_course.doctor.report import failure, ok, warning
+from imgproc_course.doctor.report import failure, failure_of, ok, warning
 from imgproc_course.doctor.software import SET_UP
 
+FRAMES = 3  # that must arrive
 MULTICAST_GROUP = "239.255.0.1"  # through which DDS programs discover each other
 RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
 ENOUGH_SHARED_MEMORY = 276 << 20  # bytes: for the camera, the notebook, and two more programs
@@ -119,3 +120,52 @@ def _packet_arrives(address, timeout=1.0):
             return receiver.recv(16) == b"doctor"
         except OSError:
             return False
+
+
+def check_topics():
+    """Waits for frames of the camera that runs; if none runs, the doctor starts it and ends it again."""
+    from imgproc_course.ros import RosSession, ros_available
+
+    if not ros_available():
+        return
+    was_running = RosSession().running
+    try:
+        yield _diagnosis_of_topic(_why_no_frames_of_the_camera())
+    # A node or the robot process did not start; the error names the environment variable that is wrong.
+    except (ValueError, RuntimeError) as error:
+        yield failure_of("topic", error, "correct it, then restart the kernel")
+    finally:
+        if not was_running:
+            RosSession().stop()
+
+
+def _diagnosis_of_topic(problem):
+    if problem is None:
+        return ok("topic", "frames arrive from the camera, a process of its own")
+    observation, _, remedy = problem.partition("; ")
+    also = "see the lines on DDS profile, shared memory and loopback; a firewall may block the frames"
+    return failure("topic", observation, f"{remedy}; {also}" if remedy else also)
+
+
+def _why_no_frames_of_the_camera():
+    from imgproc_course.ros import RosSession, open_camera
+    from imgproc_course.ros.robot_process import running_robot
+
+    robot = running_robot(RosSession.current().context.get_domain_id())
+    if robot is not None and robot.get("running"):
+        return _why_no_frames(robot["topic"])  # whatever it plays
+    with open_camera() as camera:
+        return _why_no_frames(camera.topic)
+
+
+def _why_no_frames(topic, timeout=15.0):
+    """Why no frames arrive, in one line; None if they do."""
+    from imgproc_course.ros import ImageSubscriber
+
+    with ImageSubscriber(topic) as subscriber:
+        try:
+            for _ in range(FRAMES):
+                subscriber.wait(timeout)
+        except TimeoutError as error:
+            return str(error)
+    return None

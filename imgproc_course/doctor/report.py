@@ -21,17 +21,10 @@ PATH = re.compile(
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """The result of one of the doctor's checks.
-
-    Attributes
-    ----------
-    name : what was checked
-    verdict : "ok", "warning" (the lessons work all the same) or "failure"
-    observation, remedy : the state of it, and how to repair it; neither contains a path of this machine
-    """
+    """What one check of the doctor found; its texts contain no path of this machine."""
 
     name: str
-    verdict: str
+    verdict: str  # "ok", "warning" (the lessons work all the same) or "failure"
     observation: str
     remedy: str = ""
 
@@ -52,19 +45,14 @@ def failure_of(name, problem, remedy=""):
 
 
 class Report:
-    """All diagnoses of the doctor, shown as a table in a notebook and in a terminal.
-
-    Attributes
-    ----------
-    diagnoses : list of Diagnosis
-    ready : whether nothing failed; a warning is not a failure
-    """
+    """All diagnoses of the doctor, shown as a table in a notebook and in a terminal."""
 
     def __init__(self, diagnoses):
         self.diagnoses = list(diagnoses)
 
     @property
     def ready(self):
+        """Whether nothing failed; a warning is not a failure."""
         return all(diagnosis.verdict != "failure" for diagnosis in self.diagnoses)
 
     @property

@@ -1,16 +1,18 @@
-"""The doctor's checks of software: Python, the kernel, the packages, OpenCV."""
+"""The doctor's checks of what is installed: Python, kernel, packages, OpenCV, recording; and of the disk."""
 
 import contextlib
 import importlib.metadata
 import importlib.util
 import re
+import shutil
 import sys
 from pathlib import Path
 
 import imgproc_course
-from imgproc_course.doctor.report import failure, ok, warning
+from imgproc_course.doctor.report import failure, failure_of, ok, warning
 
 SET_UP = "run environment/lab again: it repairs the packages"
+ENOUGH_DISK = 200 << 20  # bytes
 VENV = Path(imgproc_course.__file__).resolve().parents[1] / ".venv"
 
 
@@ -99,6 +101,27 @@ def check_opencv():
     else:
         remedy = f"face detection needs OpenCV 4: {SET_UP}"
         yield warning("OpenCV", f"{version}, without Haar cascades", remedy)
+
+
+def check_recording():
+    from imgproc_course.messages import ConversionError
+    from imgproc_course.recording import RecordingError, open_recording
+
+    try:
+        with open_recording("drive") as drive:
+            rows, cols, _ = drive.frame(0).shape
+            yield ok("recording", f"{len(drive)} frames of {cols}×{rows}, {drive.rate:g} per second")
+    except (RecordingError, ConversionError) as error:
+        yield failure_of("recording", error, "git checkout -- imgproc_course/recording/drive")
+
+
+def check_disk():
+    free = shutil.disk_usage(Path.cwd()).free
+    if free >= ENOUGH_DISK:
+        yield ok("disk", "enough space for your work")
+    else:
+        problem = f"{free >> 20} MiB free where your lessons are"
+        yield warning("disk", problem, "free some space before you go on")
 
 
 def in_notebook():
