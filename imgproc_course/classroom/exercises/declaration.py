@@ -1,7 +1,4 @@
-"""What an exercise is: its declaration, read from the master that teaches it.
-
-docs/teach/masters.md describes the format of masters.
-"""
+"""What an exercise is: its declaration, read from the master that teaches it (docs/teach/masters.md)."""
 
 import ast
 import re

@@ -47,14 +47,11 @@ _CUT_OFF = (
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """What is certain about an answer, in sentences, "" if nothing is.
+    """What is certain about an answer."""
 
-    `replaces_hint`: they say what to repair; `on_border`: all wrong values lie on the borders of images.
-    """
-
-    text: str = ""
-    replaces_hint: bool = False
-    on_border: bool = False
+    text: str = ""  # sentences, "" if nothing is certain
+    replaces_hint: bool = False  # they say what to repair
+    on_border: bool = False  # all wrong values lie on the borders of images
 
 
 def diagnose(calls, shown, names=(), *, exact_type=True):
