@@ -104,16 +104,12 @@ def _labelled_forms(result, call):
         for part_name, form, _ in answer_parts(argument_form, argument_form):
             yield f"given {name}{part_name}", form, None
     if call.result.finished and call.difference is not None:
-        for part_name, expected, actual in _answer_parts(call):
+        for part_name, expected, actual in answer_parts(call.expected.value, call.result.value):
             if part_name and expected == actual:
                 continue  # a right part of the answer only hides the wrong one
             wrong = differing_elements(expected, actual, call.case.tolerance)
             yield f"returned {part_name}", actual, wrong
             yield f"expected {part_name}", expected, wrong
-
-
-def _answer_parts(call):
-    return answer_parts(call.expected.value, call.result.value)
 
 
 def _remarks(result):
@@ -381,7 +377,7 @@ def _figures(result, call):
     if result.exercise.subject != "function":
         return _images_of_node(call)
     images = given_images(zip(result.exercise.names, call.arguments, strict=False))
-    for part_name, expected, actual in _answer_parts(call):
+    for part_name, expected, actual in answer_parts(call.expected.value, call.result.value):
         wrong = differing_elements(expected, actual, call.case.tolerance)
         if wrong is not None and wrong.any() and is_image(array_of(actual)):
             argument_form = canonical(call.arguments[0], limit=None) if call.arguments else None
