@@ -53,11 +53,9 @@ def _shared_memory(free):
     if free >= ENOUGH_SHARED_MEMORY:
         yield ok("shared memory", "enough in /dev/shm for the camera, this notebook, and two more programs")
     else:
-        yield warning(
-            "shared memory",
-            f"{free >> 20} MiB free in /dev/shm; the camera and each node take 69 MiB",
-            "docker run --shm-size=1g, or sudo mount -o remount,size=1g /dev/shm; then restart the kernel",
-        )
+        problem = f"{free >> 20} MiB free in /dev/shm; the camera and each node take 69 MiB"
+        remedy = "docker run --shm-size=1g, or sudo mount -o remount,size=1g /dev/shm"
+        yield warning("shared memory", problem, f"{remedy}; then restart the kernel")
 
 
 def _domain():
@@ -67,17 +65,12 @@ def _domain():
         remedy = "give a number from 0 to 101: export ROS_DOMAIN_ID=7"
         yield failure("domain", f"ROS_DOMAIN_ID={domain}", remedy)
     elif discovery_range not in RANGES:
-        yield failure(
-            "domain",
-            f"ROS_AUTOMATIC_DISCOVERY_RANGE={discovery_range} is not one of {', '.join(RANGES)}",
-            "unset ROS_AUTOMATIC_DISCOVERY_RANGE, then restart the kernel",
-        )
+        problem = f"ROS_AUTOMATIC_DISCOVERY_RANGE={discovery_range} is not one of {', '.join(RANGES)}"
+        yield failure("domain", problem, "unset ROS_AUTOMATIC_DISCOVERY_RANGE, then restart the kernel")
     elif discovery_range == "OFF":
-        yield failure(
-            "domain",
-            "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: programs do not discover each other",
-            "unset ROS_AUTOMATIC_DISCOVERY_RANGE, or set it to LOCALHOST; then restart the kernel",
-        )
+        problem = "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: programs do not discover each other"
+        remedy = "unset ROS_AUTOMATIC_DISCOVERY_RANGE, or set it to LOCALHOST; then restart the kernel"
+        yield failure("domain", problem, remedy)
     else:
         scope = "with everyone on this network in the same domain"
         if discovery_range == "LOCALHOST" or os.environ.get("ROS_LOCALHOST_ONLY") == "1":
@@ -88,18 +81,13 @@ def _domain():
 def check_network():
     """Whether packets to this machine itself arrive, and packets to the multicast group of DDS."""
     if not _packet_arrives("127.0.0.1"):
-        yield failure(
-            "loopback",
-            "a packet from this machine to itself did not arrive",
-            "a firewall blocks UDP on 127.0.0.1: allow it, e.g. sudo ufw allow in on lo",
-        )
+        remedy = "a firewall blocks UDP on 127.0.0.1: allow it, e.g. sudo ufw allow in on lo"
+        yield failure("loopback", "a packet from this machine to itself did not arrive", remedy)
     elif not _packet_arrives(MULTICAST_GROUP):
-        yield warning(
-            "loopback",
-            "works, but multicast does not, through which programs discover each other",
-            "export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST, or allow multicast: "
-            "sudo ip link set lo multicast on; sudo ufw allow in proto udp to 224.0.0.0/4",
-        )
+        remedy = "export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST, or allow multicast: sudo ip link set lo"
+        remedy += " multicast on; sudo ufw allow in proto udp to 224.0.0.0/4"
+        problem = "works, but multicast does not, through which programs discover each other"
+        yield warning("loopback", problem, remedy)
     else:
         yield ok("loopback", "packets and multicast arrive")
 

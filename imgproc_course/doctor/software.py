@@ -31,19 +31,14 @@ def check_kernel():
         return  # check_packages reports that JupyterLab is missing
     own_names = (None, "python", "python3", f"python3.{sys.version_info.minor}", sys.executable)
     if VENV.is_dir() and Path(sys.prefix).resolve() != VENV.resolve():
-        yield warning(
-            "kernel",
-            "this Python belongs to another environment, not to the course's .venv",
-            "start JupyterLab with environment/lab; in the notebook: Kernel > Change Kernel > Python 3",
-        )
+        problem = "this Python belongs to another environment, not to the course's .venv"
+        remedy = "start JupyterLab with environment/lab; in the notebook: Kernel > Change Kernel > Python 3"
+        yield warning("kernel", problem, remedy)
     elif _kernel_of_jupyter() in own_names:
         yield ok("kernel", "from the course's own environment")
     else:
-        yield warning(
-            "kernel",
-            "Jupyter's kernel python3 belongs to another environment, which may not have the course",
-            "start JupyterLab with environment/lab, which uses the course's own",
-        )
+        problem = "Jupyter's kernel python3 belongs to another environment, which may not have the course"
+        yield warning("kernel", problem, "start JupyterLab with environment/lab, which uses the course's own")
 
 
 def _kernel_of_jupyter():
@@ -80,12 +75,9 @@ def check_opencv():
         if re.fullmatch(r"opencv(-contrib)?-python(-headless)?", distribution.metadata["Name"] or "")
     }
     if len(versions) > 1:
-        names = " and ".join(sorted(versions))
-        yield failure(
-            "OpenCV",
-            f"{names} are both installed into one folder and break each other",
-            f"pip uninstall {' '.join(sorted(versions))}; then delete .venv and {SET_UP}",
-        )
+        problem = f"{' and '.join(sorted(versions))} are both installed into one folder and break each other"
+        remedy = f"pip uninstall {' '.join(sorted(versions))}; then delete .venv and {SET_UP}"
+        yield failure("OpenCV", problem, remedy)
         return
     try:
         import cv2

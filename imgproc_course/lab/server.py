@@ -18,12 +18,8 @@ from imgproc_course.lab.working_copies import CHECKOUT, LabError, update_lessons
 from imgproc_course.ros_domain import choose_domain
 
 CONFIGURATION = Path(__file__).with_name("jupyter_config")
-DISCOVERY_VARIABLES = (
-    "ROS_DOMAIN_ID",
-    "ROS_AUTOMATIC_DISCOVERY_RANGE",
-    "ROS_LOCALHOST_ONLY",
-    "ROS_STATIC_PEERS",
-)
+DISCOVERY_VARIABLES = ("ROS_DOMAIN_ID", "ROS_AUTOMATIC_DISCOVERY_RANGE")
+DISCOVERY_VARIABLES += ("ROS_LOCALHOST_ONLY", "ROS_STATIC_PEERS")
 
 print_now = functools.partial(print, flush=True)  # before JupyterLab's own lines, also in a log file
 
