@@ -106,10 +106,8 @@ def _broadcast_rules(shapes, source):
     yield 1 in (len(first), len(second)) and has_axis, _ADVICE["<axis taken away>"]
     if len(first) != len(second):
         return
-    yield (
-        any(shape in ((3, 3), (5, 5)) for shape in shapes) and re.search("kernel|:", source),
-        _ADVICE["<kernel>"],
-    )
+    has_kernel = any(shape in ((3, 3), (5, 5)) for shape in shapes) and re.search("kernel|:", source)
+    yield has_kernel, _ADVICE["<kernel>"]
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     yield gap <= 2, _ADVICE["<nearly one shape>"].format(gap)
 
