@@ -52,6 +52,8 @@ _masters_option = option(
     show_default=False,
     help="Folder of the masters.  [default: the course's own]",
 )
+_unsafe_help = "Run the learners' code without a sandbox: it can read and change your files."
+_unsafe_option = option("--unsafe", is_flag=True, help=_unsafe_help)
 
 
 @click.group(cls=CourseGroup, context_settings={"help_option_names": ["-h", "--help"], "show_default": True})
@@ -81,9 +83,8 @@ def start(jupyter_options):
     """
     from imgproc_course.lab.server import LabError
     from imgproc_course.lab.server import start as start_lab
-    from imgproc_course.lab.working_copies import LessonsError
 
-    with _in_one_line(LabError, LessonsError):
+    with _in_one_line(LabError):
         start_lab(jupyter_options, say=click.echo)
 
 
@@ -236,10 +237,11 @@ def handout(folder, lessons, source, with_solutions, zipped):
     from imgproc_course.classroom.exercises.declaration import MasterError
 
     with _in_one_line(HandoutError, MasterError, written="the lessons"):
-        result = hand_out(folder, source, lessons, with_solutions=with_solutions, zipped=zipped)
-    place = f"{folder}/ and {result.archive}" if zipped else f"{folder}/"
+        options = {"with_solutions": with_solutions, "zipped": zipped}
+        count, archive = hand_out(folder, source, lessons, **options)
+    place = f"{folder}/ and {archive}" if zipped else f"{folder}/"
     solutions = "with" if with_solutions else "without"
-    click.echo(f"Lessons handed out: {len(result.lessons)}, {solutions} solutions, in {place}")
+    click.echo(f"Lessons handed out: {count}, {solutions} solutions, in {place}")
 
 
 @main.command()
@@ -395,11 +397,7 @@ def _would_be_committed(path):
     help="Grade a learner, a lesson or an exercise again; repeat the option for more.",
 )
 @option("--anonymous", is_flag=True, help="Show an id instead of the name on every page.")
-@option(
-    "--unsafe",
-    is_flag=True,
-    help="Run the learners' code without a sandbox: it can read and change your files.",
-)
+@_unsafe_option
 @option("--fresh", is_flag=True, help="Grade again what was graded before.")
 @option(
     "--platform-table",
@@ -508,11 +506,7 @@ def _rules_of_run(out, given, forget, yes):
     show_default=False,
     help="Controller that drives beside the class.  [default: the course's own]",
 )
-@option(
-    "--unsafe",
-    is_flag=True,
-    help="Run the learners' code without a sandbox: it can read and change your files.",
-)
+@_unsafe_option
 def league(folder, out, **options):
     """Rank a class's controllers on secret rooms, on a page that you can show to the class.
 

@@ -13,7 +13,7 @@ import pytest
 from rich.console import Console
 
 from imgproc_course import doctor as doctor_package
-from imgproc_course.doctor import Diagnosis, Report, camera_checks, doctor, graph, software
+from imgproc_course.doctor import Diagnosis, Report, doctor, graph, software
 from imgproc_course.doctor.report import failure, ok, warning
 from imgproc_course.messages import ConversionError
 
@@ -357,7 +357,7 @@ def test_another_programs_packet_is_not_the_doctors(monkeypatch):
 
 def test_a_damaged_recording(monkeypatch, tmp_path):
     monkeypatch.setattr("imgproc_course.recording.recording.DRIVE", tmp_path)
-    diagnosis = diagnoses_of(camera_checks.check_recording)["recording"]
+    diagnosis = diagnoses_of(software.check_recording)["recording"]
     assert diagnosis.verdict == "failure"
     assert "git checkout -- imgproc_course/recording/drive" in diagnosis.remedy
 
@@ -367,24 +367,24 @@ def test_a_recording_whose_error_has_no_remedy(monkeypatch):
         raise ConversionError("frame 3 is cut short")
 
     monkeypatch.setattr("imgproc_course.recording.open_recording", damaged)
-    diagnosis = diagnoses_of(camera_checks.check_recording)["recording"]
+    diagnosis = diagnoses_of(software.check_recording)["recording"]
     assert diagnosis.observation == "frame 3 is cut short"
     assert diagnosis.remedy == "git checkout -- imgproc_course/recording/drive"
 
 
 def test_a_disk_that_is_nearly_full(monkeypatch):
-    usage = camera_checks.shutil.disk_usage("/")._replace(free=50 << 20)
-    monkeypatch.setattr(camera_checks.shutil, "disk_usage", lambda _: usage)
-    diagnosis = diagnoses_of(camera_checks.check_disk)["disk"]
+    usage = software.shutil.disk_usage("/")._replace(free=50 << 20)
+    monkeypatch.setattr(software.shutil, "disk_usage", lambda _: usage)
+    diagnosis = diagnoses_of(software.check_disk)["disk"]
     assert (diagnosis.verdict, diagnosis.observation) == ("warning", "50 MiB free where your lessons are")
 
 
 @pytest.mark.ros
 def test_a_topic_that_stays_silent(monkeypatch):
     monkeypatch.setattr(
-        camera_checks, "_why_no_frames", lambda topic: f"nothing came on {topic} in 5 s; restart the kernel"
+        graph, "_why_no_frames", lambda topic: f"nothing came on {topic} in 5 s; restart the kernel"
     )
-    diagnosis = diagnoses_of(camera_checks.check_topics)["topic"]
+    diagnosis = diagnoses_of(graph.check_topics)["topic"]
     assert diagnosis.verdict == "failure"
     assert diagnosis.observation == "nothing came on /kachaka/front_camera/image_raw in 5 s"
     assert diagnosis.remedy.startswith("restart the kernel; see the lines on DDS profile")
@@ -395,7 +395,7 @@ def test_the_camera_that_runs_is_checked_and_not_changed():
     from imgproc_course.ros import RosSession, open_camera
 
     with open_camera(topic="/elsewhere", speed=3.0) as camera:
-        (diagnosis,) = camera_checks.check_topics()
+        (diagnosis,) = graph.check_topics()
         assert (diagnosis.verdict, camera.rate, camera.running) == ("ok", 30.0, True)
     assert RosSession().running  # it ran before
     RosSession().stop()
@@ -406,8 +406,8 @@ def test_the_session_that_the_doctor_started_ends_with_the_check(monkeypatch):
     from imgproc_course.ros import RosSession
 
     RosSession().stop()
-    monkeypatch.setattr(camera_checks, "_why_no_frames", lambda topic: None)
-    (diagnosis,) = camera_checks.check_topics()
+    monkeypatch.setattr(graph, "_why_no_frames", lambda topic: None)
+    (diagnosis,) = graph.check_topics()
     assert (diagnosis.verdict, RosSession().running) == ("ok", False)
 
 
@@ -417,14 +417,14 @@ def test_the_topic_check_names_an_invalid_domain_too(monkeypatch):
 
     RosSession().stop()
     monkeypatch.setenv("ROS_DOMAIN_ID", "seven")
-    (diagnosis,) = camera_checks.check_topics()
+    (diagnosis,) = graph.check_topics()
     assert diagnosis.verdict == "failure"
     assert "ROS_DOMAIN_ID" in diagnosis.observation
 
 
 def test_without_ros_no_topic_is_tried(monkeypatch):
     monkeypatch.setattr("imgproc_course.ros.ros_available", lambda: False)
-    assert list(camera_checks.check_topics()) == []
+    assert list(graph.check_topics()) == []
 
 
 def test_it_shows_what_it_checks(monkeypatch, capsys):
@@ -440,7 +440,7 @@ def test_it_shows_what_it_checks(monkeypatch, capsys):
 def test_a_topic_without_a_publisher_is_reported():
     from imgproc_course.ros import RosSession
 
-    problem = camera_checks._why_no_frames("/doctor_nobody/image_raw", timeout=0.2)
+    problem = graph._why_no_frames("/doctor_nobody/image_raw", timeout=0.2)
     RosSession().stop()
     assert "/doctor_nobody/image_raw" in problem
     assert "; " in problem

@@ -1,11 +1,8 @@
-"""The doctor: checks everything that the lessons use, and says how to repair what does not work.
-
-`doctor()` in a notebook, `imgproc-course doctor` in a terminal.
-"""
+"""Checks everything that the lessons use: `doctor()` in a notebook, `imgproc-course doctor` in a terminal."""
 
 import contextlib
 
-from imgproc_course.doctor import camera_checks, graph, software
+from imgproc_course.doctor import graph, software
 from imgproc_course.doctor.report import Diagnosis, Report
 
 CHECKS = (
@@ -13,21 +10,16 @@ CHECKS = (
     ("the kernel", software.check_kernel),
     ("packages", software.check_packages),
     ("OpenCV", software.check_opencv),
-    ("the recording", camera_checks.check_recording),
-    ("the disk", camera_checks.check_disk),
+    ("the recording", software.check_recording),
+    ("the disk", software.check_disk),
     ("ROS 2", graph.check_ros),
     ("the network", graph.check_network),
-    ("topics (some seconds)", camera_checks.check_topics),
+    ("topics (some seconds)", graph.check_topics),
 )
 
 
 def doctor():
-    """Checks everything that the lessons use. It takes about five seconds and shows its progress.
-
-    Returns
-    -------
-    Report
-    """
+    """Checks everything that the lessons use, in about five seconds; returns the Report."""
     diagnoses = []
     with _progress() as show_progress:
         for subject, run_check in CHECKS:

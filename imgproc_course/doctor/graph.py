@@ -1,4 +1,4 @@
-"""The doctor's checks of ROS: what is loaded, the DDS profile, shared memory, the domain, the network."""
+"""The doctor's checks of ROS: what is loaded, DDS profile, shared memory, domain, network, topics."""
 
 import contextlib
 import importlib.metadata
@@ -7,9 +7,10 @@ import os
 import socket
 import sys
 
-from imgproc_course.doctor.report import failure, ok, warning
+from imgproc_course.doctor.report import failure, failure_of, ok, warning
 from imgproc_course.doctor.software import SET_UP
 
+FRAMES = 3  # that must arrive
 MULTICAST_GROUP = "239.255.0.1"  # through which DDS programs discover each other
 RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
 ENOUGH_SHARED_MEMORY = 276 << 20  # bytes: for the camera, the notebook, and two more programs
@@ -52,11 +53,9 @@ def _shared_memory(free):
     if free >= ENOUGH_SHARED_MEMORY:
         yield ok("shared memory", "enough in /dev/shm for the camera, this notebook, and two more programs")
     else:
-        yield warning(
-            "shared memory",
-            f"{free >> 20} MiB free in /dev/shm; the camera and each node take 69 MiB",
-            "docker run --shm-size=1g, or sudo mount -o remount,size=1g /dev/shm; then restart the kernel",
-        )
+        problem = f"{free >> 20} MiB free in /dev/shm; the camera and each node take 69 MiB"
+        remedy = "docker run --shm-size=1g, or sudo mount -o remount,size=1g /dev/shm"
+        yield warning("shared memory", problem, f"{remedy}; then restart the kernel")
 
 
 def _domain():
@@ -66,17 +65,12 @@ def _domain():
         remedy = "give a number from 0 to 101: export ROS_DOMAIN_ID=7"
         yield failure("domain", f"ROS_DOMAIN_ID={domain}", remedy)
     elif discovery_range not in RANGES:
-        yield failure(
-            "domain",
-            f"ROS_AUTOMATIC_DISCOVERY_RANGE={discovery_range} is not one of {', '.join(RANGES)}",
-            "unset ROS_AUTOMATIC_DISCOVERY_RANGE, then restart the kernel",
-        )
+        problem = f"ROS_AUTOMATIC_DISCOVERY_RANGE={discovery_range} is not one of {', '.join(RANGES)}"
+        yield failure("domain", problem, "unset ROS_AUTOMATIC_DISCOVERY_RANGE, then restart the kernel")
     elif discovery_range == "OFF":
-        yield failure(
-            "domain",
-            "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: programs do not discover each other",
-            "unset ROS_AUTOMATIC_DISCOVERY_RANGE, or set it to LOCALHOST; then restart the kernel",
-        )
+        problem = "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: programs do not discover each other"
+        remedy = "unset ROS_AUTOMATIC_DISCOVERY_RANGE, or set it to LOCALHOST; then restart the kernel"
+        yield failure("domain", problem, remedy)
     else:
         scope = "with everyone on this network in the same domain"
         if discovery_range == "LOCALHOST" or os.environ.get("ROS_LOCALHOST_ONLY") == "1":
@@ -87,18 +81,13 @@ def _domain():
 def check_network():
     """Whether packets to this machine itself arrive, and packets to the multicast group of DDS."""
     if not _packet_arrives("127.0.0.1"):
-        yield failure(
-            "loopback",
-            "a packet from this machine to itself did not arrive",
-            "a firewall blocks UDP on 127.0.0.1: allow it, e.g. sudo ufw allow in on lo",
-        )
+        remedy = "a firewall blocks UDP on 127.0.0.1: allow it, e.g. sudo ufw allow in on lo"
+        yield failure("loopback", "a packet from this machine to itself did not arrive", remedy)
     elif not _packet_arrives(MULTICAST_GROUP):
-        yield warning(
-            "loopback",
-            "works, but multicast does not, through which programs discover each other",
-            "export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST, or allow multicast: "
-            "sudo ip link set lo multicast on; sudo ufw allow in proto udp to 224.0.0.0/4",
-        )
+        remedy = "export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST, or allow multicast: sudo ip link set lo"
+        remedy += " multicast on; sudo ufw allow in proto udp to 224.0.0.0/4"
+        problem = "works, but multicast does not, through which programs discover each other"
+        yield warning("loopback", problem, remedy)
     else:
         yield ok("loopback", "packets and multicast arrive")
 
@@ -119,3 +108,52 @@ def _packet_arrives(address, timeout=1.0):
             return receiver.recv(16) == b"doctor"
         except OSError:
             return False
+
+
+def check_topics():
+    """Waits for frames of the camera that runs; if none runs, the doctor starts it and ends it again."""
+    from imgproc_course.ros import RosSession, ros_available
+
+    if not ros_available():
+        return
+    was_running = RosSession().running
+    try:
+        yield _diagnosis_of_topic(_why_no_frames_of_the_camera())
+    # A node or the robot process did not start; the error names the environment variable that is wrong.
+    except (ValueError, RuntimeError) as error:
+        yield failure_of("topic", error, "correct it, then restart the kernel")
+    finally:
+        if not was_running:
+            RosSession().stop()
+
+
+def _diagnosis_of_topic(problem):
+    if problem is None:
+        return ok("topic", "frames arrive from the camera, a process of its own")
+    observation, _, remedy = problem.partition("; ")
+    also = "see the lines on DDS profile, shared memory and loopback; a firewall may block the frames"
+    return failure("topic", observation, f"{remedy}; {also}" if remedy else also)
+
+
+def _why_no_frames_of_the_camera():
+    from imgproc_course.ros import RosSession, open_camera
+    from imgproc_course.ros.robot_process import running_robot
+
+    robot = running_robot(RosSession.current().context.get_domain_id())
+    if robot is not None and robot.get("running"):
+        return _why_no_frames(robot["topic"])  # whatever it plays
+    with open_camera() as camera:
+        return _why_no_frames(camera.topic)
+
+
+def _why_no_frames(topic, timeout=15.0):
+    """Why no frames arrive, in one line; None if they do."""
+    from imgproc_course.ros import ImageSubscriber
+
+    with ImageSubscriber(topic) as subscriber:
+        try:
+            for _ in range(FRAMES):
+                subscriber.wait(timeout)
+        except TimeoutError as error:
+            return str(error)
+    return None

@@ -3,6 +3,7 @@
 import html
 import re
 from dataclasses import dataclass
+from functools import partial
 
 MARKS = {"ok": "✓", "warning": "!", "failure": "✗"}
 # JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
@@ -20,52 +21,38 @@ PATH = re.compile(
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """The result of one of the doctor's checks.
-
-    Attributes
-    ----------
-    name : what was checked
-    verdict : "ok", "warning" (the lessons work all the same) or "failure"
-    observation, remedy : the state of it, and how to repair it; neither contains a path of this machine
-    """
+    """What one check of the doctor found; its texts contain no path of this machine."""
 
     name: str
-    verdict: str
+    verdict: str  # "ok", "warning" (the lessons work all the same) or "failure"
     observation: str
     remedy: str = ""
 
 
-def ok(name, observation):
-    return Diagnosis(name, "ok", _without_paths(observation))
+def _diagnose(verdict, name, *texts):
+    """A Diagnosis; of each path only the last part stays: the report may be stored in a lesson."""
+    return Diagnosis(name, verdict, *(PATH.sub(r"\1", " ".join(str(text).split())) for text in texts))
 
 
-def warning(name, observation, remedy):
-    return Diagnosis(name, "warning", _without_paths(observation), _without_paths(remedy))
+# Functions of the name, the observation and, if not all is well, the remedy.
+ok, warning, failure = (partial(_diagnose, verdict) for verdict in MARKS)
 
 
-def failure(name, observation, remedy):
-    return Diagnosis(name, "failure", _without_paths(observation), _without_paths(remedy))
-
-
-def _without_paths(text):
-    """The text as one line, with only the last part of each path: the report may be stored in a lesson."""
-    return PATH.sub(r"\1", " ".join(str(text).split()))
+def failure_of(name, problem, remedy=""):
+    """The failure that a text "observation; remedy" tells; it may leave out the remedy."""
+    observation, _, own_remedy = str(problem).partition("; ")
+    return failure(name, observation, own_remedy or remedy)
 
 
 class Report:
-    """All diagnoses of the doctor, shown as a table in a notebook and in a terminal.
-
-    Attributes
-    ----------
-    diagnoses : list of Diagnosis
-    ready : whether nothing failed; a warning is not a failure
-    """
+    """All diagnoses of the doctor, shown as a table in a notebook and in a terminal."""
 
     def __init__(self, diagnoses):
         self.diagnoses = list(diagnoses)
 
     @property
     def ready(self):
+        """Whether nothing failed; a warning is not a failure."""
         return all(diagnosis.verdict != "failure" for diagnosis in self.diagnoses)
 
     @property

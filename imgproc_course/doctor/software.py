@@ -1,16 +1,18 @@
-"""The doctor's checks of software: Python, the kernel, the packages, OpenCV."""
+"""The doctor's checks of what is installed: Python, kernel, packages, OpenCV, recording; and of the disk."""
 
 import contextlib
 import importlib.metadata
 import importlib.util
 import re
+import shutil
 import sys
 from pathlib import Path
 
 import imgproc_course
-from imgproc_course.doctor.report import failure, ok, warning
+from imgproc_course.doctor.report import failure, failure_of, ok, warning
 
 SET_UP = "run environment/lab again: it repairs the packages"
+ENOUGH_DISK = 200 << 20  # bytes
 VENV = Path(imgproc_course.__file__).resolve().parents[1] / ".venv"
 
 
@@ -29,19 +31,14 @@ def check_kernel():
         return  # check_packages reports that JupyterLab is missing
     own_names = (None, "python", "python3", f"python3.{sys.version_info.minor}", sys.executable)
     if VENV.is_dir() and Path(sys.prefix).resolve() != VENV.resolve():
-        yield warning(
-            "kernel",
-            "this Python belongs to another environment, not to the course's .venv",
-            "start JupyterLab with environment/lab; in the notebook: Kernel > Change Kernel > Python 3",
-        )
+        problem = "this Python belongs to another environment, not to the course's .venv"
+        remedy = "start JupyterLab with environment/lab; in the notebook: Kernel > Change Kernel > Python 3"
+        yield warning("kernel", problem, remedy)
     elif _kernel_of_jupyter() in own_names:
         yield ok("kernel", "from the course's own environment")
     else:
-        yield warning(
-            "kernel",
-            "Jupyter's kernel python3 belongs to another environment, which may not have the course",
-            "start JupyterLab with environment/lab, which uses the course's own",
-        )
+        problem = "Jupyter's kernel python3 belongs to another environment, which may not have the course"
+        yield warning("kernel", problem, "start JupyterLab with environment/lab, which uses the course's own")
 
 
 def _kernel_of_jupyter():
@@ -78,12 +75,9 @@ def check_opencv():
         if re.fullmatch(r"opencv(-contrib)?-python(-headless)?", distribution.metadata["Name"] or "")
     }
     if len(versions) > 1:
-        names = " and ".join(sorted(versions))
-        yield failure(
-            "OpenCV",
-            f"{names} are both installed into one folder and break each other",
-            f"pip uninstall {' '.join(sorted(versions))}; then delete .venv and {SET_UP}",
-        )
+        problem = f"{' and '.join(sorted(versions))} are both installed into one folder and break each other"
+        remedy = f"pip uninstall {' '.join(sorted(versions))}; then delete .venv and {SET_UP}"
+        yield failure("OpenCV", problem, remedy)
         return
     try:
         import cv2
@@ -99,6 +93,27 @@ def check_opencv():
     else:
         remedy = f"face detection needs OpenCV 4: {SET_UP}"
         yield warning("OpenCV", f"{version}, without Haar cascades", remedy)
+
+
+def check_recording():
+    from imgproc_course.messages import ConversionError
+    from imgproc_course.recording import RecordingError, open_recording
+
+    try:
+        with open_recording("drive") as drive:
+            rows, cols, _ = drive.frame(0).shape
+            yield ok("recording", f"{len(drive)} frames of {cols}×{rows}, {drive.rate:g} per second")
+    except (RecordingError, ConversionError) as error:
+        yield failure_of("recording", error, "git checkout -- imgproc_course/recording/drive")
+
+
+def check_disk():
+    free = shutil.disk_usage(Path.cwd()).free
+    if free >= ENOUGH_DISK:
+        yield ok("disk", "enough space for your work")
+    else:
+        problem = f"{free >> 20} MiB free where your lessons are"
+        yield warning("disk", problem, "free some space before you go on")
 
 
 def in_notebook():

@@ -14,22 +14,14 @@ from jupyter_server.serverapp import ServerApp, list_running_servers
 from nbformat.sign import NotebookNotary
 from traitlets import TraitError, default, validate
 
-from imgproc_course.lab.working_copies import CHECKOUT, update_lessons
+from imgproc_course.lab.working_copies import CHECKOUT, LabError, update_lessons
 from imgproc_course.ros_domain import choose_domain
 
 CONFIGURATION = Path(__file__).with_name("jupyter_config")
-DISCOVERY_VARIABLES = (
-    "ROS_DOMAIN_ID",
-    "ROS_AUTOMATIC_DISCOVERY_RANGE",
-    "ROS_LOCALHOST_ONLY",
-    "ROS_STATIC_PEERS",
-)
+DISCOVERY_VARIABLES = ("ROS_DOMAIN_ID", "ROS_AUTOMATIC_DISCOVERY_RANGE")
+DISCOVERY_VARIABLES += ("ROS_LOCALHOST_ONLY", "ROS_STATIC_PEERS")
 
 print_now = functools.partial(print, flush=True)  # before JupyterLab's own lines, also in a log file
-
-
-class LabError(Exception):
-    """JupyterLab cannot be started; the text is one line that says what to do."""
 
 
 class CourseServer(ServerApp):
@@ -74,7 +66,7 @@ class CourseServer(ServerApp):
 def start(options=(), say=print_now):
     """Copies the lessons into my_lessons/, then runs JupyterLab there until it is shut down.
 
-    `options` are JupyterLab's own. LessonsError, LabError: one line that says what to do.
+    `options` are JupyterLab's own. LabError: one line that says what to do.
     """
     folder = CHECKOUT / "my_lessons"
     changes = update_lessons(target=folder)
@@ -155,10 +147,7 @@ def running_on(folder):
 
 
 def check_runtime_folder():
-    """Raises LabError if JupyterLab cannot write its running state, which it keeps in the home folder.
-
-    JupyterLab itself would stop with a traceback.
-    """
+    """Raises LabError if JupyterLab cannot write its running state in the home folder, as it must."""
     folder = Path(jupyter_runtime_dir())
     try:
         folder.mkdir(parents=True, exist_ok=True)

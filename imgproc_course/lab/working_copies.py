@@ -18,9 +18,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 import imgproc_course
-from imgproc_course.classroom.authoring.atomic_write import stage_file
 from imgproc_course.classroom.authoring.learner_files import TEXTS, files_for_learners, without_outputs
 from imgproc_course.classroom.authoring.lesson_names import lesson_name
+from imgproc_course.classroom.exercises.atomic_write import stage_file
 from imgproc_course.classroom.exercises.progress import one_at_a_time
 
 CHECKOUT = Path(imgproc_course.__file__).resolve().parents[1]
@@ -30,8 +30,8 @@ LOCK = ".course.lock"
 _NUMBER = re.compile(r"(?<=^# )\d\d(?= · )|\b\d\d(?=_[a-z])|(?<=[Ll]esson )\d\d\b")
 
 
-class LessonsError(Exception):
-    """The lessons could not be copied; the text is one line that says what to do."""
+class LabError(Exception):
+    """The lessons cannot be copied, or JupyterLab not started; the text is one line that says what to do."""
 
 
 @dataclass
@@ -75,17 +75,17 @@ class Origin(NamedTuple):
 def update_lessons(source=None, target=None, version=None):
     """Creates or updates the working copies in `target`, by default my_lessons/; returns LessonChanges.
 
-    LessonsError: there are no lessons, or the folder cannot be written; then nothing has changed.
+    LabError: there are no lessons, or the folder cannot be written; then nothing has changed.
     """
     source = Path(source or CHECKOUT / "notebooks")
     target = Path(target or CHECKOUT / "my_lessons")
     lessons = [path.relative_to(source).as_posix() for path in files_for_learners(source)]
     if not any(name.endswith(".ipynb") for name in lessons):
-        raise LessonsError(
+        raise LabError(
             f"there are no lessons in {source.name}/; run this from a clone of the course's repository"
         )
     if target.exists() and not target.is_dir():
-        raise LessonsError(
+        raise LabError(
             f"{target.name} is a file, but the lessons need a folder of this name; rename the file"
         )
     try:
@@ -93,7 +93,7 @@ def update_lessons(source=None, target=None, version=None):
         with one_at_a_time(target / LOCK):
             return _update(source, target, lessons, version or imgproc_course.__version__)
     except OSError as error:
-        raise LessonsError(_failure_text(target, error)) from error
+        raise LabError(_failure_text(target, error)) from error
 
 
 def _update(source, target, lessons, version):
@@ -267,10 +267,10 @@ class StagedFiles(contextlib.AbstractContextManager):
         for _, path, replaces in self._files:
             present = self._renamed.get(path, path)
             if _content(present) != replaces:
-                raise LessonsError(f"{present.name} was saved during its update; start again")
+                raise LabError(f"{present.name} was saved during its update; start again")
         for path, old_path in self._renamed.items():
             if path.exists():
-                raise LessonsError(f"{path.name} appeared during the update; start again")
+                raise LabError(f"{path.name} appeared during the update; start again")
             old_path.rename(path)
         for temporary, path, _ in self._files:
             temporary.replace(path)

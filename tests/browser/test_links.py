@@ -8,10 +8,9 @@ from jupyter_page import OPEN_NOTEBOOK, ROOT
 from nbformat.v4 import new_markdown_cell, new_notebook
 from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 
-from imgproc_course.classroom.authoring.build import lesson_notebook
+from imgproc_course.classroom.authoring.build import build_pages, lesson_notebook
 from imgproc_course.classroom.authoring.handout import hand_out
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.authoring.pages import build_pages
 from imgproc_course.classroom.authoring.references import References
 from imgproc_course.lab.working_copies import update_lessons
 

@@ -10,7 +10,7 @@ import sys
 import pytest
 
 from imgproc_course.lab import working_copies
-from imgproc_course.lab.working_copies import LessonsError, update_lessons
+from imgproc_course.lab.working_copies import LabError, update_lessons
 
 
 def notebook(*sources, outputs=(), version="0.1.0", ids=None):
@@ -353,7 +353,7 @@ def test_the_learners_other_files_stay(course):
 
 
 def error_line(course):
-    with pytest.raises(LessonsError) as raised:
+    with pytest.raises(LabError) as raised:
         course.start()
     line = str(raised.value)
     assert "\n" not in line
@@ -361,7 +361,7 @@ def error_line(course):
 
 
 def test_a_folder_without_lessons_says_what_to_do(tmp_path):
-    with pytest.raises(LessonsError, match=r"^there are no lessons in notebooks/; run this from a clone"):
+    with pytest.raises(LabError, match=r"^there are no lessons in notebooks/; run this from a clone"):
         update_lessons(tmp_path / "notebooks", tmp_path / "my_lessons")
     assert not (tmp_path / "my_lessons").exists()
 
@@ -570,7 +570,7 @@ def test_a_copy_saved_during_the_update_keeps_its_name_and_content(renumbered, m
     monkeypatch.setattr(
         "imgproc_course.lab.working_copies._state_text", lambda origins: path.write_text("saved now") and "{}"
     )
-    with pytest.raises(LessonsError, match=r"03_blur.ipynb was saved during its update; start again"):
+    with pytest.raises(LabError, match=r"03_blur.ipynb was saved during its update; start again"):
         renumbered.start()
     assert (renumbered.files(), renumbered.read("03_blur")) == (["03_blur.ipynb"], "saved now")
 

@@ -19,8 +19,8 @@ EXERCISES = [exercise for master in MASTERS.values() for exercise in master.exer
 @pytest.fixture(scope="module")
 def handed_out(tmp_path_factory):
     folder = tmp_path_factory.mktemp("handout") / "handout"
-    result = hand_out(folder, NOTEBOOKS, zipped=True)
-    return HandedOut([*folder.rglob("*"), result.archive])
+    _, archive = hand_out(folder, NOTEBOOKS, zipped=True)
+    return HandedOut([*folder.rglob("*"), archive])
 
 
 @pytest.mark.parametrize("exercise", EXERCISES, ids=lambda exercise: exercise.id)

@@ -10,15 +10,17 @@ from pathlib import Path
 import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
+from ..exercises.atomic_write import write_file
 from ..exercises.check_files import CHECKS, SOLUTIONS
 from ..exercises.declaration import MasterError
-from .atomic_write import write_file
+from .cheat_sheet import CHEAT_SHEET, cheat_sheet_page
 from .execute import execute, normalize, output_texts, refuse_traces
+from .glossary import GLOSSARY, GLOSSARY_PAGE, glossary_page, read_glossary
 from .learner_files import TEXTS
 from .lesson_files import lesson_file_differences, lesson_files
 from .lesson_names import lesson_name
 from .masters import find_masters, read_master
-from .pages import build_pages, page_differences, pages_without_source
+from .references import References
 from .rules import RAISING_TAGS, VARYING_TAG
 from .validation import validate_exercise
 
@@ -69,10 +71,27 @@ def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
 def compare_other_files(masters_dir, lessons_dir):
     """How the pages differ from their sources, and which files have no master; a list of str."""
     try:
-        problems = page_differences(build_pages(masters_dir), lessons_dir)
+        paths = {Path(lessons_dir) / name: text for name, text in build_pages(masters_dir).items()}
     except MasterError as error:
         problems = [str(error)]
+    else:
+        problems = [
+            f"{path.name}: it differs from its source in masters/; run imgproc-course build"
+            for path, text in paths.items()
+            if not path.is_file() or path.read_text(encoding="utf-8") != text
+        ]
     return problems + _orphans(masters_dir, lessons_dir)
+
+
+def build_pages(masters_dir):
+    """{file name: text} of the pages that belong to a folder of masters."""
+    masters_dir, pages = Path(masters_dir), {}
+    glossary, cheat_sheet = masters_dir / GLOSSARY, masters_dir / CHEAT_SHEET
+    if terms := read_glossary(glossary):
+        pages[GLOSSARY_PAGE] = glossary_page(terms, References(glossary))
+    if cheat_sheet.exists():
+        pages[CHEAT_SHEET] = cheat_sheet_page(cheat_sheet)
+    return pages
 
 
 def _write_lesson_files(files, folder, *, with_solutions):
@@ -184,9 +203,6 @@ def _cell_metadata(cell):
     return metadata
 
 
-# ---------------------------------------------------------------- stored lessons
-
-
 def _keep_varying_outputs(notebook, stored_path, master):
     """A cell whose output varies keeps its stored output if no code up to it has changed."""
     stored = _read_stored(stored_path) or new_notebook()
@@ -214,7 +230,9 @@ def _read_stored(path):
 def _orphans(masters_dir, lessons_dir):
     masters, folder = {path.stem for path in _masters_to_build(masters_dir)}, Path(lessons_dir)
     paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
-    paths += pages_without_source(masters_dir, folder)
+    for page, source in ((GLOSSARY_PAGE, GLOSSARY), (CHEAT_SHEET, CHEAT_SHEET)):
+        if not (Path(masters_dir) / source).exists():
+            paths += folder.glob(page)
     names = {lesson_name(master) for master in masters}
     for subfolder in (CHECKS, SOLUTIONS, TEXTS):
         paths += [path for path in sorted(folder.glob(f"{subfolder}/*.json")) if path.stem not in names]

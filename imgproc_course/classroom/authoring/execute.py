@@ -1,7 +1,4 @@
-"""Execute a lesson in a real kernel, and make its outputs reproducible.
-
-A lesson is executed as nbval will execute it, so that nbval finds the stored outputs again.
-"""
+"""Execute a lesson in a real kernel as nbval will execute it, and make its outputs reproducible."""
 
 import base64
 import io
@@ -17,9 +14,9 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 from nbformat.v4 import new_output
 from PIL import Image
 
+from ..exercises.atomic_write import write_file
 from ..exercises.check_files import CHECKS_VARIABLE
 from ..exercises.declaration import MasterError
-from .atomic_write import write_file
 from .rules import RAISING_TAGS
 
 CELL_SECONDS = 120

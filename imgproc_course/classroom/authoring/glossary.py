@@ -68,9 +68,6 @@ def _read_term(path, name, entry):
     return Term(name, entry["lesson"], entry["definition"].strip(), tuple(forms), ordinary)
 
 
-# ---------------------------------------------------------------- the page
-
-
 def glossary_page(terms, references):
     """The glossary as learners read it, in Markdown: a heading per term, to which the lessons link."""
     entries = [f"### {term.name}\n\n{term.definition}\n\n→ [[{term.lesson}]]" for term in terms]

@@ -3,12 +3,11 @@
 import io
 import json
 import zipfile
-from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
+from ..exercises.atomic_write import write_file
 from ..exercises.progress import LEARNERS_FOLDER
-from .atomic_write import write_file
 from .glossary import GLOSSARY_PAGE
 from .learner_files import CHECKS, SOLUTIONS, TEXTS, without_outputs
 from .lesson_names import lesson_name
@@ -22,19 +21,12 @@ class HandoutError(Exception):
     """The lessons could not be handed out; the text is one line that says what to do."""
 
 
-@dataclass(frozen=True)
-class Handout:
-    """What was handed out: names of the lessons, and the Path of the zip file or None."""
-
-    lessons: tuple
-    archive: Path | None
-
-
 def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     """Write what learners get into a folder, in which no file is replaced; after an error nothing.
 
     The source holds built lessons with checks/ and solutions/. Without names, all lessons are taken; other
-    notebooks and pages, such as the glossary, go along. Zipped, <folder>.zip is written as well.
+    notebooks and pages, such as the glossary, go along. Zipped, <folder>.zip is written as well. Returns the
+    number of lessons, and the Path of the zip file.
     """
     folder, source = Path(folder), Path(source)
     chosen = find_lessons(source, names)
@@ -56,7 +48,7 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     _refuse_to_replace(outputs)
     for path, data in outputs.items():
         write_file(path, data)
-    return Handout(tuple(path.stem for path in chosen), archive if zipped else None)
+    return len(chosen), archive
 
 
 def _exercise_files(source, lesson, with_solutions):

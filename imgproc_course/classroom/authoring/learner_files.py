@@ -2,23 +2,20 @@
 
 import contextlib
 import json
+import re
 
 from ..exercises.check_files import CHECKS, SOLUTIONS
 
 KEEP_OUTPUT_TAG = "keep-output"
 TEXTS = "texts"  # name of the folder of captions and alternative texts
-_NOT_FOR_LEARNERS = {"masters", "__pycache__", CHECKS, SOLUTIONS}
+_NOT_FOR_LEARNERS = re.compile(rf"\..*|masters|__pycache__|{CHECKS}|{SOLUTIONS}")
 
 
 def files_for_learners(source):
     """All files of a folder of lessons that belong to learners as they are: no masters, checks, solutions."""
+    files = [path for path in sorted(source.rglob("*")) if path.is_file()]
     return [
-        path
-        for path in sorted(source.rglob("*"))
-        if path.is_file()
-        and not any(
-            part.startswith(".") or part in _NOT_FOR_LEARNERS for part in path.relative_to(source).parts
-        )
+        file for file in files if not any(map(_NOT_FOR_LEARNERS.fullmatch, file.relative_to(source).parts))
     ]
 
 

@@ -140,9 +140,6 @@ def _by_digest(form):
     return form
 
 
-# ---------------------------------------------------------------- comparing
-
-
 def lesson_file_differences(files, folder):
     """How a stored lesson's files differ from those that are built now, a text for each exercise.
 

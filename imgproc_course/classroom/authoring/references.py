@@ -16,7 +16,7 @@ from functools import cached_property
 from itertools import accumulate
 from pathlib import Path
 
-from ..exercises.percent_script import MISTAKES_SUFFIX, MasterError, read_script
+from ..exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, MasterError, read_script
 from .glossary import GLOSSARY, read_glossary
 from .lesson_names import lesson_name
 
@@ -103,7 +103,8 @@ class References:
     def _section_cell(self, path, section, target):
         """The id of the cell that a section begins with."""
         heading = re.compile(rf"^#+ {section}\b", re.M)
-        for position, cell in enumerate(read_script(path).lesson_cells, 1):
+        cells = (cell for cell in read_script(path).cells if cell.role not in DROPPED_ROLES)
+        for position, cell in enumerate(cells, 1):
             if cell.kind == "markdown" and heading.search(cell.source):
                 return f"{lesson_name(path.stem)}-{position}"
         raise MasterError(f"{self._place(target)}: {path.name} has no section {section}")

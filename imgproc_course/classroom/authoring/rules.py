@@ -20,12 +20,8 @@ _HIDING_TAGS = re.compile(r"(hide|remove|skip)([-_]|$)|nbval-skip")
 
 def master_problems(master):
     """The rules that a master breaks, a text for each."""
-    problems = [
-        *_heading_problems(master),
-        *_name_problems(master),
-        *_id_problems(master),
-        *_text_problems(master),
-    ]
+    rules = (_heading_problems, _name_problems, _id_problems, _text_problems)
+    problems = [problem for rule in rules for problem in rule(master)]
     code_cells = [cell for cell in master.cells if cell.kind == "code"]
     for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=False):
         first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
@@ -42,7 +38,8 @@ def _exercise_rules(exercise):
     hints = exercise.hints
     yield not exercise.public, 'has no role="case"; without one, `check` has nothing to run'
     yield not exercise.hidden, 'has no role="hidden"; an answer could copy the public values'
-    is_node = exercise.subject == "node"
+    statements = statements_of(exercise.stub)
+    classes = {name for statement in statements if statement.kind == "class" for name in statement.binds}
     has_node = exercise.subject in NODES  # `node_feedback` has the sentences for its mistakes
     yield not (exercise.mistakes or has_node), 'has no role="mistake"; which wrong answer do learners give?'
     yield (
@@ -54,18 +51,10 @@ def _exercise_rules(exercise):
     yield not _is_text(exercise.explanation), why
     another_way = 'needs another_way="You can also write ...", one sentence'
     yield not _is_text(exercise.another_way), another_way
-    yield (
-        is_node and not _defines_class(exercise.stub, exercise.function),
-        f'has subject="node"; its answer cell must define class {exercise.function}(Node)',
-    )
+    no_class = f'has subject="node"; its answer cell must define class {exercise.function}(Node)'
+    yield exercise.subject == "node" and exercise.function not in classes, no_class
     for name in _repeated([mistake.name for mistake in exercise.mistakes]):
         yield True, f"declares the mistake {name!r} twice"
-
-
-def _defines_class(source, name):
-    module = _parse(source)
-    classes = [node.name for node in module.body if isinstance(node, ast.ClassDef)] if module else []
-    return name in classes
 
 
 def _repeated(names):
@@ -96,11 +85,8 @@ def _name_problems(master):
 def _id_problems(master):
     ids = [cell.id for cell in master.cells]
     yield from (f"two cells have the id {id}" for id in _repeated(ids))
-    yield from (
-        f"the id {id} is longer than the {_MOST_ID_CHARACTERS} characters that a notebook allows"
-        for id in ids
-        if len(id) > _MOST_ID_CHARACTERS
-    )
+    for id in (id for id in ids if len(id) > _MOST_ID_CHARACTERS):
+        yield f"the id {id} is longer than the {_MOST_ID_CHARACTERS} characters that a notebook allows"
     for exercise in master.exercises:
         if f"check-{exercise.id}-1" not in ids:
             yield f'exercise {exercise.id} has no role="check" cell'
@@ -132,26 +118,18 @@ def _cell_problems(cell, next_cell):
 def _cell_rules(cell, lines, next_cell):
     """(whether a cell breaks the rule, the problem) of each rule."""
     may_be_long = cell.folded or cell.role == "answer" or "long" in cell.tags
-    yield (
-        len(lines) > MOST_LINES and not may_be_long,
-        f'{len(lines)} lines of code, at most {MOST_LINES}; split it, or tag it "long", with a reason',
-    )
-    yield (
-        any(_HIDES_WORK.match(line) for line in lines),
-        "star imports and magics that hide work are refused; name each import, and show each step",
-    )
+    long = f'{len(lines)} lines of code, at most {MOST_LINES}; split it, or tag it "long", with a reason'
+    yield len(lines) > MOST_LINES and not may_be_long, long
+    hiding = "star imports and magics that hide work are refused; name each import, and show each step"
+    yield any(_HIDES_WORK.match(line) for line in lines), hiding
     ignored = "ends with ';', which nbval ignores: assign the value to _ instead"
     yield lines[-1].rstrip().endswith(";"), ignored
     is_hidden = any(_HIDING_TAGS.match(tag) for tag in cell.tags)
     yield is_hidden, "a tag hides this cell; every cell of a lesson is visible"
-    yield (
-        re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M),
-        f'write instructions for nbval as a tag (tags=["{VARYING_TAG}"]), not as a comment',
-    )
-    yield (
-        cell.varies and cell.role != "check" and not (next_cell and _asserts(next_cell)),
-        f"tagged {VARYING_TAG}: the next code cell must begin with '{CHECK_LINE}' and hold its asserts",
-    )
+    comment = f'write instructions for nbval as a tag (tags=["{VARYING_TAG}"]), not as a comment'
+    yield re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M), comment
+    varies = f"tagged {VARYING_TAG}: the next code cell must begin with '{CHECK_LINE}' and hold its asserts"
+    yield cell.varies and cell.role != "check" and not (next_cell and _asserts(next_cell)), varies
     is_python = _parse(cell.source) is not None
     yield cell.role and not is_python, f"a {cell.role} cell must be plain Python; it takes no magics"
     call = re.search(rf"""check\(\s*["']{re.escape(cell.exercise)}["']""", cell.source)
@@ -159,7 +137,8 @@ def _cell_rules(cell, lines, next_cell):
 
 
 def _figure_problems(cell):
-    for call in _calls(cell, _FIGURES):
+    calls = [node for node in _nodes(cell) if isinstance(node, ast.Call)]
+    for call in (call for call in calls if getattr(call.func, "id", "") in _FIGURES):
         keywords = {keyword.arg for keyword in call.keywords}
         if "text" not in keywords and not {"caption", "alt"} <= keywords:
             yield f'{call.func.id}(...) needs text="<lesson>/<name>", or caption= and alt='
@@ -237,12 +216,6 @@ def _way_problems(master):
                 for name in sorted(statement.reads & missing):
                     yield f"{cell.id} reads {name}, which no cell has bound if {way}"
                 missing -= statement.binds
-
-
-def _calls(cell, names):
-    """The calls of the named functions in a cell."""
-    calls = [node for node in _nodes(cell) if isinstance(node, ast.Call)]
-    return [call for call in calls if isinstance(call.func, ast.Name) and call.func.id in names]
 
 
 def _asserts(cell):

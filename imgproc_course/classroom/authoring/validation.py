@@ -145,11 +145,8 @@ def _size_problems(exercise, case):
     solution = exercise.function_of(exercise.solution, "solution")
     for arguments in exercise.arguments(case):
         answer = array_of(exercise.call(solution, arguments).value)
-        if (
-            answer is not None
-            and answer.nbytes > _MOST_BYTES
-            and (answer.dtype.kind == "f" or case.tolerance)
-        ):
+        is_large = answer is not None and answer.nbytes > _MOST_BYTES
+        if is_large and (answer.dtype.kind == "f" or case.tolerance):
             yield (
                 f"{case.id}: grading cannot compare an answer of {answer.nbytes} bytes with a tolerance;"
                 f" draw a smaller input, up to {_MOST_BYTES} bytes of answer"

@@ -14,9 +14,9 @@ import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 from tqdm import tqdm
 
-from ..authoring.atomic_write import write_folder
 from ..authoring.masters import find_masters, read_master
 from ..exercises import running
+from ..exercises.atomic_write import write_folder
 from ..exercises.check_data import shared_fields
 from ..exercises.declaration import MasterError
 from ..exercises.drive import LOOK_SECONDS, looks_of

@@ -2,7 +2,6 @@
 
 from .canonical import array_of
 from .cell_runs import watch_cells
-from .certificate import Certificate, certificate
 from .check_files import CheckFileError
 from .checking import CheckResult, check, run_cases
 from .declaration import MasterError, exercise, read_exercises
@@ -10,30 +9,12 @@ from .drive_check import with_progress
 from .error_advice import advise_everywhere
 from .guesses import GuessComparison, ask, compare_guess
 from .help_steps import hint, solution
-from .overview import Overview, overview
+from .overview import Certificate, Overview, certificate, overview
 from .ros_double import offer_modules
 
-__all__ = [
-    "Certificate",
-    "CheckFileError",
-    "CheckResult",
-    "GuessComparison",
-    "MasterError",
-    "Overview",
-    "array_of",
-    "ask",
-    "certificate",
-    "check",
-    "compare_guess",
-    "exercise",
-    "hint",
-    "offer_modules",
-    "overview",
-    "read_exercises",
-    "run_cases",
-    "solution",
-    "with_progress",
-]
+__all__ = ["Certificate", "CheckFileError", "CheckResult", "GuessComparison", "MasterError", "Overview"]
+__all__ += ["array_of", "ask", "certificate", "check", "compare_guess", "exercise", "hint", "offer_modules"]
+__all__ += ["overview", "read_exercises", "run_cases", "solution", "with_progress"]
 
 watch_cells()
 advise_everywhere()

@@ -20,16 +20,12 @@ from .cell_syntax import (
 
 @dataclass(frozen=True)
 class AnswerCell:
-    """The `cell` that an answer is taken from, as `submission_reader.read_notebook` describes it.
-
-    `is_answer`: it defines the function, and not as the stub. `own` are the cells that are marked as the
-    exercise's, by id or metadata; `others` are further answers.
-    """
+    """The `cell` that an answer is taken from, as `submission_reader.read_notebook` describes it."""
 
     cell: dict
-    is_answer: bool
-    own: list
-    others: list
+    is_answer: bool  # whether it defines the function, and not as the stub
+    own: list  # cells that are marked as the exercise's, by id or metadata
+    others: list  # further answers
 
     @property
     def is_elsewhere(self):

@@ -25,16 +25,13 @@ _FAILED = (
 
 @dataclass
 class CellRun:
-    """One run of a cell; `error` is a sentence, "" if it came to its end. `is_read`: Python could read it.
-
-    `exercise` is the one that JupyterLab's metadata of the cell name; an id may be missing.
-    """
+    """One run of a cell."""
 
     source: str
-    cell_id: str = ""
-    exercise: str = ""
-    error: str = ""
-    is_read: bool = True
+    cell_id: str = ""  # may be missing
+    exercise: str = ""  # in JupyterLab's metadata of the cell
+    error: str = ""  # a sentence, "" if it came to its end
+    is_read: bool = True  # whether Python could read it
 
     def fail(self, error):
         """Record the error that ended the run, without its frames: they would keep large arrays alive."""
@@ -73,18 +70,12 @@ class CellRuns:
             self._runs[-1].fail(error)
 
     def cells(self):
-        """The cells that ran, in the order of their first runs, each as it ran last.
-
-        They are dicts, as `answer_cells.find_answer_cell` reads them.
-        """
+        """The cells that ran, in the order of their first runs, each as it ran last; see `answer_cells`."""
         latest = {run.cell_id or count: (count, run) for count, run in enumerate(self._runs, 1)}
         return [_as_cell(number, *counted) for number, counted in enumerate(latest.values())]
 
     def why_older(self, exercise_id, name, function):
-        """Why the function is older than the learner's cell, and what to do; "" if it is not.
-
-        `name` is the name that the exercise asks for, `function` the function that is checked.
-        """
+        """Why a function is older than the learner's cell of this name, and what to do; "" if it is not."""
         run = next((run for run in reversed(self._runs) if _is_about(run, exercise_id, name, function)), None)
         if run is None:
             return ""

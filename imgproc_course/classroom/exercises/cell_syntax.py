@@ -176,10 +176,7 @@ def _is_blank(statement):
 
 
 def functions_with_stub_line(tree):
-    """The names of the functions of a module that go on after the stub's `raise NotImplementedError(...)`.
-
-    Also of the classes that have this line in __init__.
-    """
+    """Names of functions that go on after the stub's NotImplementedError, of classes with it in __init__."""
     definitions = [statement for statement in tree.body if isinstance(statement, _DEFINITIONS)]
     return [
         definition.name
@@ -193,9 +190,6 @@ def _is_not_implemented(statement):
     error = statement.exc if isinstance(statement, ast.Raise) else None
     error = error.func if isinstance(error, ast.Call) else error
     return isinstance(error, ast.Name) and error.id == "NotImplementedError"
-
-
-# ---------------------------------------------------------------- running
 
 
 def parts_of(source):
@@ -243,18 +237,13 @@ def _first_line(statement):
 
 @dataclass(frozen=True)
 class Statement:
-    """A statement at the top level of a cell, and the names that it binds, and reads before it binds them.
+    """A statement at the top level of a cell, and the names that it binds, and reads before it binds them."""
 
-    kind           "function", "class", "import", "value" (gives plain names a value), "expression", "other"
-    reads_at_once  what it reads where it stands: not in the body of a function or method
-    changes        the names whose values it changes: `total += 1`, `table[k] = 3`, `names.append(3)`
-    """
-
-    kind: str
+    kind: str  # "function", "class", "import", "value" (of plain names), "expression" or "other"
     binds: frozenset
     reads: frozenset
-    reads_at_once: frozenset
-    changes: frozenset
+    reads_at_once: frozenset  # where it stands: not in the body of a function or method
+    changes: frozenset  # of whose values: `total += 1`, `table[k] = 3`, `names.append(3)`
     source: str
     is_stub: bool
 
@@ -499,11 +488,7 @@ def _taken(definitions, names):
 
 
 class _Slice:
-    """The statements of other cells that decide what names are when an answer is called: a program slice.
-
-    `given` and `own_names` are what the answer has already, and what its cell binds; the others are as in
-    `CellDefinitions`.
-    """
+    """The statements of other cells that decide what names are when an answer is called: a program slice."""
 
     def __init__(self, index, position, given, own_names, preferred):
         self._index, self._position, self._preferred = index, position, preferred

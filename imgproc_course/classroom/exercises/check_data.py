@@ -25,10 +25,7 @@ class ExpectedCall:
 
 @dataclass(frozen=True)
 class Case:
-    """One check of an exercise; `source` defines `inputs(rng)`, in this line of the master.
-
-    `calls` are ExpectedCalls, once the solution has run.
-    """
+    """One check of an exercise; `calls` are ExpectedCalls, once the solution has run."""
 
     id: str
     title: str
@@ -36,8 +33,8 @@ class Case:
     hint: str
     tolerance: float
     hidden: bool = False
-    source: str = ""
-    line: int = 0
+    source: str = ""  # defines `inputs(rng)`
+    line: int = 0  # of the master
     calls: tuple = field(default=(), compare=False)
 
 
@@ -149,15 +146,12 @@ class CheckData:
 
 @dataclass(frozen=True)
 class LessonDescription:
-    """A lesson as it was handed out: its KeyExercises from an answer key, or CheckData from a checks file.
-
-    `version` is that of the course, `cells` {cell id: source of a check or given cell, None for the others}.
-    """
+    """A lesson as it was handed out."""
 
     name: str
-    version: str
-    exercises: tuple
-    cells: dict
+    version: str  # of the course
+    exercises: tuple  # KeyExercises from an answer key, or CheckData from a checks file
+    cells: dict  # {cell id: source of a check or given cell, None for the others}
 
 
 def shared_fields(record, kind):

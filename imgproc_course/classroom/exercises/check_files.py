@@ -47,9 +47,6 @@ class CheckFileError(ValueError):
         return [str(self)]
 
 
-# ---------------------------------------------------------------- reading
-
-
 @dataclass(frozen=True, eq=False)
 class CheckFile:
     """A checks file as it was read, see above; `entries` are its exercises, which `exercise` gives."""
@@ -157,9 +154,6 @@ def _read_check_file(path, _version):
     data = read_lesson_file(path)
     cells, entries, values = (dict(data[name]) for name in ("cells", "exercises", "values"))
     return CheckFile(path, str(data["lesson"]), str(data["version"]), cells, entries, values)
-
-
-# ---------------------------------------------------------------- finding
 
 
 def checks_folders(beside=None):

@@ -25,23 +25,10 @@ from .expected_results import check_data_of
 from .one_change import sentence_on_change
 from .progress import ExerciseProgress, content_of, digest_of, note_progress
 from .running import CallResult, TimeUp, answer_name, call_within, code_of, codes_of, globals_of, source_of
-from .source_remarks import STUB_LINE, has_done, remarks_on_source
+from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
-_NEVER_RUN = (
-    "{name} does the same as you got it: your lines are never run. What stands below a return is not reached:"
-    " delete the return of the first line."
-)
 _NONE = {"type": "None"}
 _SECONDS = 10  # for the statements beside an answer
-_ANOTHER = (
-    "Several cells define {name}. Grading takes the one of the answer cell, and so does this check; the one"
-    " that Python has now is another."
-)
-_ONLY_HERE = (
-    "In this notebook {name} gives the right values, but not as grading runs it: in a new kernel, with"
-    " nothing but the answer cell and what it reads of other cells. Restart the kernel, run all cells, and"
-    " check again."
-)
 
 
 @dataclass(frozen=True)
@@ -216,10 +203,10 @@ def run_check(exercise, function, answer=None, progress=None):
     else:
         dependencies = replace(dependencies, foreign={})
         if _are_same(codes_of(judged), codes_of(function)) is False:
-            remarks = (_ANOTHER.format(name=exercise.answer_name),)
+            remarks = (SAYS["another function"].format(name=exercise.answer_name),)
         elif graded and exercise.subject != "drive" and not all(call.passed for call in calls):
             is_right = all(call.passed for call in _run_calls(exercise, function))
-            remarks = (_ONLY_HERE.format(name=exercise.answer_name),) if is_right else ()
+            remarks = (SAYS["right only here"].format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
     one_change = _one_change(result, judged, calls)
     return replace(result, remarks=(*remarks, *result.remarks), one_change=one_change)
@@ -344,7 +331,8 @@ def _judge_calls(exercise, function, calls, dependencies):
         mistake = None
     remarks = () if has_passed else tuple(remarks_on_source(function, errors))
     if is_stub and _has_other_lines(exercise, function):
-        is_stub, remarks = False, (_NEVER_RUN.format(name=exercise.answer_name), *remarks)
+        never_run = SAYS["lines that never run"].format(name=exercise.answer_name)
+        is_stub, remarks = False, (never_run, *remarks)
     parts = {"remarks": remarks, "drives": tuple(calls) if is_drive else ()}
     result = CheckResult(exercise, not is_stub, results, mistake, dependencies, **parts)
     return replace(result, diagnosis=_diagnosis(result, calls))

@@ -23,16 +23,11 @@ _ROUNDING = {"float16": 1e-2, "float32": 1e-5, "float64": 1e-9, "float": 1e-9}
 
 @dataclass(frozen=True)
 class Difference:
-    """The first difference between an answer and the expected one.
+    """The first difference between an answer and the expected one."""
 
-    kind      "type", "shape", "dtype", "length", "keys" or "value"
-    path      path inside the answer, "" for the answer itself: "[1]", "['edges']"
-    message   the difference as a sentence without its full stop
-    """
-
-    kind: str
-    path: str
-    message: str
+    kind: str  # "type", "shape", "dtype", "length", "keys" or "value"
+    path: str  # inside the answer, "" for the answer itself: "[1]", "['edges']"
+    message: str  # the difference as a sentence without its full stop
 
 
 def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):

@@ -1,7 +1,4 @@
-"""What an exercise is: its declaration, read from the master that teaches it.
-
-docs/teach/masters.md describes the format of masters.
-"""
+"""What an exercise is: its declaration, read from the master that teaches it (docs/teach/masters.md)."""
 
 import ast
 import re
@@ -80,31 +77,14 @@ def exercise(
     ------
     MasterError : an argument of the wrong kind
     """
+    declared = dict(locals())
     if not isinstance(id, str) or not _ID.fullmatch(id):
         expected = "expected <lesson>-<what> in lower case, such as 'grayscale-luma'"
         raise MasterError(f"exercise id {id!r}: {expected}")
-    if not isinstance(function, str) or not function.isidentifier():
-        raise MasterError(f"exercise {id}: function={function!r}, expected the name of a function")
-    if subject not in SUBJECTS:
-        expected = " or ".join(map(repr, SUBJECTS))
-        raise MasterError(f"exercise {id}: subject={subject!r}, expected {expected}")
-    _check_sensors(id, subject, sensors)
-    if not time_limit > 0 or not tolerance >= 0:
-        text = f"time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
-        raise MasterError(f"exercise {id}: {text}")
-    if isinstance(allowed, str):
-        raise MasterError(f"exercise {id}: allowed={allowed!r}, expected a tuple: ({allowed!r},)")
-    if not all(isinstance(name, str) and _MODULE.fullmatch(name) for name in allowed):
-        raise MasterError(
-            f"exercise {id}: allowed={allowed!r}, expected whole modules, or packages of the course:"
-            ' ("scipy", "imgproc_course.imaging")'
-        )
-    if isinstance(hints, str):
-        raise MasterError(f"exercise {id}: hints={hints!r}, expected a tuple of texts, one for each step")
-    return {
-        "id": id,
-        "function": function,
-        "subject": subject,
+    for is_wrong, problem in _declaration_rules(**declared):
+        if is_wrong:
+            raise MasterError(f"exercise {id}: {problem}")
+    return declared | {
         "sensors": tuple(sensors),
         "title": title or id,
         "time_limit": float(time_limit),
@@ -112,20 +92,30 @@ def exercise(
         "tolerance": PATH_TOLERANCE if subject == "drive" else float(tolerance),
         "exact_type": bool(exact_type),
         "practice": bool(practice),
-        "hint": hint,
-        "border_hint": border_hint,
         "hints": tuple(hints),
-        "explanation": explanation,
-        "another_way": another_way,
     }
 
 
-def _check_sensors(id, subject, sensors):
-    if isinstance(sensors, str) or not {*sensors} <= {*SENSORS} or bool(sensors) != (subject == "drive"):
-        raise MasterError(
-            f"exercise {id}: sensors={sensors!r}, expected a tuple with some of {', '.join(SENSORS)} if"
-            ' subject="drive", else none'
-        )
+def _declaration_rules(function, subject, sensors, time_limit, tolerance, allowed, hints, **_others):
+    """(whether an argument is wrong, what is wrong with it) of each rule."""
+    is_name = isinstance(function, str) and function.isidentifier()
+    yield not is_name, f"function={function!r}, expected the name of a function"
+    yield subject not in SUBJECTS, f"subject={subject!r}, expected {' or '.join(map(repr, SUBJECTS))}"
+    are_sensors = not isinstance(sensors, str) and {*sensors} <= {*SENSORS}
+    yield (
+        not are_sensors or bool(sensors) != (subject == "drive"),
+        f"sensors={sensors!r}, expected a tuple with some of {', '.join(SENSORS)} if"
+        ' subject="drive", else none',
+    )
+    limits = f"time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
+    yield not time_limit > 0 or not tolerance >= 0, limits
+    yield isinstance(allowed, str), f"allowed={allowed!r}, expected a tuple: ({allowed!r},)"
+    yield (
+        not all(isinstance(name, str) and _MODULE.fullmatch(name) for name in allowed),
+        f"allowed={allowed!r}, expected whole modules, or packages of the course:"
+        ' ("scipy", "imgproc_course.imaging")',
+    )
+    yield isinstance(hints, str), f"hints={hints!r}, expected a tuple of texts, one for each step"
 
 
 @dataclass(frozen=True, kw_only=True)

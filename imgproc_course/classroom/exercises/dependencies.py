@@ -17,18 +17,12 @@ from .cell_syntax import UNPARSABLE, cells_of, needed_statements, statements_of
 
 @dataclass(frozen=True)
 class Dependencies:
-    """What an answer uses from outside its cell.
+    """What an answer uses from outside its cell; of `refused` modules the name by which it uses them."""
 
-    refused   {module that the exercise does not allow: the name by which the answer uses it}
-    foreign   {name that another cell defines, and that grading does not have: "function" or "value"}
-    taken     {name that another cell defines, and that grading takes along: its kind (see `Statement`)}
-    error     why the answer's cell does not run by itself, ""
-    """
-
-    refused: dict = field(default_factory=dict)
-    foreign: dict = field(default_factory=dict)
-    taken: dict = field(default_factory=dict)
-    error: str = ""
+    refused: dict = field(default_factory=dict)  # {module that the exercise does not allow: name}
+    foreign: dict = field(default_factory=dict)  # {name that grading does not have: "function" or "value"}
+    taken: dict = field(default_factory=dict)  # {name that grading takes along: its kind, see `Statement`}
+    error: str = ""  # why the answer's cell does not run by itself
 
     @property
     def are_accepted(self):
@@ -72,10 +66,7 @@ def find_refused(source, function, allowed, given, namespace):
 
 
 def dependencies_of(answer, names, namespace):
-    """The Dependencies of a ComposedAnswer that runs by itself and then has these names.
-
-    `namespace` is what the function finds in the notebook.
-    """
+    """The Dependencies of a ComposedAnswer that runs by itself, and then has these names."""
     statements = _searched_statements(answer.source, answer.function)
     unbound = _names_unbound(statements)
     names_read = unbound.union(*(statement.binds for statement in statements)) & names

@@ -32,6 +32,7 @@ _LINES = {
     "the last column": np.s_[:, -1:],
 }
 _RIGHT = "The values are right"
+_TRANSPOSED = "Rows and columns are exchanged: your result is the expected one, transposed."
 _FUNCTIONS = ("function", "builtin_function_or_method", "method")
 _FUNCTIONS += ("numpy.ufunc", "numpy._ArrayFunctionDispatcher")
 _NUMBERS, _SEQUENCES = ("int", "float"), ("tuple", "list")
@@ -51,14 +52,11 @@ _CUT_OFF = (
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """What is certain about an answer, in sentences, "" if nothing is.
+    """What is certain about an answer."""
 
-    `replaces_hint`: they say what to repair; `on_border`: all wrong values lie on the borders of images.
-    """
-
-    text: str = ""
-    replaces_hint: bool = False
-    on_border: bool = False
+    text: str = ""  # sentences, "" if nothing is certain
+    replaces_hint: bool = False  # they say what to repair
+    on_border: bool = False  # all wrong values lie on the borders of images
 
 
 def diagnose(calls, shown, names=(), *, exact_type=True):
@@ -264,14 +262,11 @@ def _shape_rules(expected, actual, given, name):
     """(whether it holds, advice) of each rule, the surest first; `given` are the shapes of the arguments."""
     shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
     values, actual_values = array_of(expected), array_of(actual)
-    yield (
-        actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values),
-        "Rows and columns are exchanged: your result is the expected one, transposed.",
-    )
-    yield (
-        len(shape) > 1 and actual_shape == (*shape[1::-1], *shape[2:]) != shape,
-        "Rows and columns are exchanged in the shape of your result: the number of rows comes first.",
-    )
+    is_transposed = actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values)
+    yield is_transposed, _TRANSPOSED
+    has_shape = len(shape) > 1 and actual_shape == (*shape[1::-1], *shape[2:]) != shape
+    text = "Rows and columns are exchanged in the shape of your result: the number of rows comes first."
+    yield has_shape, text
     first = given[0] if given and name else ()
     if len(first) > len(shape) and actual_shape == first[1:]:
         text = "Axis 0, the rows, is gone from your result: "
@@ -451,10 +446,7 @@ _RELATIONS = (
     ("Your values are 255 times the expected ones.", lambda values: values * 255),
     ("Black and white are exchanged: each value is 255 minus the expected one.", lambda values: 255 - values),
     ("True and False are exchanged.", lambda values: 1 - values),
-    (
-        "Rows and columns are exchanged: your result is the expected one, transposed.",
-        lambda v: np.swapaxes(v, 0, 1) if v.ndim > 1 else v + np.nan,
-    ),
+    (_TRANSPOSED, lambda v: np.swapaxes(v, 0, 1) if v.ndim > 1 else v + np.nan),
     ("Your result is the expected one, mirrored from left to right.", _mirrored(1)),
     ("Your result is the expected one, upside down.", _mirrored(0)),
     ("The channels are in the wrong order: the first and the last are exchanged.", _mirrored(2)),

@@ -215,9 +215,6 @@ def _text_of(value):
     return _ADDRESS.sub("0x…", " ".join(_REPR.repr(value).split()))
 
 
-# ---------------------------------------------------------------- sentences
-
-
 def sentences_of(record, scenario):
     """What went wrong in a drive, as a list of sentences; empty if it passes."""
     if record["ended"]:

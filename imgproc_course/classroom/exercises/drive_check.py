@@ -227,9 +227,6 @@ def _bar(text, share):
     return {"text/plain": f"{text}: {share:.0%}", "text/html": f"<div>{text} {bar} {share:.0%}</div>"}
 
 
-# ---------------------------------------------------------------- known mistakes
-
-
 def known_mistake(exercise, calls):
     """The declared mistake that drives as a learner's `control` does in each scenario in which that fails.
 

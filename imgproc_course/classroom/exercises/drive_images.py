@@ -48,10 +48,7 @@ def look_back(env, record, scenario):
 
 
 def draw_film(env, record, scenario):
-    """A film of a drive, an AnswerImage that moves: what the camera saw each second, and the path until then.
-
-    The drive is driven again from its actions.
-    """
+    """A film of a drive, which is driven again: what the camera saw each second, and the path until then."""
     again, room, frames = Drive(env, scenario), load(course.DRIVE_ROOM)(scenario.get("room")), []
     for look in range(record["looks"] + 1):
         if look % round(1 / LOOK) == 0:

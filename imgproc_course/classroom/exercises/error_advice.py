@@ -78,10 +78,7 @@ def _unhashable(match, source):
     nouns = {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}
     noun, kinds = nouns.get(match[1], match[1]), set(map(type, _nodes(source)))
     if ast.Set in kinds:
-        return (
-            f"Curly brackets without a key and a colon make a set, and a set cannot hold {noun}."
-            ' A dictionary needs both: {"key": value}.'
-        )
+        return _ADVICE["<curly brackets>"].format(noun)
     if re.search(r"(?<![\w.])set\(", source):
         return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
     return f"A set or the key of a dictionary cannot hold {noun}. A key is mostly a text, in quotes."
@@ -109,10 +106,8 @@ def _broadcast_rules(shapes, source):
     yield 1 in (len(first), len(second)) and has_axis, _ADVICE["<axis taken away>"]
     if len(first) != len(second):
         return
-    yield (
-        any(shape in ((3, 3), (5, 5)) for shape in shapes) and re.search("kernel|:", source),
-        _ADVICE["<kernel>"],
-    )
+    has_kernel = any(shape in ((3, 3), (5, 5)) for shape in shapes) and re.search("kernel|:", source)
+    yield has_kernel, _ADVICE["<kernel>"]
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     yield gap <= 2, _ADVICE["<nearly one shape>"].format(gap)
 

@@ -20,12 +20,6 @@ _MOST_LINES = 12  # of the function's own prints
 
 _BORDER = "Pixels there have neighbours outside the image: how does the task treat those?"
 
-_MAP = (
-    "The room from above. Green dot: start; green ring: the goal, or the sign; blue: the path, and the robot"
-    " at its end; red crosses: bumps; red dot and line: the ball, at the start, and its way. If the drive"
-    " failed, the orange ring is around the place that the images show. The black bar is 1 m long."
-)
-
 # JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
 _COLOURS = {
     "passed": "var(--jp-success-color0, #1b5e20)",
@@ -110,16 +104,12 @@ def _labelled_forms(result, call):
         for part_name, form, _ in answer_parts(argument_form, argument_form):
             yield f"given {name}{part_name}", form, None
     if call.result.finished and call.difference is not None:
-        for part_name, expected, actual in _answer_parts(call):
+        for part_name, expected, actual in answer_parts(call.expected.value, call.result.value):
             if part_name and expected == actual:
                 continue  # a right part of the answer only hides the wrong one
             wrong = differing_elements(expected, actual, call.case.tolerance)
             yield f"returned {part_name}", actual, wrong
             yield f"expected {part_name}", expected, wrong
-
-
-def _answer_parts(call):
-    return answer_parts(call.expected.value, call.result.value)
 
 
 def _remarks(result):
@@ -160,10 +150,8 @@ def _taken_along(result):
     values = [name for name, kind in dependencies.taken.items() if kind in ("value", "other")]
     is_function = exercise.subject == "function"
     if values and is_function and not all(case_result.passed for case_result in result.results):
-        yield (
-            f"{exercise.answer_name} uses {', '.join(values)} of another cell, which is the same in every"
-            f" call. Should it be computed from the arguments ({', '.join(exercise.names)})?"
-        )
+        parts = {"values": ", ".join(values), "arguments": ", ".join(exercise.names)}
+        yield SAYS["value of another cell"].format(name=exercise.answer_name, **parts)
     elif dependencies.taken and not exercise.practice:
         names = ", ".join(dependencies.taken)
         yield f"{exercise.answer_name} uses {names} of another cell. Grading takes that along."
@@ -220,10 +208,7 @@ def _footer(result):
     if result.why_older:
         return ""
     if not result.attempted:
-        return (
-            f"Write {exercise.answer_name} in its cell, run that cell, then run this one."
-            f" (If that cell shows an error, repair it first: Python still has the old {exercise.kind}.)"
-        )
+        return SAYS["not attempted"].format(name=exercise.answer_name, kind=exercise.kind)
     if exercise.practice:
         return "Practice: no points."
     text = f"Points here: {result.points} of {exercise.points}."
@@ -347,7 +332,7 @@ def _drives_as_html(result):
         yield _table(_drive_rows(result), 'th scope="col"')
         images = [image for drive in result.drives for image in images_of_drive("draw_map", drive)]
         yield _row_of_figures(images)
-        yield _paragraph(_MAP)
+        yield _paragraph(SAYS["map of a drive"])
 
 
 def _paragraph(text):
@@ -394,7 +379,7 @@ def _figures(result, call):
     if result.exercise.subject != "function":
         return _images_of_node(call)
     images = given_images(zip(result.exercise.names, call.arguments, strict=False))
-    for part_name, expected, actual in _answer_parts(call):
+    for part_name, expected, actual in answer_parts(call.expected.value, call.result.value):
         wrong = differing_elements(expected, actual, call.case.tolerance)
         if wrong is not None and wrong.any() and is_image(array_of(actual)):
             argument_form = canonical(call.arguments[0], limit=None) if call.arguments else None

@@ -20,18 +20,12 @@ _CODE = (
 
 @dataclass(frozen=True)
 class Help:
-    """Help with an exercise. A notebook shows it as HTML; `print` gives the same as plain text.
+    """Help with an exercise. A notebook shows it as HTML; `print` gives the same as plain text."""
 
-    heading  one line
-    text     sentences, each paragraph on a line; "" for none
-    code     Python, or ""
-    more     sentences below the code, as `text`
-    """
-
-    heading: str
-    text: str = ""
-    code: str = ""
-    more: str = ""
+    heading: str  # one line
+    text: str = ""  # sentences, each paragraph on a line
+    code: str = ""  # Python
+    more: str = ""  # sentences below the code, as `text`
 
     def __repr__(self):
         code = "\n".join(f"    {line}".rstrip() for line in self.code.splitlines())

@@ -24,10 +24,7 @@ _ORDER = (
 
 
 def sentence_on_node(expected, actual, arguments):
-    """What differs between two records, given as canonical forms; "" if there is no sentence for it.
-
-    `arguments` are those of the drive, look and steps.
-    """
+    """What differs between two records, as forms, of one drive(look, steps); "" if no sentence says it."""
     differences = list(_differences(_plain(expected), _plain(actual)))
     # An error that the node logs for a right image explains why it published nothing.
     differences.sort(key=lambda difference: not (difference[0].endswith("/log") and difference[1] == ""))
@@ -87,10 +84,7 @@ def _on_pixels(wanted, given, steps):
     if not isinstance(given, np.ndarray) or wanted.shape != given.shape:
         return "The data of the published image have another size than its height, width and encoding say."
     if _is_exchanged(given, steps[-1]):
-        return (
-            "Red and blue are exchanged: the channels of a frame are blue, green, red. Ask for bgr8, and"
-            " convert with COLOR_BGR2GRAY."
-        )
+        return _PHRASES["<red and blue>"]
     text = f"{int((wanted != given).sum())} of {wanted.size} pixels of the published image are wrong."
     kinds = ["image" if "image" in step else "set" for step in steps if "get" not in step]
     if "set" in kinds[kinds.index("image") :]:  # the steps before were right
@@ -128,13 +122,10 @@ def _is_exchanged(gray, step):
 
 _STEP = r"/steps/(?P<step>\d+)"
 _IMAGE = f"{_STEP}/published/0"
-_ADVICE = (
-    "Put try: around the conversion, and below except CvBridgeError as error: log the error and return. Then"
-    " the node goes on with the next image."
-)
 # A path in a record, perhaps with its values ("/path: given, not expected"), and below it a sentence; and an
 # error as Python prints it, with the line that raised it, and below it what the error means.
 _PHRASES = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
 _PHRASES = read_phrases(_PHRASES.replace("STEP", _STEP).replace("IMAGE", _IMAGE))
+_ADVICE = _PHRASES["<advice>"]
 # What makes a sentence of the two values and of the steps up to this one
 _RULES = {f"{_STEP}/parameters": _on_parameters, f"{_IMAGE}/pixels": _on_pixels}

@@ -37,16 +37,8 @@ _QUESTIONS |= dict.fromkeys(("int", "round", "float", "floor"), "is it to be cut
 _OTHER_END = ({"lower": None, "upper": ast.Constant(-1)}, {"lower": ast.Constant(1), "upper": None})
 _AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "prod", "cumsum", "norm")
 _METHODS = ("upper", "lower", "strip", "copy", "tolist", "items", "keys", "values", *_AXES)
-_ALIKE = ("int round floor ceil", "min max", "argmin argmax", "minimum maximum", "sin cos", "any all")
-_ALIKE += (
-    "sum mean",
-    "zeros ones",
-    "std var",
-    "append extend",
-    "log log10 log2",
-    "atan atan2",
-    "argsort sort",
-)
+_ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
+_ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
 _COMPARISONS = {
     ast.Lt: ((ast.LtE, _LIMIT), (ast.Gt, _DIRECTION)),
     ast.LtE: ((ast.Lt, _LIMIT), (ast.GtE, _DIRECTION)),
@@ -306,7 +298,7 @@ def _call(node, _tree):
     if not isinstance(node, ast.Call):
         return
     owner, dot, name = ast.unparse(node.func).rpartition(".")
-    for alike in next((group.split() for group in _ALIKE if name in group.split()), ()):
+    for alike in next((group.split() for group in _ALIKE.split(", ") if name in group.split()), ()):
         function = ast.parse(f"{owner}{dot}{alike}", mode="eval").body
         yield "is it the right function?", _setting(node, func=function)
     for argument in node.args:

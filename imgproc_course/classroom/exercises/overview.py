@@ -1,12 +1,14 @@
-"""The course at a glance: its lessons, what each needs, and what the learner has passed."""
+"""The course at a glance: its lessons, what each needs, what the learner has passed; and a certificate."""
 
 import contextlib
+import datetime as dt
 import html
 import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..course import TITLE
 from .check_files import DAMAGED, CheckFileError, checks_folders, read_check_file
 from .progress import read_progress
 
@@ -14,25 +16,22 @@ _LESSON_FILE = re.compile(r"(\d\d)_[a-z0-9_]+\.ipynb")
 _NEEDS = re.compile(r"\*\*You need\*\*(.*?)(?:\n|$)")
 _LINKED_NUMBER = re.compile(r"\]\((\d\d)_[a-z0-9_]+\.ipynb")
 _BAR_CHARACTERS = 20
+CERTIFICATE = "certificate.html"
 
 
 @dataclass(frozen=True)
 class LessonProgress:
-    """One lesson of a folder: its `file` "04_grayscale.ipynb", the numbers of those that it needs, ("03",).
+    """One lesson of a folder, with the ids of its exercises."""
 
-    Ids of its exercises, of those that can be left out (`deeper`), and of those that have passed, with their
-    points but those of hidden checks.
-    """
-
-    file: str
+    file: str  # "04_grayscale.ipynb"
     title: str
     minutes: int
     core_minutes: int
-    needs: tuple
+    needs: tuple  # numbers of lessons: ("03",)
     exercises: tuple
-    deeper: tuple
+    deeper: tuple  # those that can be left out
     passed: tuple
-    points: int = 0
+    points: int = 0  # of those that have passed, without hidden checks
 
     @property
     def number(self):
@@ -183,3 +182,48 @@ def _exercises_of(lesson, folder):
         entries = read_check_file(path).entries if path else {}
         return {id: sum(case["points"] for case in entry["cases"]) for id, entry in entries.items()}
     return {}
+
+
+class Certificate:
+    """The page that was written; a notebook shows a link to it."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def __repr__(self):
+        return f"{self.path.name} is written; open it in a browser, and print it there (Ctrl+P)"
+
+    def _repr_html_(self):
+        link = f'<a href="{self.path.name}" target="_blank">{self.path.name}</a>'
+        return f"Written: {link}. Open it in the browser, and print it there (<b>Ctrl+P</b>)."
+
+
+def certificate(name, folder=None):
+    """Writes certificate.html beside the lessons: lessons with exercises that passed, points and date.
+
+    Parameters
+    ----------
+    name : str, the learner's name as the page shows it
+    folder : Path or str, with lessons and progress; if omitted, as in `overview`
+
+    Returns
+    -------
+    Certificate, which a notebook shows as a link. ValueError: no name, no lessons, or nothing has passed
+    """
+    if not isinstance(name, str) or not name.strip():
+        raise ValueError(f'name is {name!r}, expected your name as a text: certificate("Ada Lovelace")')
+    lessons = [lesson for lesson in overview(folder).lessons if lesson.passed]
+    if not lessons:
+        raise ValueError("nothing has passed yet; run the checks of a lesson, then call certificate again")
+    path = Path(folder or Path.cwd()) / CERTIFICATE
+    path.write_text(_page(name.strip(), lessons), encoding="utf-8")
+    return Certificate(path)
+
+
+def _page(name, lessons):
+    import jinja2  # only here: an import of 50 ms that no other cell needs
+
+    template = Path(__file__).with_name(CERTIFICATE).read_text(encoding="utf-8")
+    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
+    date = f"{dt.date.today():%d %B %Y}"
+    return environment.from_string(template).render(title=TITLE, name=name, lessons=lessons, date=date)

@@ -23,16 +23,13 @@ class MasterError(ValueError):
 
 @dataclass(frozen=True)
 class ScriptCell:
-    """One cell of a percent script, "markdown" or "code", with one of ROLES, or "".
+    """One cell of a percent script."""
 
-    `options` are the other values of its header, {"points": 1}, in this line from 1; 0 without a role.
-    """
-
-    kind: str
-    role: str
-    options: dict
+    kind: str  # "markdown" or "code"
+    role: str  # one of ROLES, or ""
+    options: dict  # the other values of its header: {"points": 1}
     source: str
-    line: int
+    line: int  # of its header, from 1; 0 without a role
     file: str
 
     @property
@@ -47,11 +44,6 @@ class Script:
 
     front_matter: dict
     cells: tuple
-
-    @property
-    def lesson_cells(self):
-        """The cells that a learner gets; the lesson numbers them from 1."""
-        return tuple(cell for cell in self.cells if cell.role not in DROPPED_ROLES)
 
     @property
     def role_cells(self):

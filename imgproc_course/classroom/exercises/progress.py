@@ -13,12 +13,12 @@ import itertools
 import json
 import linecache
 import os
-import secrets
 import types
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Literal
 
+from .atomic_write import write_file
 from .running import codes_of
 
 PROGRESS, LOCK = ".progress.json", ".progress.lock"
@@ -93,12 +93,7 @@ def _write(folder, exercise_id, progress):
         entries = _read_or_move_aside(path)
         entries[exercise_id] = entries.get(exercise_id, ExerciseProgress()) | progress
         file = _ProgressFile(1, dict(sorted(entries.items())))
-        temporary = path.with_name(f".progress-{secrets.token_hex(4)}.tmp")
-        try:
-            temporary.write_text(json.dumps(asdict(file), indent=1) + "\n")
-            temporary.replace(path)
-        finally:
-            temporary.unlink(missing_ok=True)
+        write_file(path, json.dumps(asdict(file), indent=1) + "\n")
 
 
 def _read_or_move_aside(path):

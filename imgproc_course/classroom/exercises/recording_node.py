@@ -45,9 +45,6 @@ def ros_name(module, name):
     return getattr(importlib.import_module(module), name)
 
 
-# ---------------------------------------------------------------- the node
-
-
 class NodeRecord:
     """What a node created, published as (topic, fields), and logged as (level, text)."""
 

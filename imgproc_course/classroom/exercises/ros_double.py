@@ -48,30 +48,29 @@ def _message(kind, package, /, **fields):
     return type(kind, (_Message,), body)
 
 
-_Time = _message("Time", "builtin_interfaces", sec=int, nanosec=int)
-_Header = _message("Header", "std_msgs", stamp=_Time, frame_id=str)
-_MESSAGES = (
-    *(_Time, _Header),
-    _message(
-        "Image",
-        "sensor_msgs",
-        **dict.fromkeys(("height", "width", "is_bigendian", "step"), int),
-        **{"header": _Header, "encoding": str, "data": _bytes},
-    ),
-    _message("SetParametersResult", "rcl_interfaces", successful=bool, reason=str),
-    _message(
-        "ParameterDescriptor",
-        "rcl_interfaces",
-        **dict.fromkeys(("name", "description", "additional_constraints"), str),
-        **dict.fromkeys(("read_only", "dynamic_typing"), bool),
-        type=int,
-    ),
-    _message(
-        "ParameterValue",
-        "rcl_interfaces",
-        **{"type": int, "bool_value": bool, "integer_value": int, "double_value": float, "string_value": str},
-    ),
-)
+# The package of each message, its name and its fields; what others hold comes first.
+_DEFINITIONS = """
+builtin_interfaces Time sec:int nanosec:int
+std_msgs Header stamp:Time frame_id:str
+sensor_msgs Image header:Header height:int width:int encoding:str is_bigendian:int step:int data:bytes
+rcl_interfaces SetParametersResult successful:bool reason:str
+rcl_interfaces ParameterDescriptor name:str type:int description:str additional_constraints:str
+    read_only:bool dynamic_typing:bool
+rcl_interfaces ParameterValue type:int bool_value:bool integer_value:int double_value:float string_value:str
+"""
+
+
+def _messages():
+    """{name: class} of the messages."""
+    kinds = {"bool": bool, "int": int, "float": float, "str": str, "bytes": _bytes}
+    for line in re.split(r"\n(?=\w)", _DEFINITIONS)[1:]:
+        package, name, *fields = line.split()
+        types = (field.split(":") for field in fields)
+        kinds[name] = _message(name, package, **{field: kinds[kind] for field, kind in types})
+    return {name: kind for name, kind in kinds.items() if name[0].isupper()}
+
+
+_MESSAGES = _messages()
 _PYTHON_TYPES = {bool: "BOOL", int: "INTEGER", float: "DOUBLE", str: "STRING"}
 _Type = enum.Enum("Type", ("NOT_SET", *_PYTHON_TYPES.values()), start=0)
 
@@ -170,7 +169,7 @@ class _Instant:
 
     def to_msg(self):
         sec, nanosec = divmod(self.nanoseconds, 10**9)
-        return _Time(sec=sec, nanosec=nanosec)
+        return _MESSAGES["Time"](sec=sec, nanosec=nanosec)
 
 
 def _check_name(pattern, error):
@@ -255,7 +254,7 @@ def _modules():
     """{name: what the double has in this module}."""
     names = ("rclpy", *course.ROS_MESSAGES, *(f"{package}.msg" for package in course.ROS_MESSAGES))
     modules = {name: {} for name in (*names, *(f"rclpy.{module}" for module in _EMPTY_MODULES))}
-    for kind in _MESSAGES:
+    for kind in _MESSAGES.values():
         modules[kind.__module__][kind.__name__] = kind
     for name in ("init", "shutdown", "try_shutdown", "spin", "spin_once", "spin_until_future_complete"):
         modules["rclpy"][name] = lambda *_arguments, **_options: None  # each its own: a drive traps some

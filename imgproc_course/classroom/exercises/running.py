@@ -49,27 +49,18 @@ class TimeUp(BaseException):
 
 @dataclass(frozen=True)
 class CallResult:
-    """What one call did; a text is "" where there is none.
+    """What one call did; a text is "" where there is none."""
 
-    value      canonical form of the returned value; None if the call did not finish
-    error      type name of the exception; `line` is the learner's line that raised it, with its number
-    closest    the name that is most like one that does not exist
-    timed_out  the time limit stopped the call; stuck: it could not be stopped
-    changed    names of the arguments that the function changed
-    printed    the beginning of what it printed
-    warning    the first warning, or the first of an overflow
-    """
-
-    value: dict | None = None
-    error: str = ""
+    value: dict | None = None  # canonical form of the returned value; None if the call did not finish
+    error: str = ""  # type name of the exception
     message: str = ""
-    line: str = ""
-    closest: str = ""
-    timed_out: bool = False
-    stuck: bool = False
-    changed: tuple = ()
-    printed: str = ""
-    warning: str = ""
+    line: str = ""  # the learner's line that raised it, with its number
+    closest: str = ""  # the name that is most like one that does not exist
+    timed_out: bool = False  # the time limit stopped the call
+    stuck: bool = False  # it could not be stopped
+    changed: tuple = ()  # names of the arguments that the function changed
+    printed: str = ""  # the beginning of what it printed
+    warning: str = ""  # the first one, or the first of an overflow
 
     @property
     def finished(self):

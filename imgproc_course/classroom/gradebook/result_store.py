@@ -10,11 +10,11 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from ..authoring.atomic_write import write_file
 from ..authoring.lesson_names import lesson_name
 from ..autograder.outcomes import Outcome
 from ..autograder.pool import autograde
 from ..autograder.results import from_json, to_json
+from ..exercises.atomic_write import write_file
 
 _FORMAT = 3  # of the files in the folder
 

@@ -6,10 +6,9 @@ import pytest
 sys.path.append(str(Path(__file__).parents[2] / "notebooks"))
 from early_uses import early_uses
 
-from imgproc_course.classroom.authoring.build import build, compare_lessons
+from imgproc_course.classroom.authoring.build import build, build_pages, compare_lessons
 from imgproc_course.classroom.authoring.glossary import read_glossary
 from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.authoring.pages import build_pages
 from imgproc_course.classroom.exercises.declaration import MasterError
 
 GLOSSARY = """

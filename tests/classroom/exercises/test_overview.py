@@ -4,8 +4,7 @@ import json
 
 import pytest
 
-from imgproc_course.classroom.exercises.certificate import certificate
-from imgproc_course.classroom.exercises.overview import overview
+from imgproc_course.classroom.exercises.overview import certificate, overview
 
 EXERCISES = {"one": ["one-a", "one-b"], "two": ["two-a"]}
 

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from imgproc_course.classroom.authoring.atomic_write import stage_file, write_file, write_folder
+from imgproc_course.classroom.exercises.atomic_write import stage_file, write_file, write_folder
 
 
 def names_in(folder):
