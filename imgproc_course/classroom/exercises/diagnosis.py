@@ -291,10 +291,15 @@ def _shape_rules(expected, actual, given, name):
         "Your result has fewer axes than the input: a function with axis=..., or an index such as"
         " image[0], takes one away.",
     )
-    if len(shape) == len(actual_shape) == 1:
+    if len(shape) == len(actual_shape):
+        yield from _size_rules(shape, actual_shape, first)
+
+
+def _size_rules(shape, actual_shape, first):
+    if len(shape) == 1:
         text = f"Your result has {actual_shape[0]} values, and the task asks for {shape[0]} here"
         yield True, f"{text}. Does their number depend on the input?"
-    if len(shape) == len(actual_shape) >= 2:
+    if len(shape) >= 2:
         gaps = (actual - expected for actual, expected in zip(actual_shape, shape, strict=True))
         changes = [_surplus(gap, noun) for gap, noun in zip(gaps, ("row", "column"), strict=False) if gap]
         missing_rows, missing_cols = shape[0] - actual_shape[0], shape[1] - actual_shape[1]

@@ -30,7 +30,7 @@ _ROUNDS = "should this happen in each round of the loop, or once?"
 _ROWS = "in compares the single numbers of an array, not its rows. Is that meant?"
 _TYPE = "your numbers do not fit into the dtype of {name}. Use int for them."
 _TRANSPOSED = "is it to be transposed?"
-_DTYPE = "which dtype has the result, and can it hold every value?"
+_DTYPE = "does every value fit into this dtype?"
 _UNIT = "is this angle in radians, or in degrees?"
 _QUESTIONS = {"abs": "is its sign needed?", "radians": _UNIT, "degrees": _UNIT, "sqrt": "is the root needed?"}
 _QUESTIONS |= dict.fromkeys(("int", "round", "float", "floor"), "is it to be cut or rounded here?")
@@ -309,27 +309,37 @@ def _call(node, _tree):
         first = ast.Call(ast.Attribute(inner.left, name, ast.Load()), node.args, node.keywords)
         added = ast.BinOp(first, inner.op, inner.right)
         yield "what does it add up?", lambda: _become(node, added)
-    yield from _arguments_of(node, name, dot)
+    for rule in (_conversions, _reductions, _dtypes, _counts):
+        yield from rule(node, name)
 
 
-def _arguments_of(node, name, dot):
+def _conversions(node, name):
     if name in _QUESTIONS and node.args:
         yield _QUESTIONS[name], _replacing(node, "inner", inner=node.args[0])
     if name in ("sin", "cos", "degrees", "radians") and node.args:
         for function in ("radians", "degrees"):
             converted = _parsed(f"np.{function}(angle)", angle=node.args[0])
             yield _UNIT, _setting(node, args=[converted])
-    if name in _AXES and dot and not node.keywords:
+
+
+def _reductions(node, name):
+    if name in _AXES and isinstance(node.func, ast.Attribute) and not node.keywords:
         for axis in (0, 1, -1):
             keyword = ast.keyword("axis", ast.Constant(axis))
             yield "of the whole array, or along an axis?", _setting(node, keywords=[keyword])
     if name in ("min", "max", "hypot", "sum"):
         yield "can these be negative?", _setting(node, args=[_parsed("abs(a)", a=part) for part in node.args])
+
+
+def _dtypes(node, name):
     for argument in (*node.args, *(part.value for part in node.keywords if part.arg == "dtype")):
         if re.search(r"^int$|\bu?int\d+$|\.dtype$", ast.unparse(argument)):
             yield from ((_DTYPE, _replacing(argument, dtype)) for dtype in ("float", "int"))
     if name in ("zeros_like", "ones_like", "full_like") and not node.keywords:
         yield _DTYPE, _setting(node, keywords=[ast.keyword("dtype", _parsed("float"))])
+
+
+def _counts(node, name):
     if name == "enumerate" and len(node.args) == 1 and not node.keywords:
         yield "where does it begin?", _setting(node, args=[*node.args, ast.Constant(1)])
     if name == "range" and len(node.args) < 3:
@@ -376,17 +386,18 @@ def _moved(node, tree):
     while isinstance(outer, loop) and node is block[-1] and len(block) > 1:
         inner, (outer, around) = outer, _block_of(outer, tree)
         yield _ROUNDS, partial(_move_behind, node, block, inner, around)
-    if isinstance(node, ast.Assign) and position < len(block) - 2:
+    yield from _later(node, block[position + 1 :], block)
+
+
+def _later(node, rest, block):
+    """An assignment before the last statement; or joined with the next, which then sees the old value."""
+    if isinstance(node, ast.Assign) and len(rest) > 1:
         question = "does a later line change what it uses?"
         yield question, lambda: (block.remove(node), block.insert(len(block) - 1, node))
-    if node is not block[-1]:
-        yield from _joined(node, block[position + 1], block)
-
-
-def _joined(node, second, block):
-    """Two assignments as one, so that the second sees the old value of the first."""
-    pair = (node, second)
-    if all(isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Name) for part in pair):
+    pair = (node, *rest[:1])
+    second = pair[-1]
+    is_named = [isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Name) for part in pair]
+    if rest and all(is_named):
         names, values = [part.targets[0] for part in pair], [part.value for part in pair]
         joined = ast.Assign([ast.Tuple(names, ast.Store())], ast.Tuple(values, ast.Load()))
         question = f"the next line uses the new {names[0].id}. Is the old one meant?"

@@ -104,13 +104,13 @@ CASES = {
         "def f(a):\n    b = np.zeros(len(a), dtype=int)\n    b[:] = a\n    return b.tolist()",
         [(([0.5, 1.5],), [0.5, 1.5])],
         "line 2",
-        "can it hold every value?",
+        "does every value fit into this dtype?",
     ),
     "the dtype of what is like another": (
         "def f(a):\n    b = np.zeros_like(a)\n    b[0] = a[0] / 2\n    return float(b[0])",
         [((np.array([1, 2]),), 0.5), ((np.array([3, 2]),), 1.5)],
         "line 2",
-        "np.zeros_like(a): which dtype",
+        "np.zeros_like(a): does every value fit",
     ),
     "the last axis": (
         "def f(a):\n    return float(np.linalg.norm(a)[0])",
