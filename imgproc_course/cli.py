@@ -254,12 +254,16 @@ def check(notebooks, and_run):
 
     is_ready = []
     for path in notebooks:
-        with _in_one_line(check.LessonFileError, CheckFileError):
+        try:
             lesson_check = check.check_lesson(path)
             if and_run:
                 check.run_answers(lesson_check)
-        click.echo("\n".join(check.report_lines(lesson_check)))
-        is_ready.append(lesson_check.ready)
+        except (check.LessonFileError, CheckFileError) as error:
+            is_ready.append(False)
+            click.echo(f"Error: {error}", err=True)
+        else:
+            is_ready.append(lesson_check.ready)
+            click.echo("\n".join(check.report_lines(lesson_check)))
     if not all(is_ready):
         raise SystemExit(1)
 

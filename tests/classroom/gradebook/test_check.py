@@ -380,3 +380,9 @@ def test_the_exit_code_is_1_while_the_lesson_is_not_ready(lesson):
     assert done.exit_code == 1 and "template-double: not attempted" in done.output
     done = CliRunner().invoke(check, ["nothing.ipynb"])
     assert done.exit_code == 1 and "Error: nothing.ipynb: no such file" in done.output
+
+
+def test_of_several_lessons_a_missing_one_does_not_hide_the_others(lesson):
+    done = CliRunner().invoke(check, ["nothing.ipynb", str(lesson())])
+    assert done.exit_code == 1 and "Error: nothing.ipynb: no such file" in done.output
+    assert "template-double: " in done.output.split("no such file")[1]
