@@ -213,11 +213,7 @@ def reading(path):
 
 
 def load_key(path):
-    """Read the Key in a folder, the first one with its variants.
-
-    KeyFolderError: there is no key, one of its variants is missing, it has another format, or its check cells
-    were never run.
-    """
+    """Read the Key in a folder, with its variants; KeyFolderError: there is none that grading can use."""
     key, count = _load_one(Path(path).resolve())
     numbers = range(2, count + 1) if key.variant == 1 else ()
     return replace(key, others=tuple(_load_variant(key, number) for number in numbers))

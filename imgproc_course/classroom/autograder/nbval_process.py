@@ -63,10 +63,7 @@ def nbval_process_of_thread(unsafe, limits):
 
 
 def stop_nbval_processes(thread_prefix="", *, for_good=False):
-    """Stop this process's nbval processes, of threads with this prefix; the next submission starts others.
-
-    `for_good`: none starts in such a thread again.
-    """
+    """Stop the nbval processes of threads with this prefix; `for_good`: in these none starts again."""
     if for_good:
         _stopped.add(thread_prefix)
     processes = [process for name, process in list(_processes.items()) if name.startswith(thread_prefix)]
@@ -80,10 +77,7 @@ atexit.register(stop_nbval_processes)
 
 
 class NbvalProcess:
-    """One nbval process of a thread, and the socket to it.
-
-    Raises NbvalProcessKilled if it is killed while it starts, SandboxError if it does not start.
-    """
+    """A thread's nbval process, and the socket to it; NbvalProcessKilled, SandboxError: it does not start."""
 
     def __init__(self, unsafe, limits):
         self.options = (unsafe, limits)

@@ -366,10 +366,7 @@ def _failed_call(content, case, verdict):
 
 
 def form_to_show(form, expected):
-    """A returned value as the page shows it: without the values of one much larger than what is expected.
-
-    All results of a learner are in memory while their page is written.
-    """
+    """A value as pages, which are in memory, show it: one much larger than expected has no values."""
     if form is None or _size(form) <= max(_LARGEST_SHOWN, 3 * _size(expected)):
         return form
     if form["type"] == "ndarray":
