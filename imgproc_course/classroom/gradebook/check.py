@@ -70,11 +70,7 @@ class LessonCheck:
 
 
 class CheckFileCatalog:
-    """The lessons that the checks files of some folders describe; the first folder that has one describes it.
-
-    lessons  {name: CheckFile}
-    damage   list of CheckFileError, of the files that cannot be read
-    """
+    """The `lessons` {name: CheckFile} of some folders, the first of each; `damage` are CheckFileErrors."""
 
     def __init__(self, folders):
         self.lessons, self.damage = {}, []

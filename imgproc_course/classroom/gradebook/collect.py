@@ -277,10 +277,7 @@ class _Intake:
     # ------------------------------------------------------------ files
 
     def add_file(self, path, *, is_everything=False):
-        """Add a file; of a zip, add its members.
-
-        `is_everything`: the instructor gave this file instead of a folder, so a zip holds the whole class's.
-        """
+        """Add a file; of a zip its members, those of a class if it was given alone (`is_everything`)."""
         parts = (path.name,) if is_everything else self._parts(path)
         suffix, status = _suffix(path), None
         sender = self._sender_of(parts)

@@ -18,10 +18,7 @@ from .lms_export import lessons_of
 
 
 def feedback_zips(grades, read_page):
-    """The zips of all lessons that came from a platform, and of the other learners, {file name: bytes}.
-
-    `read_page` gives the bytes of the page of a learner's entry.
-    """
+    """{file name: bytes} of all zips; `read_page` gives the bytes of the page of a learner's entry."""
     members, lessons = {}, lessons_of(grades)
     for learner in grades["learners"]:
         page = PurePosixPath(learner["page"])

@@ -105,11 +105,7 @@ def _digest(tokens):
 
 
 def fingerprints(answers):
-    """Of {exercise id: source}: what grading compares, as JSON can hold it.
-
-    shapes  {exercise id: shape_of its tokens}
-    prints  {fingerprint: [exercise id, first line, last line]}
-    """
+    """Of {id: source}: "shapes" {id: shape_of} and "prints" {fingerprint: [id, first line, last line]}."""
     shapes, prints = {}, {}
     for id, source in sorted(answers.items()):
         tokens = syntax_tokens(source)

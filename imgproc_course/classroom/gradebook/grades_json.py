@@ -147,10 +147,7 @@ def _decide(entry, decision):
 
 
 def _nothing_submitted(lesson, submissions):
-    """In place of the Submission of a lesson on which the teacher has decided without one.
-
-    The learner's other submissions know the platform.
-    """
+    """For a decision on a lesson not submitted; the learner's other submissions know the platform."""
     known = next((submission.file for submission in submissions), Sender(""))
     file = SubmittedFile(learner=known.learner, platform=known.platform, platform_id=known.platform_id)
     return Submission(file, "", SubmissionContent(lesson=lesson, reason="nothing was submitted"))

@@ -48,10 +48,7 @@ class LeagueError(ValueError):
 
 @dataclass
 class Controller:
-    """A learner's controller, why it does not drive, or an Exploration of each room.
-
-    Its best and worst are (number of a room, its map, its film or None).
-    """
+    """A learner's controller; `best` and `worst` are (number of a room, its map, its film or None)."""
 
     name: str
     source: str = ""

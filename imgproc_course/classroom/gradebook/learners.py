@@ -45,10 +45,7 @@ class Submission:
 
 @dataclass
 class Learner:
-    """A learner: {lesson: the Submission that counts}, {lesson: list of those that do not, oldest first}.
-
-    Of those that are unidentified the lesson is unknown.
-    """
+    """A learner: {lesson: the Submission that counts}, {lesson: earlier ones, oldest first}, others."""
 
     name: str
     submissions: dict = field(default_factory=dict)

@@ -183,10 +183,7 @@ def similar_entries(groups):
 
 
 def similarity_page(groups, names):
-    """The teacher's page of similar submissions, the versions of an answer side by side; HTML, or "".
-
-    `names` are {learner's name: the name to show}.
-    """
+    """The page of similar submissions, HTML, or ""; `names` are {learner's name: the name to show}."""
     content = {"groups": groups, "names": names, "marked": _marked, "most": MOST_VERSIONS}
     return render_page("similar.html", **content) if groups else ""
 

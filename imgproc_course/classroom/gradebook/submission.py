@@ -157,10 +157,7 @@ def _signs_of_lessons(cells, catalog):
 
 
 def _recognize_unmarked(named, functions, content):
-    """The lesson of a notebook without any mark: by the file's name first, then by its functions.
-
-    `functions` are {lesson: its functions that the notebook defines}.
-    """
+    """The lesson of a notebook without marks, by its name, then by {lesson: its functions in it}."""
     by_functions = _most(functions)
     if named is None and by_functions:
         listed = _listed(functions[by_functions])
