@@ -185,10 +185,7 @@ class NbvalProcess:
             self._socket.shutdown(socket.SHUT_RDWR)
 
     def stop(self, patience=None):
-        """End the process, and with it its fork server; returns its exit code if it ended by itself.
-
-        It has so many seconds for that; None: five if it has graded or could have.
-        """
+        """End it and its fork server, after `patience` seconds (None: 5 if it was ready); its exit code."""
         code = 0
         if _processes.get(self._thread) is not self:  # it was stopped before
             return code

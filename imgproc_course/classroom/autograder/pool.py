@@ -23,13 +23,8 @@ from concurrent.futures import Future, wait
 from dataclasses import replace
 from functools import lru_cache
 
+from . import nbval_process
 from .answer_key import Key, KeyFolderError, load_key
-from .nbval_process import (
-    NbvalProcessEnded,
-    NbvalProcessKilled,
-    NbvalProcessNotStarted,
-    nbval_process_of_thread,
-)
 from .outcomes import BUDGET_MESSAGE, Outcome
 from .results import GradedSubmission, from_json, reproducible_text, ungraded_exercise
 from .sandbox import bubblewrap
@@ -169,16 +164,18 @@ def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
     attempts = kills = 0
     while attempts < _ATTEMPTS and kills < _KILLS:
         try:
-            process = nbval_process_of_thread(unsafe, limits)
+            process = nbval_process.nbval_process_of_thread(unsafe, limits)
             result = from_json(process.grade(key, *submission))
-        except NbvalProcessNotStarted:
+        except nbval_process.NbvalProcessNotStarted:
             attempts += 1
             if attempts == _ATTEMPTS:
                 raise
-        except NbvalProcessKilled as error:
+        except nbval_process.NbvalProcessKilled as error:
             kills += 1
             result = _not_graded(key, *submission, f"the nbval process was killed {kills} times: {error}")
-        except NbvalProcessEnded as error:  # an earlier submission must not cost this one anything
+        except (
+            nbval_process.NbvalProcessEnded
+        ) as error:  # an earlier submission must not cost this one anything
             attempts += 1
             result = _not_graded(key, *submission, f"the nbval process ended: {error}")
         else:

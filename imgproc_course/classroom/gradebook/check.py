@@ -31,10 +31,7 @@ class LessonFileError(ValueError):
 
 @dataclass
 class ExerciseCheck:
-    """One exercise of a checked lesson: its answer, or "", and notes for the learner, str.
-
-    `result` is what the public checks gave, None if they were not run.
-    """
+    """One exercise of a checked lesson; `result` is of the public checks, None if they were not run."""
 
     exercise: CheckData
     state: AnswerState
@@ -45,10 +42,7 @@ class ExerciseCheck:
 
 @dataclass
 class LessonCheck:
-    """A checked lesson, its content as grading reads it, and the ExerciseChecks in the lesson's order.
-
-    `was_run`: the answers were run against their public checks; `deeper` can be left out.
-    """
+    """A checked lesson; `was_run`: its answers were run; `deeper` exercises can be left out."""
 
     path: Path
     content: SubmissionContent

@@ -79,10 +79,7 @@ def _parts(node):
 
 
 def shape_of(tokens):
-    """[digest, number of tokens, digest without the numbers in them].
-
-    The first is equal for answers that differ in names, comments and spacing only.
-    """
+    """[digest, number of tokens, digest without numbers]: the same whatever the names and comments."""
     texts = [token for token, _ in tokens]
     without_numbers = ["number" if text[:1].isdigit() else text for text in texts]
     return [_digest(texts), len(texts), _digest(without_numbers)]

@@ -12,9 +12,8 @@ from pathlib import Path
 from ..autograder.sanitize import sanitize_line
 from .anonymity import learner_without_name, without_names
 from .changes import PREVIOUS, changes_page, read_grades
-from .feedback_zips import feedback_zips
 from .grades_json import grades_text, learner_entry
-from .lms_export import checks_csv, exports, grades_csv
+from .lms_export import checks_csv, exports, feedback_zips, grades_csv
 from .predictions import predictions_page
 from .report import label_of, learner_page, map_of, render_page
 from .result_store import write_grades_file
@@ -87,11 +86,7 @@ class LearnerPages:
 
 
 def write_grades(out, grades, learners, lessons, pages, groups, store):
-    """Write everything but the learners' pages and the results, which are in the ResultStore.
-
-    `learners` are in the order of grades["learners"]; `pages` are their LearnerPages, `groups` the
-    SimilarGroups.
-    """
+    """Write all but pages of learners and results; `learners` are in the order of grades["learners"]."""
     before, text = read_grades(out / "grades.json"), grades_text(grades)
     changed = before is not None and grades_text(before) != text
     write_grades_file(out / "grades.json", text)

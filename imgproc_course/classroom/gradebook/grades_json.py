@@ -22,11 +22,7 @@ FORMAT = 4
 def grades_of(
     entries, answer_keys, *, sandbox, deadlines, collection, roster=None, similar=(), anonymous=False
 ):
-    """The content of grades.json, as grades.schema.json describes it.
-
-    `entries` are what `learner_entry` returns for each learner, `roster` is from `roster_report` or None;
-    `anonymous`: the pages are named after an id instead of the learner.
-    """
+    """The content of grades.json; `entries` are from `learner_entry`, `roster` from `roster_report`."""
     return {
         "format": FORMAT,
         "course": version("imgproc-course"),

@@ -33,11 +33,7 @@ def write_grades_file(path, data):
 
 @contextlib.contextmanager
 def open_grades_folder(folder):
-    """Make a folder that only its owner can open, and lock it; a context manager.
-
-    Unfinished files that a killed run left in it are removed. GradesFolderError: it cannot be made, or
-    another run is writing into it.
-    """
+    """Make a folder for its owner, lock it, remove unfinished files; GradesFolderError: it is in use."""
     with contextlib.ExitStack() as stack:
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -129,11 +125,7 @@ def _digests(learners, name=None, lesson=None):
 
 
 def grade_missing(learners, answer_keys, store, again, *, quiet, on_result, **options):
-    """Grade what has no result yet, equal answers once; returns how many submissions were graded now.
-
-    `again` is from `answers_to_regrade`; `on_result` is called with the digest of each result; `options` are
-    those of `autograde`.
-    """
+    """Grade what has no result, and `again`, equal answers once; how many submissions were graded now."""
     digests = _digests(learners)
     stored = {digest: store.result(digest) for digest in digests}
     missing = [digest for digest in digests if digest in again or stored[digest] is None]

@@ -25,21 +25,17 @@ class AnswerParts:
 
     def keep(self, learner, exercise, answer, body):
         """Keep the source of an answer, and its checks as HTML."""
-        self._places[learner, exercise] = []
-        for text in (_coloured(answer), body):
-            data = text.encode("utf-8")
-            self._places[learner, exercise].append((self._file.seek(0, 2), len(data)))
-            self._file.write(data)
+        texts = [text.encode("utf-8") for text in (_coloured(answer), body)]
+        self._places[learner, exercise] = self._file.seek(0, 2), *map(len, texts)
+        self._file.writelines(texts)
 
     def read(self, learner, exercise):
         """(source, checks) of an answer, both HTML; empty if its page could not be written."""
-        return [self._read(*place) for place in self._places.get((learner, exercise), ((0, 0), (0, 0)))]
-
-    def _read(self, start, length):
         from jinja2.utils import markupsafe  # see `report.prepare_templates`
 
+        start, *lengths = self._places.get((learner, exercise), (0, 0, 0))
         self._file.seek(start)
-        return markupsafe.Markup(self._file.read(length).decode("utf-8"))
+        return [markupsafe.Markup(self._file.read(length).decode("utf-8")) for length in lengths]
 
 
 def _coloured(source):

@@ -61,11 +61,7 @@ class _Document:
 
 
 def compare(learners, answer_keys, store):
-    """Compare all submissions that count.
-
-    Returns the SimilarGroups of each lesson, the most similar first, and the answers that equal the solution:
-    {answers digest: list of exercise ids}.
-    """
+    """(SimilarGroups, a lesson's most similar first; {digest of answers: ids that equal the solution})."""
     by_lesson, groups, copies = {}, [], {}
     for learner in learners:
         for lesson, digest in learner.digests.items():
@@ -160,10 +156,7 @@ def _versions(id, equal_answers):
 
 
 def report_copies(entries, learners, copies):
-    """Add a finding for each graded answer that equals the course's solution; practice has no points.
-
-    `entries` are the learners' parts of grades.json, in the order of `learners`; `copies` is from `compare`.
-    """
+    """Add a finding for each graded answer that equals the solution; `copies` is from `compare`."""
     text = "it equals the course's solution, whatever the names and numbers; it is public: a reason to ask"
     for entry, learner in zip(entries, learners, strict=True):
         for lesson in entry["lessons"]:

@@ -82,11 +82,7 @@ class SubmissionContent:
 
 
 def read_submission(data, catalog, reader, name=""):
-    """Read the bytes of a notebook with a NotebookReader and inspect them; the SubmissionContent.
-
-    `catalog` has the lessons that it can be: AnswerKeys for `grade`, a CheckFileCatalog for `check`. The
-    file's `name` may name the lesson.
-    """
+    """The SubmissionContent of a notebook; `catalog` are AnswerKeys, or for `check` a CheckFileCatalog."""
     notebook, reason = reader.read(data)
     if notebook is None:
         return SubmissionContent(lesson=lesson_by_name(name, catalog.lessons), reason=reason)

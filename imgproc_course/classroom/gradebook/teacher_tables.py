@@ -88,10 +88,7 @@ def read_extensions(path, answer_keys):
 
 
 def _by_learner(rows, names):
-    """Assign the rows of a table to learners, {name: rows}; TableError: nobody has a name.
-
-    `names` are {name or anonymous id: the learner's name, or None: this person's rows are left out}.
-    """
+    """{learner: rows} of a table; `names` {as written: learner, or None to leave out}; else TableError."""
     assigned, as_written = {}, {spreadsheet_text(name): name for name in names}
     for row in rows:
         # As grades.csv writes it: an apostrophe keeps a spreadsheet from taking a name for a formula.
