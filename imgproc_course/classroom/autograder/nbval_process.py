@@ -121,11 +121,8 @@ class NbvalProcess:
             command += ["-p", plugin]
         inherited = ("PATH", "LANG", "HOME")
         environment = {name: os.environ[name] for name in inherited if name in os.environ}
-        environment |= {
-            "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
-            "OPENBLAS_NUM_THREADS": "1",
-            "TMPDIR": str(folder),
-        }
+        environment |= {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "OPENBLAS_NUM_THREADS": "1"}
+        environment["TMPDIR"] = str(folder)
         return subprocess.Popen(
             [*command, "--nbval", str(folder / "work")],
             cwd=folder,

@@ -60,9 +60,8 @@ def _grade_all(submissions, key, options, workers, executor):
         queue = stack.enter_context(contextlib.closing(_Queue(executor, options)))
         submissions = iter(submissions)
         while True:
-            for name, lesson, answers in itertools.islice(
-                submissions, workers * _QUEUE_PER_WORKER - len(queue.waiting)
-            ):
+            room = workers * _QUEUE_PER_WORKER - len(queue.waiting)
+            for name, lesson, answers in itertools.islice(submissions, room):
                 key_of_submission = key if isinstance(key, Key) else key[name]
                 if lesson not in key_of_submission.lessons:
                     names = ", ".join(key_of_submission.lessons)
@@ -173,10 +172,8 @@ def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
         except nbval_process.NbvalProcessKilled as error:
             kills += 1
             result = _not_graded(key, *submission, f"the nbval process was killed {kills} times: {error}")
-        except (
-            nbval_process.NbvalProcessEnded
-        ) as error:  # an earlier submission must not cost this one anything
-            attempts += 1
+        except nbval_process.NbvalProcessEnded as error:
+            attempts += 1  # an earlier submission must not cost this one anything
             result = _not_graded(key, *submission, f"the nbval process ended: {error}")
         else:
             if not result.has_fault:

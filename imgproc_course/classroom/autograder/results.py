@@ -117,11 +117,7 @@ class GradedSubmission:
 
     def exercises_with(self, outcome):
         """The ids of the exercises of which at least one case has that outcome."""
-        return {
-            exercise.id
-            for exercise in self.exercises
-            if any(case.outcome == outcome for case in exercise.cases)
-        }
+        return {one.id for one in self.exercises if any(case.outcome == outcome for case in one.cases)}
 
 
 # ---------------------------------------------------------------- JSON

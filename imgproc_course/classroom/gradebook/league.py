@@ -32,12 +32,11 @@ from imgproc_course.classroom.gradebook.report import count_of, render_page
 from imgproc_course.classroom.gradebook.result_store import open_grades_folder, write_grades_file
 
 BASELINE = "baseline"
-_COLOURS = ("amber", "black", "blue", "brown", "copper", "coral", "cyan", "golden")
-_COLOURS += ("green", "grey", "olive", "orange", "purple", "red", "silver", "white")
-_ANIMALS = ("badger", "bear", "beaver", "cat", "crane", "deer", "eagle", "falcon")
-_ANIMALS += ("fox", "goat", "hare", "heron", "lion", "lynx", "mole", "moose")
-_ANIMALS += ("newt", "otter", "owl", "panda", "pike", "puma", "raven", "robin")
-_ANIMALS += ("salmon", "seal", "sloth", "stork", "swan", "tiger", "toad", "wolf")
+_COLOURS = "amber black blue brown copper coral cyan golden green grey olive orange purple red silver white"
+_ANIMALS = (
+    "badger bear beaver cat crane deer eagle falcon fox goat hare heron lion lynx mole moose newt otter"
+)
+_ANIMALS += " owl panda pike puma raven robin salmon seal sloth stork swan tiger toad wolf"
 _COLUMNS = ("rank", "alias", "name", "score", "coverage", "markers", "words", "bumps", "scores", "note")
 _SUMS = ("markers", "word", "bumps")
 
@@ -86,11 +85,6 @@ class Controller:
         notes = [f"{count_of(count, 'room')} without points: {label}" for count, label in ends]
         silent = sum(bool(drive.values) and not drive.told for drive in self.explorations)
         return notes + ([f'nothing in memory["found"] in {count_of(silent, "room")}'] if silent else [])
-
-    @property
-    def messages(self):
-        """What went wrong in each room, with texts of the learner's."""
-        return list(dict.fromkeys(drive.message for drive in self.explorations if drive.message))
 
 
 def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, **options):
@@ -187,7 +181,7 @@ def name_all(controllers, seed, *, with_names=False):
 
 def _alias(name, seed):
     number = _secret_number(seed, f"alias of {name}")
-    return f"{_COLOURS[number % 16]} {_ANIMALS[number // 16 % 32]}"
+    return f"{_COLOURS.split()[number % 16]} {_ANIMALS.split()[number // 16 % 32]}"
 
 
 def scenarios_of(seed, rooms):
@@ -267,4 +261,5 @@ def league_csv(ranked, excluded):
 
 def _row(entry):
     figures = [entry.score, round(entry.coverage, 3), *entry.sums.values(), " ".join(map(str, entry.scores))]
-    return [entry.rank, entry.alias, entry.name, *figures, "; ".join([*entry.notes, *entry.messages])]
+    messages = dict.fromkeys(drive.message for drive in entry.explorations if drive.message)
+    return [entry.rank, entry.alias, entry.name, *figures, "; ".join([*entry.notes, *messages])]

@@ -70,9 +70,8 @@ def _reviews(learners):
                 id = exercise["id"]
                 about = {"path": f"{FOLDER}/{id}.html", "lesson": lesson, "title": exercise["title"]}
                 reviews.setdefault(id, about | {"id": id})
-                line = csv_text(
-                    [map(spreadsheet_text, (learner["name"], lesson["lesson"], id))], lineterminator=""
-                )
+                cells = (learner["name"], lesson["lesson"], id)
+                line = csv_text([map(spreadsheet_text, cells)], lineterminator="")
                 answer = {"learner": learner, "lesson": lesson, "exercise": exercise, "line": line}
                 answers = ways.setdefault(id, {}).setdefault(_way(exercise), [])
                 answers.append(answer | {"anchor": anchor_of(learner)})

@@ -7,7 +7,7 @@ shows their common answers once. Similarity is a reason to look, never a verdict
 """
 
 import json
-from collections import Counter
+from collections import Counter, namedtuple
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
@@ -28,13 +28,8 @@ _SECONDS = 5  # of processor time, for the fingerprints of one submission
 _LONGEST_LINE = 20_000  # characters that a page shows
 
 
-@dataclass(frozen=True)
-class Version:
-    """One of the ways in which an exercise is answered in a group; others have these lines, too."""
-
-    learners: tuple
-    source: str
-    lines: frozenset
+# One of the ways in which an exercise is answered in a group; others have these lines, too.
+Version = namedtuple("Version", ("learners", "source", "lines"))
 
 
 @dataclass(frozen=True)
