@@ -198,9 +198,6 @@ def _content(folder, id, _digest):
     return ExerciseContent(notebook, inputs, mistakes, expected)
 
 
-# ---------------------------------------------------------------- reading
-
-
 @contextlib.contextmanager
 def reading(path):
     """What fails inside means that this file of a key cannot be read: KeyFolderError says so."""
@@ -272,9 +269,6 @@ def _read_checked(path):
                     " make the key again"
                 )
     return data
-
-
-# ---------------------------------------------------------------- known mistakes
 
 
 def known_mistake(exercise, content, calls):

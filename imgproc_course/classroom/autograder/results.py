@@ -120,9 +120,6 @@ class GradedSubmission:
         return {one.id for one in self.exercises if any(case.outcome == outcome for case in one.cases)}
 
 
-# ---------------------------------------------------------------- JSON
-
-
 def to_json(result):
     """A GradedSubmission, or a part of one, as data for json.dumps."""
     # dataclasses.asdict would copy every value too, which takes much longer; msgspec keeps tuples.
@@ -139,9 +136,6 @@ def from_json(data):
     if to_json(result) != data:  # msgspec ignores unknown names
         raise ValueError("this is no result of grading")
     return result
-
-
-# ---------------------------------------------------------------- from a run to its result
 
 
 def ungraded_exercise(exercise, outcome, message):

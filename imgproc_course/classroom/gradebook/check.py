@@ -146,9 +146,6 @@ def _read(path):
         raise LessonFileError(f"{path}: {reason}") from error
 
 
-# ---------------------------------------------------------------- running the answers
-
-
 def run_answers(lesson_check):
     """Run each answer against its public checks, in a namespace of its own as in grading; sets `result`."""
     lesson_check.was_run = True
@@ -183,9 +180,6 @@ async def _run_answer(entry):
         text = " ".join(filter(None, [explanation, advice]))
         count = f"{len(failed)} of {len(result.results)} checks fail"
         entry.notes.append(f"{count}: {failed[0].case.title}: {text}")
-
-
-# ---------------------------------------------------------------- the report
 
 
 def report_lines(lesson_check):

@@ -120,9 +120,6 @@ def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, 
     ]
 
 
-# ---------------------------------------------------------------- controllers and rooms
-
-
 def read_controllers(folder, baseline=None):
     """The Controllers in a folder, and the baseline; one that cannot drive has a reason."""
     if not folder.is_dir():
@@ -197,9 +194,6 @@ def _secret_number(seed, about):
     return int.from_bytes(digest[:4]) >> 1
 
 
-# ---------------------------------------------------------------- drives
-
-
 def _drive_and_draw(controllers, scenarios, *, workers=None, unsafe=False, quiet=None):
     """The controllers in the order of their scores, with their explorations, ranks and images."""
     options = {"mp_context": get_context("spawn"), "initializer": explorations.start, "initargs": (unsafe,)}
@@ -247,9 +241,6 @@ def _draw_all(executor, controllers, scenarios):
             futures.append((controller, place, number, future))
     for controller, place, number, future in futures:
         setattr(controller, place, (number, *future.result()))
-
-
-# ---------------------------------------------------------------- what is written
 
 
 def league_csv(ranked, excluded):

@@ -48,9 +48,6 @@ def _is_canvas(table):
     return begins and "Section" in table.columns
 
 
-# ---------------------------------------------------------------- filling
-
-
 def fill_table(table, grades):
     """(A platform's table with our points, lines to print); TableError: no column belongs to a lesson."""
     columns = _lesson_columns(table, grades)

@@ -110,9 +110,6 @@ def _rendered(name, **content):
     return _environment().markup(_environment().get_template(name).render(**content))
 
 
-# ---------------------------------------------------------------- a learner's page
-
-
 def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, keep=None):
     """The page of one learner, HTML; `entry` is the learner's part of grades.json.
 

@@ -188,9 +188,6 @@ def _inspect_notebook(notebook, cells, lesson, content):
         content.add(f"it asks for the kernel {kernel!r}; grading uses its own", kind="odd")
 
 
-# ---------------------------------------------------------------- answers
-
-
 def _inspect_answer(exercise, answer, content):
     """Take an exercise's answer, add what is unusual about it, and return its AnswerState."""
     if answer is None:

@@ -183,9 +183,6 @@ def _quoted(text):
     return repr(sanitize_line(text, 60))
 
 
-# ---------------------------------------------------------------- deadlines
-
-
 def local_time_of(text):
     """The local time of 2026-12-01T23:59+01:00, of a date alone its last second; ValueError: it is none."""
     with contextlib.suppress(ValueError):
@@ -244,9 +241,6 @@ class Deadlines:
         """Whether a file is late: by its time, or as the platform says if there is no extension."""
         _, extended = self.due(learner, lesson)
         return self.days_late(learner, lesson, file) > 0 or (file.late and not extended)
-
-
-# ---------------------------------------------------------------- the rules together
 
 
 class TeacherRules:

@@ -131,9 +131,6 @@ def require_sandbox():
         )
 
 
-# ---------------------------------------------------------------- the command line
-
-
 def sandbox_command(confined):
     """The command line up to the interpreter and its options; without bubblewrap if not `confined`."""
     if not confined:
