@@ -241,10 +241,8 @@ def _load_one(path):
             raise KeyFolderError(f"{path}: there is no key; make one: imgproc-course key --out {path.name}")
         data = (path / "key.json").read_bytes()
         content = msgspec.json.decode(data)
-        if content["format"] != FORMAT:
-            raise KeyFolderError(
-                f"{path}: a key of format {content['format']}, expected {FORMAT}; make it again"
-            )
+        if (found := content["format"]) != FORMAT:
+            raise KeyFolderError(f"{path}: a key of format {found}, expected {FORMAT}; make it again")
         file = msgspec.convert(content, _KeyFile)
     digest = hashlib.sha256(data)
     for lesson in file.lessons:

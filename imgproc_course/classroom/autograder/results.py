@@ -360,10 +360,8 @@ def form_to_show(form, expected):
     if form is None or _size(form) <= max(_LARGEST_SHOWN, 3 * _size(expected)):
         return form
     if form["type"] == "ndarray":
-        raw = base64.b64decode(form["data"])
-        return {name: form[name] for name in ("type", "dtype", "shape")} | {
-            "digest": hashlib.sha256(raw).hexdigest()
-        }
+        digest = hashlib.sha256(base64.b64decode(form["data"])).hexdigest()
+        return {name: form[name] for name in ("type", "dtype", "shape")} | {"digest": digest}
     kind = form["type"]
     return {"type": kind, "too_large" if kind in ("tuple", "list", "dict") else "opaque": True}
 

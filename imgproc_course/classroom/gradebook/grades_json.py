@@ -19,9 +19,7 @@ from .teacher_tables import plain_number
 FORMAT = 4
 
 
-def grades_of(
-    entries, answer_keys, *, sandbox, deadlines, collection, roster=None, similar=(), anonymous=False
-):
+def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster, similar, anonymous):
     """The content of grades.json; `entries` are from `learner_entry`, `roster` from `roster_report`."""
     return {
         "format": FORMAT,
@@ -35,7 +33,7 @@ def grades_of(
         "ignored": collection.ignored,
         "intake": [asdict(finding) for finding in sorted(collection.findings)],
         "roster": roster,
-        "similar": list(similar),
+        "similar": similar,
     }
 
 

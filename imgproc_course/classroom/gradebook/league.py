@@ -33,10 +33,8 @@ from imgproc_course.classroom.gradebook.result_store import open_grades_folder, 
 
 BASELINE = "baseline"
 _COLOURS = "amber black blue brown copper coral cyan golden green grey olive orange purple red silver white"
-_ANIMALS = (
-    "badger bear beaver cat crane deer eagle falcon fox goat hare heron lion lynx mole moose newt otter"
-)
-_ANIMALS += " owl panda pike puma raven robin salmon seal sloth stork swan tiger toad wolf"
+_ANIMALS = "badger bear beaver cat crane deer eagle falcon fox goat hare heron lion lynx mole moose newt"
+_ANIMALS += " otter owl panda pike puma raven robin salmon seal sloth stork swan tiger toad wolf"
 _COLUMNS = ("rank", "alias", "name", "score", "coverage", "markers", "words", "bumps", "scores", "note")
 _SUMS = ("markers", "word", "bumps")
 
