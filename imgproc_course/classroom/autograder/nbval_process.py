@@ -182,7 +182,7 @@ class NbvalProcess:
             self._socket.shutdown(socket.SHUT_RDWR)
 
     def stop(self, patience=None):
-        """End it and its fork server, after `patience` seconds (None: 5 if it was ready); its exit code."""
+        """End it and its fork server; its exit code if it ended by itself within `patience` seconds."""
         code = 0
         if _processes.get(self._thread) is not self:  # it was stopped before
             return code

@@ -86,7 +86,7 @@ class LearnerPages:
 
 
 def write_grades(out, grades, learners, lessons, pages, groups, store):
-    """Write all but pages of learners and results; `learners` are in the order of grades["learners"]."""
+    """Write all but the results and the learners' pages; `learners` in the order of grades["learners"]."""
     before, text = read_grades(out / "grades.json"), grades_text(grades)
     changed = before is not None and grades_text(before) != text
     write_grades_file(out / "grades.json", text)

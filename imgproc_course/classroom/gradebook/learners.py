@@ -41,12 +41,12 @@ class Submission:
 
 @dataclass
 class Learner:
-    """A learner: {lesson: the Submission that counts}, {lesson: earlier ones, oldest first}, others."""
+    """A learner: {lesson: the Submission that counts}, {lesson: earlier ones, oldest first}, and others."""
 
     name: str
     submissions: dict = field(default_factory=dict)
     earlier: dict = field(default_factory=dict)
-    unidentified: list = field(default_factory=list)
+    unidentified: list = field(default_factory=list)  # of no known lesson
 
     @property
     def files(self):
