@@ -269,7 +269,7 @@ def check(notebooks, and_run):
 
 
 def _local_time(ctx, param, value):
-    from imgproc_course.classroom.gradebook.deadlines import local_time_of
+    from imgproc_course.classroom.gradebook.teacher_tables import local_time_of
 
     try:
         return value and local_time_of(value)

@@ -198,9 +198,6 @@ def _content(folder, id, _digest):
     return ExerciseContent(notebook, inputs, mistakes, expected)
 
 
-# ---------------------------------------------------------------- reading
-
-
 @contextlib.contextmanager
 def reading(path):
     """What fails inside means that this file of a key cannot be read: KeyFolderError says so."""
@@ -213,11 +210,7 @@ def reading(path):
 
 
 def load_key(path):
-    """Read the Key in a folder, the first one with its variants.
-
-    KeyFolderError: there is no key, one of its variants is missing, it has another format, or its check cells
-    were never run.
-    """
+    """Read the Key in a folder, with its variants; KeyFolderError: there is none that grading can use."""
     key, count = _load_one(Path(path).resolve())
     numbers = range(2, count + 1) if key.variant == 1 else ()
     return replace(key, others=tuple(_load_variant(key, number) for number in numbers))
@@ -248,10 +241,8 @@ def _load_one(path):
             raise KeyFolderError(f"{path}: there is no key; make one: imgproc-course key --out {path.name}")
         data = (path / "key.json").read_bytes()
         content = msgspec.json.decode(data)
-        if content["format"] != FORMAT:
-            raise KeyFolderError(
-                f"{path}: a key of format {content['format']}, expected {FORMAT}; make it again"
-            )
+        if (found := content["format"]) != FORMAT:
+            raise KeyFolderError(f"{path}: a key of format {found}, expected {FORMAT}; make it again")
         file = msgspec.convert(content, _KeyFile)
     digest = hashlib.sha256(data)
     for lesson in file.lessons:
@@ -263,10 +254,7 @@ def _load_one(path):
 
 
 def _read_checked(path):
-    """The bytes of an exercise's notebook; all its cells must have been run.
-
-    nbval never compares a cell without an execution count: such a key would let every answer pass.
-    """
+    """The bytes of an exercise's notebook, all of whose cells must have been run."""
     with reading(path):
         data = path.read_bytes()
         for cell in json.loads(data)["cells"]:
@@ -279,9 +267,6 @@ def _read_checked(path):
                     " make the key again"
                 )
     return data
-
-
-# ---------------------------------------------------------------- known mistakes
 
 
 def known_mistake(exercise, content, calls):

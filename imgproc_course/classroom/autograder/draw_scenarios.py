@@ -5,7 +5,7 @@ scenario stub and mistakes must fail, and so must what the solution drives in a 
 """
 
 import itertools
-from dataclasses import dataclass
+from collections import namedtuple
 
 from imgproc_course.classroom.autograder.drives import environment
 from imgproc_course.classroom.exercises.declaration import MasterError
@@ -17,13 +17,8 @@ MOST_DRAWS = 20  # of one case
 MARGIN = 0.2  # by which the solution keeps each threshold, as a share of it
 
 
-@dataclass(frozen=True)
-class DrawnScenario:
-    """A scenario that fits, the solution's record of it, and {mistake: CallResult of its drive}."""
-
-    scenario: dict
-    record: dict
-    mistakes: dict
+# A scenario that fits, the solution's record of it, and {mistake: CallResult of its drive}.
+DrawnScenario = namedtuple("DrawnScenario", ("scenario", "record", "mistakes"))
 
 
 def draw_scenario(exercise, case, seed, drive_solution, public=(), on_drive=lambda: None):

@@ -46,21 +46,18 @@ class GradedDrive:
         return struct.pack("<I", len(data)) + data
 
     def _act(self, action):
-        if "error" in action or "timed_out" in action:
-            self._stop(_call_of(action))
+        if "timed_out" in action:
+            self._ending = CallResult(timed_out=True)
+            self._drive.stop(f"one look took more than {LOOK_SECONDS:g} s of processor time")
+        elif "error" in action:
+            texts = {key: str(action.get(key, ""))[:_LONGEST] for key in ("error", "message", "line")}
+            self._ending = call = CallResult(**texts)
+            reason = ": ".join(filter(None, (call.error, call.message)))
+            self._drive.stop(f"{reason} ({call.line})" if call.line else reason)
         elif "refused" in action:
             self._drive.stop(str(action["refused"])[:_LONGEST])
         else:
             self._drive.act(action.get("speeds"))
-
-    def _stop(self, call):
-        self._ending = call
-        if call.timed_out:
-            reason = f"one look took more than {LOOK_SECONDS:g} s of processor time"
-        else:
-            reason = ": ".join(filter(None, (call.error, call.message)))
-            reason = f"{reason} ({call.line})" if call.line else reason
-        self._drive.stop(reason)
 
     def _observation(self):
         observation = self._drive.observation
@@ -69,10 +66,3 @@ class GradedDrive:
     def verdict(self):
         """The DriveVerdict on what the robot did until now."""
         return DriveVerdict(self._drive.record(), self._scenario, self._ending)
-
-
-def _call_of(action):
-    """What a controller's call did that ended a drive, as a CallResult, from a message."""
-    if "timed_out" in action:
-        return CallResult(timed_out=True)
-    return CallResult(**{key: str(action.get(key, ""))[:_LONGEST] for key in ("error", "message", "line")})

@@ -14,10 +14,7 @@ _LOOKED_AT = 64  # of a longer seed's digits
 
 
 def require_unguessable(seed):
-    """Raise KeyFolderError, one line with the remedy, for a seed that somebody could guess.
-
-    Only hexadecimal digits count, because nobody can tell how many bits are in a phrase.
-    """
+    """KeyFolderError for a seed that can be guessed; nobody can tell how many bits are in a phrase."""
     digits = seed.lower()[:_LOOKED_AT]
     if not re.fullmatch(rf"[0-9a-fA-F]{{{DIGITS},}}", seed) or digits.isdecimal() or _is_pattern(digits):
         raise KeyFolderError(

@@ -19,22 +19,10 @@ from ..exercises import running
 from ..exercises.atomic_write import write_folder
 from ..exercises.check_data import shared_fields
 from ..exercises.declaration import MasterError
-from ..exercises.drive import LOOK_SECONDS, looks_of
+from ..exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS, looks_of
 from ..exercises.input_encoding import decode, encode
+from . import answer_key
 from .answer_forms import read_answer
-from .answer_key import (
-    FORMAT,
-    HANDED_OUT,
-    MEAN_LOOK_SECONDS,
-    SOLUTIONS,
-    VARIANTS,
-    KeyCase,
-    KeyExercise,
-    KeyFolderError,
-    KeyLesson,
-    KeyMistake,
-    load_key,
-)
 from .draw_scenarios import draw_scenario, public_drives
 from .drives import CHECK, GradedDrive
 from .sandbox import bubblewrap
@@ -59,7 +47,7 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
     """
     out = Path(out)
     if out.exists() and not replace and (not out.is_dir() or any(out.iterdir())):
-        raise KeyFolderError(
+        raise answer_key.KeyFolderError(
             f"{out}: it exists already, and grades may depend on it: choose another folder, or use --replace"
         )
     if not unsafe:
@@ -67,21 +55,21 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
     masters = [read_master(path) for path in find_masters(masters_dir, names)]
     solutions = {exercise.id: exercise.solution for master in masters for exercise in master.exercises}
     files = {
-        HANDED_OUT: _dumps({master.name: master.handed_out for master in masters}),
-        SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
+        answer_key.HANDED_OUT: _dumps({master.name: master.handed_out for master in masters}),
+        answer_key.SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
     }
     drives = {}
     with KernelFactory(unsafe=unsafe) as kernel_factory:
         for number in range(1, variants + 1):
             about = _about_variant(seed, number, variants)
             variant_files = _variant_files(masters, _numpy_seed(seed, number), about, kernel_factory, drives)
-            prefix = f"{VARIANTS}/{number}/" if number > 1 else ""
+            prefix = f"{answer_key.VARIANTS}/{number}/" if number > 1 else ""
             files |= {f"{prefix}{name}": text for name, text in variant_files.items()}
     try:
         write_folder(out, files, permissions=0o700)
     except OSError as error:
-        raise KeyFolderError(f"{out}: cannot be written ({error})") from error
-    return load_key(out)
+        raise answer_key.KeyFolderError(f"{out}: cannot be written ({error})") from error
+    return answer_key.load_key(out)
 
 
 def _about_variant(seed, number, count):
@@ -106,7 +94,7 @@ def _variant_files(masters, numpy_seed, about, kernel_factory, drives):
         entries[exercise.id] = maker.entry()
         files |= {} if exercise.practice else maker.files()
     lessons = [_lesson_entry(master, entries) for master in masters]
-    return files | {"key.json": _dumps({"format": FORMAT, "lessons": lessons} | about)}
+    return files | {"key.json": _dumps({"format": answer_key.FORMAT, "lessons": lessons} | about)}
 
 
 def _dumps(content):
@@ -120,7 +108,7 @@ def _numpy_seed(seed, variant=1):
 
 
 def _lesson_entry(master, entries):
-    return shared_fields(master, KeyLesson) | {
+    return shared_fields(master, answer_key.KeyLesson) | {
         "version": version("imgproc-course"),
         "digest": hashlib.sha256(master.path.read_bytes()).hexdigest(),
         "exercises": [entries[exercise.id] for exercise in master.exercises],
@@ -177,9 +165,9 @@ class _ExerciseKeyMaker:
             "points": sum(case.points for case in self._cases),
             "arguments": tuple(running.argument_names(solution, exercise.subject)),
             "cases": tuple(map(self._key_case, self._cases)),
-            "mistakes": tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
+            "mistakes": tuple(answer_key.KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
         }
-        return asdict(KeyExercise(**shared_fields(exercise, KeyExercise) | own_fields))
+        return asdict(answer_key.KeyExercise(**shared_fields(exercise, answer_key.KeyExercise) | own_fields))
 
     def files(self):
         """{relative name: text} of a graded exercise's files."""
@@ -199,7 +187,7 @@ class _ExerciseKeyMaker:
     def _key_case(self, case):
         drawn = self._drawn.get(case.id)
         calls = looks_of(drawn.scenario) if drawn else len(self._inputs[case.id])
-        return KeyCase(**shared_fields(case, KeyCase) | {"calls": calls})
+        return answer_key.KeyCase(**shared_fields(case, answer_key.KeyCase) | {"calls": calls})
 
     def _encoded_inputs(self, case):
         exercise = self._exercise

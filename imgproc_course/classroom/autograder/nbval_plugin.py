@@ -157,10 +157,8 @@ class ExerciseRun:
         inputs = self._content.inputs[case.id]
         run.check = self._kernel.run_check(source, inputs, exercise.time_limit)
         if not run.ended:
-            expected = self._content.expected[case.id]
-            run.verdict = verdict_on(
-                run.check.answers, expected, case.tolerance, exact_type=exercise.exact_type
-            )
+            answers, expected = run.check.answers, self._content.expected[case.id]
+            run.verdict = verdict_on(answers, expected, case.tolerance, exact_type=exercise.exact_type)
 
     def _run_drive(self, run, case, source):
         """Drive through a case's scenario. What fails in the environment is raised: no answer causes it."""

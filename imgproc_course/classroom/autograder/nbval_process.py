@@ -63,10 +63,7 @@ def nbval_process_of_thread(unsafe, limits):
 
 
 def stop_nbval_processes(thread_prefix="", *, for_good=False):
-    """Stop this process's nbval processes, of threads with this prefix; the next submission starts others.
-
-    `for_good`: none starts in such a thread again.
-    """
+    """Stop the nbval processes of threads with this prefix; `for_good`: in these none starts again."""
     if for_good:
         _stopped.add(thread_prefix)
     processes = [process for name, process in list(_processes.items()) if name.startswith(thread_prefix)]
@@ -80,10 +77,7 @@ atexit.register(stop_nbval_processes)
 
 
 class NbvalProcess:
-    """One nbval process of a thread, and the socket to it.
-
-    Raises NbvalProcessKilled if it is killed while it starts, SandboxError if it does not start.
-    """
+    """A thread's nbval process, and the socket to it; NbvalProcessKilled, SandboxError: it does not start."""
 
     def __init__(self, unsafe, limits):
         self.options = (unsafe, limits)
@@ -127,11 +121,8 @@ class NbvalProcess:
             command += ["-p", plugin]
         inherited = ("PATH", "LANG", "HOME")
         environment = {name: os.environ[name] for name in inherited if name in os.environ}
-        environment |= {
-            "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
-            "OPENBLAS_NUM_THREADS": "1",
-            "TMPDIR": str(folder),
-        }
+        environment |= {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "OPENBLAS_NUM_THREADS": "1"}
+        environment["TMPDIR"] = str(folder)
         return subprocess.Popen(
             [*command, "--nbval", str(folder / "work")],
             cwd=folder,
@@ -191,10 +182,7 @@ class NbvalProcess:
             self._socket.shutdown(socket.SHUT_RDWR)
 
     def stop(self, patience=None):
-        """End the process, and with it its fork server; returns its exit code if it ended by itself.
-
-        It has so many seconds for that; None: five if it has graded or could have.
-        """
+        """End it and its fork server; its exit code if it ended by itself within `patience` seconds."""
         code = 0
         if _processes.get(self._thread) is not self:  # it was stopped before
             return code

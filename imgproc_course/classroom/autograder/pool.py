@@ -23,13 +23,8 @@ from concurrent.futures import Future, wait
 from dataclasses import replace
 from functools import lru_cache
 
+from . import nbval_process
 from .answer_key import Key, KeyFolderError, load_key
-from .nbval_process import (
-    NbvalProcessEnded,
-    NbvalProcessKilled,
-    NbvalProcessNotStarted,
-    nbval_process_of_thread,
-)
 from .outcomes import BUDGET_MESSAGE, Outcome
 from .results import GradedSubmission, from_json, reproducible_text, ungraded_exercise
 from .sandbox import bubblewrap
@@ -65,9 +60,8 @@ def _grade_all(submissions, key, options, workers, executor):
         queue = stack.enter_context(contextlib.closing(_Queue(executor, options)))
         submissions = iter(submissions)
         while True:
-            for name, lesson, answers in itertools.islice(
-                submissions, workers * _QUEUE_PER_WORKER - len(queue.waiting)
-            ):
+            room = workers * _QUEUE_PER_WORKER - len(queue.waiting)
+            for name, lesson, answers in itertools.islice(submissions, room):
                 key_of_submission = key if isinstance(key, Key) else key[name]
                 if lesson not in key_of_submission.lessons:
                     names = ", ".join(key_of_submission.lessons)
@@ -169,17 +163,17 @@ def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
     attempts = kills = 0
     while attempts < _ATTEMPTS and kills < _KILLS:
         try:
-            process = nbval_process_of_thread(unsafe, limits)
+            process = nbval_process.nbval_process_of_thread(unsafe, limits)
             result = from_json(process.grade(key, *submission))
-        except NbvalProcessNotStarted:
+        except nbval_process.NbvalProcessNotStarted:
             attempts += 1
             if attempts == _ATTEMPTS:
                 raise
-        except NbvalProcessKilled as error:
+        except nbval_process.NbvalProcessKilled as error:
             kills += 1
             result = _not_graded(key, *submission, f"the nbval process was killed {kills} times: {error}")
-        except NbvalProcessEnded as error:  # an earlier submission must not cost this one anything
-            attempts += 1
+        except nbval_process.NbvalProcessEnded as error:
+            attempts += 1  # an earlier submission must not cost this one anything
             result = _not_graded(key, *submission, f"the nbval process ended: {error}")
         else:
             if not result.has_fault:

@@ -117,14 +117,7 @@ class GradedSubmission:
 
     def exercises_with(self, outcome):
         """The ids of the exercises of which at least one case has that outcome."""
-        return {
-            exercise.id
-            for exercise in self.exercises
-            if any(case.outcome == outcome for case in exercise.cases)
-        }
-
-
-# ---------------------------------------------------------------- JSON
+        return {one.id for one in self.exercises if any(case.outcome == outcome for case in one.cases)}
 
 
 def to_json(result):
@@ -143,9 +136,6 @@ def from_json(data):
     if to_json(result) != data:  # msgspec ignores unknown names
         raise ValueError("this is no result of grading")
     return result
-
-
-# ---------------------------------------------------------------- from a run to its result
 
 
 def ungraded_exercise(exercise, outcome, message):
@@ -366,17 +356,12 @@ def _failed_call(content, case, verdict):
 
 
 def form_to_show(form, expected):
-    """A returned value as the page shows it: without the values of one much larger than what is expected.
-
-    All results of a learner are in memory while their page is written.
-    """
+    """A value as pages, which are in memory, show it: one much larger than expected has no values."""
     if form is None or _size(form) <= max(_LARGEST_SHOWN, 3 * _size(expected)):
         return form
     if form["type"] == "ndarray":
-        raw = base64.b64decode(form["data"])
-        return {name: form[name] for name in ("type", "dtype", "shape")} | {
-            "digest": hashlib.sha256(raw).hexdigest()
-        }
+        digest = hashlib.sha256(base64.b64decode(form["data"])).hexdigest()
+        return {name: form[name] for name in ("type", "dtype", "shape")} | {"digest": digest}
     kind = form["type"]
     return {"type": kind, "too_large" if kind in ("tuple", "list", "dict") else "opaque": True}
 

@@ -37,10 +37,7 @@ def sanitize_line(text, max_length=300):
 
 
 def spreadsheet_text(value):
-    """One line that no spreadsheet takes for a formula: an apostrophe precedes a line that looks like one.
-
-    A number is returned unchanged.
-    """
+    """One line that no spreadsheet takes for a formula, by an apostrophe before it; a number is unchanged."""
     if isinstance(value, (int, float)):
         return value
     line = without_formulas(sanitize_line(value, 2000))

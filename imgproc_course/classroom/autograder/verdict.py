@@ -61,10 +61,7 @@ class CaseRun:
 
 
 def verdict_on(payloads, expected, tolerance, *, exact_type=True):
-    """The Verdict on what a check cell showed, exactly one payload, against one canonical form per call.
-
-    The comparison is `exercises.compare`, so `check` in a lesson and the autograder agree.
-    """
+    """The Verdict on the one payload that a check cell showed, against a canonical form for each call."""
     calls = read_answer(payloads)
     if calls is None:
         return Verdict()

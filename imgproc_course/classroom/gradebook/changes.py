@@ -22,10 +22,7 @@ def read_grades(path):
 
 
 def changes_page(before, after, names):
-    """The teacher's page of what changed between two contents of grades.json, HTML.
-
-    `names` are {learner's name: the name to show}.
-    """
+    """The page of what changed between two runs, HTML; `names` are {learner's name: the name to show}."""
     rows, names = list(changes_between(before, after)), {"": "everybody"} | names
     for row in rows:
         row["learner"] = names.get(row["learner"], "(gone)")

@@ -31,10 +31,7 @@ class LessonFileError(ValueError):
 
 @dataclass
 class ExerciseCheck:
-    """One exercise of a checked lesson: its answer, or "", and notes for the learner, str.
-
-    `result` is what the public checks gave, None if they were not run.
-    """
+    """One exercise of a checked lesson; `result` is of the public checks, None if they were not run."""
 
     exercise: CheckData
     state: AnswerState
@@ -45,10 +42,7 @@ class ExerciseCheck:
 
 @dataclass
 class LessonCheck:
-    """A checked lesson, its content as grading reads it, and the ExerciseChecks in the lesson's order.
-
-    `was_run`: the answers were run against their public checks; `deeper` can be left out.
-    """
+    """A checked lesson; `was_run`: its answers were run; `deeper` exercises can be left out."""
 
     path: Path
     content: SubmissionContent
@@ -70,11 +64,7 @@ class LessonCheck:
 
 
 class CheckFileCatalog:
-    """The lessons that the checks files of some folders describe; the first folder that has one describes it.
-
-    lessons  {name: CheckFile}
-    damage   list of CheckFileError, of the files that cannot be read
-    """
+    """The `lessons` {name: CheckFile} of some folders, the first of each; `damage` are CheckFileErrors."""
 
     def __init__(self, folders):
         self.lessons, self.damage = {}, []
@@ -156,9 +146,6 @@ def _read(path):
         raise LessonFileError(f"{path}: {reason}") from error
 
 
-# ---------------------------------------------------------------- running the answers
-
-
 def run_answers(lesson_check):
     """Run each answer against its public checks, in a namespace of its own as in grading; sets `result`."""
     lesson_check.was_run = True
@@ -193,9 +180,6 @@ async def _run_answer(entry):
         text = " ".join(filter(None, [explanation, advice]))
         count = f"{len(failed)} of {len(result.results)} checks fail"
         entry.notes.append(f"{count}: {failed[0].case.title}: {text}")
-
-
-# ---------------------------------------------------------------- the report
 
 
 def report_lines(lesson_check):

@@ -84,10 +84,7 @@ class SubmittedFile(Sender):
 
 @dataclass(frozen=True, order=True)
 class IntakeFinding:
-    """Something unusual about what arrived, in one line.
-
-    Of the kind "sender": whose it is can be doubted; "date": when it came; "file": what was not read.
-    """
+    """Something unusual in one line, of the kind "sender" or "date" (in doubt), or "file" (not read)."""
 
     kind: str
     learner: str
@@ -96,10 +93,7 @@ class IntakeFinding:
 
 
 def collect(path, lessons=()):
-    """Find every submitted file in a folder, a zip or a notebook, as a Collection.
-
-    The names of lessons distinguish them from names of learners. CollectError: there is no submission.
-    """
+    """The Collection of a folder, a zip or a notebook; CollectError: there is no submission in it."""
     path = Path(path)
     if not path.exists():
         raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
@@ -277,10 +271,7 @@ class _Intake:
     # ------------------------------------------------------------ files
 
     def add_file(self, path, *, is_everything=False):
-        """Add a file; of a zip, add its members.
-
-        `is_everything`: the instructor gave this file instead of a folder, so a zip holds the whole class's.
-        """
+        """Add a file; of a zip its members, those of a class if it was given alone (`is_everything`)."""
         parts = (path.name,) if is_everything else self._parts(path)
         suffix, status = _suffix(path), None
         sender = self._sender_of(parts)

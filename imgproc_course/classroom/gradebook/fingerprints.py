@@ -79,10 +79,7 @@ def _parts(node):
 
 
 def shape_of(tokens):
-    """[digest, number of tokens, digest without the numbers in them].
-
-    The first is equal for answers that differ in names, comments and spacing only.
-    """
+    """[digest, number of tokens, digest without numbers]: the same whatever the names and comments."""
     texts = [token for token, _ in tokens]
     without_numbers = ["number" if text[:1].isdigit() else text for text in texts]
     return [_digest(texts), len(texts), _digest(without_numbers)]
@@ -105,11 +102,7 @@ def _digest(tokens):
 
 
 def fingerprints(answers):
-    """Of {exercise id: source}: what grading compares, as JSON can hold it.
-
-    shapes  {exercise id: shape_of its tokens}
-    prints  {fingerprint: [exercise id, first line, last line]}
-    """
+    """Of {id: source}: "shapes" {id: shape_of} and "prints" {fingerprint: [id, first line, last line]}."""
     shapes, prints = {}, {}
     for id, source in sorted(answers.items()):
         tokens = syntax_tokens(source)

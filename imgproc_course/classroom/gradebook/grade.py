@@ -3,8 +3,8 @@
 import contextlib
 import shutil
 import threading
+from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from pathlib import Path
 
 from ..autograder.pool import open_scheduler
@@ -29,13 +29,8 @@ _MOST_REPEATED = 3  # times that one learner submits one lesson
 _MAX_LINES = 12  # of a run's summary, before the last lines
 
 
-@dataclass(frozen=True)
-class GradingSummary:
-    """What to print after a run; how many submissions were not graded, and pages or tables not written."""
-
-    text: str
-    not_graded: int
-    failed_pages: int
+# What to print after a run; how many submissions were not graded, and pages or tables not written.
+GradingSummary = namedtuple("GradingSummary", ("text", "not_graded", "failed_pages"))
 
 
 def grade_submissions(

@@ -6,17 +6,16 @@ grades that differed last are in grades.previous.json.
 
 import shutil
 from functools import partial
+from itertools import chain
 from pathlib import Path
 
 from ..autograder.sanitize import sanitize_line
 from .anonymity import learner_without_name, without_names
 from .changes import PREVIOUS, changes_page, read_grades
-from .drives import drives_page
-from .feedback_zips import feedback_zips
 from .grades_json import grades_text, learner_entry
-from .lms_export import checks_csv, exports, grades_csv
+from .lms_export import checks_csv, exports, feedback_zips, grades_csv
 from .predictions import predictions_page
-from .report import learner_page
+from .report import label_of, learner_page, map_of, render_page
 from .result_store import write_grades_file
 from .review import FOLDER, AnswerParts, review_pages
 from .similarity import similarity_page
@@ -87,11 +86,7 @@ class LearnerPages:
 
 
 def write_grades(out, grades, learners, lessons, pages, groups, store):
-    """Write everything but the learners' pages and the results, which are in the ResultStore.
-
-    `learners` are in the order of grades["learners"]; `pages` are their LearnerPages, `groups` the
-    SimilarGroups.
-    """
+    """Write all but the results and the learners' pages; `learners` in the order of grades["learners"]."""
     before, text = read_grades(out / "grades.json"), grades_text(grades)
     changed = before is not None and grades_text(before) != text
     write_grades_file(out / "grades.json", text)
@@ -104,7 +99,7 @@ def write_grades(out, grades, learners, lessons, pages, groups, store):
         write_grades_file(out / PREVIOUS, grades_text(before))
         write_grades_file(out / "changes.html", changes_page(before, grades, names))
     _write_or_remove(out / "predictions.html", predictions_page(learners, lessons, names))
-    _write_or_remove(out / "drives.html", drives_page(learners, store, names))
+    _write_or_remove(out / "drives.html", _drives_page(learners, store, names))
     _write_or_remove(out / "similar.html", similarity_page(groups, names))
     _write_review(out, page_grades, pages.parts, {shown: name for name, shown in names.items()})
     files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
@@ -114,6 +109,20 @@ def write_grades(out, grades, learners, lessons, pages, groups, store):
         _remove_others(out / "exports", pattern, files)
     other_pages = {name: title for name, title in _OTHER_PAGES.items() if (out / name).exists()}
     write_grades_file(out / "summary.html", summary_page(page_grades, pages.failed, other_pages))
+
+
+def _drives_page(learners, store, names):
+    """The teacher's page of all drives, HTML, with a map of each, hidden or not; "" if nothing drove."""
+    drives = {}
+    for learner in learners:
+        for result in filter(None, map(store.result, learner.digests.values())):
+            for exercise in result.exercises:
+                for case in filter(lambda case: case.drive, exercise.cases):
+                    about = exercise.title, case.title, case.id
+                    drives.setdefault(about, []).append({"name": names[learner.name], "case": case})
+    for drive in chain.from_iterable(drives.values()):  # one scenario after another: its room is made once
+        drive |= {"label": label_of(drive["case"]), "map": map_of(drive["case"])}
+    return render_page("drives.html", views=drives) if drives else ""
 
 
 def _write_review(out, page_grades, parts, names):
@@ -126,10 +135,7 @@ def _write_review(out, page_grades, parts, names):
 
 
 def set_pages_aside(out):
-    """Move what an earlier run wrote to give back, so that nobody packs it as the result of this run.
-
-    Returns the folder that holds it now, or None if there was nothing.
-    """
+    """Move an earlier run's pages aside: nobody takes them for this run's; their new folder, or None."""
     aside = out / "last-run"
     folders = [out / name for name in _GIVEN_BACK if (out / name).is_dir()]
     for folder in folders:

@@ -19,14 +19,8 @@ from .teacher_tables import plain_number
 FORMAT = 4
 
 
-def grades_of(
-    entries, answer_keys, *, sandbox, deadlines, collection, roster=None, similar=(), anonymous=False
-):
-    """The content of grades.json, as grades.schema.json describes it.
-
-    `entries` are what `learner_entry` returns for each learner, `roster` is from `roster_report` or None;
-    `anonymous`: the pages are named after an id instead of the learner.
-    """
+def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster, similar, anonymous):
+    """The content of grades.json; `entries` are from `learner_entry`, `roster` from `roster_report`."""
     return {
         "format": FORMAT,
         "course": version("imgproc-course"),
@@ -39,7 +33,7 @@ def grades_of(
         "ignored": collection.ignored,
         "intake": [asdict(finding) for finding in sorted(collection.findings)],
         "roster": roster,
-        "similar": list(similar),
+        "similar": similar,
     }
 
 
@@ -147,10 +141,7 @@ def _decide(entry, decision):
 
 
 def _nothing_submitted(lesson, submissions):
-    """In place of the Submission of a lesson on which the teacher has decided without one.
-
-    The learner's other submissions know the platform.
-    """
+    """For a decision on a lesson not submitted; the learner's other submissions know the platform."""
     known = next((submission.file for submission in submissions), Sender(""))
     file = SubmittedFile(learner=known.learner, platform=known.platform, platform_id=known.platform_id)
     return Submission(file, "", SubmissionContent(lesson=lesson, reason="nothing was submitted"))

@@ -32,12 +32,9 @@ from imgproc_course.classroom.gradebook.report import count_of, render_page
 from imgproc_course.classroom.gradebook.result_store import open_grades_folder, write_grades_file
 
 BASELINE = "baseline"
-_COLOURS = ("amber", "black", "blue", "brown", "copper", "coral", "cyan", "golden")
-_COLOURS += ("green", "grey", "olive", "orange", "purple", "red", "silver", "white")
-_ANIMALS = ("badger", "bear", "beaver", "cat", "crane", "deer", "eagle", "falcon")
-_ANIMALS += ("fox", "goat", "hare", "heron", "lion", "lynx", "mole", "moose")
-_ANIMALS += ("newt", "otter", "owl", "panda", "pike", "puma", "raven", "robin")
-_ANIMALS += ("salmon", "seal", "sloth", "stork", "swan", "tiger", "toad", "wolf")
+_COLOURS = "amber black blue brown copper coral cyan golden green grey olive orange purple red silver white"
+_ANIMALS = "badger bear beaver cat crane deer eagle falcon fox goat hare heron lion lynx mole moose newt"
+_ANIMALS += " otter owl panda pike puma raven robin salmon seal sloth stork swan tiger toad wolf"
 _COLUMNS = ("rank", "alias", "name", "score", "coverage", "markers", "words", "bumps", "scores", "note")
 _SUMS = ("markers", "word", "bumps")
 
@@ -48,10 +45,7 @@ class LeagueError(ValueError):
 
 @dataclass
 class Controller:
-    """A learner's controller, why it does not drive, or an Exploration of each room.
-
-    Its best and worst are (number of a room, its map, its film or None).
-    """
+    """A learner's controller; `best` and `worst` are (number of a room, its map, its film or None)."""
 
     name: str
     source: str = ""
@@ -90,11 +84,6 @@ class Controller:
         silent = sum(bool(drive.values) and not drive.told for drive in self.explorations)
         return notes + ([f'nothing in memory["found"] in {count_of(silent, "room")}'] if silent else [])
 
-    @property
-    def messages(self):
-        """What went wrong in each room, with texts of the learner's."""
-        return list(dict.fromkeys(drive.message for drive in self.explorations if drive.message))
-
 
 def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, **options):
     """Let the controllers in a folder drive, and write the league's folder; returns lines to print.
@@ -127,9 +116,6 @@ def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, 
         f"{drove}; {count_of(len(excluded), 'other')} could not drive." if excluded else f"{drove}.",
         f"For the class: {out}/league.html   For you, with names: {out}/league.csv",
     ]
-
-
-# ---------------------------------------------------------------- controllers and rooms
 
 
 def read_controllers(folder, baseline=None):
@@ -190,7 +176,7 @@ def name_all(controllers, seed, *, with_names=False):
 
 def _alias(name, seed):
     number = _secret_number(seed, f"alias of {name}")
-    return f"{_COLOURS[number % 16]} {_ANIMALS[number // 16 % 32]}"
+    return f"{_COLOURS.split()[number % 16]} {_ANIMALS.split()[number // 16 % 32]}"
 
 
 def scenarios_of(seed, rooms):
@@ -204,9 +190,6 @@ def scenarios_of(seed, rooms):
 def _secret_number(seed, about):
     digest = hmac.digest(seed.encode(), about.encode("utf-8", "surrogateescape"), "sha256")
     return int.from_bytes(digest[:4]) >> 1
-
-
-# ---------------------------------------------------------------- drives
 
 
 def _drive_and_draw(controllers, scenarios, *, workers=None, unsafe=False, quiet=None):
@@ -258,9 +241,6 @@ def _draw_all(executor, controllers, scenarios):
         setattr(controller, place, (number, *future.result()))
 
 
-# ---------------------------------------------------------------- what is written
-
-
 def league_csv(ranked, excluded):
     """The table for the teacher: names beside aliases, and what went wrong."""
     rows = [_row(entry) for entry in ranked]
@@ -270,4 +250,5 @@ def league_csv(ranked, excluded):
 
 def _row(entry):
     figures = [entry.score, round(entry.coverage, 3), *entry.sums.values(), " ".join(map(str, entry.scores))]
-    return [entry.rank, entry.alias, entry.name, *figures, "; ".join([*entry.notes, *entry.messages])]
+    messages = dict.fromkeys(drive.message for drive in entry.explorations if drive.message)
+    return [entry.rank, entry.alias, entry.name, *figures, "; ".join([*entry.notes, *messages])]

@@ -24,17 +24,13 @@ _TOO_SLOW_TOGETHER = "reading the earlier notebooks of this submission took too 
 
 @dataclass
 class Submission:
-    """One submitted file, read; digests are "" if it could not be.
-
-    `file_digest` is the SHA-256 of its bytes, `answers_digest` stands for its answers and their key.
-    `has_answers`: it has more than stubs.
-    """
+    """A submitted file, read; digests of its bytes, and of its answers with their key; "" for none."""
 
     file: SubmittedFile
     file_digest: str
     content: SubmissionContent
     answers_digest: str = ""
-    has_answers: bool = False
+    has_answers: bool = False  # more than stubs
     key: Key | None = None
 
     @property
@@ -45,15 +41,12 @@ class Submission:
 
 @dataclass
 class Learner:
-    """A learner: {lesson: the Submission that counts}, {lesson: list of those that do not, oldest first}.
-
-    Of those that are unidentified the lesson is unknown.
-    """
+    """A learner: {lesson: the Submission that counts}, {lesson: earlier ones, oldest first}, and others."""
 
     name: str
     submissions: dict = field(default_factory=dict)
     earlier: dict = field(default_factory=dict)
-    unidentified: list = field(default_factory=list)
+    unidentified: list = field(default_factory=list)  # of no known lesson
 
     @property
     def files(self):
@@ -75,11 +68,7 @@ class Learner:
 
 
 def read_all(collection, answer_keys, store, *, quiet=None):
-    """Read every submitted file, assign it to its learner, and choose the submission that counts.
-
-    Returns a list of Learner, sorted by name; findings about senders are added to the collection. The store
-    keeps the answers until they are graded.
-    """
+    """The Learners of all files, by name; adds findings to the collection, and answers to the store."""
     submissions = []
     with NotebookReader(NOTEBOOK_SECONDS) as notebook_reader:
         reader = _SubmissionReader(answer_keys, store, notebook_reader)

@@ -1,4 +1,4 @@
-"""Tables of points: for a spreadsheet, and in the formats of Moodle, Canvas and nbgrader.
+"""What is exported: tables of points, for a spreadsheet, Moodle, Canvas and nbgrader, and pages as zips.
 
 grades.csv
     one row per learner and lesson: the final points, the autograder's, and what makes the difference; UTF-8
@@ -20,7 +20,16 @@ exports/nbgrader.csv
     the columns of `nbgrader export`: assignment, duedate, timestamp, student_id, last_name, first_name,
     email, raw_score, late_submission_penalty, score, max_score
 
-If none of these fits, fill the table that the platform exports (`grade --platform-table`).
+exports/moodle-feedback-<lesson>.zip
+    for "Upload multiple feedback files in a zip". Moodle reads the participant's number and the kind of file
+    from the folder's name, Ada Lovelace_12345_assignsubmission_file
+exports/canvas-feedback-<lesson>.zip
+    for "Re-Upload Submissions". Canvas reads the numbers of the learner and of the submitted file from the
+    file's name, lovelaceada_77_100_20_light.html, and attaches the page to the submission as a comment
+exports/feedback-<learner>.zip
+    of a learner who submitted through no platform: nobody else's page is in it
+
+If no table fits, fill the one that the platform exports (`grade --platform-table`).
 
 A platform has one maximum per assignment: if an exercise is excused, the others' points are scaled to it.
 
@@ -28,6 +37,9 @@ No cell begins like a formula: an apostrophe is put before one that would.
 """
 
 import csv
+import io
+import zipfile
+from pathlib import PurePosixPath
 
 from ..autograder.sanitize import spreadsheet_text
 from .csv_table import csv_text
@@ -97,10 +109,7 @@ def _decision_texts(lesson):
 
 
 def platform_points(lesson, excused=""):
-    """A lesson's points as a platform takes them, whose maximum does not change if an exercise is excused.
-
-    Of a lesson that is excused as a whole, `excused`.
-    """
+    """Points for a platform, whose maximum stays whatever is excused; `excused` if the whole lesson is."""
     decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
     left_out = [exercise for exercise in decided if exercise["decision"]["excused"]]
     if (lesson["decision"] and lesson["decision"]["excused"]) or (left_out and not lesson["max_points"]):
@@ -187,3 +196,37 @@ def _nbgrader(grades, lessons):
 def _text(columns, rows):
     rows = [columns, *([spreadsheet_text(value) for value in row] for row in rows)]
     return csv_text(rows, quoting=csv.QUOTE_NONNUMERIC)
+
+
+def feedback_zips(grades, read_page):
+    """{file name: bytes} of all zips; `read_page` gives the bytes of the page of a learner's entry."""
+    members, lessons = {}, lessons_of(grades)
+    for learner in grades["learners"]:
+        page = PurePosixPath(learner["page"])
+        if not any(lesson["platform"] for lesson in learner["lessons"]):
+            members[f"feedback-{page.stem}.zip"] = [(page.name, learner)]
+        for lesson in learner["lessons"]:
+            if lesson["platform"] and lesson["file"] and lesson["lesson"] in lessons:
+                archive = f"{lesson['platform']}-feedback-{lesson['lesson']}.zip"
+                members.setdefault(archive, []).append((_member(learner, lesson), learner))
+    return {archive: _zip(names, read_page) for archive, names in members.items()}
+
+
+def _member(learner, lesson):
+    if lesson["platform"] == "canvas":
+        # A learner's own folders and zips come after Canvas's name.
+        parts = PurePosixPath(lesson["file"]).parts
+        name = next((part for part in parts if f"_{lesson['platform_id']}_" in part), parts[-1])
+        return f"{name.removesuffix('.ipynb').removesuffix('.zip')}.html"
+    # Moodle splits the name at its underscores.
+    name = learner["name"].replace("_", " ").replace("/", " ")
+    return f"{name}_{lesson['platform_id']}_assignsubmission_file/feedback.html"
+
+
+def _zip(members, read_page):
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for name, learner in members:
+            # A ZipInfo has no date of today: the same pages give the same bytes.
+            archive.writestr(zipfile.ZipInfo(name), read_page(learner), zipfile.ZIP_DEFLATED)
+    return buffer.getvalue()

@@ -25,10 +25,7 @@ _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
 
 
 def read_tables(paths):
-    """Read tables that platforms exported, as a list of CsvTable.
-
-    TableError: one cannot be read, is no table of Canvas or Moodle, or has another one's name.
-    """
+    """The tables as CsvTables; TableError: one is none of Canvas or Moodle, or two have the same name."""
     paths = [Path(path) for path in paths]
     names = [path.name for path in paths]
     for path in paths:
@@ -51,14 +48,8 @@ def _is_canvas(table):
     return begins and "Section" in table.columns
 
 
-# ---------------------------------------------------------------- filling
-
-
 def fill_table(table, grades):
-    """The text of a platform's table with our points in it, and lines that report what was filled in.
-
-    TableError: no column belongs to a lesson.
-    """
+    """(A platform's table with our points, lines to print); TableError: no column belongs to a lesson."""
     columns = _lesson_columns(table, grades)
     rows, filled, without_row = [list(row) for _, row in table.rows], 0, _graded_lessons(grades)
     graded, excused = dict(without_row), EXCUSED if _is_canvas(table) else ""

@@ -15,10 +15,7 @@ _READER = Path(__file__).with_name("submission_reader.py")
 
 
 class NotebookReader(contextlib.AbstractContextManager):
-    """The process that reads notebooks. It starts when it is needed, and again if a notebook has ended it.
-
-    `seconds` of processor time are for one request, however busy the machine is; `memory` is in bytes.
-    """
+    """The process that reads notebooks; each request has `seconds` of processor time, `memory` bytes."""
 
     def __init__(self, seconds=SECONDS, memory=MEMORY):
         self._limits = [str(memory), str(seconds)]
@@ -31,11 +28,7 @@ class NotebookReader(contextlib.AbstractContextManager):
         return reply.get("notebook"), reply.get("reason", "")
 
     def compose(self, requests):
-        """Compose the sources by which answers in the last notebook are graded.
-
-        `requests` are the arguments of `cell_syntax.CellDefinitions.compose`. Returns a list of
-        [source, [[name, kind, number of the cell], ...]], or None if it takes too much time or memory.
-        """
+        """What `submission_reader.compose_answers` gives of the last notebook; None if it takes too much."""
         return (self._reply(b"compose", json.dumps(requests).encode("ascii")) or {}).get("answers")
 
     def fingerprints(self, answers):

@@ -13,10 +13,7 @@ _LONGEST = 200  # characters of a guess
 
 
 def predictions_page(learners, lessons, names):
-    """The teacher's page of all predictions, HTML; "" if nobody has predicted anything.
-
-    `names` are {learner's name: the name to show}.
-    """
+    """The page of all predictions, HTML, or ""; `names` are {learner's name: the name to show}."""
     views = []
     for name, lesson in sorted(lessons.items(), key=lambda item: (item[1].number, item[0])):
         questions = _questions(learners, name, names)

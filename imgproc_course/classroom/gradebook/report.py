@@ -8,7 +8,7 @@ are made visible before.
 
 import base64
 import hashlib
-from dataclasses import dataclass
+from collections import namedtuple
 from functools import lru_cache
 from pathlib import Path
 
@@ -108,9 +108,6 @@ def _own_code(name):
 def _rendered(name, **content):
     """A part of a page, for another template."""
     return _environment().markup(_environment().get_template(name).render(**content))
-
-
-# ---------------------------------------------------------------- a learner's page
 
 
 def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, keep=None):
@@ -270,13 +267,8 @@ def _values_view(case, key_exercise):
     return {"values": rows, "images": images, "printed": call.printed.strip()}
 
 
-@dataclass(frozen=True)
-class Value:
-    """A value in a report: its label, its description, and for a small array rows of (text, differs)."""
-
-    label: str
-    description: str
-    rows: tuple = ()
+# A value in a report; `rows` are those of a small array, of (text, differs).
+Value = namedtuple("Value", ("label", "description", "rows"), defaults=((),))
 
 
 def value_of(label, form, wrong=None):

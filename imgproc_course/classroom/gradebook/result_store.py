@@ -24,10 +24,7 @@ class GradesFolderError(ValueError):
 
 
 def write_grades_file(path, data):
-    """Write a file that only its owner can read, whole: a reader finds the old file or the new one.
-
-    GradesFolderError: the disk is full or read-only.
-    """
+    """Write a file for its owner alone, whole, over the old one; GradesFolderError: it cannot be written."""
     try:
         write_file(path, data, permissions=0o600)
     except OSError as error:
@@ -36,11 +33,7 @@ def write_grades_file(path, data):
 
 @contextlib.contextmanager
 def open_grades_folder(folder):
-    """Make a folder that only its owner can open, and lock it; a context manager.
-
-    Unfinished files that a killed run left in it are removed. GradesFolderError: it cannot be made, or
-    another run is writing into it.
-    """
+    """Make a folder for its owner, lock it, remove unfinished files; GradesFolderError: it is in use."""
     with contextlib.ExitStack() as stack:
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -58,10 +51,7 @@ def open_grades_folder(folder):
 
 
 class ResultStore:
-    """Answers and their results in a folder, by a digest of answers, key and options.
-
-    `options` is what a result depends on besides key and answers: the sandbox and the like.
-    """
+    """Answers and results in a folder, by a digest of answers, key, and `options` such as the sandbox."""
 
     def __init__(self, folder, options):
         self._folder = Path(folder)
@@ -82,10 +72,7 @@ class ResultStore:
         return json.loads((self._folder / f"{digest}.answers.json").read_text(encoding="utf-8"))
 
     def keep_result(self, digest, result):
-        """Store a GradedSubmission. One that could not be graded is kept for this run: the next tries again.
-
-        The autograder's failure may be gone by then.
-        """
+        """Store a GradedSubmission; one not graded is kept for this run alone: the next tries again."""
         if result.exercises_with(Outcome.NOT_GRADED):
             self._not_graded[digest] = result
             return
@@ -138,11 +125,7 @@ def _digests(learners, name=None, lesson=None):
 
 
 def grade_missing(learners, answer_keys, store, again, *, quiet, on_result, **options):
-    """Grade what has no result yet, equal answers once; returns how many submissions were graded now.
-
-    `again` is from `answers_to_regrade`; `on_result` is called with the digest of each result; `options` are
-    those of `autograde`.
-    """
+    """Grade what has no result, and `again`, equal answers once; how many submissions were graded now."""
     digests = _digests(learners)
     stored = {digest: store.result(digest) for digest in digests}
     missing = [digest for digest in digests if digest in again or stored[digest] is None]

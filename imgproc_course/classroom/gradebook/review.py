@@ -6,7 +6,6 @@ follow each other. What is typed there becomes lines for decisions.csv, to copy,
 
 import re
 import tempfile
-from dataclasses import dataclass, field
 
 from ..autograder.outcomes import TEXTS, Outcome
 from ..autograder.sanitize import sanitize_text, spreadsheet_text
@@ -26,21 +25,17 @@ class AnswerParts:
 
     def keep(self, learner, exercise, answer, body):
         """Keep the source of an answer, and its checks as HTML."""
-        self._places[learner, exercise] = []
-        for text in (_coloured(answer), body):
-            data = text.encode("utf-8")
-            self._places[learner, exercise].append((self._file.seek(0, 2), len(data)))
-            self._file.write(data)
+        texts = [text.encode("utf-8") for text in (_coloured(answer), body)]
+        self._places[learner, exercise] = self._file.seek(0, 2), *map(len, texts)
+        self._file.writelines(texts)
 
     def read(self, learner, exercise):
         """(source, checks) of an answer, both HTML; empty if its page could not be written."""
-        return [self._read(*place) for place in self._places.get((learner, exercise), ((0, 0), (0, 0)))]
-
-    def _read(self, start, length):
         from jinja2.utils import markupsafe  # see `report.prepare_templates`
 
+        start, *lengths = self._places.get((learner, exercise), (0, 0, 0))
         self._file.seek(start)
-        return markupsafe.Markup(self._file.read(length).decode("utf-8"))
+        return [markupsafe.Markup(self._file.read(length).decode("utf-8")) for length in lengths]
 
 
 def _coloured(source):
@@ -56,50 +51,34 @@ def _coloured(source):
     return highlight(text, PythonLexer(stripnl=False), HtmlFormatter(nowrap=True))
 
 
-@dataclass
-class _Review:
-    """The answers to one exercise: {how they end, in words: answers}."""
-
-    lesson: dict
-    exercise: dict
-    ways: dict = field(default_factory=dict)
-
-    @property
-    def groups(self):
-        """[(words, answers)]: first those who lost points alike, the most frequent way first."""
-        return sorted(self.ways.items(), key=lambda item: (item[0] == (), -len(item[1]), item[0]))
-
-
 def review_pages(grades, parts, names):
-    """Yields (path below the folder of grades, HTML) of the pages; `parts` are the AnswerParts.
-
-    `grades` are those to show, and `names` {name to show: the learner's name}.
-    """
+    """Yields (path, HTML) of each page; `parts` are AnswerParts, `names` {shown name: the learner's}."""
     reviews = _reviews(grades["learners"])
-    about = [
-        {"path": f"{FOLDER}/{id}.html", "id": id, "lesson": one.lesson, "title": one.exercise["title"]}
-        | {"groups": one.groups, "count": sum(map(len, one.ways.values()))}
-        for id, one in reviews.items()
-    ]
-    if about:
-        yield "review.html", render_page("review.html", reviews=about)
-    for place, one in enumerate(about):
-        neighbours = about[place - 1] if place else None, about[place + 1] if about[place + 1 :] else None
-        content = {"review": one, "around": neighbours, "parts": parts, "names": names}
+    if reviews:
+        yield "review.html", render_page("review.html", reviews=reviews)
+    for one, *around in zip(reviews, [None, *reviews], [*reviews[1:], None], strict=False):
+        content = {"review": one, "around": around, "parts": parts, "names": names}
         yield one["path"], render_page("answers.html", script="review.js", **content)
 
 
 def _reviews(learners):
-    reviews = {}
+    """The answers to each exercise: in `groups` first those who lost points alike, the most frequent way."""
+    reviews, ways = {}, {}
     for learner in learners:
         for lesson in learner["lessons"]:
             for exercise in lesson["exercises"]:
-                review = reviews.setdefault(exercise["id"], _Review(lesson, exercise))
-                cells = (learner["name"], lesson["lesson"], exercise["id"])
-                answer = {"learner": learner, "lesson": lesson, "exercise": exercise}
-                answer["line"] = csv_text([map(spreadsheet_text, cells)], lineterminator="")
-                review.ways.setdefault(_way(exercise), []).append(answer | {"anchor": anchor_of(learner)})
-    return reviews
+                id = exercise["id"]
+                about = {"path": f"{FOLDER}/{id}.html", "lesson": lesson, "title": exercise["title"]}
+                reviews.setdefault(id, about | {"id": id})
+                cells = (learner["name"], lesson["lesson"], id)
+                line = csv_text([map(spreadsheet_text, cells)], lineterminator="")
+                answer = {"learner": learner, "lesson": lesson, "exercise": exercise, "line": line}
+                answers = ways.setdefault(id, {}).setdefault(_way(exercise), [])
+                answers.append(answer | {"anchor": anchor_of(learner)})
+    for id, review in reviews.items():
+        review["groups"] = sorted(ways[id].items(), key=lambda item: (item[0] == (), -len(item[1]), item[0]))
+        review["count"] = sum(map(len, ways[id].values()))
+    return list(reviews.values())
 
 
 def _way(exercise):

@@ -28,10 +28,7 @@ _NO_PEOPLE = ("", "student, test", "points possible")
 
 @dataclass(frozen=True)
 class RosterEntry:
-    """One row: the `name` to show, all `names` by which a submission can arrive, the platform's `number`.
-
-    `number` is (platform, digits), or None.
-    """
+    """One row: the `name` to show, all `names` of submissions, and `number`, (platform, digits) or None."""
 
     name: str
     names: tuple
@@ -135,10 +132,7 @@ def _certainty(entry, learner):
 
 
 def names_in_roster(roster, learners):
-    """Whom the names of a roster mean, for the teacher's tables, without names of two people.
-
-    {name: the learner's name, or None if this person submitted nothing}
-    """
+    """{a name that one person of a roster has: the learner's name, None if they submitted nothing}."""
     names, count = {}, Counter(name for entry in roster for name in {entry.name, *entry.names})
     for entry, senders in _people(roster, learners).items():
         # Of two with nearly one name, the platform's number decides, then the exact name.

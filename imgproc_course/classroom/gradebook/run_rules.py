@@ -49,15 +49,14 @@ class RunRules:
 
     def keep(self):
         """Write the rules into the folder of grades."""
-        values = {name: _plain(name, value) for name, value in self.rules.items() if value}
-        write_grades_file(self._path, json.dumps(values, indent=1))
+        values = {name: value for name, value in self.rules.items() if value}
+        write_grades_file(self._path, json.dumps(values, indent=1, default=_plain))
 
 
 def _read(path):
     try:
         rules = json.loads(path.read_text(encoding="utf-8"))
-        moments = {"deadline": datetime.fromisoformat(rules["deadline"])} if "deadline" in rules else {}
-        return {name: _value(name, rules[name]) for name in _TITLES if name in rules} | moments
+        return {name: _value(name, rules[name]) for name in _TITLES if name in rules}
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, TypeError) as error:
@@ -65,17 +64,15 @@ def _read(path):
 
 
 def _value(name, value):
-    if name in _PATHS:
-        return [Path(path) for path in value] if name == "keys" else Path(value)
-    return value
-
-
-def _plain(name, value):
     if name == "keys":
-        return [str(Path(key).resolve()) for key in value]
-    if name in _PATHS:
-        return str(Path(value).resolve())
-    return value.isoformat() if name == "deadline" else value
+        return [Path(path) for path in value]
+    if name == "deadline":
+        return datetime.fromisoformat(value)
+    return Path(value) if name in _PATHS else value
+
+
+def _plain(value):
+    return str(value.resolve()) if isinstance(value, Path) else value.isoformat()
 
 
 def _usable(name, value):

@@ -55,10 +55,7 @@ class Sender:
 
 
 def sender_of(parts, lessons, numbered=frozenset()):
-    """The Sender of the file whose path has these parts; `numbered` is what `numbered_learners` found.
-
-    Folders with a lesson's name are ignored.
-    """
+    """The Sender of a file by its path, without lessons; `numbered` is what `numbered_learners` found."""
     parts = (*parts[:-1], notebook_name(parts[-1]))
     folders = (part in numbered or not is_lesson(part, lessons) for part in parts[:-1])
     depth = next((depth for depth, names_somebody in enumerate(folders) if names_somebody), len(parts) - 1)

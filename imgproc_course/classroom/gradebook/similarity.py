@@ -7,7 +7,7 @@ shows their common answers once. Similarity is a reason to look, never a verdict
 """
 
 import json
-from collections import Counter
+from collections import Counter, namedtuple
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
@@ -28,13 +28,8 @@ _SECONDS = 5  # of processor time, for the fingerprints of one submission
 _LONGEST_LINE = 20_000  # characters that a page shows
 
 
-@dataclass(frozen=True)
-class Version:
-    """One of the ways in which an exercise is answered in a group; others have these lines, too."""
-
-    learners: tuple
-    source: str
-    lines: frozenset
+# One of the ways in which an exercise is answered in a group; others have these lines, too.
+Version = namedtuple("Version", ("learners", "source", "lines"))
 
 
 @dataclass(frozen=True)
@@ -61,11 +56,7 @@ class _Document:
 
 
 def compare(learners, answer_keys, store):
-    """Compare all submissions that count.
-
-    Returns the SimilarGroups of each lesson, the most similar first, and the answers that equal the solution:
-    {answers digest: list of exercise ids}.
-    """
+    """(SimilarGroups, a lesson's most similar first; {digest of answers: ids that equal the solution})."""
     by_lesson, groups, copies = {}, [], {}
     for learner in learners:
         for lesson, digest in learner.digests.items():
@@ -160,10 +151,7 @@ def _versions(id, equal_answers):
 
 
 def report_copies(entries, learners, copies):
-    """Add a finding for each graded answer that equals the course's solution; practice has no points.
-
-    `entries` are the learners' parts of grades.json, in the order of `learners`; `copies` is from `compare`.
-    """
+    """Add a finding for each graded answer that equals the solution; `copies` is from `compare`."""
     text = "it equals the course's solution, whatever the names and numbers; it is public: a reason to ask"
     for entry, learner in zip(entries, learners, strict=True):
         for lesson in entry["lessons"]:
@@ -183,10 +171,7 @@ def similar_entries(groups):
 
 
 def similarity_page(groups, names):
-    """The teacher's page of similar submissions, the versions of an answer side by side; HTML, or "".
-
-    `names` are {learner's name: the name to show}.
-    """
+    """The page of similar submissions, HTML, or ""; `names` are {learner's name: the name to show}."""
     content = {"groups": groups, "names": names, "marked": _marked, "most": MOST_VERSIONS}
     return render_page("similar.html", **content) if groups else ""
 

@@ -82,11 +82,7 @@ class SubmissionContent:
 
 
 def read_submission(data, catalog, reader, name=""):
-    """Read the bytes of a notebook with a NotebookReader and inspect them; the SubmissionContent.
-
-    `catalog` has the lessons that it can be: AnswerKeys for `grade`, a CheckFileCatalog for `check`. The
-    file's `name` may name the lesson.
-    """
+    """The SubmissionContent of a notebook; `catalog` are AnswerKeys, or for `check` a CheckFileCatalog."""
     notebook, reason = reader.read(data)
     if notebook is None:
         return SubmissionContent(lesson=lesson_by_name(name, catalog.lessons), reason=reason)
@@ -157,10 +153,7 @@ def _signs_of_lessons(cells, catalog):
 
 
 def _recognize_unmarked(named, functions, content):
-    """The lesson of a notebook without any mark: by the file's name first, then by its functions.
-
-    `functions` are {lesson: its functions that the notebook defines}.
-    """
+    """The lesson of a notebook without marks, by its name, then by {lesson: its functions in it}."""
     by_functions = _most(functions)
     if named is None and by_functions:
         listed = _listed(functions[by_functions])
@@ -193,9 +186,6 @@ def _inspect_notebook(notebook, cells, lesson, content):
     if notebook["kernel"] not in (None, "python3"):
         kernel = sanitize_line(notebook["kernel"], 60)
         content.add(f"it asks for the kernel {kernel!r}; grading uses its own", kind="odd")
-
-
-# ---------------------------------------------------------------- answers
 
 
 def _inspect_answer(exercise, answer, content):

@@ -253,10 +253,7 @@ def _output_text(cell):
 
 
 def compose_answers(cells, requests):
-    """The sources by which answers are graded: [[source, [[name, kind, number of the cell], ...]], ...].
-
-    `requests` is a list of the arguments of `cell_syntax.CellDefinitions.compose`.
-    """
+    """The sources that are graded: [[source, [[name, kind, number of the cell], ...]], ...]."""
     definitions = cell_syntax.CellDefinitions([_source_to_search(cell) for cell in cells])
     answers = []
     for request in requests:

@@ -24,10 +24,7 @@ _LIST_OF |= {Outcome.HOSTILE: "dishonest", Outcome.CRASHED: "dishonest", Outcome
 
 
 def summary_page(grades, failed_pages=(), other_pages=()):
-    """The teacher's page, HTML.
-
-    `failed_pages` are {learner's name: why their page lacks its details}, `other_pages` {file name: title}.
-    """
+    """The teacher's page, HTML; `failed_pages` are {name: why}, `other_pages` {file name: title}."""
     submissions = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
     submitted = {lesson["lesson"] for lesson in submissions}
     graded = [lesson for lesson in submissions if lesson["status"] == "graded"]
@@ -79,10 +76,7 @@ def _lessons_to_look_at(learner):
 
 
 def _concerns(learner, lesson, own_modules):
-    """(list, dict for the page) of a submission's concerns: the texts, and a line to copy.
-
-    What cost nothing is one entry for each submission.
-    """
+    """(list, what the page shows of a concern); what cost nothing is one entry for each submission."""
     grouped = {}
     for rule in _RULES:
         for name, exercise, text in rule(lesson, own_modules):

@@ -18,7 +18,7 @@ from imgproc_course.classroom.autograder import worker_threads
 from imgproc_course.classroom.autograder.answer_key import load_key
 from imgproc_course.classroom.exercises.declaration import MasterError
 from imgproc_course.classroom.gradebook import grade, result_store
-from imgproc_course.classroom.gradebook.deadlines import local_time_of
+from imgproc_course.classroom.gradebook.teacher_tables import local_time_of
 from imgproc_course.cli import main
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]

@@ -7,9 +7,9 @@ import pytest
 from submissions import answers_of, notebook, write
 
 from imgproc_course.classroom.gradebook.csv_table import TableError
-from imgproc_course.classroom.gradebook.deadlines import read_late_policy
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.result_store import ResultStore
+from imgproc_course.classroom.gradebook.teacher_tables import read_late_policy
 
 pytestmark = pytest.mark.sandbox
 DEADLINE = datetime(2026, 12, 1, 23, 59)

@@ -15,10 +15,10 @@ from imgproc_course.classroom.gradebook import learners as learners_module
 from imgproc_course.classroom.gradebook.archives import CollectError
 from imgproc_course.classroom.gradebook.collect import collect, local_time
 from imgproc_course.classroom.gradebook.csv_table import TableError
-from imgproc_course.classroom.gradebook.deadlines import Deadlines
 from imgproc_course.classroom.gradebook.learners import read_all, unproven_dates
 from imgproc_course.classroom.gradebook.result_store import ResultStore
 from imgproc_course.classroom.gradebook.roster import names_in_roster, read_roster, roster_report
+from imgproc_course.classroom.gradebook.teacher_tables import Deadlines
 
 LESSONS = ("light", "sound")
 BOB_IN_MOODLE = "Bob Ray_7_assignsubmission_file_/20_light.ipynb"

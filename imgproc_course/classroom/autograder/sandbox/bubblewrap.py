@@ -131,9 +131,6 @@ def require_sandbox():
         )
 
 
-# ---------------------------------------------------------------- the command line
-
-
 def sandbox_command(confined):
     """The command line up to the interpreter and its options; without bubblewrap if not `confined`."""
     if not confined:
@@ -161,10 +158,6 @@ def _namespace_options():
     return options
 
 
-def _bind(source, mount_point=None):
-    return ["--ro-bind", source, mount_point or source]
-
-
 def _new_folders(*paths):
     """Folders that everybody can enter; a mount would make them for root alone."""
     return [option for path in paths for option in ("--perms", "0755", "--dir", path)]
@@ -183,7 +176,7 @@ def _system_folders():
         if path.is_symlink():
             options += ["--symlink", str(path.readlink()), str(mount_point)]
         elif path.is_dir():
-            options += _bind(str(path), str(mount_point))
+            options += ["--ro-bind", str(path), str(mount_point)]
     for name in _ETC:
         options += ["--ro-bind-try", f"/etc/{name}", f"/etc/{name}"]
     return options + [option for path in _hidden_folders(roots) for option in _empty_folder(path)]
@@ -205,11 +198,11 @@ def _hidden_folders(roots):
 def _site_packages():
     options = _new_folders("/course")
     for folder, mount_point in _package_folders().items():
-        options += _bind(str(folder), mount_point)
+        options += ["--ro-bind", str(folder), mount_point]
         # An installed copy of the course would contain the autograder, and a link to the checkout its path.
         for path in folder.glob(f"*{course.NAME}*"):
             hidden = f"{mount_point}/{path.name}"
-            options += _empty_folder(hidden) if path.is_dir() else _bind(os.devnull, hidden)
+            options += _empty_folder(hidden) if path.is_dir() else ["--ro-bind", os.devnull, hidden]
     return options
 
 
@@ -220,15 +213,15 @@ def _course_packages():
     options += _new_folders(f"{root}/exercises", f"{root}/display")
     for name in ("__init__.py", *course.PACKAGES):
         if (SOURCE / name).exists():
-            options += _bind(str(SOURCE / name), f"{root}/{name}")
+            options += ["--ro-bind", str(SOURCE / name), f"{root}/{name}"]
     for name in course.HIDDEN_FOLDERS:
         options += _empty_folder(f"{root}/{name}")
     for package in ("exercises", "display"):
-        options += _bind(str(INSIDE / "package_stub.py"), f"{root}/{package}/__init__.py")
+        options += ["--ro-bind", str(INSIDE / "package_stub.py"), f"{root}/{package}/__init__.py"]
     names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in EXERCISES_MODULES)]
     names += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
     for name in names:
-        options += _bind(str(SOURCE / "classroom" / name), f"{_CLASSROOM}/{name}")
+        options += ["--ro-bind", str(SOURCE / "classroom" / name), f"{_CLASSROOM}/{name}"]
     return options
 
 
@@ -279,8 +272,5 @@ def search_path(confined):
 
 
 def kernel_user():
-    """The first of the unused user ids of this process's kernels; None if not root.
-
-    Each kernel has the next one, because limits and priorities count by user.
-    """
+    """The first unused user id for kernels, None if not root; each has the next: limits count by user."""
     return 2_000_000 + os.getpid() * confine.USERS_OF_SERVER if os.geteuid() == 0 else None

@@ -7,8 +7,4 @@ An answer cell may check itself, ask for hints and show images, and nobody looks
 def __getattr__(name):
     if name.startswith("__"):
         raise AttributeError(name)
-    return _do_nothing
-
-
-def _do_nothing(*_arguments, **_options):
-    """Do nothing, whatever it is."""
+    return lambda *_arguments, **_options: None

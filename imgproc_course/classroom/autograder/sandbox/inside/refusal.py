@@ -29,20 +29,12 @@ class _Unusable:
     """Stands for whatever a module that is not allowed would hold."""
 
     def __init__(self, module):
-        object.__setattr__(self, "_module", module)
+        self._module = module
 
     def _refuse(self, *_arguments, **_options):
-        module = object.__getattribute__(self, "_module")
-        raise RefusedModule(f"write this exercise without {module}", name=module)
+        raise RefusedModule(f"write this exercise without {self._module}", name=self._module)
 
     __call__ = __getattr__ = __iter__ = __getitem__ = __array__ = __bool__ = __len__ = _refuse
-
-
-class _EmptyModule(types.ModuleType):
-    def __getattr__(self, name):
-        if name.startswith("__"):
-            raise AttributeError(name)
-        return _Unusable(self.__name__)
 
 
 class _Silent:
@@ -76,18 +68,23 @@ def _silent_named(name):
     return range if name in ("trange", "tnrange") else _Silent()
 
 
-class _SilentModule(types.ModuleType):
+class _StandIn(types.ModuleType):
+    """A silent module, or an empty one."""
+
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        return _silent_named(name)
+        return _silent_named(name) if _only_shows(self.__name__) else _Unusable(self.__name__)
+
+
+def _only_shows(module):
+    return module.partition(".")[0] in course.DISPLAY_ONLY
 
 
 def _stand_ins(name):
-    """Modules that stand for a dotted name and its packages, the outermost first: silent ones, or empty."""
+    """Modules that stand for a dotted name and its packages, the outermost first."""
     parts = name.split(".")
-    kind = _SilentModule if parts[0] in course.DISPLAY_ONLY else _EmptyModule
-    modules = [kind(".".join(parts[:count])) for count in range(1, len(parts) + 1)]
+    modules = [_StandIn(".".join(parts[:count])) for count in range(1, len(parts) + 1)]
     for package, module, part in zip(modules, modules[1:], parts[1:], strict=False):
         setattr(package, part, module)
     return modules
@@ -113,7 +110,7 @@ def allow_modules(allowed):
         """What stands for the module that this frame may not import, [] if it may."""
         if frame.f_globals.get("__name__") != "__main__" or is_allowed(name):
             return []
-        if _is_guarded(frame) and name.partition(".")[0] not in course.DISPLAY_ONLY:
+        if _is_guarded(frame) and not _only_shows(name):
             raise RefusedModule(f"write this exercise without {name}", name=name)
         return _stand_ins(name)
 
@@ -125,7 +122,7 @@ def allow_modules(allowed):
         module = real_import(name, globals, locals, fromlist, level)
         for part in fromlist or ():
             if name == course.NAME and part in course.PACKAGES and refused(f"{name}.{part}", frame):
-                return _EmptyModule(f"{name}.{part}")
+                return _StandIn(f"{name}.{part}")
         return module
 
     def import_module(name, package=None):
