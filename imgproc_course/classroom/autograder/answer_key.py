@@ -254,7 +254,10 @@ def _load_one(path):
 
 
 def _read_checked(path):
-    """The bytes of an exercise's notebook, all of whose cells must have been run."""
+    """The bytes of an exercise's notebook; all its cells must have been run.
+
+    nbval never compares a cell without an execution count: such a key would let every answer pass.
+    """
     with reading(path):
         data = path.read_bytes()
         for cell in json.loads(data)["cells"]:

@@ -61,7 +61,10 @@ class CaseRun:
 
 
 def verdict_on(payloads, expected, tolerance, *, exact_type=True):
-    """The Verdict on the one payload that a check cell showed, against a canonical form for each call."""
+    """The Verdict on the one payload that a check cell showed, against a canonical form for each call.
+
+    The comparison is `exercises.compare`, so `check` in a lesson and the autograder agree.
+    """
     calls = read_answer(payloads)
     if calls is None:
         return Verdict()
