@@ -9,8 +9,8 @@ from pathlib import Path
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
+from imgproc_course.messages.message_classes import installed_class
 from imgproc_course.recording import RecordingError, RecordingWriter
-from imgproc_course.recording.message_classes import installed_class
 from imgproc_course.recording.topics import POSE_PREFIX, POSES
 from imgproc_course.ros.entities import Entities, Stoppable
 from imgproc_course.ros.loss_counter import LossCounter
