@@ -19,11 +19,7 @@ def pad_border(image, margin, border):
 
 
 def row_blocks(image, minimum_rows=8):
-    """Cut an image into blocks of rows that fit a core's cache; yield (top, bottom), bottom excluded.
-
-    If each step runs over a whole 1280×720 image, it waits for memory most of the time. If all steps run
-    over one block before the next block begins, they find their data in the cache.
-    """
+    """Yield (top, bottom), bottom excluded, of blocks; steps over a whole image would wait for memory."""
     rows, row_size = len(image), image[0].size
     block_rows = max(minimum_rows, BLOCK_PIXELS // row_size)
     for top in range(0, rows, block_rows):
