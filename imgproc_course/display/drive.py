@@ -226,9 +226,8 @@ class _Map:
         self.trace: list[tuple[float, float]] = []
         self._cells: set[tuple[int, int]] = set()
         self._passed: set[tuple[int, int]] = set()  # cells that were empty once
-        self._met: collections.Counter[tuple[int, int]] = (
-            collections.Counter()
-        )  # in the last scans, one by one
+        # In the last scans, one by one.
+        self._met: collections.Counter[tuple[int, int]] = collections.Counter()
         # (time, x, y, yaw): a scan is older than the odometry.
         self._places: collections.deque[tuple[float, ...]] = collections.deque(maxlen=20)
         self.begin_again()

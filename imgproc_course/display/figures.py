@@ -166,7 +166,9 @@ def show_figure(
     if not isinstance(alt, str) or not alt.strip():
         raise ValueError(f"alt must say in words what the figure shows, got {alt!r}")
     display(Output(caption or alt, _figure_html(_encode(figure), alt, caption)))
-    _close(figure)
+    pyplot = sys.modules.get("matplotlib.pyplot")  # not imported here: it chooses a backend
+    if pyplot is not None:
+        pyplot.close(figure)  # or it would be shown a second time at the end of its cell
 
 
 def split_text(
@@ -610,10 +612,3 @@ def _png(bgr, effort):
 
 def _jpeg(bgr):
     return cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, 88, cv2.IMWRITE_JPEG_OPTIMIZE, 1])[1]
-
-
-def _close(figure):
-    """Closes a figure of pyplot, which would otherwise be shown a second time at the end of its cell."""
-    pyplot = sys.modules.get("matplotlib.pyplot")  # not imported here: it chooses a backend
-    if pyplot is not None:
-        pyplot.close(figure)

@@ -18,10 +18,9 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from .array_types import Gray
-from .borders import pad_border
 from .canny import APERTURE_7_SCALE, check_thresholds, smooth, threshold_in_unit
 from .gradients import TAN_22, TAN_SHIFT, check_aperture
-from .row_blocks import row_blocks
+from .row_blocks import pad_border, row_blocks
 from .validation import check_gray, check_number
 
 

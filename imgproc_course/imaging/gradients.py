@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .array_types import Direction, Gradient, Gray, Magnitude
-from .borders import pad_border
 from .correlation import correlate1d
+from .row_blocks import pad_border
 from .validation import check_gray
 
 # aperture -> the two one-dimensional kernels of the separable Sobel filter

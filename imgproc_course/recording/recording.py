@@ -1,6 +1,8 @@
 """A recorded drive: frames, messages, camera info, depth, labels, poses."""
 
+import array
 import contextlib
+import dataclasses
 import json
 import warnings
 from collections.abc import Iterator
@@ -11,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..messages import ConversionError, compressed_to_array, encoding_info, image_to_array
-from ..messages.message_classes import Message
+from ..messages.message_classes import Message, installed_class
 from . import topics as names
 from .errors import FrameIndexError, NotRecordedError, RecordingError
-from .message_classes import to_installed
 
 DRIVE = Path(__file__).parent / "drive"
 IMAGE = "sensor_msgs/msg/Image"
@@ -60,6 +61,12 @@ class Recording:
     of the classes of rosbags, which have the same fields. The fastest way to publish a message is to pass
     `raw(k)` to the publisher: rclpy publishes serialized messages directly.
     A number k counts from 0, a negative one from the end. Any thread may call any method.
+
+    Attributes
+    ----------
+    name : "drive", or the name of the folder or file
+    camera_topic : the topic of the images that are the frames
+    missing : what a recording that was cut off lacks, in a sentence; None if it is complete
     """
 
     def __init__(self, source: str | Path = "drive", *, camera_topic: str | None = None):
@@ -79,11 +86,12 @@ class Recording:
                 "the course's own recording is missing or damaged; restore it: "
                 f"git checkout -- imgproc_course/recording/drive ({error})"
             ) from error
+        self.missing = self._bag.missing
         if self.missing:
             warnings.warn(self.missing, stacklevel=3)
         self.name = "drive" if is_drive else self._bag.path.name
         try:
-            self._camera = self._find_camera(camera_topic)
+            self.camera_topic = self._find_camera(camera_topic)
         except RecordingError:
             self.close()
             raise
@@ -99,29 +107,20 @@ class Recording:
         self._bag.close()
 
     def __len__(self) -> int:
-        return self._bag.count(self._camera)
+        return self._bag.count(self.camera_topic)
 
     def __iter__(self) -> Iterator[tuple[str, Message]]:
         for topic, raw, kind in self._bag.read():
             yield topic, to_installed(self._bag.deserialize(raw, kind))
 
     def __repr__(self):
-        return f"<Recording {self.name!r}: {len(self)} frames on {self._camera}, {len(self.topics)} topics>"
-
-    @property
-    def missing(self) -> str | None:
-        """What a recording that was cut off lacks, in a sentence; None if it is complete."""
-        return self._bag.missing
+        counts = f"{len(self)} frames on {self.camera_topic}, {len(self.topics)} topics"
+        return f"<Recording {self.name!r}: {counts}>"
 
     @property
     def topics(self) -> dict[str, str]:
         """Every topic of the recording and its message type: {"/topic": "package/msg/Type"}."""
         return {topic: kind for topic, (kind, _) in self._bag.topics.items()}
-
-    @property
-    def camera_topic(self) -> str:
-        """The topic of the images that are the frames."""
-        return self._camera
 
     def frame(self, k: int, encoding: str = "bgr8") -> np.ndarray:
         """Frame k, decoded.
@@ -140,11 +139,11 @@ class Recording:
         FrameIndexError : there is no frame k
         ConversionError : the message is malformed, or cannot be converted to `encoding`
         """
-        return self._decode(self._camera, self._number(k), encoding)
+        return self._decode(self.camera_topic, self._number(k), encoding)
 
     def message(self, k: int) -> Message:
         """The recorded message of frame k: a CompressedImage, or an Image in a recording of raw images."""
-        return to_installed(self._bag.message(self._camera, self._number(k)))
+        return to_installed(self._bag.message(self.camera_topic, self._number(k)))
 
     def raw(self, k: int, topic: str | None = None) -> bytes:
         """Message k of a topic, serialized (CDR): rclpy's `publisher.publish` accepts these bytes.
@@ -158,20 +157,20 @@ class Recording:
         -------
         bytes
         """
-        topic = topic or self._camera
+        topic = topic or self.camera_topic
         return self._bag.raw(topic, self._number(k, topic))
 
     @property
     def camera_info(self) -> Message:
         """The camera's first CameraInfo: matrix k, distortion d (plumb_bob), r, p."""
-        base = self._camera.removesuffix("/compressed").rsplit("/", 1)[0]
-        usual_topics = (f"{base}/camera_info", f"{self._camera.removesuffix('/compressed')}/camera_info")
+        base = self.camera_topic.removesuffix("/compressed").rsplit("/", 1)[0]
+        usual_topics = (f"{base}/camera_info", f"{self.camera_topic.removesuffix('/compressed')}/camera_info")
         recorded_topics = [topic for topic, kind in self.topics.items() if kind == CAMERA_INFO]
         for topic in [*usual_topics, *(recorded_topics if len(recorded_topics) == 1 else [])]:
             if topic in recorded_topics and self._bag.count(topic):
                 return to_installed(self._bag.message(topic, 0))
         raise NotRecordedError(
-            f"{self.name} holds no camera info of {self._camera}; record {usual_topics[0]} with it"
+            f"{self.name} holds no camera info of {self.camera_topic}; record {usual_topics[0]} with it"
         )
 
     def depth(self, k: int) -> NDArray[np.uint16]:
@@ -192,7 +191,7 @@ class Recording:
     @property
     def depth_topic(self) -> str | None:
         """The topic of the depth images that belong to the frames; None without."""
-        beside = f"{self._camera.removesuffix('/compressed').rpartition('/')[0]}/depth"
+        beside = f"{self.camera_topic.removesuffix('/compressed').rpartition('/')[0]}/depth"
         return next((topic for topic in (names.DEPTH, beside) if topic in self.topics), None)
 
     def labels(self, k: int) -> NDArray[np.uint8]:
@@ -240,7 +239,7 @@ class Recording:
 
         If the stamp in a header is zero, the time of recording replaces it.
         """
-        return np.array(self._bag.index(self._camera).stamps, np.int64)
+        return np.array(self._bag.index(self.camera_topic).stamps, np.int64)
 
     @property
     def rate(self) -> float:
@@ -306,7 +305,7 @@ class Recording:
         In a recording of one's own each topic may begin at another time, and a message may be lost.
         """
         number = self._number(k)
-        stamp = self._bag.index(self._camera, number).stamps[number]
+        stamp = self._bag.index(self.camera_topic, number).stamps[number]
         if self._bag.count(topic) == len(self) and self._bag.index(topic, number).stamps[number] == stamp:
             return number
         with contextlib.suppress(ValueError):
@@ -316,3 +315,30 @@ class Recording:
     def _decode(self, topic, k, encoding):
         decode = compressed_to_array if self.topics[topic] == COMPRESSED else image_to_array
         return decode(self._bag.message(topic, k), encoding)
+
+
+def to_installed(msg):
+    """A copy of a message of rosbags in ROS's class, which publishers accept; itself where ROS is missing."""
+    cls = installed_class(msg.__msgtype__)
+    if cls is None:
+        return msg
+    ros_msg = cls()
+    for field in dataclasses.fields(msg):
+        if field.name != "__msgtype__":
+            _set_field(ros_msg, field.name, getattr(msg, field.name))
+    return ros_msg
+
+
+def _set_field(ros_msg, name, value):
+    default = getattr(ros_msg, name)
+    if isinstance(default, array.array):
+        # ROS would check a list or an ndarray element by element: 0.2 s for one image.
+        default.frombytes(np.ascontiguousarray(value, default.typecode).view(np.uint8).data)
+    elif isinstance(default, list):
+        setattr(ros_msg, name, [_element(item) for item in value])
+    else:
+        setattr(ros_msg, name, _element(value))
+
+
+def _element(value):
+    return to_installed(value) if dataclasses.is_dataclass(value) else value

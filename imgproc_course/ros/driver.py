@@ -34,10 +34,7 @@ PLAIN_STATUS_SECONDS = 10.0  # where no terminal rewrites its line
 
 
 def drive(*, status_seconds=None, **options):
-    """Uses the room until Ctrl-C, SIGTERM or the key X, in the main thread; `options` are open_camera's.
-
-    Returns the exit code: 0, or 1 if the robot stopped because of an error.
-    """
+    """Uses the room of these options until a signal or the key X; the exit code is 1 after an error."""
     with stop_signals() as stopping, RosSession() as session, open_camera("room", **options) as camera:
         others = camera.other_users
         how = f"joined the robot of {', '.join(others)}" if others else "started"

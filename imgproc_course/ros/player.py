@@ -10,11 +10,7 @@ STATUS_SECONDS = 10.0
 
 
 def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
-    """Uses the camera until Ctrl-C, SIGTERM, or its end (without loop), in the main thread.
-
-    `options` are those of `open_camera`. Returns the exit code: 0, or 1 if the camera stopped because of an
-    error.
-    """
+    """Uses the camera of these options until a signal, or its end; the exit code is 1 after an error."""
     with stop_signals() as stopping, RosSession(), open_camera(recording=recording, **options) as camera:
         print(_first_line(camera, recording), flush=True)
         _print_status(camera, stopping, status_seconds)

@@ -1,7 +1,12 @@
-"""Calls the function of an ImageProcessor, and turns what goes wrong in it into one line."""
+"""What an ImageProcessor does with a frame: it calls the function, and publishes the outputs."""
 
 import traceback
 from pathlib import Path
+
+import numpy as np
+from sensor_msgs.msg import Image
+
+from imgproc_course.messages import ConversionError, array_to_image
 
 
 class SkippedImageError(Exception):
@@ -28,3 +33,44 @@ def _location(error, process):
     frame = next((frame for frame in reversed(frames) if frame.filename == own_file), frames[-1])
     text = traceback.format_exception_only(error)[-1].strip()
     return f"in line {frame.lineno} of {Path(frame.filename).name} ({frame.line}): {text}"
+
+
+class OutputPublishers:
+    """Publishes each output, an array, as sensor_msgs/Image on `~/<output>`."""
+
+    def __init__(self, node, outputs, qos, log):
+        self._context = node.context
+        self.publishers = {}
+        for output in outputs:
+            events = log.publisher_events(node.resolve_topic_name(f"~/{output}"))
+            self.publishers[output] = node.create_publisher(Image, f"~/{output}", qos, event_callbacks=events)
+
+    def topics(self):
+        return [publisher.topic_name for publisher in self.publishers.values()]
+
+    def subscribed(self):
+        """The names of the outputs that have a subscriber."""
+        return [output for output, publisher in self.publishers.items() if publisher.get_subscription_count()]
+
+    def publish(self, arrays, header):
+        """Publishes {output: array} with this header. Returns False if ROS was shut down meanwhile."""
+        try:
+            messages = {
+                output: array_to_image(array, _encoding_of(array), header) for output, array in arrays.items()
+            }
+        except ConversionError as error:
+            raise SkippedImageError(f"process did not return an image: {error}") from error
+        try:
+            for output, message in messages.items():
+                self.publishers[output].publish(message)
+        except RuntimeError as error:
+            if self._context.ok():
+                raise SkippedImageError(f"the middleware does not accept the images: {error}") from error
+            return False
+        return True
+
+
+def _encoding_of(array):
+    if isinstance(array, np.ndarray) and array.dtype == np.uint8:
+        return "mono8" if array.ndim == 2 else "bgr8" if array.shape[2:] == (3,) else "passthrough"
+    return "passthrough"

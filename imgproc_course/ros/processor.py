@@ -26,8 +26,7 @@ from imgproc_course.ros.diagnostics import explain_missing_messages
 from imgproc_course.ros.node_log import NodeLog
 from imgproc_course.ros.node_parameters import NodeParameters
 from imgproc_course.ros.numeric_parameter import NumericParameter
-from imgproc_course.ros.output_publishers import OutputPublishers
-from imgproc_course.ros.process_function import SkippedImageError, call_process
+from imgproc_course.ros.process_function import OutputPublishers, SkippedImageError, call_process
 from imgproc_course.ros.robot_topics import TOPIC
 from imgproc_course.ros.session import RosSession, spin_once
 from imgproc_course.ros.stream_statistics import SILENCE, ProcessingStatistics, StreamMonitor

@@ -9,15 +9,15 @@ from pathlib import Path
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
+from imgproc_course.messages.message_classes import installed_class
 from imgproc_course.recording import RecordingError, RecordingWriter
-from imgproc_course.recording.message_classes import installed_class
 from imgproc_course.recording.topics import POSE_PREFIX, POSES
 from imgproc_course.ros.entities import Entities, Stoppable
-from imgproc_course.ros.loss_counter import LossCounter
 from imgproc_course.ros.robot_process import running_robot
 from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, SCAN, TOPIC, camera_topics
 from imgproc_course.ros.session import RosSession, log
 from imgproc_course.ros.stop_signals import stop_signals
+from imgproc_course.ros.stream_statistics import LossCounter
 
 # What a drive is made of. Of these, what nobody publishes is left out.
 ROBOT_TOPICS = (
@@ -189,10 +189,7 @@ class Recorder(Stoppable):
 
 
 def record_until_signal(topics, path, *, status_seconds=STATUS_SECONDS, say=print):
-    """Records until Ctrl-C, SIGTERM or an error, and says how it goes, in the main thread.
-
-    Returns the exit code: 0, or 1 if nothing was recorded, or the recording stopped because of an error.
-    """
+    """Records until a signal or an error, and reports. Exit code 1: after an error, or without messages."""
     with stop_signals() as stopping, RosSession():
         with Recorder(topics, path) as recorder:
             say(f"recording {len(recorder.topics)} topics into {recorder.path} (Ctrl-C stops)")

@@ -1,11 +1,9 @@
-"""Statistics of the images that a node receives: counts, times, changes of the stream, and silence."""
+"""Statistics of the images that a node receives: counts, losses, times, changes, and silence."""
 
 import collections
 import time
 
 import numpy as np
-
-from imgproc_course.ros.loss_counter import LossCounter
 
 SILENCE = 3.0  # seconds without an image after which a stream is silent
 RECENT = 600  # images from which rate and times are computed
@@ -54,6 +52,41 @@ class StreamMonitor:
         return True
 
 
+class LossCounter:
+    """Counts the messages that the publisher sent and this process never received.
+
+    A publisher numbers its messages. If a number is missing, that message is lost: on the way, or because it
+    was overwritten in the queue while the callback's thread was busy.
+    """
+
+    def __init__(self):
+        self.total = 0  # messages known to be lost
+        self._can_count = True
+        self._last_number: int | None = None
+
+    def receive(self, number):
+        """Takes the number of a message that arrived; None or 0 if the middleware does not number them."""
+        if not number:
+            self._can_count = False
+        elif self._can_count and self._last_number is not None and number > self._last_number:
+            self.total += number - self._last_number - 1
+        self._last_number = number
+
+    def set_publishers(self, count):
+        """Takes the new number of publishers: each has its own numbers, and two cannot be told apart."""
+        self._last_number = None
+        self._can_count = count <= 1
+
+    def on_matched(self, event):
+        """The callback of a subscription whose publishers have changed."""
+        self.set_publishers(event.current_count)
+
+    @property
+    def lost(self):
+        """`total`, or None while it cannot be known: several publishers, or messages without numbers."""
+        return self.total if self._can_count else None
+
+
 class ProcessingStatistics:
     """What an ImageProcessor counts and times; `ImageProcessor.statistics` explains it."""
 
@@ -62,7 +95,9 @@ class ProcessingStatistics:
         self.last_error: str | None = None
         self.busy = 0.0  # seconds spent in the callback
         self.losses = LossCounter()
-        self._arrivals, self._latencies, self._durations = (_recent_seconds() for _ in range(3))
+        self._arrivals = collections.deque[float](maxlen=RECENT)  # seconds, as the next two
+        self._latencies = collections.deque[float](maxlen=RECENT)
+        self._durations = collections.deque[float](maxlen=RECENT)
         self._reported = (0, 0, 0.0, time.perf_counter())
 
     def count_received(self, number):
@@ -110,10 +145,6 @@ class ProcessingStatistics:
             "process_ms": _percentiles(self._durations),
             "last_error": self.last_error,
         }
-
-
-def _recent_seconds() -> collections.deque[float]:
-    return collections.deque(maxlen=RECENT)
 
 
 def _percentiles(seconds):

@@ -15,8 +15,8 @@ from imgproc_course.learner_errors import RepeatedErrors, describe
 from imgproc_course.messages import ConversionError, compressed_to_array, encoding_info, image_to_array
 from imgproc_course.ros.diagnostics import explain_missing_messages
 from imgproc_course.ros.entities import Entities, Stoppable, weak_callback
-from imgproc_course.ros.loss_counter import LossCounter
 from imgproc_course.ros.session import RCLError, RosSession, Throttle, failed_line, log
+from imgproc_course.ros.stream_statistics import LossCounter
 
 QOS = {
     # What cameras offer (best effort, depth 5): a late frame is worth nothing, so a lost one is not sent
@@ -65,6 +65,7 @@ class ImageSubscriber(Stoppable):
     last_error : why the last of those failed, in one line; None
     skipped : frames that a loop over this subscriber skipped to get to the newest
     incompatible_qos : the QoS policy that does not match, with the remedy; None
+    stopped : whether `stop()` was called
 
     Any thread may use it. It stops with `.stop()`, at the end of its `with`, with the RosSession, or when no
     reference to it is left. A subscriber with an `on_image` is kept alive until it is stopped. In a notebook,
@@ -104,7 +105,7 @@ class ImageSubscriber(Stoppable):
         self._latest: Any = None
         self._converted = 0
         self._losses = LossCounter()
-        self._stopped = False
+        self.stopped = False
         self._key: Any = None
         self.received = self.failed = self.skipped = 0
         self.last_error: str | None = None
@@ -168,7 +169,7 @@ class ImageSubscriber(Stoppable):
             if self._converted > converted_before:
                 return self._latest
         node = self.session.node
-        if self._stopped or node is None:
+        if self.stopped or node is None:
             raise RuntimeError(f"the subscriber of {self.topic} is stopped; make a new ImageSubscriber")
         failed = self.failed - failed_before
         reason = explain_missing_messages(
@@ -190,7 +191,7 @@ class ImageSubscriber(Stoppable):
         TimeoutError : ROS reported none in `timeout` seconds
         """
         with self._change:
-            if not self._change.wait_for(lambda: self.incompatible_qos or self._stopped, timeout):
+            if not self._change.wait_for(lambda: self.incompatible_qos or self.stopped, timeout):
                 raise TimeoutError(
                     f"ROS reported no incompatible QoS policy on {self.topic} in {timeout:g} s"
                 )
@@ -210,7 +211,7 @@ class ImageSubscriber(Stoppable):
             yield frame
 
     def _is_newer_than(self, count):
-        return lambda: self._converted > count or self._stopped
+        return lambda: self._converted > count or self.stopped
 
     @property
     def measured_rate(self) -> float:
@@ -232,28 +233,23 @@ class ImageSubscriber(Stoppable):
     @property
     def matched(self) -> int:
         """The number of publishers whose QoS and type match this subscription."""
-        return 0 if self._stopped else self._subscription.get_publisher_count()
-
-    @property
-    def stopped(self) -> bool:
-        """Whether `stop()` was called."""
-        return self._stopped
+        return 0 if self.stopped else self._subscription.get_publisher_count()
 
     def stop(self) -> None:
         """Ends the subscription, and every wait and loop over it. A second call does nothing."""
         with self._change:
-            self._stopped = True
+            self.stopped = True
             self._change.notify_all()
         if self._subscribers.get(self._key) is self:
             del self._subscribers[self._key]
         self._entities.close()
 
     def __repr__(self):
-        state = "stopped" if self._stopped else f"{self.measured_rate:.1f} Hz, {self.received} received"
+        state = "stopped" if self.stopped else f"{self.measured_rate:.1f} Hz, {self.received} received"
         return f"<ImageSubscriber {self.topic}: {state}>"
 
     def _on_message(self, msg, info):
-        if self._stopped:
+        if self.stopped:
             return
         with self._change:
             self.received += 1

@@ -38,11 +38,13 @@ def exploration_score(env: RoomEnv, found: Any) -> dict[str, Any]:
         "bumps" : how often the robot began to touch something; "time" : of the drive, seconds
         "score" : points
     """
+    found = found if isinstance(found, dict) else {}
+    word = found.get("word")
     cells = exploration_cells(env.room)
     values: dict[str, Any] = {
         "coverage": round(len(cells & {cell_of(place) for place in env.path}) / len(cells), 4),
-        "markers": _count_markers(env, found),
-        "word": int(_word_of(found) == env.room.word),
+        "markers": _count_markers(env, found.get("markers")),
+        "word": int(isinstance(word, str) and word.strip().upper() == env.room.word),
         "bumps": len(env.bump_places),
         "time": round((len(env.path) - 1) * LOOK, 1),
     }
@@ -56,8 +58,7 @@ def exploration_cells(room: Room) -> set[tuple[int, int]]:
     return {cell_of(place) for place in reachable_cells(room).tolist()}
 
 
-def _count_markers(env, found):
-    markers = found.get("markers") if isinstance(found, dict) else None
+def _count_markers(env, markers):
     if not isinstance(markers, dict):
         return 0
     count = 0
@@ -76,8 +77,3 @@ def _in_map(start, point):
     x, y, yaw = start
     c, s = math.cos(yaw), math.sin(yaw)
     return x + c * forward - s * left, y + s * forward + c * left
-
-
-def _word_of(found):
-    word = found.get("word") if isinstance(found, dict) else None
-    return word.strip().upper() if isinstance(word, str) else ""

@@ -3,7 +3,6 @@
 import functools
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -92,30 +91,18 @@ def _drawn(random, name):
         name=name,
         model=pieces.placed(places),
         free_space=FreeSpace(floor.millimetres, ORIGIN, CELL),
-        start=ways.start,
         rug=Rug((x, y), round(yaw + 0.06, 6)),
-        person=PersonWay(*ways.person),
-        car=CarWay(*ways.car),
-        ball=BallWay(ways.ball),
         textures=functools.cache(functools.partial(_textures, places, word, markers)),
         word=word,
         markers=markers,
         poses=poses,
         places=places,
+        **ways,
     )
 
 
 def _textures(places, word, markers, lighting):
     return textures(places, lighting, word, markers) | {"movers": read_image(f"movers_{lighting}.jpg")}
-
-
-class Ways(NamedTuple):
-    """Where things begin: (x, y, yaw) in metres and radians; the ball's (x, y)."""
-
-    person: tuple[float, float, float]
-    car: tuple[float, float, float]
-    start: tuple[float, float, float]
-    ball: tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,7 +148,7 @@ class Floor:
         return np.count_nonzero(sees & stands) >= LEAST_LOOKS
 
     def ways(self, random):
-        """The Ways of a room, or None if one of them does not fit."""
+        """Person, car, start and ball as a Room has them, or None if one of them does not fit."""
         walk = np.stack([np.linspace(0, WALK_LENGTH, 60), np.zeros(60)], 1)
         car_way = CarWay(0.0, 0.0, 0.0, rug_from=math.inf)
         wave = np.array([car_way.at(time, None)[0][:2] for time in np.linspace(0, CAR_TIME, 60)])
@@ -176,7 +163,10 @@ class Floor:
         if start is None:
             return None
         ball, _ = self._fitting(random, np.zeros((1, 2)), robot, BALL_ROOM, BALL_ROOM, [*taken, *place])
-        return None if ball is None else Ways(person, car, start, ball[:2])
+        if ball is None:
+            return None
+        ways = {"person": PersonWay(*person), "car": CarWay(*car), "ball": BallWay(ball[:2])}
+        return ways | {"start": start}
 
     def _fitting(self, random, curve, distance, room, first_room=0, taken=()):
         """A place (x, y, yaw) at which each point of the curve has `room` millimetres, and the curve there.

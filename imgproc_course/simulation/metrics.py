@@ -43,14 +43,11 @@ class Metrics:
         values["home"] = math.dist(self._start[:2], place[:2])
         values["reach"] = max(values["reach"], values["home"])
         values["answer_error"] = self._error_of_answer
-        if values["goal_time"] is None and self._is_in_goal:
+        goal = self._goal
+        if values["goal_time"] is None and goal is not None and math.dist(place[:2], goal[:2]) < goal[2]:
             values["goal_time"] = time
         self._note_ball(time)
         return metres, self._note_contact()
-
-    @property
-    def _is_in_goal(self):
-        return self._goal is not None and math.dist(self._place[:2], self._goal[:2]) < self._goal[2]
 
     @property
     def _error_of_answer(self):

@@ -346,9 +346,10 @@ class ColorRenderer(Renderer):
 
     def _add_chunk(self, room, chunk, parent):
         triangles, corners = room.triangles[chunk.rows], room.texture[chunk.rows]
-        normals = unit(triangles) if chunk.joint == "ball" else None
+        is_ball = chunk.joint == "ball"  # its middle is at (0, 0, 0)
+        normals = triangles / np.linalg.norm(triangles, axis=-1, keepdims=True) if is_ball else None
         node = parent.attach_new_node(textured(self._name, triangles, corners, normals))
-        if chunk.joint == "ball":
+        if is_ball:
             self._light_ball(node)
         if chunk.atlas == "outside":
             node.set_color(*SKY[self._lighting], 1)
@@ -439,11 +440,6 @@ def lay_on_floor(path, order):
     path.set_depth_write(False)
     path.set_depth_test(False)
     path.set_bin("fixed", order)
-
-
-def unit(vectors):
-    """Vectors (..., 3) at length 1."""
-    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
 def as_matrix(pose):

@@ -139,7 +139,7 @@ def recorded_room() -> Room:
         car=CarWay(2.25, -1.35, math.pi / 2, rug_from=1.10),
         ball=BallWay((2.45, 0.78), (0.45, -1.0)),
         textures=lambda lighting: {
-            name: read_image(f"{name}_{lighting}.jpg") for name in model.textured_atlases
+            name: read_image(f"{name}_{lighting}.jpg") for name in model.atlas_names if name != "outside"
         },
         poses=model.markers | {"sign": np.array(SIGN)},
     )

@@ -12,14 +12,8 @@ from .room import ROLLED, Room, recorded_room
 
 PIXELS = 60  # per metre
 FLOOR, THINGS, SCALE = (245, 250, 250), (150, 140, 130), (40, 40, 40)  # blue, green, red
-PATH, START, BUMP, MARK, GOAL, BALL = (
-    (200, 90, 30),
-    (60, 150, 0),
-    (0, 0, 220),
-    (0, 140, 255),
-    (60, 150, 0),
-    (60, 60, 230),
-)
+PATH, START, BUMP = (200, 90, 30), (60, 150, 0), (0, 0, 220)
+MARK, GOAL, BALL = (0, 140, 255), START, (60, 60, 230)
 
 
 def draw_map(

@@ -32,10 +32,6 @@ class RoomModel:
     markers: dict[str, np.ndarray]
     label_names: dict[int, str]
 
-    @property
-    def textured_atlases(self):
-        return [name for name in self.atlas_names if name != "outside"]
-
     def with_triangles(self, triangles):
         """A copy with other triangles (N, 3, 3), and their planes."""
         normals, offsets = triangle_planes(triangles)

@@ -25,8 +25,8 @@ CAMERA_MOUNT = (0.21, 0.20)  # x and z in base_link, metres
 TOF_CAMERA = CameraModel(160, 120, 80.0, 80.0, 79.5, 59.5)
 TOF_MOUNT, TOF_TILT = (0.221, 0.0418), math.pi / 4
 LONGEST_STEP = 0.02  # seconds
-LONGEST_HELD, PLAY = 1.0, 0.01  # seconds, metres per second: see _is_held and _blocked
-LONGEST_PINNED = 3.0  # seconds: see _is_pinned
+LONGEST_HELD, PLAY = 1.0, 0.01  # seconds that the body cannot move; metres per second: see _blocked
+LONGEST_PINNED = 3.0  # seconds in which it only moves to and fro in some centimetres, as before the car
 DEPTH_WIDTH = 640
 OPTICAL = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # columns: the optical frame's axes in the body's
 
@@ -54,6 +54,14 @@ class Simulation:
     sensor : with blur, vignette and noise, also of the scan
     lighting : "day" or "evening"
 
+    Attributes
+    ----------
+    room : the Room: what is written on the sign, where things move, and more
+    camera : the CameraModel of `frame`
+    movers : names of those who take part
+    time : seconds after the recorded drive's start
+    bumped : whether the body touched anything in the last step
+
     Raises
     ------
     ValueError : a start that is not free, or an argument outside of these
@@ -76,22 +84,22 @@ class Simulation:
         lighting: str = "day",
     ):
         check_arguments(seed, time, size, lighting)
-        self._model = front_camera(size, lens)
-        self._depth_model = self._model.every(max(1, math.ceil(size[0] / DEPTH_WIDTH)))
+        self.camera = front_camera(size, lens)
+        self._depth_model = self.camera.every(max(1, math.ceil(size[0] / DEPTH_WIDTH)))
         if depth_size is not None:
             check_size("depth_size", depth_size)
             self._depth_model = front_camera(depth_size, lens)
         self._seed, self._lighting = seed, lighting
         self._shares_scene = isinstance(room, Scene)
         self._scene = room if isinstance(room, Scene) else Scene(recorded_room() if room is None else room)
-        self._room = self._scene.room
-        self._present = checked_movers(movers, ball)
-        self._movers = Movers(round(float(time), 9), self._room, self._present, ball)
-        self._time, self._steps, self._bumped = round(float(time), 9), 0, False
-        self._drive = Drive(checked_start(self._room.start if start is None else start))
+        self.room = self._scene.room
+        self.movers = checked_movers(movers, ball)
+        self._movers = Movers(round(float(time), 9), self.room, self.movers, ball)
+        self.time, self._steps, self.bumped = round(float(time), 9), 0, False
+        self._drive = Drive(checked_start(self.room.start if start is None else start))
         for name, distance in self._distances(self._drive.place).items():
             if distance < 0:
-                remedy = "time" if start is None else f"start, such as {self._room.start}"
+                remedy = "time" if start is None else f"start, such as {self.room.start}"
                 raise ValueError(
                     f"the robot cannot start at {self._drive.place}: {name} is in its way; "
                     f"choose another {remedy}"
@@ -99,7 +107,7 @@ class Simulation:
         self._held: tuple[Any, float, frozenset[float]] = self._drive.place, 0.0, frozenset()  # _note_held
         self._pinned = self._held
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
-        self._sensor = Sensor(self._model, seed, lighting) if sensor else None
+        self._sensor = Sensor(self.camera, seed, lighting) if sensor else None
         self._look: Pose | None = None
         self._drawn: dict[str, Any] = {}  # of a depth camera: what `_numbers` keeps
         self._joints: tuple[int, dict[str, Pose]] = (-1, {})  # and the number of their step
@@ -119,9 +127,9 @@ class Simulation:
             raise ValueError(f"a step takes more than 0 and at most 1 second, got dt = {dt}")
         parts = math.ceil(round(dt / LONGEST_STEP, 9))
         bumped = [self._small_step(float(linear), float(angular), dt / parts) for _ in range(parts)]
-        self._bumped = any(bumped)
+        self.bumped = any(bumped)
         self._steps += 1
-        self._time = round(self._time + dt, 9)
+        self.time = round(self.time + dt, 9)
 
     def _small_step(self, linear, angular, dt):
         body = self._drive
@@ -137,11 +145,11 @@ class Simulation:
                     break
             touched = True
         self._note_held(place, linear, angular, dt)
-        if touched and (self._is_held or self._is_pinned):
+        if touched and (_is_stuck(self._held, LONGEST_HELD) or _is_stuck(self._pinned, LONGEST_PINNED)):
             self._movers.give_way(dt, place)
         body.place = place
         body.linear, body.angular = speeds
-        self._odometry.step(*speeds, dt, self._room.rug.holds(*place[:2]))
+        self._odometry.step(*speeds, dt, self.room.rug.holds(*place[:2]))
         self._movers.step(dt, place)
         return touched
 
@@ -151,24 +159,12 @@ class Simulation:
         self._held = _held_longer(self._held, place, linear, dt, -1 if stands else 0.01)
         self._pinned = _held_longer(self._pinned, place, linear, dt, -1 if stands else 0.1)
 
-    @property
-    def _is_held(self):
-        """Whether the body can move neither forwards nor backwards, for a second."""
-        _, seconds, tried = self._held
-        return seconds > LONGEST_HELD and {-1, 1} <= tried
-
-    @property
-    def _is_pinned(self):
-        """Whether it has only moved to and fro in some centimetres for some seconds, as before the car."""
-        _, seconds, tried = self._pinned
-        return seconds > LONGEST_PINNED and {-1, 1} <= tried
-
     def _blocked(self, place):
         """Whether the body at (x, y, yaw) would be in something, and not merely leave it.
 
         A body that is held gets some play, which grows until it moves.
         """
-        limit = -PLAY * self._held[1] if self._is_held else 0.0
+        limit = -PLAY * self._held[1] if _is_stuck(self._held, LONGEST_HELD) else 0.0
         after = self._distances(place)
         if min(after.values()) >= limit:
             return False
@@ -177,7 +173,7 @@ class Simulation:
 
     def _distances(self, place):
         """{name: metres} between the body at (x, y, yaw) and everything; negative inside."""
-        distances = {"a wall or furniture": clearance(self._room.free_space.distance, *place)}
+        distances = {"a wall or furniture": clearance(self.room.free_space.distance, *place)}
         for name, (x, y, radius) in self._movers.circles().items():
             distances[f"the {name.replace('toy', 'toy ')}"] = nearest_on_body(place, x, y)[1] - radius
         return distances
@@ -188,14 +184,9 @@ class Simulation:
         """Takes images from a pose of the optical frame, x y z qx qy qz qw; None: the robot's again."""
         self._look = None if camera_pose is None else Pose.from_vector(np.round(camera_pose, 9))
 
-    @property
-    def camera(self) -> CameraModel:
-        """The CameraModel of `frame`."""
-        return self._model
-
     def frame(self) -> NDArray[np.uint8]:
         """The front camera's image, (height, width, 3) uint8 BGR."""
-        renderer, view, columns, rows = self._scene.color_view(self._model, self._lighting)
+        renderer, view, columns, rows = self._scene.color_view(self.camera, self._lighting)
         renderer.place(self._joint_poses())
         drawn = renderer.render(view, self._camera_pose("front"), self._near("front"))
         drawn = cv2.remap(drawn, columns, rows, cv2.INTER_LINEAR)
@@ -224,7 +215,7 @@ class Simulation:
     @property
     def label_names(self) -> dict[int, str]:
         """The name of each number in `labels()`."""
-        return dict(self._room.model.label_names)
+        return dict(self.room.model.label_names)
 
     def depth_camera(self, camera: str = "front") -> CameraModel:
         """The CameraModel of `depth`."""
@@ -257,29 +248,9 @@ class Simulation:
     # the truth
 
     @property
-    def room(self) -> Room:
-        """The Room: what is written on the sign, where things move, and more."""
-        return self._room
-
-    @property
-    def time(self) -> float:
-        """Seconds after the recorded drive's start."""
-        return self._time
-
-    @property
-    def bumped(self) -> bool:
-        """Whether the body touched anything in the last step."""
-        return self._bumped
-
-    @property
     def speeds(self) -> tuple[float, float]:
         """(linear, angular) in m/s and rad/s: the true ones."""
         return self._drive.linear, self._drive.angular
-
-    @property
-    def movers(self) -> tuple[str, ...]:
-        """Names of those who take part."""
-        return self._present
 
     @property
     def place(self) -> tuple[float, float, float]:
@@ -288,7 +259,7 @@ class Simulation:
 
     def gaps(self) -> dict[str, float]:
         """Metres between the body and what stands still, by the name "", and each mover; negative inside."""
-        still = gap(self._room.free_space.distance, *self.place)
+        still = gap(self.room.free_space.distance, *self.place)
         return {"": still, **self._movers.gaps(self.place)}
 
     def nearest_thing(self) -> str:
@@ -311,16 +282,16 @@ class Simulation:
             return self._robot_pose().vector
         if name in ("camera", "tof"):
             return self._camera_pose("front" if name == "camera" else name).vector
-        if name in self._room.poses:
-            return self._room.poses[name].copy()
-        if name not in self._present:
-            known_names = ["robot", "camera", "tof", *self._present, *self._room.poses]
+        if name in self.room.poses:
+            return self.room.poses[name].copy()
+        if name not in self.movers:
+            known_names = ["robot", "camera", "tof", *self.movers, *self.room.poses]
             raise ValueError(f"no pose of {name!r}; there are {', '.join(known_names)}")
         return self._joint_poses()[name].vector
 
     def _joint_poses(self):
         if self._joints[0] != self._steps:
-            self._joints = self._steps, self._movers.joint_poses(self._room.model.joint_tree)
+            self._joints = self._steps, self._movers.joint_poses(self.room.model.joint_tree)
         return self._joints[1]
 
     def _near(self, camera):
@@ -328,7 +299,7 @@ class Simulation:
         if self._look is not None:
             return NEAR
         x, y, _ = self._camera_pose(camera).position
-        gaps = self._room.free_space.distance(x, y) - 0.04, *self._movers.gaps(self._drive.place).values()
+        gaps = self.room.free_space.distance(x, y) - 0.04, *self._movers.gaps(self._drive.place).values()
         return NEAREST if min(gaps) < NEAR else NEAR
 
     def _robot_pose(self):
@@ -361,6 +332,12 @@ def _held_longer(held, place, linear, dt, reach):
     if way > reach or abs(math.remainder(place[2] - old[2], 2 * math.pi)) > 0.3:
         old, seconds, tried = place, 0.0, frozenset()
     return old, round(seconds + dt, 9), tried | {np.sign(linear)}
+
+
+def _is_stuck(held, longest):
+    """Whether a body has been held for longer, and has tried to move both forwards and backwards."""
+    _, seconds, tried = held
+    return seconds > longest and {-1, 1} <= tried
 
 
 def front_camera(size, lens=True):

@@ -31,8 +31,8 @@ class Streams:
         from sensor_msgs.msg import Image, LaserScan
 
         from imgproc_course.ros import RosSession
-        from imgproc_course.ros.loss_counter import LossCounter
         from imgproc_course.ros.robot_topics import ODOMETRY, SCAN
+        from imgproc_course.ros.stream_statistics import LossCounter
 
         qos = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
         self.counts, self.losses = {}, {}

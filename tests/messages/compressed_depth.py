@@ -1,6 +1,6 @@
 """Writes compressedDepth, as ROS's compressed_depth_image_transport does; the package only reads it.
 
-`imgproc_course.messages.depth` and `rvl` describe the format.
+`imgproc_course.messages.depth` describes the format.
 """
 
 import struct

@@ -10,7 +10,7 @@ import pytest
 from compressed_depth import depth_to_compressed, rvl_encode
 
 from imgproc_course.messages import ConversionError, array_to_compressed, compressed_to_array
-from imgproc_course.messages.rvl import rvl_decode
+from imgproc_course.messages.depth import rvl_decode
 
 BGR = np.array([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [9, 99, 199]]], np.uint8)
 LEVELS = np.array([[0, 1, 256], [1000, 40000, 65535]], np.uint16)

@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 import pytest
 
+from imgproc_course.messages.message_classes import installed_class
 from imgproc_course.recording import FrameIndexError, NotRecordedError, RecordingError, open_recording
-from imgproc_course.recording.message_classes import installed_class
 
 CAMERA = "/kachaka/front_camera/image_raw/compressed"
 POSES = ["camera", "person", "ball", "toycar", "marker"]

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from rosbags.rosbag2 import CompressionFormat, CompressionMode
 
+from imgproc_course.messages.message_classes import installed_class
 from imgproc_course.recording import NotRecordedError, open_recording
-from imgproc_course.recording.message_classes import installed_class
 
 from .conftest import START, TYPES, BagWriter, compressed, gray_pixels, header, raw_image, write_raw_bag
 

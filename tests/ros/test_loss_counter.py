@@ -1,6 +1,6 @@
 """The counter of lost messages: gaps in the publisher's own numbers."""
 
-from imgproc_course.ros.loss_counter import LossCounter
+from imgproc_course.ros.stream_statistics import LossCounter
 
 
 def received(*numbers):
