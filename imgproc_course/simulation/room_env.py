@@ -140,6 +140,7 @@ class RoomEnv(gymnasium.Env):
         """Begins a drive: the first observation, and `info`."""
         super().reset(seed=seed)
         scenario = read_options(options or {})
+        self._simulation = None  # if this drive cannot begin, the one before is over all the same
         self._scene = self._scene_of(scenario["room"])
         self._simulation = self._begin(scenario)
         self._goal, self._ball, self._duration = scenario["goal"], scenario["ball"], scenario["duration"]

@@ -308,3 +308,14 @@ def test_a_furnished_room_by_its_number():
     start = env.path[0]
     assert furnished(18).free_space.distance(*start[:2]) > 0.2
     env.close()
+
+
+def test_a_drive_that_cannot_begin_ends_the_one_before():
+    """Otherwise the old robot would drive on, in a room that `room` no longer is."""
+    env = RoomEnv(())
+    env.reset(seed=1, options={"start": FREE})
+    with pytest.raises(ValueError, match="cannot start"):
+        env.reset(seed=1, options={"start": (2.0, -1.5, 0.0)})
+    with pytest.raises(gymnasium.error.ResetNeeded):
+        env.step((0.1, 0.0))
+    env.close()
