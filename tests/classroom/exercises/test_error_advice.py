@@ -26,6 +26,8 @@ ADVICE = {
     'values.join("/")': '"/".join(parts)',
     '"/".join(text, text)': "join takes one list of the parts, in square brackets",
     "mask - mask": "write a & ~b",
+    "raise SystemExit": "A function ends with return, and the value after it.",
+    "raise EOFError('EOF')  # input()": "What a function needs comes as its arguments.",
     "text[a]": "A list or a text takes one number as its index",
     "np.linalg.norm(a)[0]": "A sum, a mean or a norm without axis=... is one number",
     'names["gauss"]': "The dictionary has no key 'gauss'.",
@@ -147,7 +149,7 @@ def error_of(source):
         exec(source, globals() | GIVEN)
     except SyntaxError as error:
         return type(error).__name__, error.msg, f"line 1: {source}"
-    except Exception as error:  # noqa: BLE001 - any error may be wanted
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - any error may be wanted
         first = next((line for line in source.splitlines() if not line.startswith("def ")), source)
         return type(error).__name__, str(error), f"line 1: {first}"
     raise AssertionError(f"{source!r} raises nothing")
