@@ -1072,7 +1072,7 @@ exercise(
         "1. Compute the direction of the goal from the odometry: math.atan2(0 - y, 2.2 - x) minus yaw.\n"
         "2. Compute free_way for directions all around: for headings of 0, 15, 30 degrees and so on, minus yaw. Of those with more than 0.5 m take the one nearest to the goal's. Use math.remainder for the difference of two angles.\n"
         "3. Turn on the spot while this direction is more than about 0.2 rad away from straight ahead; else drive, and steer to it.\n"
-        "4. Store the points of the last ten seconds in memory, in the frame of the odometry, and turn them back into the frame of the robot at each look. Then the robot knows also what is below its image and beside it.\n"
+        "4. Store the points of two looks a second in memory, in the frame of the odometry, and turn them back into the frame of the robot at each look. Then the robot knows also what is below its image and beside it.\n"
         "5. Near the goal, store another goal in memory: 3 m away, in the direction with the longest free way. Do so again each time that the way to it is blocked.",
         "x, y, yaw = observation[\"odometry\"]\ngoal = memory.setdefault(\"goal\", (2.2, 0.0))\n"
         "to_goal = math.remainder(math.atan2(goal[1] - y, goal[0] - x) - yaw, 2 * math.pi)\n"
@@ -1085,8 +1085,9 @@ exercise(
     " all directions: a blocked one costs a lot, one that leads away from the goal costs its angle, and a turn costs a little."
     " The directions are fixed in the room: if they turned with the robot, it would turn to and fro. Between the looks it"
     " remembers its points in the frame of the odometry, so slippers that are beside the robot or too near for the camera are"
-    " still there. Two looks a second are enough to remember, and ten seconds are long enough to pass. After the goal, the"
-    " next goal is 3 m away in the direction with the longest way, and again when the way to it is blocked.",
+    " still there. Two looks a second are enough to remember, and it forgets none of them: it may come back to the slippers."
+    " After the goal, the next goal is 3 m away in the direction with the longest way, and again when the way to it is"
+    " blocked.",
     another_way="You can also steer with several arcs as candidates (the dynamic window approach of robot"
     " navigation), or keep the remembered points in a grid.",
 )
@@ -1135,7 +1136,7 @@ def control(observation, memory):
     to_room = np.array([[c, s], [-s, c]])
     looks = memory.setdefault("looks", {})
     looks[int(2 * observation["time"])] = obstacles(observation) @ to_room + (x, y)
-    points = (np.concatenate(list(looks.values())[-20:]) - (x, y)) @ to_room.T
+    points = (np.concatenate(list(looks.values())) - (x, y)) @ to_room.T
 
     def turn_to(heading):
         return math.remainder(heading - yaw, 2 * math.pi)
