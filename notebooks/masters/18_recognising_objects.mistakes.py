@@ -240,7 +240,7 @@ def nearest_mean(vectors, classes, new):
     numbers, means = means_of(vectors, classes)
     return numbers[(new[:, None] * means).sum(axis=2).argmax(axis=1)]
 
-# %% role="mistake" name="one number for each class" says="You compare one number of each vector. Has each mean as many numbers as a vector, .mean(axis=0)? And do you square the differences before you add them?"
+# %% role="mistake" name="one number for each class" says="The mean of a class is one number, or you compare one number alone. Has each mean as many numbers as a vector, .mean(axis=0)? And do you square the differences before you add them?"
 def nearest_mean(vectors, classes, new):
     numbers = np.unique(classes)
     means = np.array([vectors[classes == number].mean() for number in numbers])

@@ -40,7 +40,8 @@ answers to 41 exercises of the lessons 12 to 22, 81, 85, 85, 83 and 89 % right, 
 second to fourth were measured while the search for one change that makes an answer right was written, the
 fifth with it. Of 2,339 answers, it finds such a change for 548. `--fresh` then: 726, 96.1 % right (698).
 Three more hundreds, to 30 other exercises of these lessons, each measured once and then mended in general and
-by 17 known mistakes: 83, 90 and 93 % right, none false.
+by 18 known mistakes: 83, 90 and 93 % right, none false. A second person read the last hundred: 89 % right,
+1 false.
 """
 
 import ast

@@ -123,14 +123,15 @@ def _advice_on_type(expected, actual, tolerance):
     if kind == "str" and actual["type"].endswith(("PosixPath", "WindowsPath")):
         return "You return a Path, and the task asks for a text: return str(path)."
     wanted = _wanted(expected, actual)
-    return f"You return {_noun(actual)}, and the task asks for {wanted}." if wanted else ""
+    text = f"You return {_noun(actual)}, and the task asks for {wanted}."
+    return text.replace("?.", "?") if wanted else ""
 
 
 def _wanted(expected, actual):
     """What the task asks for, the end of a sentence; "" for what no task asks for."""
     kind, actual_kind = kind_of(expected), kind_of(actual)
     if kind in _NUMBERS and actual_kind == "None":
-        return "a number: was no value stored for this input"
+        return "a number: was no value stored for this input?"
     if kind == "str":
         return "a text, such as its name" if actual["type"] in _FUNCTIONS else "a single text"
     if kind == "dict":
@@ -138,6 +139,8 @@ def _wanted(expected, actual):
         return f"a dict: {{{keys}}}"
     if kind in (*_NUMBERS, "bool") and actual_kind == "str":
         return "a number: return it without quotes, not an f-string"
+    if kind in _NUMBERS and actual_kind == "ndarray":
+        return "a number: is a sum or a mean missing, or an axis too many?"
     if kind in (*_NUMBERS, "bool") and actual_kind in _SEQUENCES:
         return "one number alone"
     return _noun(expected) if kind in (*_NUMBERS, *_SEQUENCES, "bool", "ndarray") else ""

@@ -170,8 +170,10 @@ def _groups(possible, nodes):
 
 
 def _form(place):
-    """What places have in common that differ only by their names; a number or a name is like no other."""
+    """What places have in common that differ only by their names, or equal numbers of a line."""
     text = re.sub(r"[^\W\d]\w*", "x", ast.unparse(place))
+    if isinstance(place, ast.Constant):
+        return text, place.lineno
     return text if len(text) > 2 else place, type(getattr(place, "ctx", None))
 
 
@@ -360,7 +362,9 @@ def _statement(node, tree):
     if isinstance(node, ast.Break | ast.Continue):
         yield "should the loop end here?", lambda: _become(node, ast.Pass())
         yield "should the loop end here?", lambda: _become(node, ast.Continue())
-    if isinstance(node, ast.If | ast.AugAssign | ast.Expr):
+    arguments = {argument.arg for argument in tree.args.args}
+    is_rewritten = isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in arguments
+    if is_rewritten or isinstance(node, ast.If | ast.AugAssign | ast.Expr):
         yield "is it needed?", lambda: _become(node, ast.Pass())
     if isinstance(node, ast.stmt):
         yield from _moved(node, tree)

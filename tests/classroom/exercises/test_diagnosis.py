@@ -48,7 +48,7 @@ TYPES = [
     (80, 81.5, "The task asks for a whole number (int)."),
     (80, "80", "return it without quotes, not an f-string"),
     (80, (5, 16), "You return 2 values (a tuple), and the task asks for one number alone."),
-    (80, GRAY, "You return an array, and the task asks for a number."),
+    (80, GRAY, "You return an array, and the task asks for a number: is a sum or a mean missing"),
     ("a/b", Path("a/b"), "You return a Path, and the task asks for a text: return str(path)."),
     ("a", len, "You return a function itself, and the task asks for a text, such as its name."),
     ("a", {"b"}, "You return a set, and the task asks for a single text."),

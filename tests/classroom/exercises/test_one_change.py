@@ -124,6 +124,18 @@ CASES = {
         "line 2",
         "Look at if a > 9: is it needed?",
     ),
+    "a conversion of an argument": (
+        "def f(a, b):\n    a = a / 60\n    c = a + b\n    return c",
+        [((2, 1), 3), ((5, 1), 6)],
+        "line 2",
+        "Look at a = a / 60: is it needed?",
+    ),
+    "one number at two places": (
+        "def f(a):\n    return a[1:4][:4]",
+        [((list(range(9)),), [1, 2, 3, 4])],
+        "line 2",
+        "4 in return a[1:4][:4]: is this number right?",
+    ),
     "a part too many": (
         "def f(a, b):\n    return a * b + b",
         [((2, 3), 6), ((4, 5), 20)],
