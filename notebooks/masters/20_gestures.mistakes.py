@@ -178,10 +178,6 @@ def convex_hull(points):
         chains += chain[:-1]
     return np.array(chains)
 
-# %% role="mistake" name="columns sorted apart" says="sort(axis=0) sorts x and y apart, so new points arise. Sort whole points: sorted(points.tolist())."
-def convex_hull(points):
-    return hull_of(np.sort(points, axis=0))
-
 # %% [markdown]
 # # gestures-valley
 

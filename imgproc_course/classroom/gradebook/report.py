@@ -209,7 +209,8 @@ def map_of(case):
     """The map of a case's drive, an AnswerImage."""
     from ..exercises.drive_images import draw_map
 
-    return draw_map(case.drive, case.drive | {"title": _MAP_CAPTION})
+    record = case.drive | {"ended": "", "missed": not case.passed}
+    return draw_map(record, case.drive | {"title": _MAP_CAPTION})
 
 
 def _message_of(case):
