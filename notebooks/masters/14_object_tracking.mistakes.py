@@ -95,6 +95,13 @@ def iou(a, b):
 def iou(a, b):
     return 1 - solution(a, b)
 
+# %% role="mistake" name="start and end exchanged" says="min and max are exchanged: you computed the box around both. The common part starts at the larger start, and ends at the smaller end."
+def iou(a, b):
+    width = max(a[0] + a[2], b[0] + b[2]) - min(a[0], b[0])
+    height = max(a[1] + a[3], b[1] + b[3]) - min(a[1], b[1])
+    both = width * height
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
 # %% [markdown]
 # # tracking-backproject
 
@@ -460,6 +467,11 @@ def update(state, covariance, measurement, H, R):
     gain = gain_of(covariance, H, R)
     state, covariance = updated(state, covariance, measurement, H, gain)
     return state + gain @ (measurement - H @ state), covariance
+
+# %% role="mistake" name="divided value by value" says="1 / S divides value by value. The inverse of a matrix is np.linalg.inv(S); only for one measurement are both the same."
+def update(state, covariance, measurement, H, R):
+    gain = covariance @ H.T @ (1 / (H @ covariance @ H.T + R))
+    return updated(state, covariance, measurement, H, gain)
 
 # %% [markdown]
 # # tracking-drive

@@ -19,11 +19,11 @@ def filled(mask, steps, starts=None, tested=True, first=0, columns=None):
                 stack += [(row + i, col + j) for i, j in steps]
     return labels
 
-def one_pass(mask, choose=min):
+def one_pass(mask, choose=min, before=((-1, -1), (-1, 0), (-1, 1), (0, -1))):
     """Each pixel takes a number of its neighbours before it; nothing is joined afterwards."""
     labels, count = np.zeros(mask.shape, int), 0
     for row, col in np.argwhere(mask).tolist():
-        near = [labels[row + i, col + j] for i, j in ((-1, -1), (-1, 0), (-1, 1), (0, -1))
+        near = [labels[row + i, col + j] for i, j in before
                 if row + i >= 0 and 0 <= col + j < mask.shape[1] and labels[row + i, col + j]]
         count += not near
         labels[row, col] = choose(near) if near else count
@@ -154,6 +154,14 @@ def label(mask):
     inner = np.zeros_like(mask)
     inner[1:-1, 1:-1] = mask[1:-1, 1:-1]
     return filled(inner, EIGHT)
+
+# %% role="mistake" name="the background too" says="Your number flows over the background. Go on only to pixels that are True in the mask."
+def label(mask):
+    return np.full(mask.shape, int(mask.any()))
+
+# %% role="mistake" name="one pass, left first" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+def label(mask):
+    return one_pass(mask, lambda near: near[0], ((0, -1), (-1, -1), (-1, 0), (-1, 1)))
 
 # %% [markdown]
 # # text-ncc

@@ -406,6 +406,15 @@ def count_runs(mask, rows, cols):
         lengths.append(length)
     return max(lengths)
 
+# %% role="mistake" name="not closed" says="You begin with a 0 before the first pixel. The way is closed: the pixel before the first one is the last one, values[-1]."
+def count_runs(mask, rows, cols):
+    return runs_in(np.append(0, values_on(mask, rows, cols)))
+
+# %% role="mistake" name="always one less" says="You subtract 1 always. A run goes on over the end only if the first and the last pixel are both 1."
+def count_runs(mask, rows, cols):
+    values = np.append(0, values_on(mask, rows, cols))
+    return max(runs_in(values) - 1, 0)
+
 # %% [markdown]
 # # gestures-dtw
 

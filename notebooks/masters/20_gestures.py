@@ -629,14 +629,14 @@ def some_mask(rng, height, width):
     return mask
 
 
-def way_inside(rng, height=9, width=11, over=True):
-    """A way on which a run goes over the end, or begins exactly at the first pixel."""
+def way_inside(rng, height=9, width=11, ones=(-2, -1, 0, 1)):
+    """A way on which these pixels around its end are 1: a run goes on over it, ends or begins there."""
     mask = some_mask(rng, height, width)
     rows, cols = square_way(1, 1, height - 3, width - 3, 0)
     shift = int(np.flatnonzero(values_on(mask, rows, cols) == 0)[0]) + 1
     rows, cols = np.roll(rows, -shift - 2), np.roll(cols, -shift - 2)
     for i in (-2, -1, 0, 1):
-        mask[rows[i], cols[i]] = 1 if over or i >= 0 else 0
+        mask[rows[i], cols[i]] = i in ones
     mask[rows[4:6], cols[4:6]] = 0
     return mask, rows, cols
 
@@ -676,12 +676,12 @@ check("gestures-runs", count_runs)
 
 # %% role="case" title="ways inside the mask" points=1 hint="A run that goes on over the end counts once: the pixel before the first one is the last one."
 def inputs(rng):
-    return [way_inside(rng), way_inside(rng, 11, 9, over=False), way_inside(rng, 12, 14)]
+    return [way_inside(rng), way_inside(rng, 11, 9, ones=(0, 1)), way_inside(rng, 12, 14), way_inside(rng, ones=(-2, -1))]
 
 
 # %% role="case" title="ways that leave the mask" points=1 hint="A pixel outside the mask counts as 0. Negative rows and columns are outside too."
 def inputs(rng):
-    return [way_outside(rng, -2, 2), way_outside(rng, 3, 4), way_outside(rng, 2, -1, border=0), way_inside(rng, over=False)]
+    return [way_outside(rng, -2, 2), way_outside(rng, 3, 4), way_outside(rng, 2, -1, border=0), way_inside(rng, ones=(0, 1))]
 
 
 # %% role="hidden" title="a drawn hand, and any way" points=1 hint="Do you count the beginnings of runs, with pixels outside as 0, and a run over the end once?"
@@ -692,7 +692,7 @@ def inputs(rng):
     mask = hand_mask(hand).astype(np.uint8)
     size = int(hand.size)
     circle = square_way(int(hand.row) - size, int(hand.col) - size, 2 * size, 2 * size, int(rng.integers(200)))
-    return [(mask, *circle), way_outside(rng, -3, -2, 9, 12), way_outside(rng, 4, 3, 10, 10, border=0), way_inside(rng, 14, 10, over=False)]
+    return [(mask, *circle), way_outside(rng, -3, -2, 9, 12), way_outside(rng, 4, 3, 10, 10, border=0), way_inside(rng, 14, 10, ones=(0, 1))]
 
 
 # %% [markdown]

@@ -45,9 +45,7 @@ _ONE_FACTOR = (
     "In each call, all your values are the expected ones times one number. Is a division or a multiplication"
     " missing at the end, or one too many?"
 )
-_CUT_OFF = (
-    "Some values are one too small, and none is wrong by more. Is the fraction cut off, instead of rounded?"
-)
+_CUT_OFF = "Some values are one too small, and none is wrong by more. Is the fraction cut off, not rounded?"
 
 
 @dataclass(frozen=True)
@@ -289,6 +287,8 @@ def _shape_rules(expected, actual, given, name):
     if len(shape) == 2 and shape == actual_shape[:-1]:
         text = f"Your result still has a third axis, of length {actual_shape[2]}. The task asks for one value"
         yield True, f"{text} for each pixel."
+    if actual_shape == (np.prod(shape),) != shape:
+        yield True, f"All values are in one row. Make a list for each row, or reshape to {shape}."
     yield (
         given and len(actual_shape) < len(shape) == len(given[0]),
         "Your result has fewer axes than the input: a function with axis=..., or an index such as"
@@ -428,10 +428,11 @@ def _is_multiple(expected, actual):
 
 
 def _is_cut_off(arrays):
-    """Whether some integers are one too small, and none is wrong by more."""
+    """Whether some integers are one too small, but not all above 0, and none is wrong by more."""
     integers = all(expected.dtype.kind in "iu" and expected.max(initial=0) > 1 for expected, _ in arrays)
-    gaps = (_wide(expected) - _wide(actual) for expected, actual in arrays)
-    return integers and {int(value) for gap in gaps for value in np.unique(gap)} == {0, 1}
+    gaps = [(_wide(expected) - _wide(actual), expected > 0) for expected, actual in arrays]
+    is_cut = {int(value) for gap, _ in gaps for value in np.unique(gap)} == {0, 1}
+    return integers and is_cut and not all(np.array_equal(*pair) for pair in gaps)
 
 
 def _wide(values):

@@ -44,11 +44,9 @@ _COMPARISONS = {
     ast.LtE: ((ast.Lt, _LIMIT), (ast.GtE, _DIRECTION)),
     ast.Gt: ((ast.GtE, _LIMIT), (ast.Lt, _DIRECTION)),
     ast.GtE: ((ast.Gt, _LIMIT), (ast.LtE, _DIRECTION)),
-    ast.Eq: ((ast.NotEq, _DIRECTION),),
-    ast.NotEq: ((ast.Eq, _DIRECTION),),
-    ast.In: ((ast.NotIn, _DIRECTION),),
-    ast.NotIn: ((ast.In, _DIRECTION),),
 }
+_OPPOSITES = ((ast.Eq, ast.NotEq), (ast.NotEq, ast.Eq), (ast.In, ast.NotIn), (ast.NotIn, ast.In))
+_COMPARISONS |= {one: ((other, _DIRECTION),) for one, other in _OPPOSITES}
 _OPERATORS = {
     ast.Add: (ast.Sub,),
     ast.Sub: (ast.Add,),

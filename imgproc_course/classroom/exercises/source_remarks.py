@@ -49,7 +49,8 @@ def remarks_on_source(function, errors=()):
 def has_done(source, sentence):
     """Whether all code that a sentence tells to write stands in a source already."""
     advised = re.findall(
-        r"(?:[Ww]rite|[Uu]se|[Pp]ad with|:) ([\w.]+(?:\[[^\]]+\]|\((?:[^()]|\([^()]*\))+\)))", sentence
+        r"(?:[Ww]rite|[Uu]se|[Pp]ad with|:) ([\w.]+(?:\[[^\]]+\]|\((?:[^()]|\([^()]*\))+\)))(?! [-+*/@<>=%])",
+        sentence,
     )
     source, *advised = ("".join(text.split()).replace("'", '"') for text in (source, *advised))
     return bool(advised) and all(code in source for code in advised)

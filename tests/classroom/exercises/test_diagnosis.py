@@ -104,6 +104,7 @@ SHAPES = [
     (COLOUR, COLOUR.reshape(4, 15), "reshape to (height, width, 3)"),
     (COLOUR, np.moveaxis(COLOUR, 2, 0), "The channels come first in your result."),
     (GRAY, np.stack([GRAY] * 3, axis=2), "Your result still has a third axis, of length 3."),
+    (GRAY, GRAY.ravel(), "All values are in one row. Make a list for each row, or reshape to (5, 6)."),
 ]
 # What says nothing of the cause, beside the case's hint
 SIZES = [

@@ -173,6 +173,7 @@ def test_a_product_of_matrices_gets_no_remark():
         ("Write image[top:bottom, left:right], and use np.abs(image).", False),
         ("You wrote np.pad(gray, 1, mode='edge').", False),
         ("Rows and columns are exchanged.", False),
+        ("Divide each row: image[top:bottom, left:right] / 2.", False),
     ],
 )
 def test_code_that_stands_there_already(sentence, is_done):
