@@ -1,6 +1,6 @@
 """Bake the living room: colours and light of every surface, as float arrays, and its geometry.
 
-    python bake.py OUT [--samples 8]      needs bpy (see README.md); about half an hour on two cores
+    python bake.py OUT [--samples 8]      needs bpy (see README.md); about twenty minutes on two cores
 
 Writes OUT/geometry.npz, OUT/scene.json, and of each atlas OUT/<atlas>_albedo.npy, OUT/<atlas>_buried.npy and
 OUT/<atlas>_<lighting>.npy. compose.py makes the textures of them.
@@ -38,6 +38,12 @@ LIGHT_SIZE = {
     "movers": (512, 512),
 }
 ORDER = ("rug", "signs", "movers", "furniture", "room", "floor")
+# Samples of each texel's colour: the grooves between planks are thinner than a texel.
+COLOR_SAMPLES = {"floor": 24}
+# Samples of each texel's light, where noise would be seen: on smooth walls, and on a body that comes near.
+LIGHT_SAMPLES = {"room": 128, "movers": 128}
+# Between islands, as a part of the texture: mipmaps mix neighbours (the reveal of the window, and a corner).
+MARGIN = {"room": 0.008}
 # Texels per metre, relative to the other objects of the same atlas.
 DENSITY = {
     **dict.fromkeys(("stand", "pict_fr", "block0", "block1", "block2", "block3", "block4"), 1.6),
@@ -145,7 +151,7 @@ def join(pairs, atlas):
             rotate_method="CARDINAL",
             scale=True,
             margin_method="FRACTION",
-            margin=0.002,
+            margin=MARGIN.get(atlas, 0.002),
             shape_method="AABB",
         )
         bpy.ops.object.mode_set(mode="OBJECT")
@@ -304,7 +310,7 @@ def marker_poses():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("out", type=Path)
-    parser.add_argument("--samples", type=int, default=8, help="light samples of each texel")
+    parser.add_argument("--samples", type=int, default=8, help="light samples of each other texel")
     parser.add_argument("--lighting", nargs="*", default=["day", "evening"])
     parser.add_argument("--geometry", action="store_true", help="stop before the light is baked")
     arguments = parser.parse_args()
@@ -318,7 +324,8 @@ def main():
     parts, decals, names, joints = scene.collect()
     scene.prepare_materials()
     scene.cut_behind_picture(parts)
-    tree = scene.solid_tree(parts)
+    tree = scene.solid_tree({atlas: pairs for atlas, pairs in parts.items() if atlas != "movers"})
+    moving = scene.solid_tree({"movers": parts["movers"]})
     poses = marker_poses()
     report(f"{scene.remove_unseen_faces(parts, tree)} camera places, faces never seen removed")
     joined = {atlas: join(pairs, atlas) for atlas, pairs in parts.items()}
@@ -348,12 +355,13 @@ def main():
         joined["movers"].hide_render = atlas != "movers"
         path, buried = out / f"{atlas}_albedo.npy", out / f"{atlas}_buried.npy"
         if not path.exists():
-            albedo = bake(joined[atlas], COLOR_SIZE[atlas], 3, {"COLOR"})
+            albedo = bake(joined[atlas], COLOR_SIZE[atlas], COLOR_SAMPLES.get(atlas, 3), {"COLOR"})
             painted = paint_decals(albedo, exported[atlas], decals, names)
             np.save(path, albedo.astype(np.float16))
             report(f"colours of {atlas}, {painted} decals painted")
-        if atlas not in ("floor", "movers") and not buried.exists():
-            np.save(buried, buried_texels(exported[atlas], LIGHT_SIZE[atlas], tree))
+        if atlas != "floor" and not buried.exists():
+            bodies = moving if atlas == "movers" else tree
+            np.save(buried, buried_texels(exported[atlas], LIGHT_SIZE[atlas], bodies))
             report(f"buried texels of {atlas}")
     for material in bpy.data.materials:  # finer than a texel of the light
         for node in material.node_tree.nodes:
@@ -366,7 +374,8 @@ def main():
             if path.exists():
                 continue
             joined["movers"].hide_render = atlas != "movers"
-            light = bake(joined[atlas], LIGHT_SIZE[atlas], arguments.samples, {"DIRECT", "INDIRECT"})
+            samples = LIGHT_SAMPLES.get(atlas, arguments.samples)
+            light = bake(joined[atlas], LIGHT_SIZE[atlas], samples, {"DIRECT", "INDIRECT"})
             np.save(path, light.astype(np.float16))
             report(f"light of {atlas}, {lighting}")
 

@@ -95,7 +95,8 @@ class Baker:
             self.save(f"{atlas}_albedo", lambda atlas=atlas: self._colors(atlas, kept))
 
     def _colors(self, atlas, decals):
-        albedo = bake.bake(self.joined[atlas], bake.COLOR_SIZE[atlas], 3, {"COLOR"})
+        samples = bake.COLOR_SAMPLES.get(atlas, 3)
+        albedo = bake.bake(self.joined[atlas], bake.COLOR_SIZE[atlas], samples, {"COLOR"})
         painted = bake.paint_decals(albedo, self.exported[atlas], decals, self.names)
         self.report(f"{painted} decals painted")
         return albedo

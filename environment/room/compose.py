@@ -85,7 +85,15 @@ def island_means(light, known, sigma=4):
 def clean_light(light, known):
     """Light without noise. Texels that nobody sees take a mean: single noisy ones would look like edges."""
     filled = np.where(known[..., None], light, nearest(island_means(light, known), known))
-    return nearest(denoise(filled), known)
+    return nearest(without_grain(denoise(filled)), known)
+
+
+def without_grain(light, strongest=0.6, reach=3):
+    """Without the grain that the denoiser takes for a pattern: changes below `strongest` (natural log) go."""
+    logarithm = np.log(np.maximum(light, 1e-3))
+    for _ in range(2):
+        logarithm = cv2.bilateralFilter(logarithm, 4 * reach + 1, strongest, reach)
+    return np.exp(logarithm)
 
 
 def ball_texels(geometry, size):

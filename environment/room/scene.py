@@ -173,11 +173,11 @@ def prepare_materials():
 
 
 def solid_tree(parts):
-    """All closed bodies that stand still, to ask what hides a place."""
+    """All closed bodies of these atlases, to ask what hides a place."""
     vertices, faces = [], []
     for atlas, pairs in parts.items():
         for copy, ob in pairs:
-            if atlas in ("movers", "outside") or drive.LABELS[ob.pass_index] == "plant":
+            if atlas == "outside" or drive.LABELS[ob.pass_index] == "plant":
                 continue
             matrix, offset = np.array(copy.matrix_world), len(vertices)
             own = np.array([v.co for v in copy.data.vertices])

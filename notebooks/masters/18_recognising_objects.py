@@ -69,7 +69,7 @@ figure_texts = {
         "The living room with a small green quadrilateral around the marker, many green points inside it, and a few red points in other places.",
     ),
     "things": (
-        "All things that stand free on the floor, with the best name of each. Green: the margin is above 0.4.",
+        "All things that stand free on the floor, with the best name of each. Green: the margin is above 0.5.",
         "The room in the evening with eight rectangles. The green ones are named chair and marker; orange ones have names such as plant for the slippers.",
     ),
     "live": (
@@ -729,7 +729,7 @@ show_figure(figure, text="recognising_objects/scores")
 
 # %%
 # Check: the numbers in this section
-assert (hog_random, hog_end, hog_evening) == (96, 78, 70) and (colour_random, colour_end, colour_evening) == (90, 85, 8)
+assert (hog_random, hog_end, hog_evening) == (96, 78, 73) and (colour_random, colour_end, colour_evening) == (90, 85, 8)
 assert len(evening_crops) == 102 and len(all_classes) == 282 and round(100 / 12) == 8
 
 # %% [markdown]
@@ -810,8 +810,8 @@ for title, crops, classes in (("end of the drive", test_crops, test_classes),
 
 # %%
 # Check: the numbers in this section
-assert (hog_rooms, colour_rooms, len(room_crops)) == (32, 43, 77)
-assert list(recognised.values()) == [(20, 29), (29, 29), (3, 24), (16, 24), (1, 26), (1, 26)]
+assert (hog_rooms, colour_rooms, len(room_crops)) == (31, 43, 77)
+assert list(recognised.values()) == [(20, 29), (29, 29), (2, 24), (16, 24), (2, 26), (1, 26)]
 
 # %% [markdown]
 # With colours, it knows this sofa in every room, because no other thing has its colour; a sofa of another colour it does not know at all. So nobody may say that this classifier recognises *chairs*: it recognises one chair, in one room. To learn what all chairs have in common needs many different chairs in many rooms, and so do the networks that do it.
@@ -948,7 +948,7 @@ OFFSETS = np.array([[0.8, 0.8], [-0.8, 0.8], [0.8, -0.8], [0.2, 3.0], [0.1, -4.0
                     [1.03, 0.0], [-1.03, 0.0], [0.0, 1.03], [0.0, -1.03]])
 
 
-def some_matches(rng, sizes, limit, alone=3):
+def some_matches(rng, sizes, limit, alone=3, around=True):
     """Groups of matches, each with its own homography and four exact ones; then the samples. No distance is near the limit."""
     points, pixels, samples, start = [], [], [], 0
     for size in sizes:
@@ -958,7 +958,7 @@ def some_matches(rng, sizes, limit, alone=3):
         angle = rng.uniform(0, 2 * np.pi, size - 4)
         noise = rng.uniform(0.3, 0.5, (size - 4, 1)) * limit * np.column_stack([np.cos(angle), np.sin(angle)])
         extra, far = np.zeros((2, 0, 2))
-        if size == max(sizes):
+        if around and size == max(sizes):
             extra = rng.uniform(5, 95, (len(OFFSETS), 2)).round(2)
             far = -np.full((1, 2), 0.999 / H[2, :2].sum()).round(2)  # its moved point is very far away
         offsets = OFFSETS[:len(extra)] * limit
@@ -999,7 +999,7 @@ check("objects-inliers", find_inliers)
 
 # %% role="case" title="three samples" points=1
 def inputs(rng):
-    return [some_matches(rng, (6, 12, 7), 3.0), some_matches(rng, (5, 7, 13), 5.0)]
+    return [some_matches(rng, (6, 12, 7), 3.0), some_matches(rng, (5, 7, 13), 5.0), some_matches(rng, (4, 4), 3.0, around=False)]
 
 
 # %% role="case" title="equally many" points=1 hint="If two samples have equally many inliers, the first one counts: use >, not >=."
@@ -1120,7 +1120,7 @@ right_names = sum(name == seen for (name, _), seen in zip(names, seen_names, str
 compare_guess(guess_names, right_names)
 
 # %% tags=["long"]
-SURE = 0.4  # a name with a smaller margin is not sure
+SURE = 0.5  # a name with a smaller margin is not sure
 
 
 def with_names(frame, things, names):
@@ -1144,8 +1144,8 @@ show(with_names(small_frame, things, names), text="recognising_objects/things")
 # %%
 # Check: the names, and that the label image agrees with what a person sees
 assert [name for name, _ in names] == ["chair", "chair", "sign", "marker", "ball", "plant", "sign", "plant"]
-assert [i for i in range(8) if names[i][1] > 0.4] == [0, 3] and right_names == 3
-assert min(abs(margin - 0.4) for _, margin in names) > 0.01
+assert [i for i in range(8) if names[i][1] > 0.5] == [0, 3] and right_names == 3
+assert min(abs(margin - 0.5) for _, margin in names) > 0.01
 assert min(abs(100 * margin % 1 - 0.5) for _, margin in names) > 1e-3  # the printed digits are decided
 numbers = {name: int(number) for number, name in recording.scene["label_names"].items()}
 for seen, ((left, top, width, height), _) in zip(seen_names, things, strict=True):
@@ -1153,7 +1153,7 @@ for seen, ((left, top, width, height), _) in zip(seen_names, things, strict=True
     assert (room.labels()[top:top + height, left:left + width] == number).mean() > 0.2
 
 # %% [markdown]
-# Three are right. A classifier with twelve classes has no answer "none of them": slippers must become one of the twelve. So the node stays silent if the margin is not above 0.4: two names remain, and both are right. But we chose 0.4 after we had seen these eight margins, so this is no test: it would be leakage again. Test it from other places. The price: it also says nothing about the ball. And a thing on the wall, such as the door or the sign, does not stand free on the floor; `find_things` does not find it.
+# Three are right. A classifier with twelve classes has no answer "none of them": slippers must become one of the twelve. So the node stays silent if the margin is not above 0.5: two names remain, and both are right. But we chose 0.5 after we had seen these eight margins, so this is no test: it would be leakage again. Test it from other places. The price: it also says nothing about the ball. And a thing on the wall, such as the door or the sign, does not stand free on the floor; `find_things` does not find it.
 
 # %% [markdown]
 # ### The same as a node ([[minutes]], deeper)

@@ -1131,7 +1131,7 @@ unseen = furnished(17)
 sign_x, sign_y = unseen.poses["sign"][:2]
 out_x, out_y = outwards(unseen.poses["sign"])  # the direction out of the wall
 sign_frames = {}
-for way in (2.4, 1.8, 1.2):
+for way in (2.2, 1.8, 1.2):
     place = (sign_x + way * out_x, sign_y + way * out_y, math.atan2(-out_y, -out_x))
     looking = Simulation(seed=1, room=unseen, start=place, movers=False, size=(320, 180))
     sign_frames[way] = looking.frame()
@@ -1141,7 +1141,7 @@ for way in (2.4, 1.8, 1.2):
 show(list(sign_frames.values()), [f"from {way} m" for way in sign_frames], text="the_errand/unseen_sign")
 
 # %% [markdown]
-# From 2.4 m, the letters are too small: the word is `None`, but the robot can drive to the sign. From 1.8 m, `find_sign` reads the word. From 1.2 m, the word is above the image.
+# From 2.2 m, the letters are too small: the word is `None`, but the robot can drive to the sign. From 1.8 m, `find_sign` reads the word. From 1.2 m, the word is above the image.
 
 # %%
 # Check: what is seen from each distance; the table of the answers; the limits of the robot
@@ -1149,7 +1149,7 @@ from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
 
 far, good, near = map(find_sign, sign_frames.values())
 assert far[0] is None and good[0] == unseen.word == "LIBRARY" and (near is None or near[0] is None)
-assert max(abs(far[1]), abs(good[1])) < 0.03 and abs(far[2] - 2.4) < 0.4 and abs(good[2] - 1.8) < 0.4
+assert max(abs(far[1]), abs(good[1])) < 0.03 and abs(far[2] - 2.2) < 0.4 and abs(good[2] - 1.8) < 0.4
 assert " ".join(ANSWERS) == "BEDROOM CELLAR GARAGE KITCHEN LAUNDRY LIBRARY NURSERY OFFICE PANTRY STUDIO"
 assert list(ANSWERS.values()) == [30, 60, 90, 120, 150, -30, -60, -90, -120, -150]
 assert sign_frames[1.8].shape == (180, 320, 3) and (MAX_LINEAR, MAX_ANGULAR) == (0.3, 1.57)

@@ -169,8 +169,8 @@ def test_a_missing_file_is_told_with_its_remedy(monkeypatch, tmp_path):
 
 
 DIGESTS = {
-    "day": "43a2ad79cef1ffeac3622ebab48f5f0cb3e4e19ece85c0c42e26f3a161880e8a",
-    "evening": "fa836d809d40e9c63b2f997a359f83887e128ec63b58eb701a5d268a0236bd81",
+    "day": "95b0fe33f3627c45247b697f3a981d3f76a2114354c12462819738e6da584689",
+    "evening": "0b79b7e566cc5d70c308e0d6eba0c44059c946815697ced2206d5583fc9927c9",
 }
 PROGRAM = """if True:
     import hashlib, json, sys
