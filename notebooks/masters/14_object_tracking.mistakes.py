@@ -169,6 +169,14 @@ def backproject(hue, weights):
 def backproject(hue, weights):
     return (solution(hue, weights).astype(int) * hue).clip(0, 255).astype(np.uint8)
 
+# %% role="mistake" name="width of a bin cut off" says="You divided 180 by the number of bins first, and // cuts the width of a bin off. Multiply first: hue.astype(int) * len(weights) // 180."
+def backproject(hue, weights):
+    return weights[np.minimum(hue // max(180 // len(weights), 1), len(weights) - 1)]
+
+# %% role="mistake" name="width of a bin cut off, around the end" says="You divided 180 by the number of bins first, and // cuts the width of a bin off. Multiply first: hue.astype(int) * len(weights) // 180."
+def backproject(hue, weights):
+    return weights[hue // max(180 // len(weights), 1) % len(weights)]
+
 # %% [markdown]
 # # tracking-mean-shift
 

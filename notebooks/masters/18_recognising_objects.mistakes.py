@@ -540,3 +540,8 @@ def find_inliers(points, pixels, samples, limit):
 # %% role="mistake" name="half the limit" says="Some matches are missing: compare the distance with the limit itself."
 def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit / 2))
+
+# %% role="mistake" name="more than the four" says="You begin with a count of 4, so a sample of which only its own four match is never kept. Begin with 0."
+def find_inliers(points, pixels, samples, limit):
+    best = solution(points, pixels, samples, limit)
+    return best & (best.sum() > 4)

@@ -493,6 +493,10 @@ def lbp_codes(gray):
 def lbp_codes(gray):
     return np.zeros((gray.shape[0] - 2, gray.shape[1] - 2), np.uint8)
 
+# %% role="mistake" name="always the same pixel" says="You compare all neighbours with one pixel, gray[1, 1]. Each pixel has its own neighbours: compare with gray[1:-1, 1:-1]."
+def lbp_codes(gray):
+    return codes_of(gray, answer=lambda neighbours, _: neighbours >= gray[1, 1])
+
 # %% [markdown]
 # # faces-anonymise
 

@@ -415,6 +415,11 @@ def count_runs(mask, rows, cols):
     values = np.append(0, values_on(mask, rows, cols))
     return max(runs_in(values) - 1, 0)
 
+# %% role="mistake" name="ends without the last" says="You count a run when the 0 after it comes. A run up to the last pixel has none in your loop: after the last pixel comes the first one, values[0]."
+def count_runs(mask, rows, cols):
+    values = values_on(mask, rows, cols)
+    return int(((values[1:] == 0) & (values[:-1] == 1)).sum())
+
 # %% [markdown]
 # # gestures-dtw
 

@@ -209,7 +209,9 @@ def run_check(exercise, function, answer=None, progress=None):
             remarks = (SAYS["right only here"].format(name=exercise.answer_name),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
     one_change = _one_change(result, judged, calls)
-    return replace(result, remarks=(*remarks, *result.remarks), one_change=one_change)
+    way = one_change and SAYS["way without return"].format(name=exercise.function)  # not the cause then
+    remarks = tuple(remark for remark in (*remarks, *result.remarks) if remark != way)
+    return replace(result, remarks=remarks, one_change=one_change)
 
 
 def _one_change(result, function, calls):

@@ -41,10 +41,13 @@ _NOUNS = {
     **{"bool": "True or False", "bytes": "bytes", "set": "a set"},
     **dict.fromkeys(_FUNCTIONS, "a function itself"),
 }
+_AROUND = dict.fromkeys((2, 4), ": the border of the image is missing.")
+_AROUND |= dict.fromkeys((-2, -4), ": is it padding?")
 _ONE_FACTOR = (
     "In each call, all your values are the expected ones times one number. Is a division or a multiplication"
     " missing at the end, or one too many?"
 )
+_OTHER_NUMBERS = "The parts are right, and their numbers, 1, 2, 3 and so on, are not. Are some left out?"
 _CUT_OFF = "Some values are one too small, and none is wrong by more. Is the fraction cut off, not rounded?"
 
 
@@ -306,9 +309,8 @@ def _size_rules(shape, actual_shape, first):
         gaps = (actual - expected for actual, expected in zip(actual_shape, shape, strict=True))
         changes = [_surplus(gap, noun) for gap, noun in zip(gaps, ("row", "column"), strict=False) if gap]
         missing_rows, missing_cols = shape[0] - actual_shape[0], shape[1] - actual_shape[1]
-        end = ": is it padding?" if missing_rows == missing_cols in (-2, -4) else "."
-        if missing_rows == missing_cols in (2, 4) and shape[:2] == first[:2]:
-            end = ": the border of the image is missing."
+        is_all_around = missing_rows == missing_cols and shape[:2] == first[:2]
+        end = _AROUND.get(missing_rows if is_all_around else 0, ".")
         yield changes, f"Your result has {' and '.join(changes)}{end}"
 
 
@@ -413,6 +415,8 @@ def _relation_of_arrays(calls):
     for text, change in _RELATIONS:
         if all(_same(change(_wide(expected)), _wide(actual)) for expected, actual in arrays):
             return text
+    if all(_is_numbered_otherwise(*pair) for pair in arrays):
+        return _OTHER_NUMBERS
     if _is_cut_off(arrays):
         return _CUT_OFF
     return _ONE_FACTOR if all(_is_multiple(*pair) for pair in arrays) else ""
@@ -425,6 +429,13 @@ def _is_multiple(expected, actual):
         return False
     factor = values @ actual_values / (values @ values)
     return factor != 0 and np.allclose(actual_values, factor * values, rtol=1e-6, atol=0)
+
+
+def _is_numbered_otherwise(expected, actual):
+    """Whether numbered parts, 1 to n on a background of 0, are those of an array with other numbers."""
+    numbers, others = np.unique(np.stack([_wide(expected).ravel(), _wide(actual).ravel()]), axis=1).tolist()
+    is_numbered = numbers == list(range(len(numbers))) and len(numbers) > 2
+    return is_numbered and others[0] == 0 and len(set(others)) == len(others)
 
 
 def _is_cut_off(arrays):

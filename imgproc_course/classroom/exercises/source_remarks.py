@@ -161,6 +161,13 @@ def _loop_over_uint8(node, source):
             yield SAYS["loop over uint8"].format(test=comparison)
 
 
+def _fixed_size(node, _source):
+    """np.zeros((20, 20)): an image of one size, whatever the input is."""
+    call = ast.unparse(node)
+    if re.match(r"np\.(zeros|ones|full|empty)\(\(\d{2,}, \d{2,}\)", call):
+        yield SAYS["fixed size"].format(call=call)
+
+
 def _remarks_on_comparison(node, source):
     if len(node.ops) == 1 and ast.dump(node.left) == ast.dump(node.comparators[0]):
         yield f"{ast.unparse(node)} compares a value with itself."
@@ -243,6 +250,7 @@ _RULES = (
     (ast.Expr, _without_effect),
     (ast.Assign, _columns_first),
     (ast.BinOp, _one_list),
+    (ast.Call, _fixed_size),
     (ast.For | ast.While, _never_stored),
     (ast.AST, _else_of_last_if),
 )

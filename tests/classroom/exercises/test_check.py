@@ -153,6 +153,23 @@ def test_an_unknown_mistake_gets_the_hint():
     assert "Hint: Widen." in repr(result)
 
 
+def test_a_way_without_return_is_not_named_beside_the_one_change_that_helps():
+    source = dedent("""
+        def double(pixels):
+            doubled = None
+            for factor in (3, 2):
+                if factor == 3:
+                    break
+                doubled = np.minimum(pixels.astype(np.uint16) * factor, 255).astype(np.uint8)
+            if doubled is not None:
+                return doubled
+    """)
+    double = run_cell(source, {"np": np})["double"]
+    text = repr(check("test-double", double))
+    assert "With one change in line 4, these checks pass." in text
+    assert "no return is reached" not in text
+
+
 @pytest.mark.parametrize(
     ("function", "text"),
     [

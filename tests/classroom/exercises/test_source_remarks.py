@@ -50,6 +50,7 @@ def remarks(source, errors=()):
         ("width, height = a.shape", "a.shape has the rows first. Write height, width = a.shape."),
         ("w, h, n = a.shape", "a.shape has the rows first. Write h, w, n = a.shape."),
         ("cols, rows = a.shape[:2]", "a.shape has the rows first. Write rows, cols = a.shape[:2]."),
+        ("b = np.zeros((20, 20), bool)", "np.zeros((20, 20), bool) has the same size for every input. Does"),
         ("for a in range(3): pass", "The loop for a in ... writes over the argument a."),
         (
             "raise NotImplementedError('x')\n    return a",
