@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 
 LOOK, BODY = 0.1, 0.2
-KEYS = ("goal_time", "ball_gap")
+KEYS = ("goal_time", "ball_gap", "ball_angle")
 
 
 class PlaneEnv:

@@ -16,7 +16,7 @@ class Metrics:
         self._simulation, self._goal, self._answer = simulation, goal, answer
         self._place, self._touching = simulation.place, False
         self._start, self._places = self._place, {cell_of(self._place)}
-        self._ball_errors: list[float] = []
+        self._ball_errors: list[tuple[float, float]] = []
         self._values: dict[str, Any] = {
             "bumps": 0,
             "clearance": None,
@@ -28,6 +28,7 @@ class Metrics:
             "home": 0.0,
             "answer_error": self._error_of_answer,
             "ball_gap": None,
+            "ball_angle": None,
             "bumped_into": "",
             "nearest_to": "",
         }
@@ -77,8 +78,12 @@ class Metrics:
     def _note_ball(self, time):
         if "ball" in self._simulation.movers and time > BALL_AFTER:
             camera, ball = self._simulation.pose("camera"), self._simulation.pose("ball")
-            self._ball_errors.append(abs(math.dist(camera[:2], ball[:2]) - BALL_DISTANCE))
-            self._values["ball_gap"] = math.fsum(self._ball_errors) / len(self._ball_errors)
+            side = math.atan2(ball[1] - camera[1], ball[0] - camera[0]) - self._place[2]
+            gap = abs(math.dist(camera[:2], ball[:2]) - BALL_DISTANCE)
+            self._ball_errors.append((gap, abs(math.degrees(math.remainder(side, 2 * math.pi)))))
+            gaps, angles = zip(*self._ball_errors, strict=True)
+            self._values["ball_gap"] = math.fsum(gaps) / len(gaps)
+            self._values["ball_angle"] = math.fsum(angles) / len(angles)
 
     def info(self):
         """All metrics, rounded to 1e-4, as RoomEnv names them."""

@@ -72,7 +72,8 @@ class RoomEnv(gymnasium.Env):
     - "goal_time": seconds until the robot was in the goal
     - "home": distance from the start now, metres
     - "answer_error": from where the robot looks now to where the answer is, degrees
-    - "ball_gap": of | distance from camera to ball - 0.6 m |, the mean after 5 s, metres
+    - "ball_gap": of | distance from camera to ball - 0.6 m |, the mean after 5 s, metres; "ball_angle": from
+      where the robot looks to where the ball is, the mean after 5 s, degrees
 
     The reward of a look is the distance driven in it, less 1 for a bump. An episode is truncated after its
     duration, and never terminated. `reset` takes a *scenario* as options; all of its keys may be left out:

@@ -94,6 +94,18 @@ def pixel_ray(col, row, f, center, k1, k2):
     x, y = solution(col, row, f, center, k1, k2)
     return -x, -y
 
+# %% role="mistake" name="only x" says="Your squared radius has only x. Both belong to it: r2 = x * x + y * y."
+def pixel_ray(col, row, f, center, k1, k2):
+    px, py = (col - center[0]) / f, (row - center[1]) / f
+    x = steps_of(col, center[1], f, center, k1, k2)[0]
+    return x, py * x / px if px else py
+
+# %% role="mistake" name="only y" says="Your squared radius has only y. Both belong to it: r2 = x * x + y * y."
+def pixel_ray(col, row, f, center, k1, k2):
+    px, py = (col - center[0]) / f, (row - center[1]) / f
+    y = steps_of(center[0], row, f, center, k1, k2)[1]
+    return px * y / py if py else px, y
+
 # %% [markdown]
 # # obstacles-plane
 

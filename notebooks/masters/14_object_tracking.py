@@ -326,7 +326,7 @@ def inputs(rng):
 
 # %% role="case" title="other numbers of bins" points=1 hint="Is the number of bins the length of weights, and not always 18?"
 def inputs(rng):
-    return [(some_hues(rng, (4, 7)), some_weights(rng, count)) for count in (4, 32, 50)]
+    return [(some_hues(rng, (4, 7)), some_weights(rng, count) // 2) for count in (4, 32, 50)]
 
 
 # %% role="hidden" title="any image" points=1 hint="Do you widen the hue before you multiply?"
@@ -1230,7 +1230,7 @@ assert rolling.camera.fx == 176.25 and rolling.frame().shape == (180, 320, 3)
 #
 # ### Your turn: follow the ball
 #
-# Write `control(observation, memory)`. Each drive takes 20 s, and is judged by two metrics. The **bumps**: none, also not into the ball. And the **error of the distance**: after the first 5 s, the mean of |distance − 0.6 m| is at most 0.25 m. At the start, the ball is farther away than 0.6 m, and it rolls: the first 5 s are for coming nearer. A drive gives all its points or none. `math`, `np`, `cv2` and `red_spots` are imported for you.
+# Write `control(observation, memory)`. Each drive takes 20 s, and is judged by three metrics. The **bumps**: none, also not into the ball. The **error of the distance**: after the first 5 s, the mean of |distance − 0.6 m| is at most 0.25 m. And the **ball beside the middle**: after the first 5 s, the robot looks at most 15° past the ball, on average. At the start, the ball is farther away than 0.6 m, and it rolls: the first 5 s are for coming nearer. A drive gives all its points or none. `math`, `np`, `cv2` and `red_spots` are imported for you.
 #
 # The stub drives straight ahead. Check it first, and look at what happens; then improve it step by step. The check takes a while: it drives three times.
 #
@@ -1278,8 +1278,8 @@ def rolling_ball(rng, duration):
     while True:
         x, y, yaw = rng.uniform((-0.5, -1.8, -math.pi), (5.2, 2.0, math.pi))
         to_left = rng.choice([-1, 1])  # the ball rolls to one side: who drives straight ahead loses it
-        way, side = rng.uniform(1.0, 1.5), yaw + to_left * rng.uniform(0, 0.25)
-        length, heading = rng.uniform(1.4, 2.4), yaw + to_left * rng.uniform(0.6, 1.1)
+        way, side = rng.uniform(0.9, 1.7), yaw + to_left * rng.uniform(0, 0.35)
+        length, heading = rng.uniform(1.2, 2.6), yaw + to_left * rng.uniform(0.3, 1.4)
         to_ball = way * np.array([math.cos(side), math.sin(side)])
         roll = length * np.array([math.cos(heading), math.sin(heading)])
         robot = np.array([x, y])
@@ -1290,7 +1290,7 @@ def rolling_ball(rng, duration):
             start, ball = (x, y, yaw), (*(robot + to_ball), *roll)
             return {"seed": int(rng.integers(1 << 31)), "duration": duration,
                     "start": [round(float(v), 3) for v in start], "ball": [round(float(v), 3) for v in ball],
-                    "thresholds": {"bumps": ["<=", 0], "ball_gap": ["<=", 0.25]}}
+                    "thresholds": {"bumps": ["<=", 0], "ball_gap": ["<=", 0.25], "ball_angle": ["<=", 15]}}
 
 
 # %% role="answer"

@@ -116,7 +116,7 @@ def label(mask):
 def label(mask):
     return mask.astype(int)
 
-# %% role="mistake" name="a number for each pixel" says="Each pixel has a number of its own. All pixels of a component share one: give it to the neighbours too, with the stack."
+# %% role="mistake" name="a number for each pixel" says="Each pixel has a number of its own. All pixels of a component share one: give it to the neighbours too, with the stack. (range(row - 1, row + 1) ends before row + 1.)"
 def label(mask):
     return np.where(mask, mask.cumsum().reshape(mask.shape), 0)
 
@@ -143,7 +143,7 @@ def label(mask):
 def label(mask):
     return np.zeros(mask.shape, int)
 
-# %% role="mistake" name="gaps in the numbers" says="Your numbers have gaps: you add 1 to the count for each pixel of ink. Add 1 only if the pixel has no number yet."
+# %% role="mistake" name="gaps in the numbers" says="Your numbers have gaps. Add 1 to the count only for a new component; or give the components the numbers 1, 2, 3 and so on at the end."
 def label(mask):
     labels, ink = solution(mask), mask.cumsum()
     firsts = [0] + [int(ink[np.argmax(labels.ravel() == i)]) for i in range(1, labels.max() + 1)]

@@ -453,7 +453,7 @@ def find_inliers(points, pixels, samples, limit):
     masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
     return masks[np.argmin(masks.sum(axis=1))]
 
-# %% role="mistake" name="the last sample" says="You return the inliers of the last sample. Keep those of the sample with the most."
+# %% role="mistake" name="the last sample" says="You return the inliers of the last sample. Keep those of the sample with the most. (Do you write each sample into the same array? Then best is only another name for it.)"
 def find_inliers(points, pixels, samples, limit):
     return distance(homography(points[samples[-1]], pixels[samples[-1]]), points, pixels) < limit
 

@@ -834,6 +834,7 @@ exercise(
     "faces-lbp",
     title="The LBP codes",
     function="lbp_codes",
+    exact_type=True,
     hint="For each of the eight neighbours: its number where neighbour >= pixel. Clockwise from the upper left: 1, 2, 4, 8, 16, 32, 64, 128.",
     hints=(
         "Which slice of the image are the upper left neighbours of all pixels, and what do they add?",

@@ -229,6 +229,7 @@ def test_what_moves_counts_as_a_bump_but_not_for_the_clearance():
         *_, info = env.step((0.1, 0.0))
     assert info["bumps"] >= 1 and info["bumped_into"] == "ball" and info["clearance"] > 0.3
     assert 0.2 < info["ball_gap"] < 0.5  # it pushes the ball: about 0.14 m, not 0.6 m
+    assert info["ball_angle"] < 30
     env.close()
 
 

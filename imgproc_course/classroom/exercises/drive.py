@@ -72,6 +72,12 @@ METRICS = {
         "The robot's distance to the ball was wrong by {}",
         "Does it turn to the side on which the ball is, and does it stop and drive back when it is too near?",
     ),
+    "ball_angle": _Metric(
+        "ball beside the middle",
+        "{:.0f}°",
+        "The robot looked {} past the ball, on average",
+        "Does it turn to the side on which the ball is, also when it stands?",
+    ),
 }
 
 

@@ -14,7 +14,7 @@ from imgproc_course.classroom.exercises.drive import METRICS
 
 _Number = Annotated[int, Meta(ge=0)]
 _Metric = Literal[tuple(METRICS)]
-_NEEDED = {"goal_time": "goal", "answer_error": "answer", "ball_gap": "ball"}
+_NEEDED = {"goal_time": "goal", "answer_error": "answer", "ball_gap": "ball", "ball_angle": "ball"}
 
 
 class _Scenario(msgspec.Struct, forbid_unknown_fields=True):

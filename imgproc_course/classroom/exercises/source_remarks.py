@@ -200,7 +200,7 @@ def _one_list(node, _source):
 def _columns_first(node, _source):
     """width, height = image.shape exchanges the two names."""
     names = r"\(?((?:w|width|cols|columns), (?:h|height|rows))((?:, \w+)?)\)? = (\w+\.shape)((?:\[:2\])?)"
-    match = re.fullmatch(names, ast.unparse(node))
+    match = re.fullmatch(names, ast.unparse(node), re.IGNORECASE)
     if match:
         columns, rows = match[1].split(", ")
         yield f"{match[3]} has the rows first. Write {rows}, {columns}{match[2]} = {match[3]}{match[4]}."

@@ -48,6 +48,7 @@ def remarks(source, errors=()):
             "a.astype(int) gives a new value, which is not kept, and changes nothing. Write a = ",
         ),
         ("width, height = a.shape", "a.shape has the rows first. Write height, width = a.shape."),
+        ("W, H = a.shape", "a.shape has the rows first. Write H, W = a.shape."),
         ("w, h, n = a.shape", "a.shape has the rows first. Write h, w, n = a.shape."),
         ("cols, rows = a.shape[:2]", "a.shape has the rows first. Write rows, cols = a.shape[:2]."),
         ("b = np.zeros((20, 20), bool)", "np.zeros((20, 20), bool) has the same size for every input. Does"),
