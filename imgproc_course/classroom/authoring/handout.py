@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 import zipfile
 from importlib.metadata import version
 from pathlib import Path
@@ -25,8 +26,8 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     """Write what learners get into a folder, in which no file is replaced; after an error nothing.
 
     The source holds built lessons with checks/ and solutions/. Without names, all lessons are taken; other
-    notebooks and pages, such as the glossary, go along. Zipped, <folder>.zip is written as well. Returns the
-    number of lessons, and the Path of the zip file.
+    notebooks and pages, such as the glossary, go along, without links to what does not. Zipped, <folder>.zip
+    is written as well. Returns the number of lessons, and the Path of the zip file.
     """
     folder, source = Path(folder), Path(source)
     chosen = find_lessons(source, names)
@@ -35,7 +36,8 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
         raise HandoutError(f"{folder} is in the folder of the lessons, {source}; give another folder")
     # Nothing else: a teacher's folder may hold a key, or submissions.
     pages = [path for path in sorted(source.iterdir()) if path.suffix in _PAGES or path.name == GLOSSARY_PAGE]
-    files = {path.name: without_outputs(path.read_bytes()) for path in pages if path not in left_out}
+    texts = {path.name: without_outputs(path.read_bytes()) for path in pages if path not in left_out}
+    files = {name: _without_links(text, left_out) for name, text in texts.items()}
     for path in chosen:
         files |= _exercise_files(source, path, with_solutions)
         beside = f"{TEXTS}/{lesson_name(path.stem)}.json", f"{lesson_name(path.stem)}.py"
@@ -49,6 +51,12 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     for path, data in outputs.items():
         write_file(path, data)
     return len(chosen), archive
+
+
+def _without_links(text, lessons):
+    """A page in which the links to lessons that are not handed out are plain text."""
+    names = b"|".join(re.escape(path.name.encode()) for path in lessons)
+    return re.sub(rb"\[([^][]+)\]\((?:%s)[^()]*\)" % names, rb"\1", text) if names else text
 
 
 def _exercise_files(source, lesson, with_solutions):

@@ -89,6 +89,17 @@ def test_one_lesson(hand_out, tmp_path, name):
     ]  # fmt: skip
 
 
+def test_links_to_lessons_that_are_left_out_are_plain_text(hand_out, lessons, tmp_path):
+    text = "See [lesson 01, Sums](01_sums.ipynb#cell-id=sums-1), [Words](02_words.ipynb), and [this](a.md)."
+    write_lesson(lessons / "index.ipynb", nbformat.v4.new_markdown_cell(text, id="index-1"))
+    assert hand_out("words")[0] == 0
+    (cell,) = nbformat.read(tmp_path / "handout" / "index.ipynb", as_version=4).cells
+    assert cell.source == "See lesson 01, Sums, [Words](02_words.ipynb), and [this](a.md)."
+    assert hand_out(folder=tmp_path / "all")[0] == 0
+    (cell,) = nbformat.read(tmp_path / "all" / "index.ipynb", as_version=4).cells
+    assert cell.source == text
+
+
 def test_a_zip_file_holds_the_same_files(hand_out, tmp_path):
     assert hand_out("--zip")[1].endswith(f"in {tmp_path}/handout/ and {tmp_path}/handout.zip\n")
     with zipfile.ZipFile(tmp_path / "handout.zip") as archive:
