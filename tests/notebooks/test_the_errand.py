@@ -264,13 +264,14 @@ def test_find_sign_reads_the_words_on_the_way_and_never_a_wrong_one(errand_drive
         room, (x, y, _) = furnished(scenario["room"]), scenario["start"]
         sign_x, sign_y = room.poses["sign"][:2]
         direction, signs = math.atan2(sign_y - y, sign_x - x), []
-        for way in (2.0, 1.8, 1.6, 1.4):
+        for way in (2.3, 1.8, 1.6, 1.4):
             place = sign_x - way * math.cos(direction), sign_y - way * math.sin(direction), direction
             simulation = Simulation(1, room=room, start=place, movers=False, size=(320, 180))
             signs.append(find_sign(simulation.frame()))
             simulation.close()
             assert signs[-1] is None or (abs(signs[-1][1]) < 0.03 and abs(signs[-1][2] - way) < 0.3)
         readings = {sign[0] for sign in signs if sign} - {None}
-        assert signs[0][0] is None and readings <= {room.word}
+        assert signs[0] is None or signs[0][0] is None  # too far away
+        assert readings <= {room.word}
         unread += [room.word] * (not readings)
     assert len(unread) < 4  # some are seen from the side
