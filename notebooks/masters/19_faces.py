@@ -827,7 +827,7 @@ assert code == 1 + 2 + 4 + 16 and (8 * (right_neighbours >= pixels)).tolist() ==
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `gray`: (H, W) uint8, at least 3 × 3 pixels | (H − 2, W − 2) uint8: the code of each pixel that has eight neighbours | `lbp_codes(patch)` returns the code above, as an array with one row and one column |
+# | `gray`: (H, W) uint8, at least 3 × 3 pixels | (H − 2, W − 2) uint8: the code of each pixel that has eight neighbours. The type counts: uint8 | `lbp_codes(patch)` returns the code above, as an array with one row and one column |
 
 # %% role="exercise"
 exercise(
