@@ -106,6 +106,15 @@ def pixel_ray(col, row, f, center, k1, k2):
     y = steps_of(center[0], row, f, center, k1, k2)[1]
     return px * y / py if py else px, y
 
+# %% role="mistake" name="y not divided" says="Your y is still that of the pinhole ray. In each repetition, divide y by the factor too."
+def pixel_ray(col, row, f, center, k1, k2):
+    px, y = (col - center[0]) / f, (row - center[1]) / f
+    x = px
+    for _ in range(20):
+        r2 = x * x + y * y
+        x = px / (1 + k1 * r2 + k2 * r2 * r2)
+    return x, y
+
 # %% [markdown]
 # # obstacles-plane
 

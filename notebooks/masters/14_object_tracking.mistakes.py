@@ -102,6 +102,11 @@ def iou(a, b):
     both = width * height
     return both / (a[2] * a[3] + b[2] * b[3] - both)
 
+# %% role="mistake" name="the smaller height" says="Your common height does not depend on where the rows begin. Compute it as the width: the smaller end minus the larger start."
+def iou(a, b):
+    both = max(common(a, b, 0), 0) * min(a[3], b[3])
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
 # %% [markdown]
 # # tracking-backproject
 

@@ -588,3 +588,7 @@ def decode(scores, characters):
 # %% role="mistake" name="an empty text" says="Your text is empty. Do you add the characters that are new and not blank? text += characters[i]."
 def decode(scores, characters):
     return ""
+
+# %% role="mistake" name="blank left out of the choice" says="You choose the best letter of each row and leave the blank out, so every row is a letter. Take the argmax of the whole row, and skip 0 afterwards."
+def decode(scores, characters):
+    return text_of((scores[:, 1:].argmax(axis=1) + 1).tolist(), characters)
