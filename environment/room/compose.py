@@ -89,7 +89,7 @@ def clean_light(light, known):
 
 
 def without_grain(light, strongest=0.6, reach=3):
-    """Without the grain that the denoiser takes for a pattern: changes below `strongest` (natural log) go."""
+    """Light without the grain that the denoiser left: changes below `strongest`, a natural logarithm, go."""
     logarithm = np.log(np.maximum(light, 1e-3))
     for _ in range(2):
         logarithm = cv2.bilateralFilter(logarithm, 4 * reach + 1, strongest, reach)
