@@ -31,12 +31,12 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     """
     folder, source = Path(folder), Path(source)
     chosen = find_lessons(source, names)
-    left_out = set(find_lessons(source)) - set(chosen)
+    left_out = {path.name for path in set(find_lessons(source)) - set(chosen)}
     if source.resolve() in (folder.resolve(), *folder.resolve().parents):
         raise HandoutError(f"{folder} is in the folder of the lessons, {source}; give another folder")
     # Nothing else: a teacher's folder may hold a key, or submissions.
     pages = [path for path in sorted(source.iterdir()) if path.suffix in _PAGES or path.name == GLOSSARY_PAGE]
-    texts = {path.name: without_outputs(path.read_bytes()) for path in pages if path not in left_out}
+    texts = {path.name: without_outputs(path.read_bytes()) for path in pages if path.name not in left_out}
     files = {name: _without_links(text, left_out) for name, text in texts.items()}
     for path in chosen:
         files |= _exercise_files(source, path, with_solutions)
@@ -53,10 +53,10 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     return len(chosen), archive
 
 
-def _without_links(text, lessons):
-    """A page in which the links to lessons that are not handed out are plain text."""
-    names = b"|".join(re.escape(path.name.encode()) for path in lessons)
-    return re.sub(rb"\[([^][]+)\]\((?:%s)[^()]*\)" % names, rb"\1", text) if names else text
+def _without_links(text, names):
+    """A page in which the links to these files, which are not handed out, are plain text."""
+    link = rb"\[([^][]+)\]\(([^()#]*)(?:#[^()]*)?\)"
+    return re.sub(link, lambda found: found[1] if found[2].decode() in names else found[0], text)
 
 
 def _exercise_files(source, lesson, with_solutions):
