@@ -86,13 +86,13 @@ def shared_camera(drive_of_another_program):
 
 @pytest.fixture
 def wait_until():
-    """Waits for a condition that other threads or processes fulfil; fails after a timeout."""
+    """Waits for a condition that other threads or processes fulfil; fails after a timeout, with `state()`."""
 
-    def wait(condition, seconds=60.0):
+    def wait(condition, seconds=60.0, state=lambda: ""):
         end = time.monotonic() + seconds
         while not condition():
             if time.monotonic() > end:
-                pytest.fail("the condition did not become true in time")
+                pytest.fail(f"the condition did not become true in time {state()}")
             time.sleep(0.01)
 
     return wait

@@ -174,12 +174,16 @@ def test_the_lessons_node_follows_the_ball_from_another_process(robot, collect, 
         ball = Pose.planar(*start).apply(vector(balls[-1])[:3])
         return math.dist(ball[:2], vector(true_balls[-1])[:2])
 
+    def state():
+        places = [vector(one[-1])[:2].round(2) for one in (true_balls, cameras, balls) if one]
+        return f"after {len(balls)} balls, {len(tracks)} tracks: {places}"
+
     wait_until(lambda: true_balls and cameras)
     assert distance() > 1
     program = Path(__file__).with_name("follow_ball.py")
     with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
         try:  # on a busy machine it looks seldom, and drives slowly
-            wait_until(lambda: balls and abs(distance() - 0.8) < 0.15 and error() < 0.25, 150)
+            wait_until(lambda: balls and abs(distance() - 0.8) < 0.15 and error() < 0.25, 90, state)
         finally:
             node.send_signal(signal.SIGINT)
         looks = int(node.communicate(timeout=60)[0])

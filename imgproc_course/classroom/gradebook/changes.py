@@ -93,7 +93,8 @@ def _points(entry):
     text = f"{entry['points']} of {entry['max_points']}"
     if entry.get("late_deduction"):
         text += f", {entry['late_deduction']} deducted because late"
-    return text + (", decided by hand" if entry.get("decision") else "")
+    decided = f", decided by hand; the autograder gives {entry.get('autograded_points')}"
+    return text + (decided if entry.get("decision") else "")
 
 
 def _lateness(entry):

@@ -4,6 +4,8 @@ import contextlib
 import fcntl
 import hashlib
 import json
+import threading
+import time
 from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
@@ -131,6 +133,7 @@ def grade_missing(learners, answer_keys, store, again, *, quiet, on_result, **op
     missing = [digest for digest in digests if digest in again or stored[digest] is None]
     done, about = len(digests) - len(missing), {"desc": "grading", "unit": " submissions"}
     with tqdm(total=len(digests), initial=done, disable=quiet, **about) as bar:
+        threading.Thread(target=show_time, args=(bar,), daemon=True).start()
         exercises = {digest: again.get(digest) if stored[digest] else None for digest in missing}
         keys = {digest: answer_keys.key_of(store.answers(digest)[0]) for digest in missing}
         for result in autograde(_submissions(exercises, store), keys, **options):
@@ -140,6 +143,13 @@ def grade_missing(learners, answer_keys, store, again, *, quiet, on_result, **op
             bar.update()
             on_result(result.name)
     return len(missing)
+
+
+def show_time(bar):
+    """Show each second that passes: a submission whose robot drives takes a minute."""
+    while not bar.disable:  # a closed bar is disabled
+        time.sleep(1)
+        bar.refresh()
 
 
 def _submissions(exercises, store):

@@ -1,14 +1,18 @@
 """Thirty submissions from end to end; attacks of form gain nothing; grades are the same every time."""
 
+import io
 import json
 import random
 import shutil
 import sys
+import threading
+import time
 from datetime import datetime
 from pathlib import Path
 
 import jsonschema
 import pytest
+from tqdm import tqdm
 
 sys.path.append(str(Path(__file__).parents[1] / "autograder"))
 from attacks import ATTACKS, PUBLISHED
@@ -23,7 +27,7 @@ from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.gradebook import grades_json
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.grades_json import lesson_names
-from imgproc_course.classroom.gradebook.result_store import GradesFolderError, ResultStore
+from imgproc_course.classroom.gradebook.result_store import GradesFolderError, ResultStore, show_time
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
 
@@ -358,3 +362,15 @@ def test_a_key_made_twice_from_one_seed_is_the_same(key_path, tmp_path):
     assert again.digest == load_key(key_path).digest
     for path in key_path.rglob("*.json"):
         assert SEED not in path.read_text()
+
+
+def test_the_bar_shows_the_seconds_of_one_submission_and_ends_with_its_run():
+    text, end = io.StringIO(), time.monotonic() + 30
+    with tqdm(total=2, file=text) as bar:
+        ticking = threading.Thread(target=show_time, args=(bar,))
+        ticking.start()
+        while "00:02" not in text.getvalue() and time.monotonic() < end:
+            time.sleep(0.05)
+    assert "| 0/2 [00:01<" in text.getvalue() and "| 0/2 [00:02<" in text.getvalue()
+    ticking.join(30)
+    assert not ticking.is_alive()

@@ -265,6 +265,18 @@ def test_an_excused_lesson_is_a_change_by_that_word():
     assert (change["before"], change["after"]) == ("4 of 6", "excused")
 
 
+def test_a_newer_file_of_a_decided_lesson_is_a_change():
+    lesson = {"lesson": "light", "status": "graded", "points": 3, "max_points": 6, "exercises": []}
+    lesson["decision"] = {"excused": False, "points": 3}
+    before, after = (
+        {"learners": [{"name": "Bob", "page": "", "lessons": [lesson | {"autograded_points": points}]}]}
+        for points in (0, 5)
+    )
+    (change,) = changes_between(before, after)
+    assert change["before"] == "3 of 6, decided by hand; the autograder gives 0"
+    assert change["after"] == "3 of 6, decided by hand; the autograder gives 5"
+
+
 def test_every_change_is_named(light, submissions, key_path, tmp_path):
     out, options = tmp_path / "out", {"workers": 1, "quiet": True}
     early, late = datetime(2026, 11, 1), datetime(2026, 11, 3)
@@ -284,7 +296,10 @@ def test_every_change_is_named(light, submissions, key_path, tmp_path):
     }
     assert rows.pop(("", "the whole run", "deadline")) == ("2026-11-02T00:00:00", "none")
     assert rows.pop(("ada", "light", "lateness")) == ("1 day late", "in time")
-    assert rows.pop(("bob", "light-double", "")) == ("3 of 3", "3 of 3, decided by hand")
+    assert rows.pop(("bob", "light-double", "")) == (
+        "3 of 3",
+        "3 of 3, decided by hand; the autograder gives 0",
+    )
     assert rows.pop(("bob", "light-double", "comment")) == ("", "so")
     assert rows.pop(("bob", "light", "file"))[1].startswith("bob/20_light.ipynb (")
     was, now = rows.pop(("bob", "light-double", "checks"))
@@ -320,7 +335,8 @@ def test_the_changes_since_the_run_before(light, submissions, key_path, tmp_path
     assert second.text.endswith(f"   What changed last: {out}/changes.html")
     text = (out / "changes.html").read_text()
     row = re.sub(r"<.*?>", " ", text.partition("<tbody>")[2].partition("</tbody>")[0]).split()
-    assert row == ["bob", "light", "6", "of", "6", "2", "of", "6,", "decided", "by", "hand"]
+    decided = "2 of 6, decided by hand; the autograder gives 6"
+    assert row == ["bob", "light", "6", "of", "6", *decided.split()]
     grade_submissions(submissions, [key_path], out, **options)
     assert (out / "changes.html").read_text() == text  # nothing changed: the last change stays
     before = json.loads((out / "grades.previous.json").read_text())

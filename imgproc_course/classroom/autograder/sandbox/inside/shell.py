@@ -5,6 +5,7 @@ Out: {"type": "stream" | "display_data" | "error" | "idle", "content": {...}}, a
      cell draws is not sent, but for what a check cell shows.
 """
 
+import ast
 import asyncio
 import io
 import json
@@ -13,11 +14,11 @@ import re
 import sys
 import threading
 
+from IPython.core.async_helpers import _pseudo_sync_runner
 from IPython.core.displayhook import DisplayHook
 from IPython.core.displaypub import DisplayPublisher
-from IPython.core.inputtransformer2 import TransformerManager
-from IPython.core.interactiveshell import InteractiveShell
-from traitlets import Instance, Type
+from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
+from traitlets import Type
 from traitlets.config import Config
 
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
@@ -101,15 +102,8 @@ class AnswerDisplayHook(DisplayHook):
         WRITER.send_answer(format_dict)
 
 
-# Without one of these characters there is no magic, no shell command and no question for help.
-_ESCAPES = re.compile(r"[%?]|!(?!=)|^[ \t\f]*[,;/]", re.M)
-
-
-class FastTransformer(TransformerManager):
-    """IPython's transformer, without a search for magics, which takes long, where there can be none."""
-
-    def do_token_transforms(self, lines):
-        return super().do_token_transforms(lines) if _ESCAPES.search("".join(lines)) else lines
+# In what parses as Python all the same: an event loop is needed, or there are prompts, or blank lines first.
+_CHANGED_BY_IPYTHON = re.compile(r"await|async|^In \[\d+\]: |\A[^\S\n]*\n", re.M)
 
 
 class CellShell(InteractiveShell):
@@ -117,11 +111,21 @@ class CellShell(InteractiveShell):
 
     displayhook_class = Type(AnswerDisplayHook)
     display_pub_class = Type(AnswerPublisher)
-    input_transformer_manager = Instance(FastTransformer, ())
 
-    def should_run_async(self, raw_cell, **options):
-        # IPython compiles the cell to find out; for most cells a look at the text is enough.
-        return ("await" in raw_cell or "async" in raw_cell) and super().should_run_async(raw_cell, **options)
+    def run_cell(self, raw_cell, **options):
+        """Run a cell; if it is plain Python, without the search for magics and the rest of IPython's work.
+
+        That takes most of the time of a short cell, because a fork first copies the memory that it uses.
+        """
+        body = plain_statements(raw_cell)
+        if not body:
+            return super().run_cell(raw_cell, **options)
+        result = self.displayhook.exec_result = ExecutionResult(None)
+        name = self.compile.cache(raw_cell, self.execution_count)
+        with self.builtin_trap, self.display_trap:
+            run = self.run_ast_nodes(body, name, self.ast_node_interactivity, self.compile, result)
+            _pseudo_sync_runner(run)
+        return result
 
     def enable_gui(self, gui=None):
         pass
@@ -137,6 +141,14 @@ class CellShell(InteractiveShell):
 
     def showsyntaxerror(self, *_arguments, **_options):
         self.showtraceback()
+
+
+def plain_statements(source):
+    """The statements of a cell that IPython runs as they stand; [] for another cell, or an empty one."""
+    try:
+        return [] if _CHANGED_BY_IPYTHON.search(source) else ast.parse(source).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return []
 
 
 def _text_of(error):
