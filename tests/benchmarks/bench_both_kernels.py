@@ -22,7 +22,8 @@ from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFac
 
 
 def main():
-    names = [name for name in SAMPLES if name != "prints beside"]  # only one of them sees what C code prints
+    # Only one of them sees what C code prints, and Jupyter's client waits for a kernel that has ended itself.
+    names = [name for name in SAMPLES if name not in ("prints beside", "ends")]
     runs = []
     with tempfile.TemporaryDirectory(prefix="bench-") as folder:
         key = make_key(MASTERS, SEED, Path(folder) / "key")
