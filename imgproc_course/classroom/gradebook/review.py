@@ -95,4 +95,5 @@ def _ending(case):
     label, message = TEXTS[case["outcome"]].label, case["message"]
     if case["outcome"] == Outcome.RAISED:
         message = "".join(re.findall(r"^[A-Z]\w+", message))
-    return f"{label} ({message})" if message else label
+    is_drive = message.startswith("The robot ")  # and returned no other value
+    return message if is_drive else f"{label} ({message})" if message else label

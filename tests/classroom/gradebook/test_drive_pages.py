@@ -12,6 +12,7 @@ from imgproc_course.classroom.autograder.make_answer_key import make_key
 from imgproc_course.classroom.autograder.worker_threads import usual_workers
 from imgproc_course.classroom.gradebook.answer_keys import load_keys
 from imgproc_course.classroom.gradebook.grade import grade_submissions
+from imgproc_course.classroom.gradebook.review import _way
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(300)]
 
@@ -64,3 +65,9 @@ def test_the_teacher_sees_the_maps_of_hidden_drives_too(grades):
     assert page.count("data:image/webp;base64,") == 6
     assert page.count("<bdi>ada</bdi>") == 3
     assert 'href="drives.html"' in (grades / "summary.html").read_text(encoding="utf-8")
+
+
+def test_answers_that_drive_alike_are_grouped_by_what_the_robot_did(grades):
+    learners = json.loads((grades / "grades.json").read_text(encoding="utf-8"))["learners"]
+    (exercise,) = learners[1]["lessons"][0]["exercises"]
+    assert _way(exercise | {"mistake": ""})[0] == f"a free way: {PUBLIC}"
