@@ -9,7 +9,7 @@ import sys
 from collections import Counter
 from pathlib import Path
 
-BUDGET = {"raw lines": 36_485, "code lines": 24_810, "worst complexity": 19}
+BUDGET = {"raw lines": 36_533, "code lines": 24_846, "worst complexity": 19}
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 HAVE_DOCSTRINGS = (*FUNCTIONS, ast.ClassDef, ast.Module)

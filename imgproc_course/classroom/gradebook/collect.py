@@ -30,7 +30,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path, PurePosixPath
 
-from ..authoring.lesson_names import is_lesson
+from ..authoring.lesson_names import is_lesson, lesson_name, lessons_named
 from ..autograder.sanitize import sanitize_line
 from . import archives
 from .archives import Archives, CollectError
@@ -47,6 +47,7 @@ from .senders import (
 
 MOST_SENDERS = 20_000
 MOST_NOTEBOOKS = 100  # of one sender; the course has 22 lessons
+AGES = 3  # of `SubmittedFile.order`: the platform's number, the time, and the time `changed` in a zip
 LARGEST_SUBMISSION = 200_000_000  # bytes of one sender's notebooks together
 MOST_FILES = 20_000  # and folders, in the folders of one sender; as many files in the zips
 DEEPEST = 12  # folders
@@ -55,6 +56,7 @@ _MOST_NAMES = 3  # different names in one zip: more look like a zip of several p
 _KINDS = (".ipynb", ".zip")
 _SKIPPED_FOLDERS = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
 _ENVIRONMENTS = {".venv", "venv", "env", ".tox", "site-packages", "node_modules"}
+_NO_NOTEBOOK = "it is no notebook (*.ipynb) and no zip; submit the notebook itself"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,7 +65,8 @@ class SubmittedFile(Sender):
 
     group         the zip or folder that it came in; distinguishes learners who have the same name
     submitted_at  local time of the file, or what a platform's zip of the time `archived_at` says
-    order         sorts the submissions of one lesson from the earliest to the latest
+    order         sorts the submissions of one lesson from the earliest to the latest: first what tells their
+                  times (AGES), then what is only a guess (the upper folder, and copies, are later)
     reason        why the file is not read, or ""; else `reader` returns its bytes
     """
 
@@ -104,7 +107,7 @@ def collect(path, lessons=()):
         intake.report_links()
     else:
         intake.add_file(path.resolve(), is_everything=True)
-    collection.finish()
+    collection.finish(lessons)
     if not collection.files:
         raise CollectError(f"{path}: no notebooks (*.ipynb) and no zip in it; give the folder of submissions")
     return collection
@@ -123,7 +126,7 @@ class Collection(AbstractContextManager):
     def __init__(self):
         self.files, self.ignored, self.findings, self.archives = [], [], [], Archives()
         self._notebooks, self._bytes, self._ignored, self._found = Counter(), Counter(), Counter(), Counter()
-        self._known = set()
+        self._known, self._others = set(), []
 
     def __exit__(self, *_error):
         self.archives.close()
@@ -139,14 +142,17 @@ class Collection(AbstractContextManager):
             finding = IntakeFinding(kind, learner, "", "and more of the same kind, which are not listed")
         self.findings.append(finding)
 
-    def ignore(self, learner, parts):
+    def ignore(self, sender, parts):
         """List a file that is not read."""
-        self._ignored[learner] += 1
-        if self._ignored[learner] <= _MOST_LISTED:
+        self._ignored[sender.learner] += 1
+        if self._ignored[sender.learner] <= _MOST_LISTED:
             self.ignored.append(display_path(parts))
+            self._others.append((sender, parts))
 
-    def add(self, sender, parts, *, size=0, reason="", submitted_at=None, group="", number=0, **more):
-        """Add the file that was found at `parts`, if its sender's budget allows."""
+    def add(
+        self, sender, parts, *, size=0, reason="", submitted_at=None, group="", number=0, changed="", **more
+    ):
+        """Add the file that was found at `parts`, if its sender's budget allows; `changed`: see AGES."""
         key = (sender.learner, sender.platform_id, parts[0])  # a forged name uses up nobody else's budget
         self._notebooks[key] += 1
         if self._notebooks[key] > MOST_NOTEBOOKS:
@@ -163,12 +169,30 @@ class Collection(AbstractContextManager):
             group = sanitize_line(parts[0], 120)
         _, repetition = split_repetition(PurePosixPath(notebook_name(parts[-1])).stem)
         moment, source = submitted_at.isoformat() if submitted_at else "", display_path(parts)
-        order = (sender.sequence, moment, repetition, number, source)
+        order = (sender.sequence, moment, changed, -len(parts), repetition, number, source)
         more |= {"source": source, "group": group, "submitted_at": submitted_at, "order": order}
         self.files.append(SubmittedFile(**vars(sender), reason=reason, **more))
 
-    def finish(self):
+    def _add_others(self, lessons):
+        """Add what came in place of a notebook, with the reason why it is not read: its sender gets a page.
+
+        It is named as lessons are handed out (04_grayscale.py), or its sender has sent nothing else.
+        """
+        senders = {file.learner for file in self.files}
+        named = {(file.learner, name) for file in self.files for name in lessons_named(file.source, lessons)}
+        others = [(_handed_out_as(parts[-1], lessons), sender, parts) for sender, parts in self._others]
+        for lesson, sender, parts in sorted(others, key=lambda other: not other[0]):
+            is_in_theirs = sender.platform or any(part.startswith(sender.given) for part in parts[:-1])
+            is_missing = (sender.learner, lesson) not in named if lesson else sender.learner not in senders
+            is_tools_own = parts[-1].startswith(".") or not parts[-1]
+            if is_in_theirs and is_missing and not is_tools_own:
+                self.add(sender, parts, reason=_NO_NOTEBOOK)
+                senders.add(sender.learner)
+
+    def finish(self, lessons):
         """Report what can only be known now that everything is collected, and sort it."""
+        if self.files:
+            self._add_others(lessons)
         files = list(_told_apart(self.files, self.findings))
         self.files = sorted(files, key=lambda file: file.source)
         senders = {file.learner for file in files}
@@ -240,7 +264,7 @@ class _Intake:
         """Whether a folder is not looked at because of its name; it is listed unless a tool made it."""
         if folder.name.startswith(".") and folder.name not in _SKIPPED_FOLDERS:
             parts = (*self._parts(folder), "")
-            self._collection.ignore(self._sender_of(parts).learner, parts)
+            self._collection.ignore(self._sender_of(parts), parts)
         return folder.name.startswith(".") or folder.name in _SKIPPED_FOLDERS
 
     def _entries(self, folder):
@@ -284,7 +308,7 @@ class _Intake:
         if suffix not in _KINDS:
             if status and stat.S_ISLNK(status.st_mode):
                 self._add_finding(path, "a link; links are not followed")
-            self._collection.ignore(sender.learner, parts)
+            self._collection.ignore(sender, parts)
             return
         about = {}
         if status and status.st_nlink > 1:
@@ -333,7 +357,7 @@ class _Intake:
             if not name:
                 continue
             if _suffix(name[-1]) not in _KINDS:
-                self._collection.ignore(senders[name].learner, (*parts, *name))
+                self._collection.ignore(senders[name], (*parts, *name))
                 continue
             is_named_inside = senders[name] != sender  # the zip is believed: then its dates count too
             self._collection.add(
@@ -341,6 +365,7 @@ class _Intake:
                 (*parts, *archives.member_parts(member)),
                 # A learner can write any date into a zip.
                 submitted_at=archives.member_time(member, modified) if is_named_inside else modified,
+                changed=archives.member_time(member, modified).isoformat(),
                 archived_at=modified if is_named_inside else None,
                 size=member.file_size,
                 reason=archives.member_problem(member),
@@ -385,6 +410,13 @@ class _Intake:
             text = f"this zip names {sanitize_line(', '.join(people[:_MOST_NAMES]), 200)}"
             text += f"; all of it counts as {sender.learner}'s. If it holds submissions of several people,"
             self._collection.add_finding("sender", sender.learner, parts, f"{text} unpack it")
+
+
+def _handed_out_as(name, lessons):
+    """The lesson that a file is named after, with its number; "" if it is named otherwise."""
+    stem, _ = split_repetition(name.partition(".")[0])
+    lesson = lesson_name(stem)
+    return lesson if lesson != stem and lesson in lessons else ""
 
 
 def _told_apart(files, findings):

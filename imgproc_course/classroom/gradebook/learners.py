@@ -12,7 +12,7 @@ from tqdm import tqdm
 
 from ..autograder.answer_key import Key
 from .archives import CollectError
-from .collect import IntakeFinding, SubmittedFile, digest_of
+from .collect import AGES, IntakeFinding, SubmittedFile, digest_of
 from .notebook_reader import NotebookReader
 from .senders import Certainty, notebook_name, split_repetition
 from .submission import AnswerState, SubmissionContent, lesson_by_name, read_submission
@@ -30,7 +30,7 @@ class Submission:
     file_digest: str
     content: SubmissionContent
     answers_digest: str = ""
-    has_answers: bool = False  # more than stubs
+    answered: frozenset = frozenset()  # ids of the exercises with more than a stub
     key: Key | None = None
 
     @property
@@ -100,7 +100,7 @@ class _SubmissionReader:
         submission.key = key.variant_for(file.learner)
         submission.answers_digest = self._store.keep_answers(submission.key, content.lesson, content.answers)
         untouched = (AnswerState.NOT_ATTEMPTED, AnswerState.MISSING)
-        submission.has_answers = any(content.states[id] not in untouched for id in content.answers)
+        submission.answered = frozenset(id for id in content.answers if content.states[id] not in untouched)
         content.answers = {}
         return submission
 
@@ -141,9 +141,24 @@ def _choose(learner, lesson, submissions):
     if earlier:
         learner.earlier[lesson] = earlier
     # What is less certainly theirs, they need not have submitted.
-    count = 1 + sum(other.file.certainty >= counting.file.certainty for other in earlier)
-    if count > 1:
-        counting.content.add(f"submitted {count} times; this one counts: {counting.file.source}")
+    theirs = [other for other in earlier if other.file.certainty >= counting.file.certainty]
+    if theirs:
+        text = f"submitted {1 + len(theirs)} times; this one counts: {counting.file.source}"
+        counting.content.add(text)
+    for other in theirs:
+        if text := _doubt(counting, other):
+            counting.content.add(text)
+
+
+def _doubt(counting, other):
+    """Why another submission of the lesson should perhaps count, or ""."""
+    more = sorted(other.answered - counting.answered)
+    if more:
+        return f"{other.file.source} answers {', '.join(more)}, and this one does not; only one file counts"
+    is_same_age = other.file.order[:AGES] == counting.file.order[:AGES]
+    if is_same_age and other.answered and other.answers_digest != counting.answers_digest:
+        return f"{other.file.source} has other answers and the same date: which one is the last is unknown"
+    return ""
 
 
 def _display_names(submissions):
@@ -191,7 +206,7 @@ def _is_contested(submission, certain):
 
 def _rank(submission):
     """First the most certain sender, then what can be read, then what has answers."""
-    return submission.file.certainty, not submission.content.reason, submission.has_answers
+    return submission.file.certainty, not submission.content.reason, bool(submission.answered)
 
 
 def _replaced_by_name(submissions):

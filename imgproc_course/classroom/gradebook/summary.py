@@ -181,7 +181,8 @@ def _line_to_copy(name, learner, lesson, exercise, entry):
     if not lesson["lesson"]:
         return ""
     points = entry["max_points"] if exercise else plain_number(entry["points"] + entry["late_deduction"])
-    if name in ("dishonest", "modules") or lesson["status"] != "graded":
+    is_known = exercise or entry["late_deduction"]
+    if name in ("dishonest", "modules") or lesson["status"] != "graded" or not is_known:
         points = "?"
     cells = (learner["name"], lesson["lesson"], exercise, points, "looked at by hand")
     return csv_text([map(spreadsheet_text, cells)], lineterminator="")

@@ -183,8 +183,8 @@ def test_a_link_to_a_neighbours_file_is_reported_for_the_one_who_came_later(subm
 )
 def test_a_notebook_that_a_browser_saved_as_text_is_read(files_by_source, submissions, name, learner):
     write(submissions / name, b"{}")
-    write(submissions / "bob" / "notes.txt", b"")
-    write(submissions / "bob" / "data.json", b"")
+    write(submissions / "notes.txt", b"")
+    write(submissions / "data.json", b"")
     ((source, file),) = files_by_source(submissions).items()
     assert (source, file.learner, file.read()) == (name, learner, b"{}")
 

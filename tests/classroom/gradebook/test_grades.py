@@ -231,6 +231,28 @@ def test_the_latest_submission_counts_and_all_are_listed(light, submissions, gra
     assert lesson_of(grades, "ada", None)["reason"].startswith("it is not a notebook")
 
 
+def test_another_file_that_should_perhaps_count_is_named(light, submissions, grade, tmp_path):
+    """Of one date, or with answers that the latest one lacks; of these the teacher decides."""
+    right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
+    half = dict(list(answers_of(light, "right").items())[1:])
+    for name, upper, lower in [("ada", wrong, right), ("bob", right, wrong)]:
+        write(submissions / name / "20_light.ipynb", upper, datetime(2026, 11, 1))
+        write(submissions / name / "backup" / "20_light.ipynb", lower, datetime(2026, 11, 1))
+    write(submissions / "cy" / "20_light.ipynb", right, datetime(2026, 11, 1))
+    write(submissions / "cy" / "20_light 2.ipynb", notebook(light, half), datetime(2026, 11, 2))
+    grades = grade(submissions)
+    points = {name: lesson_of(grades, name)["points"] for name in ("ada", "bob")}
+    assert points == {"ada": 0, "bob": 6}  # the upper one counts
+    same = "has other answers and the same date: which one is the last is unknown"
+    assert f"ada/backup/20_light.ipynb {same}" in findings_of(lesson_of(grades, "ada"))
+    (first,) = answers_of(light, "right").keys() - half.keys()
+    lacks = f"cy/20_light.ipynb answers {first}, and this one does not; only one file counts"
+    assert lacks in findings_of(lesson_of(grades, "cy"))
+    summary = (tmp_path / "grades" / "summary.html").read_text(encoding="utf-8")
+    assert "ada,light,,?,looked at by hand" in summary and lacks in summary
+    assert "bob,light" not in summary
+
+
 def test_a_broken_submission_does_not_replace_a_good_one(light, submissions, grade):
     write(
         submissions / "ada" / "20_light.ipynb",

@@ -165,7 +165,22 @@ def test_a_sender_has_a_budget_of_bytes_and_of_other_files(read, light, submissi
         reasons = [file.reason for file in collection.files]
     assert reasons[:4] == [""] * 4 and "more than 200 MB" in reasons[4]
     assert len(collection.ignored) == 22 and "eve: 20 more files" in collection.ignored
-    assert findings(collection, "file") == [("fay", "no notebook and no zip")]
+    assert "no notebook (*.ipynb) and no zip" in reasons[5] and len(reasons) == 6
+
+
+def test_who_sends_no_notebook_is_told_so(light, submissions):
+    """A learner, or a lesson, that is in no table is seen by nobody."""
+    for name in ("essay.7z", "notes.txt"):
+        write(submissions / "fay" / name, b"")
+    for name in ("20_light.ipynb", "20_light.py", "light.json", "21_shade.ipynb.download", "my_shade.py"):
+        write(submissions / "eve" / name, notebook(light))
+    write(submissions / "bob" / ".DS_Store", b"")
+    write(submissions / "roster.csv", b"")
+    with collect(submissions, ("light", "shade")) as collection:
+        reasons = {file.source: file.reason for file in collection.files if file.reason}
+    text = "it is no notebook (*.ipynb) and no zip; submit the notebook itself"
+    assert reasons == {"eve/21_shade.ipynb.download": text, "fay/essay.7z": text}
+    assert ("bob", "no notebook and no zip") in findings(collection, "file")
 
 
 def test_the_time_for_reading_belongs_to_the_sender(read, light, submissions, monkeypatch):

@@ -395,7 +395,7 @@ def test_a_wrong_late_submission_after_a_right_one_in_time_is_listed(light, subm
 
 def test_who_sent_only_other_files_is_named_with_them(light, submissions, key_path, tmp_path):
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
-    write(submissions / "Uwe Ulm" / "answer.py", b"x = 1")
+    write(submissions / "Uwe Ulm.py", b"x = 1")
     (tmp_path / "roster.csv").write_text("name\nada\nUwe Ulm\nMax Nobody\n", encoding="utf-8")
     options = {"workers": 1, "quiet": True, "roster": tmp_path / "roster.csv"}
     grade_submissions(submissions, [key_path], tmp_path / "out", **options)
