@@ -69,6 +69,10 @@ def luma(bgr):
 def luma(bgr):
     return luma_of(bgr, half=0)
 
+# %% role="mistake" name="halves to the even number" says="A half is not rounded up everywhere. np.round, np.rint and round() take it to the even number: 116.5 becomes 116, and OpenCV gives 117. Add one half and drop the fraction (with integers: add 2**14 before >> 15)."
+def luma(bgr):
+    return np.rint(weighted(bgr.astype(np.uint32), 3735, 19235, 9798) / 2**15).astype(np.uint8)
+
 # %% role="mistake" name="one added instead of one half" says="You add 2**15 before >> 15, which makes every truncated value larger by 1. Half of 32768 is 2**14."
 def luma(bgr):
     return luma_of(bgr, half=2**15)

@@ -516,7 +516,9 @@ def inputs(rng):
 
 # %% role="case" title="many colours" points=1 hint="Which weights does OpenCV use? The three integers must add up to 32768."
 def inputs(rng):
-    return (rng.integers(0, 256, size=(48, 64, 3), dtype=np.uint8),)
+    image = rng.integers(0, 256, size=(48, 64, 3), dtype=np.uint8)
+    image[rng.integers(48), rng.integers(64)] = [113, 121, 109]  # its luma is 116.5, exactly
+    return (image,)
 
 # %% role="hidden" title="a larger image" points=1 hint="Is every value rounded, not truncated? Add half before you shift."
 def inputs(rng):
