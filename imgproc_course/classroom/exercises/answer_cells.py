@@ -82,11 +82,15 @@ def requests_to_compose(answered):
 
 @dataclass(frozen=True)
 class ComposedAnswer:
-    """The source by which an answer is graded; `taken` is a tuple of Taken, what it reads of other cells."""
+    """The source by which an answer is graded; `taken` is a tuple of Taken, what it reads of other cells.
+
+    `missing` are the names that it reads and that nothing defines.
+    """
 
     function: str
     source: str
     taken: tuple = ()
+    missing: frozenset = frozenset()
 
 
 def compose_answer(lesson, exercise_id, function, cells):

@@ -451,26 +451,48 @@ class CellDefinitions:
 
         `position` is that of the answer's cell; `preferred` is {name: position of the cell that defines it}
         for other answers; `arguments` is how many arguments every call gives: their default values count for
-        nothing. Returns the source and a tuple of Taken.
+        nothing. Returns the source, a tuple of Taken, and the set of names that nothing defines.
         """
         answer = _without_defaults(_without_stub(self._cells[position], function), function, arguments)
         statements = statements_of(answer)
         own_names = {name for statement in statements for name in statement.binds}
         slice_ = _Slice(self._places_by_name, position, set(given), own_names, preferred or {})
-        definitions, names = slice_.of(names_needed(statements, function) - set(given))
+        definitions, names, missing = slice_.of(names_needed(statements, function) - set(given))
         if not definitions:
-            return answer, ()
+            return answer, (), missing
         text = "\n\n".join(place.statement.source for place in definitions)
-        return f"{_TAKEN_MARK}\n{text}\n\n{ANSWER_MARK}\n{answer}", _taken(definitions, names)
+        return f"{_TAKEN_MARK}\n{text}\n\n{ANSWER_MARK}\n{answer}", _taken(definitions, names), missing
+
+    def calls_left_out(self, position, taken):
+        """The calls above an answer that may change a value taken along: [name, number of the cell, 0, call].
+
+        They call functions of the notebook with it, such as `fill(table)`, or a method of a class of its own.
+        """
+        own = {name for _, _, one in self._places if one.kind in ("function", "class") for name in one.binds}
+        calls = [
+            place for place in self._places if place.statement.kind == "expression" and place.cell < position
+        ]
+        values = [(one.name, one.cell) for one in taken if one.kind == "value"]
+        for name, first in values if own and calls else ():
+            made_by = self._places_by_name[name][-1].statement.reads & own
+            for cell, _, call in calls:
+                runs = made_by if call.source.startswith(f"{name}.") else call.reads & own
+                if cell >= first and runs and name in call.reads - call.changes:
+                    yield [name, cell, 0, call.source]
+
+    @cached_property
+    def _places(self):
+        """The places of all statements, in order."""
+        cells = [statements_of(source or "") for source in self._cells]
+        return [_Place(cell, number, one) for cell, all in enumerate(cells) for number, one in enumerate(all)]
 
     @cached_property
     def _places_by_name(self):
         """{name: the places of all that bind or change it, in order}."""
         index = {}
-        for cell, source in enumerate(self._cells):
-            for number, statement in enumerate(statements_of(source or "")):
-                for name in statement.binds | statement.changes:
-                    index.setdefault(name, []).append(_Place(cell, number, statement))
+        for place in self._places:
+            for name in place.statement.binds | place.statement.changes:
+                index.setdefault(name, []).append(place)
         return index
 
 
@@ -496,7 +518,7 @@ class _Slice:
         self._places = cache(self._find_places)
 
     def of(self, names):
-        """(the places that count, in the notebook's order; all names that they and the answer read)."""
+        """(the places that count, in order; all names that they and the answer read; the undefined ones)."""
         names = self._closure(names)
         places = {place for name in names for place in self._places(name)}
         wanted, taken = set(names), []
@@ -508,8 +530,9 @@ class _Slice:
                 if statement.kind != "other":
                     wanted -= statement.binds
                 wanted |= self._closure(self._reads(statement))
-        stars = self._imports_of_everything({name for name in names if not self._places(name)})
-        return sorted([*taken, *stars]), names
+        unknown = {name for name in names if not self._places(name)}
+        missing = {name for name in unknown if not hasattr(builtins, name)}
+        return sorted([*taken, *self._imports_of_everything(unknown, missing)]), names, missing
 
     def _closure(self, names):
         """The names, and all that their definitions read."""
@@ -550,13 +573,12 @@ class _Slice:
             return tuple(cells[:1])
         return range(cells[0], self._position)
 
-    def _imports_of_everything(self, unknown_names):
+    def _imports_of_everything(self, unknown, missing):
         """The places of `from module import *` that may define names; for built-in names only those above."""
-        needs_more = any(not hasattr(builtins, name) for name in unknown_names)
         return [
             place
             for place in self._index.get("*", ())
-            if unknown_names and place.cell != self._position and (place.cell < self._position or needs_more)
+            if unknown and place.cell != self._position and (place.cell < self._position or missing)
         ]
 
 

@@ -22,6 +22,7 @@ _LONGEST_PREDICTION = 1_000  # characters
 _MOST_PREDICTIONS = 100
 _MOST_NAMES = 8  # that a finding lists
 GRADED_WITH_IT = "which is graded with it"
+ONE_LESSON = "a notebook counts for one lesson: submit the others as notebooks of their own"
 NOT_PYTHON = "of its answer cell is not Python"
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
@@ -123,8 +124,17 @@ def lesson_by_name(name, lessons):
 
 
 def _recognize(notebook, cells, catalog, name, content):
-    """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
+    """The lesson of a notebook, or None; a notebook with answer cells of several lessons gets a finding."""
     marked, functions = _signs_of_lessons(cells, catalog)
+    lesson = _by_signs(notebook, marked, functions, catalog, name, content)
+    others = [other for other, ids in marked.items() if ids and other != lesson]
+    if lesson and marked[lesson] and others:
+        content.add(f"it also has answer cells of {', '.join(others)}; {ONE_LESSON}")
+    return lesson
+
+
+def _by_signs(notebook, marked, functions, catalog, name, content):
+    """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
     metadata_lesson = lesson_name(notebook["lesson"] or "")
     claim = metadata_lesson if metadata_lesson in catalog.lessons else None
     if claim and marked[claim]:
@@ -320,14 +330,25 @@ def _compose_answers(answers, all_cells, reader, content):
         content.add(text, kind="odd")
         return
     functions = {exercise.function: exercise.id for exercise in answered}
-    for exercise, (source, taken) in zip(answered, composed, strict=True):
+    for exercise, (source, taken, left_out) in zip(answered, composed, strict=True):
         content.answers[exercise.id] = source
+        for name, number, line, text in left_out:
+            content.add(_left_out_text(name, _place(all_cells[number]), line, text), exercise.id)
         if len(source) > MOST_CHARACTERS:
             text = "its answer and what it reads from other cells are longer than"
             content.add(f"{text} {MOST_CHARACTERS} characters", exercise.id, "answer")
             content.states[exercise.id] = AnswerState.BROKEN
         elif taken:
             content.add(_taken_text(taken, all_cells, functions), exercise.id)
+
+
+def _left_out_text(name, place, line, text):
+    """What an answer reads and nobody runs; see `submission_reader.compose_answers`."""
+    text = sanitize_line(text, 80)
+    why = (
+        f"which does not run: line {line} is not Python: {text}" if line else f"but without what {text} does"
+    )
+    return f"its answer reads {sanitize_line(name, 60)} of another cell ({place}), {why}"
 
 
 def _taken_text(taken, cells, functions):

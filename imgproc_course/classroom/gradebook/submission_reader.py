@@ -12,6 +12,7 @@ import ast
 import codecs
 import ctypes
 import importlib
+import itertools
 import json
 import os
 import re
@@ -35,6 +36,7 @@ _COURSE_IDS = ("answer-", "check-", "given-", "predict-")
 _MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_COUNT = 1_000_000  # runs of cells
+_MOST_LEFT_OUT = 5  # of one answer
 _MOST_NAME = 200  # characters of a name or an id
 _SAVE = "save it again in JupyterLab"
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
@@ -253,14 +255,42 @@ def _output_text(cell):
 
 
 def compose_answers(cells, requests):
-    """The sources that are graded: [[source, [[name, kind, number of the cell], ...]], ...]."""
-    definitions = cell_syntax.CellDefinitions([_source_to_search(cell) for cell in cells])
+    """What is graded, for each request [source, [[name, kind, number of the cell], ...], left out].
+
+    `left out` is what the answer reads and nobody runs, [[name, number of the cell, line, text], ...]: in a
+    cell that is not Python, from that line on; or, if `line` is 0, the call that may change a value.
+    """
+    sources = [_source_to_search(cell) for cell in cells]
+    definitions = cell_syntax.CellDefinitions(sources)
     answers = []
     for request in requests:
-        source, taken = definitions.compose(*request)
+        source, taken, missing = definitions.compose(*request)
         names = [[definition.name[:_MOST_NAME], definition.kind, definition.cell] for definition in taken]
-        answers.append([source, names])
+        left_out = itertools.chain(
+            _in_broken_cells(missing, sources), definitions.calls_left_out(request[0], taken)
+        )
+        answers.append([source, names, [*itertools.islice(left_out, _MOST_LEFT_OUT)]])
     return answers
+
+
+def _in_broken_cells(names, sources):
+    """What cells that are not Python seem to define of the names; see `compose_answers`."""
+    for name in sorted(names):
+        begins = re.compile(rf"^((async )?def|class) {name}\b|^{name} *=", re.M)
+        for number, source in enumerate(sources):
+            if source and begins.search(source) and (error := _syntax_error(source)):
+                yield [name[:_MOST_NAME], number, error.lineno or 1, (error.text or "").strip()]
+
+
+def _syntax_error(source):
+    """The SyntaxError of a source, or None."""
+    try:
+        ast.parse(source)
+    except SyntaxError as error:
+        return error
+    except (ValueError, RecursionError, MemoryError):
+        pass
+    return None
 
 
 def _source_to_search(cell):

@@ -13,7 +13,7 @@ from .csv_table import csv_text
 from .grades_json import lesson_names
 from .report import count_of, finding_text, render_page
 from .roster import squeezed
-from .submission import GRADED_WITH_IT
+from .submission import GRADED_WITH_IT, ONE_LESSON
 from .teacher_tables import plain_number
 
 _BIN_COUNT = 10
@@ -122,6 +122,7 @@ def _about_findings(lesson, _):
     for finding in lesson["findings"]:
         entry = entries.get(finding["exercise"], lesson)
         lost_points = entry["autograded_points"] < entry["max_points"]
+        lost_points |= finding["text"].endswith(ONE_LESSON)
         repeated = lesson["earlier"] and finding["text"].startswith("submitted ")
         if finding["exercise"] and entry is lesson:  # a practice exercise has no points
             yield "others", "", finding_text(finding)

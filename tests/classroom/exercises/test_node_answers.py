@@ -190,7 +190,7 @@ def checked(node_master):
     def check_source(source, *cells, **names):
         all_cells = [*cells, source]
         definitions = CellDefinitions(all_cells)
-        composed, taken = definitions.compose(len(cells), "Doubler", {"np"})
+        composed, taken, _ = definitions.compose(len(cells), "Doubler", {"np"})
         names = {"np": np, "__name__": "__main__"} | names
         for cell in cells:
             exec(cell, names)

@@ -241,6 +241,32 @@ def test_definitions_in_other_cells_are_taken_along_and_bind_nothing_given(read,
     assert content.answers["light-halves"] == answers_of(light, "right")["light-halves"]
 
 
+@pytest.mark.parametrize(
+    "helper, end",
+    [
+        ("x = 1\ndef wide(p):\n    return p\nwide(", "which does not run: line 4 is not Python: wide("),
+        ("wide = 3\nwide = = 4", "which does not run: line 2 is not Python: wide = = 4"),
+        ("def fill(t): t[0] = 3\nwide = {}\nfill(wide)", "but without what fill(wide) does"),
+        ("class Table: pass\nwide = Table()\nwide.load(3)", "but without what wide.load(3) does"),
+    ],
+)
+def test_what_an_answer_reads_and_nobody_runs_is_named(read, made, helper, end):
+    cell_of(made, DOUBLE)["source"] = "def double(p):\n    return wide, p"
+    made["cells"].insert(1, {"id": "h", "cell_type": "code", "metadata": {}, "source": helper, "outputs": []})
+    assert f"its answer reads wide of another cell (h), {end}" in texts(read(made), "message")
+
+
+def test_what_only_looks_at_a_value_is_not_named(read, made):
+    cell_of(made, DOUBLE)["source"] = "def double(p):\n    return wide, p"
+    helper = (
+        "def show(p): pass\nother = 2\nwide = [3]\nwide.append(4)\nwide.index(3)\nprint(wide)\nshow(other)"
+    )
+    broken = "def double(p)\nwide[0] = ="
+    for id, source in (("h", helper), ("b", broken)):
+        made["cells"].insert(1, {"id": id, "cell_type": "code", "metadata": {}, "source": source})
+    assert texts(read(made)) == ["its answer reads wide of another cell (h), which is graded with it"]
+
+
 def test_what_is_taken_along_counts_for_the_size_of_the_answer(read, made):
     cell_of(made, DOUBLE)["source"] = "def double(p):\n    return p + LONG"
     source = f"LONG = '{'x' * (MAX_ANSWER - 50)}'"
@@ -366,6 +392,16 @@ def test_a_lesson_with_the_answer_cells_of_another_one(read, made):
     assert "it is graded as light" in texts(content, "message")[0]
 
 
+def test_a_notebook_with_answers_of_two_lessons_says_which_one_counts(read, made):
+    made["cells"].append({"id": "answer-sound-mean", "cell_type": "code", "metadata": {}, "source": "x = 1"})
+    content = read(made)
+    assert content.lesson == "light"
+    assert texts(content, "message") == [
+        "it also has answer cells of sound; a notebook counts for one lesson: submit the others as notebooks"
+        " of their own"
+    ]
+
+
 def test_a_notebook_that_is_no_lesson(read):
     content = read({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []})
     assert (content.lesson, content.reason) == (None, "it is not one of the lessons light, sound")
@@ -433,7 +469,7 @@ def test_notebooks_that_fill_the_readers_memory_cost_the_next_one_nothing():
         reader.read(cells_as_notebook(answer | cells))
         reader.compose([[0, "double", [], {}]])
         assert reader.read(cells_as_notebook(answer, output="x" * 10_000_000))[1] == ""
-        ((source, taken),) = reader.compose([[0, "double", [], {}]])
+        ((source, taken, _),) = reader.compose([[0, "double", [], {}]])
     assert taken == [["twice", "function", 1]]
     assert source.count("def twice(p):\n    return p") == 1
 
@@ -458,7 +494,7 @@ def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answ
         reader._process.kill()
         position = made["cells"].index(cell_of(made, DOUBLE))
         assert reader.compose([[position, "double", ["np", "LIMIT"]]]) == [
-            [answers_of(light, "right")["light-double"], []]
+            [answers_of(light, "right")["light-double"], [], []]
         ]
 
 

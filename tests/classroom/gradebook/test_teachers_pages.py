@@ -393,6 +393,15 @@ def test_a_wrong_late_submission_after_a_right_one_in_time_is_listed(light, subm
     assert "ada" in row and "an earlier submission was in time" in row
 
 
+def test_answers_of_another_lesson_in_one_notebook_are_listed(light, submissions, key_path, tmp_path):
+    both = notebook(light, answers_of(light, "right"))
+    both["cells"].append({"id": "answer-sound-mean", "cell_type": "code", "metadata": {}, "source": "x = 1"})
+    write(submissions / "ada.ipynb", both)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    (row,) = rows_of(tmp_path / "out", "May have lost points unfairly")
+    assert "6 of 6" in row and "it also has answer cells of sound; a notebook counts for one lesson" in row
+
+
 def test_who_sent_only_other_files_is_named_with_them(light, submissions, key_path, tmp_path):
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
     write(submissions / "Uwe Ulm.py", b"x = 1")
