@@ -155,10 +155,22 @@ def _doubt(counting, other):
     more = sorted(other.answered - counting.answered)
     if more:
         return f"{other.file.source} answers {', '.join(more)}, and this one does not; only one file counts"
-    is_same_age = other.file.order[:AGES] == counting.file.order[:AGES]
-    if is_same_age and other.answered and other.answers_digest != counting.answers_digest:
+    if not other.answered or other.answers_digest == counting.answers_digest:
+        return ""
+    if other.file.order[:AGES] == counting.file.order[:AGES]:
         return f"{other.file.source} has other answers and the same date: which one is the last is unknown"
+    if _way_of(other.file) != _way_of(counting.file):
+        return f"{other.file.source} has other answers and came in another way; only one file counts"
     return ""
+
+
+def _way_of(file):
+    """Where the name of its sender stands: in which folder or zip, and whether as a folder, zip or notebook.
+
+    A learner who can choose the name of a file can choose a neighbour's, but not the neighbour's folder.
+    """
+    name = file.source.split("/")[len(file.place)]
+    return file.place, PurePosixPath(name).suffix
 
 
 def _display_names(submissions):

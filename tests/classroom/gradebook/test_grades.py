@@ -7,6 +7,7 @@ import shutil
 import sys
 import threading
 import time
+import zipfile
 from datetime import datetime
 from pathlib import Path
 
@@ -251,6 +252,37 @@ def test_another_file_that_should_perhaps_count_is_named(light, submissions, gra
     summary = (tmp_path / "grades" / "summary.html").read_text(encoding="utf-8")
     assert "ada,light,,?,looked at by hand" in summary and lacks in summary
     assert "bob,light" not in summary
+
+
+@pytest.mark.parametrize(
+    "mine, later",
+    [
+        ("ada/x.ipynb", "ada.ipynb"),
+        ("ada.ipynb", "ada.ipynb.txt"),
+        ("light/ada.ipynb", "sound/ada.ipynb"),
+        ("m1.zip", "m2.zip"),
+        ("ada.ipynb", "ada.zip"),
+    ],
+)
+def test_a_file_that_came_in_another_way_and_took_points_is_named(light, submissions, grade, mine, later):
+    """Whoever chooses a file's name can choose a neighbour's; the teacher must see it."""
+    for day, (name, answer) in enumerate([(mine, "right"), (later, 0)], 1):
+        made, moment = notebook(light, answers_of(light, answer)), datetime(2026, 11, day)
+        if name.endswith(".zip"):
+            member = "Ada_7_assignsubmission_file/l.ipynb" if name[0] == "m" else "l.ipynb"
+            packed = io.BytesIO()
+            with zipfile.ZipFile(packed, "w") as archive:
+                archive.writestr(zipfile.ZipInfo(member, moment.timetuple()[:6]), json.dumps(made))
+            write(submissions / name, packed.getvalue(), moment)
+        else:
+            write(submissions / name, made, moment)
+    (learner,) = grade(submissions)["learners"]
+    (lesson,) = learner["lessons"]
+    assert lesson["points"] == 0
+    (text,) = [text for text in findings_of(lesson) if "came in another way" in text]
+    assert text.startswith(mine) and text.endswith(
+        "has other answers and came in another way; only one file counts"
+    )
 
 
 def test_a_broken_submission_does_not_replace_a_good_one(light, submissions, grade):
