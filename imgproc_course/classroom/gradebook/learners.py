@@ -229,6 +229,7 @@ def _replaced_by_name(submissions):
         counting = certain[file.learner, lesson]
         if lesson and file.certainty < counting.certainty:
             text = f"it names {file.learner}, whose own submission of {lesson} counts: {counting.source}"
+            text += f"; decisions and extensions for {file.learner} are for that one"
             yield IntakeFinding("sender", file.group, file.source, text)
 
 

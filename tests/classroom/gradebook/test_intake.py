@@ -341,6 +341,7 @@ def test_a_folder_named_like_a_lesson_replaces_nobodys_own_submission(read, ligh
     assert sorted(learners) == ["bob", "bob (light)", "cy"]
     assert counting(learners["bob"]) == "bob/20_light.ipynb"
     text = "it names bob, whose own submission of light counts: bob/20_light.ipynb"
+    text += "; decisions and extensions for bob are for that one"
     assert findings(collection) == [("light", text)]
 
 
