@@ -443,6 +443,8 @@ def _told_apart(files, findings):
             yield file
             continue
         name = f"{file.learner} [{digest_of(os.fsencode(identity))[:6]}]"
+        while name in people:  # somebody is called like this
+            name += "'"
         text = f"its name looks like {file.learner}, but is another one; the two are graded apart"
         findings.append(IntakeFinding("sender", name, file.source, text))
         yield replace(file, learner=name)

@@ -24,6 +24,7 @@ from .roster import names_in_roster
 
 _POLICY = re.compile(r"(\d{1,3}(?:\.\d{1,2})?) ?% (?:a|per) day(?:, ?(\d{1,4}) days?)?", re.I)
 DECISION_COLUMNS = ("learner", "lesson", "exercise", "points", "comment")
+_MOST_SIMILAR = 3  # names that an error offers
 _EXTENSION_COLUMNS = ("learner", "lesson", "deadline")
 DECISIONS_TEMPLATE = f"""\ufeff{",".join(DECISION_COLUMNS)}
 "# One row per decision. Empty exercise: the whole lesson. Points: a number, excused, or empty for a comment."
@@ -103,9 +104,10 @@ def _by_learner(rows, names):
 
 
 def _unknown(learner, names):
-    similar = difflib.get_close_matches(learner, names, 1)
+    similar = [name for name in names if name.startswith(f"{learner} (")]  # two have this name now
+    similar = similar or difflib.get_close_matches(learner, names, 1)
     if similar:
-        return f"{_quoted(learner)}; did you mean {similar[0]!r}?"
+        return f"{_quoted(learner)}; did you mean {' or '.join(map(repr, sorted(similar)[:_MOST_SIMILAR]))}?"
     examples = ", ".join(sorted({name for name in names.values() if name})[:3])
     text = f"{_quoted(learner)}; write the name of the folder or file that was submitted ({examples}, ...)"
     return f"{text}, or give the --roster that has those who submitted nothing"

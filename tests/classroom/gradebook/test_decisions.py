@@ -1,6 +1,7 @@
 """What a teacher adds to the autograder's points: decisions by hand, a late policy, extensions, a regrade."""
 
 import json
+import re
 from datetime import datetime, timedelta
 
 import pytest
@@ -115,6 +116,17 @@ def test_a_bad_row_is_one_line_with_its_number(grade, row, message):
     with pytest.raises(TableError) as caught:
         grade(HEADER + first + "\n" + row + "\n")
     assert message in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_a_row_for_a_name_that_two_have_names_both(light, submissions, key_path, tmp_path):
+    for number in (11, 99):
+        path = submissions / f"Ada A_{number}_assignsubmission_file_" / "20_light.ipynb"
+        write(path, notebook(light, answers_of(light, "right")))
+    (tmp_path / "decisions.csv").write_text(HEADER + "Ada A,light,,3,\n", encoding="utf-8")
+    message = re.escape("no learner 'Ada A'; did you mean 'Ada A (11)' or 'Ada A (99)'?")
+    with pytest.raises(TableError, match=message):
+        options = {"workers": 1, "quiet": True, "decisions": tmp_path / "decisions.csv"}
+        grade_submissions(submissions, [key_path], tmp_path / "out", **options)
 
 
 def test_decisions_in_the_folder_of_grades_survive_a_regrade_of_everything(class_folder, key_path, grade):

@@ -301,6 +301,16 @@ def test_names_that_look_alike_are_two_people(submissions, names, shown):
     assert findings(collection) == [(other, text)]
 
 
+def test_a_name_that_looks_like_one_of_ours_is_another_one(submissions):
+    for name in ("Ada", "Ada "):
+        write(submissions / name / "20_light.ipynb", b"{}")
+    with collect(submissions, LESSONS) as collection:
+        ours = max((file.learner for file in collection.files), key=len)
+    write(submissions / ours / "20_light.ipynb", b"{}")
+    with collect(submissions, LESSONS) as collection:
+        assert sorted(file.learner for file in collection.files) == ["Ada", ours, f"{ours}'"]
+
+
 @pytest.mark.parametrize(
     "names",
     [("ada", "Ada"), ("ada l", "ada  l"), ("ada", "\u0430da"), ("ada.ipynb", "ada .ipynb"), ("ada", "ada ")],
