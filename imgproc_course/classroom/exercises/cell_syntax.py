@@ -36,6 +36,7 @@ _MAGIC = re.compile(
 _FIRST_PROMPT = re.compile(r"\s*(>>>( |$)|In \[\d+\]: )")
 _PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
 _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
+_INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]+)(?=\S)")  # of a whole cell: Jupyter drops it
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
 _CHANGING_METHODS = ("add", "append", "clear", "discard", "extend", "fill", "insert", "pop", "popitem")
 _CHANGING_METHODS += ("put", "remove", "resize", "reverse", "setdefault", "sort", "update")
@@ -43,7 +44,7 @@ _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
 def plain_python(source):
-    """The source without magics, prompts and shell commands, with the same lines; as it is if it parses.
+    """The source without magics, prompts, shell commands and indent; its lines stay. As it is if it parses.
 
     What a magic computes is lost: `files = !ls` gives None. The Python in `%time` and `%%time` stays.
     """
@@ -51,6 +52,8 @@ def plain_python(source):
         ast.parse(source)
     except UNPARSABLE:
         source = _FENCE.sub("#", source)
+        if indent := _INDENT.match(source):
+            source = re.sub(f"^{indent[1]}", "", source, flags=re.M)
         if _FIRST_PROMPT.match(source):
             source = _PROMPT.sub("", source)
         cell_magic = _CELL_MAGIC.match(source)

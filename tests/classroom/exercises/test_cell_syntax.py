@@ -32,6 +32,7 @@ def test_an_answer_of_very_many_lines_is_one_part(start):
         ("\n\n%%time\nx = 1", "#\n#\n#\nx = 1"),
         ("%%time", ""),
         ("%%bash\nls", "#%%bash\n#ls"),
+        ("\n  x = 1\n  if x:\n    y = !ls", "\nx = 1\nif x:\n  y = None"),
         ("%time y = f()\nnp.mean?", "y = f()\npass"),
     ],
 )

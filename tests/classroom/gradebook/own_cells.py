@@ -28,6 +28,7 @@ ONCE_REFUSED = {
 FORMS = [
     *ONCE_REFUSED.values(),
     (["FACTOR = 1", "FACTOR += 1", "print(FACTOR)"], FACTOR),
+    (["  FACTOR = 2\n  if FACTOR:\n      print(FACTOR)"], FACTOR),
     (["FACTOR = 3\nprint(FACTOR)", "FACTOR -= 1\nprint(FACTOR)"], FACTOR),
     (["FACTOR = 5\nFACTOR += 1\nother = FACTOR\nFACTOR = 2"], FACTOR),
     (["for FACTOR in (1, 2):\n    print(FACTOR)"], FACTOR),

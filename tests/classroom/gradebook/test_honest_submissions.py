@@ -425,6 +425,11 @@ def with_the_prompts_of_ipython(made):
     pass
 
 
+@case(double="    " + RIGHT[DOUBLE].replace("\n", "\n    "))
+def with_an_indent_before_the_whole_cell(made):
+    pass
+
+
 @case(
     points=3,
     double='def double(pixels):\n    """Twice."""\n    print(\u201cDouble\u201d)\n    return pixels',
