@@ -84,13 +84,13 @@ def requests_to_compose(answered):
 class ComposedAnswer:
     """The source by which an answer is graded; `taken` is a tuple of Taken, what it reads of other cells.
 
-    `missing` are the names that it reads and that nothing defines.
+    `left_out` are (name, call) of calls in other cells that may change what it reads; grading runs none.
     """
 
     function: str
     source: str
     taken: tuple = ()
-    missing: frozenset = frozenset()
+    left_out: tuple = ()
 
 
 def compose_answer(lesson, exercise_id, function, cells):
@@ -106,7 +106,9 @@ def compose_answer(lesson, exercise_id, function, cells):
     for exercise, request in zip(answered, requests_to_compose(answered), strict=True):
         if exercise.id == exercise_id:
             definitions = CellDefinitions([plain_python(cell["source"]) for cell in cells])
-            return ComposedAnswer(function, *definitions.compose(*request))
+            source, taken, _ = definitions.compose(*request)
+            calls = definitions.calls_left_out(request[0], taken)
+            return ComposedAnswer(function, source, taken, tuple((name, call) for name, *_, call in calls))
     return None
 
 

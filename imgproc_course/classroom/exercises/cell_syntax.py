@@ -251,6 +251,11 @@ class Statement:
     is_stub: bool
 
     @property
+    def is_definition(self):
+        """Whether it is a function or a class."""
+        return self.kind in ("function", "class")
+
+    @property
     def runs_at_once(self):
         """Whether it computes where it stands; functions and classes count when they are called."""
         return self.kind in ("value", "expression", "other")
@@ -377,20 +382,20 @@ def _names_read_at_once(source):
     return _names_read(ast.unparse(tree))
 
 
-def needed_statements(statements, function, *, with_changes=True):
+def needed_statements(statements, function, *, with_changes=True, helpers=frozenset()):
     """The statements of a cell that a function needs, itself included, in their order.
 
-    `with_changes`: also those that only change a value, such as a loop that fills a table.
+    `with_changes`: also those that only change a value, such as a loop that fills a table, or a call of a
+    function of the cell, or of `helpers`, which are those of other cells.
     """
     names, numbers, size = {function}, set(), -1
-    definitions = [statement for statement in statements if statement.kind in ("function", "class")]
-    helpers = {name for definition in definitions for name in definition.binds}
+    helpers = helpers.union(*(statement.binds for statement in statements if statement.is_definition))
     while len(numbers) > size:
         size = len(numbers)
         needed = map(statements.__getitem__, numbers)
         values = set().union(*(statement.binds for statement in needed if statement.runs_at_once))
         for number, statement in enumerate(statements):
-            changes = statement.changes & names or _may_change(statement, values, helpers)
+            changes = statement.changes & names or _may_change(statement, values, names, helpers)
             if statement.binds & names or (with_changes and changes):
                 numbers.add(number)
                 names |= statement.reads
@@ -405,17 +410,18 @@ def needed_parts(parts, function):
     return {part for part, statement in statements if id(statement) in needed_ids or "*" in statement.binds}
 
 
-def _may_change(statement, values, helpers):
-    """Whether a statement may change one of the values: `fill(table)` may, `print(table)` does not."""
-    may_call = statement.kind == "other" or (statement.kind == "expression" and statement.reads & helpers)
-    return may_call and statement.reads & values
+def _may_change(statement, values, names, helpers):
+    """Whether a statement may change a value that is needed: `fill(table)` may, `print(table)` does not."""
+    if statement.kind == "expression":
+        return statement.reads & helpers and (statement.reads - helpers) & names
+    return statement.kind == "other" and statement.reads & values
 
 
-def names_needed(statements, function):
+def names_needed(statements, function, helpers=frozenset()):
     """The names that a function and its helpers read from outside their own cell; a set."""
     names, bound_above = set(), {function}
     bound = bound_above.union(*(statement.binds for statement in statements))
-    for statement in needed_statements(statements, function):
+    for statement in needed_statements(statements, function, helpers=helpers):
         names |= (statement.reads_at_once - bound_above) | (statement.reads - bound)
         bound_above |= statement.binds
     return names
@@ -460,7 +466,7 @@ class CellDefinitions:
         statements = statements_of(answer)
         own_names = {name for statement in statements for name in statement.binds}
         slice_ = _Slice(self._places_by_name, position, set(given), own_names, preferred or {})
-        definitions, names, missing = slice_.of(names_needed(statements, function) - set(given))
+        definitions, names, missing = slice_.of(names_needed(statements, function, self._own) - set(given))
         if not definitions:
             return answer, (), missing
         text = "\n\n".join(place.statement.source for place in definitions)
@@ -471,15 +477,14 @@ class CellDefinitions:
 
         They call functions of the notebook with it, such as `fill(table)`, or a method of a class of its own.
         """
-        own = {name for _, _, one in self._places if one.kind in ("function", "class") for name in one.binds}
         calls = [
             place for place in self._places if place.statement.kind == "expression" and place.cell < position
         ]
         values = [(one.name, one.cell) for one in taken if one.kind == "value"]
-        for name, first in values if own and calls else ():
-            made_by = self._places_by_name[name][-1].statement.reads & own
+        for name, first in values if calls else ():
+            made_by = self._places_by_name[name][-1].statement.reads & self._own
             for cell, _, call in calls:
-                runs = made_by if call.source.startswith(f"{name}.") else call.reads & own
+                runs = made_by if call.source.startswith(f"{name}.") else call.reads & self._own
                 if cell >= first and runs and name in call.reads - call.changes:
                     yield [name, cell, 0, call.source]
 
@@ -488,6 +493,11 @@ class CellDefinitions:
         """The places of all statements, in order."""
         cells = [statements_of(source or "") for source in self._cells]
         return [_Place(cell, number, one) for cell, all in enumerate(cells) for number, one in enumerate(all)]
+
+    @cached_property
+    def _own(self):
+        """The names of the functions and classes of the cells."""
+        return frozenset().union(*(one.binds for _, _, one in self._places if one.is_definition))
 
     @cached_property
     def _places_by_name(self):

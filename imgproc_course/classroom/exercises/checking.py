@@ -205,13 +205,22 @@ def run_check(exercise, function, answer=None, progress=None):
         if _are_same(codes_of(judged), codes_of(function)) is False:
             remarks = (SAYS["another function"].format(name=exercise.answer_name),)
         elif graded and exercise.subject != "drive" and not all(call.passed for call in calls):
-            is_right = all(call.passed for call in _run_calls(exercise, function))
-            remarks = (SAYS["right only here"].format(name=exercise.answer_name),) if is_right else ()
+            remarks = _remarks_if_right_here(exercise, function, answer)
     result = _judge_calls(exercise, judged, calls, dependencies)
     one_change = _one_change(result, judged, calls)
     way = one_change and SAYS["way without return"].format(name=exercise.function)  # not the cause then
     remarks = tuple(remark for remark in (*remarks, *result.remarks) if remark != way)
     return replace(result, remarks=remarks, one_change=one_change)
+
+
+def _remarks_if_right_here(exercise, function, answer):
+    """What to do if an answer is right as the notebook has it, though not as grading runs it; a tuple."""
+    if not all(call.passed for call in _run_calls(exercise, function)):
+        return ()
+    if not answer.left_out:
+        return (SAYS["right only here"].format(name=exercise.answer_name),)
+    value, call = answer.left_out[0]
+    return (SAYS["call in another cell"].format(name=exercise.answer_name, value=value, call=call),)
 
 
 def _one_change(result, function, calls):

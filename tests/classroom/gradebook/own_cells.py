@@ -23,6 +23,14 @@ ONCE_REFUSED = {
         TABLE,
     ),
     "a table filled in another cell": (["FACTOR = 2\nTABLE = [0] * 256", FILL], TABLE),
+    "a table filled by a function of another cell": (
+        ["def fill(table):\n    table += [2]"],
+        f"TABLE = []\nfill(TABLE)\n{TIMES.format('TABLE[0]')}",
+    ),
+    "a table of another cell filled above the answer": (
+        ["def fill(table):\n    table += [2]\nTABLE = []"],
+        f"fill(TABLE)\n{TIMES.format('TABLE[0]')}",
+    ),
     "increased in a second cell": (["FACTOR = 1", "FACTOR = FACTOR + 1"], FACTOR),
 }
 FORMS = [

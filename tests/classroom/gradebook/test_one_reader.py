@@ -295,6 +295,15 @@ def test_a_right_answer_that_reads_a_value_of_an_own_cell_passes(light, checks, 
     assert in_kernel == in_run == {"light-double": 1, "light-halves": 2}, texts
 
 
+def test_a_call_that_grading_leaves_out_is_named(light, kernel):
+    own = ["def fill(table):\n    table += [2]\nTABLE = [1]", "fill(TABLE)"]
+    made = with_own_cells(light, own, TIMES.format("TABLE[-1]"))
+    points, text = kernel.points(made["cells"], FUNCTIONS)["light-double"]
+    assert points == 0
+    assert "In this notebook double() gives the right values. Grading takes TABLE along from another" in text
+    assert "does not run fill(TABLE) there, which may change it. Write TABLE and this call into" in text
+
+
 MARK = {"imgproc_course": {"exercise": "light-double"}}
 RIGHT, WRONG = TIMES.format(2), "def double(pixels):\n    return pixels"
 COUNTS = {  # (count of the answer cell, of its copy below, of the check), and which of them is graded
