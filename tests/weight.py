@@ -9,7 +9,7 @@ import sys
 from collections import Counter
 from pathlib import Path
 
-BUDGET = {"raw lines": 36_652, "code lines": 24_925, "worst complexity": 19}
+BUDGET = {"raw lines": 36_692, "code lines": 24_959, "worst complexity": 19}
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 HAVE_DOCSTRINGS = (*FUNCTIONS, ast.ClassDef, ast.Module)

@@ -412,6 +412,8 @@ def needed_parts(parts, function):
 
 def _may_change(statement, values, names, helpers):
     """Whether a statement may change a value that is needed: `fill(table)` may, `print(table)` does not."""
+    if statement.is_definition:
+        return statement.reads_at_once & helpers  # a decorator or a base class: `@register`
     if statement.kind == "expression":
         return statement.reads & helpers and (statement.reads - helpers) & names
     return statement.kind == "other" and statement.reads & values

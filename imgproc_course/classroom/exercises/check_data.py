@@ -5,6 +5,8 @@ holds it (`check_files`: the learner's `check`).
 """
 
 import linecache
+import sys
+import types
 from dataclasses import dataclass, field, fields
 
 import numpy as np
@@ -116,7 +118,10 @@ class CheckData:
         nobody sees what it prints. Modules that the exercise does not allow are not there. If the name of a
         `function` is given, only what that function needs is run.
         """
-        names, reason, refused = self.namespace(), "", {}
+        module, reason, refused = types.ModuleType(self.id), "", {}
+        names = vars(module)
+        names |= self.namespace()
+        sys.modules[self.id] = module  # dataclasses and pickle look up the module of a class there
         for file, part in self._parts(source, function):
             try:
                 with by_itself():

@@ -161,7 +161,10 @@ def _answer_in_notebook(file, exercise, function):
     """The ComposedAnswer of the notebook that runs; None if no cell is known that defines the function."""
     cells, lesson = RUNS.cells(), file.description()
     own_name = function.__name__ if isinstance(function, type) else getattr(code_of(function), "co_name", "")
-    for name in dict.fromkeys((own_name, exercise.function)):
+    names = (own_name, exercise.function)
+    if globals_of(function).get(exercise.function) is function:  # perhaps what a decorator made of it
+        names = (exercise.function, own_name)
+    for name in dict.fromkeys(names):
         answer = compose_answer(lesson, exercise.id, name, cells)
         if answer is not None:
             return answer
@@ -206,6 +209,8 @@ def run_check(exercise, function, answer=None, progress=None):
             remarks = (SAYS["another function"].format(name=exercise.answer_name),)
         elif graded and exercise.subject != "drive" and not all(call.passed for call in calls):
             remarks = _remarks_if_right_here(exercise, function, answer)
+    if answer and answer.function != exercise.function:
+        remarks = (SAYS["another try"].format(name=exercise.answer_name, other=answer.function), *remarks)
     result = _judge_calls(exercise, judged, calls, dependencies)
     one_change = _one_change(result, judged, calls)
     way = one_change and SAYS["way without return"].format(name=exercise.function)  # not the cause then

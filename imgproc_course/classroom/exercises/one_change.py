@@ -5,11 +5,13 @@ A sentence that points at its place is true whatever the answer means, and it do
 
 import ast
 import copy
+import logging
 import math
 import re
 import time
 import warnings
 from collections.abc import Callable
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby, pairwise
@@ -19,6 +21,7 @@ import numpy as np
 from .running import code_of, globals_of, source_of
 
 _MOST_SECONDS = 2  # of processor time, for all changes together
+_LONGEST = 5  # seconds, if the answer sleeps
 _PER_CALL = 0.1  # seconds, and ten times what the answer takes itself
 _DECOMPOSING = ("svd", "lstsq", "pinv", "eig", "eigh", "matrix_rank")
 _SHORT = 12  # characters: what is shorter is shown with its line
@@ -67,6 +70,18 @@ class _Change:
     question: str
 
 
+@contextmanager
+def _nothing_logged():
+    """Changed answers log nothing: a handler writes past what a call redirects."""
+    before = logging.root.manager.disable
+    logging.disable()
+    try:
+        yield
+    finally:
+        logging.disable(before)
+
+
+@_nothing_logged()
 def sentence_on_change(function, passes):
     """Where one change of a Python function makes it pass, a sentence; "" if no usual change does.
 
@@ -90,7 +105,7 @@ def sentence_on_change(function, passes):
     nodes = list(ast.walk(tree))
     possible = list(_possible_changes(tree, nodes))
     for changes in _groups(possible, nodes):
-        if time.process_time() > ends:
+        if time.process_time() > ends or time.perf_counter() - started > _LONGEST:
             return ""
         if helps(changes):
             like = [change for change in possible if _is_like(change, changes[0], nodes)]
@@ -304,7 +319,7 @@ def _call(node, _tree):
     for argument in node.args:
         if isinstance(argument, ast.Name):
             yield _TRANSPOSED, _replacing(argument, "node.T")
-    if dot and isinstance(node.func.value, ast.BinOp):
+    if isinstance(getattr(node.func, "value", None), ast.BinOp):
         inner = node.func.value
         first = ast.Call(ast.Attribute(inner.left, name, ast.Load()), node.args, node.keywords)
         added = ast.BinOp(first, inner.op, inner.right)

@@ -7,6 +7,7 @@ change that matters becomes a finding.
 """
 
 import difflib
+import re
 from dataclasses import dataclass, field
 from enum import StrEnum
 
@@ -104,6 +105,7 @@ def read_submission(data, catalog, reader, name=""):
         answers[exercise] = find_answer_cell(exercise, cells, lesson)
         content.states[exercise.id] = _inspect_answer(exercise, answers[exercise], content)
         _compare_given(exercise, cells, lesson, content)
+        _report_other_tries(exercise, cells, content)
     _compose_answers(answers, notebook["cells"], reader, content)
     return content
 
@@ -384,6 +386,17 @@ def _compare_given(exercise, cells, lesson, content):
     outputs = (cell["output"] for id, cell in cells_by_id.items() if id.startswith(f"check-{exercise.id}-"))
     if _claims_to_pass(exercise.id, "\n".join(outputs)):
         content.claims.append(exercise.id)
+
+
+def _report_other_tries(exercise, cells, content):
+    """Report the check of a function with another name: perhaps the answer that was meant."""
+    call = re.compile(
+        rf"""^check\(\s*["']{re.escape(exercise.id)}["']\s*,\s*(?!{exercise.function}\b)(\w+)""", re.M
+    )
+    names = {name: None for cell in cells for name in call.findall(cell.get("source") or "")}
+    if names:
+        tries = ", ".join(sanitize_line(name, 60) for name in list(names)[:_MOST_NAMES])
+        content.add(f"a cell checks {tries}, and {exercise.answer_name} is graded", exercise.id)
 
 
 def _change(cell, source):

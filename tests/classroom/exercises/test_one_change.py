@@ -5,6 +5,7 @@ import linecache
 import numpy as np
 import pytest
 
+from imgproc_course.classroom.exercises import one_change
 from imgproc_course.classroom.exercises.one_change import _CheckedNumPy, sentence_on_change
 from imgproc_course.classroom.exercises.running import call
 
@@ -180,6 +181,22 @@ def test_the_place_of_one_change_is_named(name):
 
 def test_nothing_is_said_if_no_change_helps():
     assert sentence("def f(a):\n    return 0", ((4,), 16), ((5,), 25)) == ""
+
+
+@pytest.mark.parametrize("called", ["np.vectorize(abs)", "(lambda x: x)", "[abs][0]", "np.poly1d([1, 2])"])
+def test_what_is_called_may_be_any_expression(called):
+    assert sentence(f"def f(a):\n    return {called}(a) - a", ((4,), 100), ((5,), 110)) == ""
+
+
+def test_changed_answers_log_nothing(caplog):
+    source = "def f(a):\n    import logging\n    logging.warning('called')\n    return a - 1"
+    assert "line 4" in sentence(source, ((4,), 5)) and caplog.text == ""
+
+
+def test_an_answer_that_sleeps_is_not_changed_for_long(monkeypatch):
+    monkeypatch.setattr(one_change, "_LONGEST", -1)
+    source, pairs, *_ = CASES["a limit"]
+    assert sentence(source, *pairs) == ""
 
 
 def test_a_change_that_never_ends_costs_no_more_than_its_time():

@@ -8,6 +8,8 @@ TIMES = DOUBLE.format("pixels.astype(np.uint16) * {}")
 FACTOR, TABLE = TIMES.format("FACTOR"), DOUBLE.format("np.array(TABLE)[pixels]")
 WIDE = DOUBLE.format("wide(pixels) * 2")
 FILL = "for level in range(256):\n    TABLE[level] = level * FACTOR"
+DATACLASS = "from __future__ import annotations\nfrom dataclasses import dataclass\n"
+DATACLASS += "@dataclass\nclass Own:\n    factor: int = 2\n"
 
 # {name: (the learner's cells, the answer)}: forms of a right answer about which check and grading disagreed.
 ONCE_REFUSED = {
@@ -30,6 +32,24 @@ ONCE_REFUSED = {
     "a table of another cell filled above the answer": (
         ["def fill(table):\n    table += [2]\nTABLE = []"],
         f"fill(TABLE)\n{TIMES.format('TABLE[0]')}",
+    ),
+    "registered by a decorator of another cell": (
+        ["TABLE = {}\ndef register(f):\n    TABLE[f.__name__] = f\n    return f"],
+        f"@register\n{TIMES.format(2)}".replace("double", "twice") + "\ndouble = TABLE['twice']",
+    ),
+    "registered by a base class": (
+        ["class Base:\n    all = {}\n    def __init_subclass__(cls):\n        Base.all[cls.__name__] = cls"],
+        "class Twice(Base):\n    factor = 2\n" + TIMES.format("Base.all['Twice'].factor"),
+    ),
+    "a decorator whose function has a name of the lesson": (
+        ["def debug(f):\n    def LIMIT(*a):\n        return f(*a)\n    return LIMIT"],
+        f"@debug\n{TIMES.format(2)}",
+    ),
+    "a dataclass with annotations as text": ([], DATACLASS + TIMES.format("Own().factor")),
+    "pickled": (
+        [],
+        "import pickle\nclass Own:\n    factor = 2\n"
+        + TIMES.format("pickle.loads(pickle.dumps(Own())).factor"),
     ),
     "increased in a second cell": (["FACTOR = 1", "FACTOR = FACTOR + 1"], FACTOR),
 }

@@ -304,6 +304,19 @@ def test_a_call_that_grading_leaves_out_is_named(light, kernel):
     assert "does not run fill(TABLE) there, which may change it. Write TABLE and this call into" in text
 
 
+def test_the_check_of_another_name_says_so(light, answer_keys, kernel, tmp_path):
+    made = with_own_cells(light, [], WRONG)
+    cell = new_cell(RIGHT.replace("double", "double_2") + '\ncheck("light-double", double_2)')
+    insert(made, position_of(made, "check-light-double-1") + 1, cell)
+    path = tmp_path / "20_light.ipynb"
+    path.write_text(json.dumps(made), encoding="utf-8")
+    texts = [text for _, exercise, text in verdict_of_grade(path, answer_keys)["findings"] if exercise]
+    assert texts == ["a cell checks double_2, and double() is graded"]
+    points, text = kernel.points(made["cells"], {"light-double": "double_2"})["light-double"]
+    assert points == 1
+    assert "This is double_2, and grading takes double(): give it this name in the answer cell" in text
+
+
 MARK = {"imgproc_course": {"exercise": "light-double"}}
 RIGHT, WRONG = TIMES.format(2), "def double(pixels):\n    return pixels"
 COUNTS = {  # (count of the answer cell, of its copy below, of the check), and which of them is graded
