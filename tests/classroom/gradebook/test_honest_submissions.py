@@ -409,7 +409,7 @@ def with_own_cells(cells):
 for name, (cells, answer) in ONCE_REFUSED.items():
     change = with_own_cells(cells)
     change.__name__ = name.replace(" ", "_")
-    case(finding=", which is graded with it", double=answer)(change)
+    case(finding=", which is graded with it" if cells else "", double=answer)(change)
 
 
 # ---------------------------------------------------------------- pasted text
