@@ -41,8 +41,8 @@ ONCE_REFUSED = {
         ["class Base:\n    all = {}\n    def __init_subclass__(cls):\n        Base.all[cls.__name__] = cls"],
         "class Twice(Base):\n    factor = 2\n" + TIMES.format("Base.all['Twice'].factor"),
     ),
-    "a decorator whose function has a name of the lesson": (
-        ["def debug(f):\n    def LIMIT(*a):\n        return f(*a)\n    return LIMIT"],
+    "a decorator whose function has the name of another value": (
+        ["def debug(f):\n    def one(*a):\n        return f(*a)\n    return one", "one = np.zeros(3)"],
         f"@debug\n{TIMES.format(2)}",
     ),
     "a dataclass with annotations as text": ([], DATACLASS + TIMES.format("Own().factor")),
