@@ -53,7 +53,7 @@ def plain_python(source):
     except UNPARSABLE:
         source = _FENCE.sub("#", source)
         if indent := _INDENT.match(source):
-            source = re.sub(f"^{indent[1]}", "", source, flags=re.M)
+            source = "\n".join(line.removeprefix(indent[1]) for line in source.split("\n"))
         if _FIRST_PROMPT.match(source):
             source = _PROMPT.sub("", source)
         cell_magic = _CELL_MAGIC.match(source)
