@@ -494,7 +494,7 @@ class CellDefinitions:
     def _places(self):
         """The places of all statements, in order."""
         cells = [statements_of(source or "") for source in self._cells]
-        return [_Place(cell, number, one) for cell, all in enumerate(cells) for number, one in enumerate(all)]
+        return [_Place(cell, number, one) for cell, own in enumerate(cells) for number, one in enumerate(own)]
 
     @cached_property
     def _own(self):

@@ -393,7 +393,7 @@ def _report_other_tries(exercise, cells, content):
     call = re.compile(
         rf"""^check\(\s*["']{re.escape(exercise.id)}["']\s*,\s*(?!{exercise.function}\b)(\w+)""", re.M
     )
-    names = {name: None for cell in cells for name in call.findall(cell.get("source") or "")}
+    names = dict.fromkeys(name for cell in cells for name in call.findall(cell.get("source") or ""))
     if names:
         tries = ", ".join(sanitize_line(name, 60) for name in list(names)[:_MOST_NAMES])
         content.add(f"a cell checks {tries}, and {exercise.answer_name} is graded", exercise.id)
