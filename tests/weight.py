@@ -9,7 +9,8 @@ import sys
 from collections import Counter
 from pathlib import Path
 
-BUDGET = {"raw lines": 36_692, "code lines": 24_959, "worst complexity": 19}
+# Ceilings to stay under, not records of today.
+BUDGET = {"raw lines": 37_292, "code lines": 25_400, "worst complexity": 19}
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 HAVE_DOCSTRINGS = (*FUNCTIONS, ast.ClassDef, ast.Module)
