@@ -1,8 +1,9 @@
-"""sensor_msgs/CompressedImage to a NumPy array and back: JPEG, PNG, other image files, and compressedDepth.
+"""sensor_msgs/CompressedImage to a NumPy array and back: JPEG, PNG, other image files, and ROS's transports.
 
-ROS's compressed_image_transport writes "<encoding>; <codec> compressed <order>" into the field `format`: the
-encoding of the image before compression, and the order of the colors in the file. Many cameras write only
-"jpeg" or "png". Then the encoding follows from the decoded image.
+ROS's compressed_image_transport writes "<encoding>; <codec> compressed <stored>" into the field `format`: the
+encoding of the image before compression, and that of the values in the file. `stored` is empty if they are as
+they were: always in a TIFF, and in a PNG that is not in color. Many cameras write only "jpeg" or "png". Then
+the encoding follows from the decoded image.
 """
 
 import functools
@@ -11,12 +12,16 @@ import cv2
 import numpy as np
 
 from .conversion import bytes_of, described
-from .depth import decode_depth
+from .depth import decode_depth, is_depth
 from .encodings import encoding_info, generic_name
 from .errors import ConversionError, quoted
 from .image_files import check_value_count, decode_image_file, encode_image_file
+from .lossless import LOSSLESS, decode_lossless
 from .message_classes import Message, new_message
 from .pixels import converter
+
+# The last part of the topic's name, if it carries sensor_msgs/CompressedImage
+TRANSPORTS = ("compressed", "compressedDepth", *LOSSLESS)
 
 
 def compressed_to_array(msg: Message, desired_encoding: str = "passthrough") -> np.ndarray:
@@ -25,11 +30,12 @@ def compressed_to_array(msg: Message, desired_encoding: str = "passthrough") -> 
     Parameters
     ----------
     msg : sensor_msgs/CompressedImage, or any object with its fields `format` and `data`. `data` must hold a
-        JPEG, PNG, or another image file that `CvBridge.cv2_to_compressed_imgmsg` writes, or compressedDepth
-        (PNG or RVL)
+        JPEG, PNG, or another image file that `CvBridge.cv2_to_compressed_imgmsg` writes, compressedDepth
+        (PNG or RVL), or what zstd_image_transport publishes
     desired_encoding : "passthrough" (also "") keeps the image as it is decoded: mono8, bgr8, bgra8, mono16,
         bgr16 or bgra16; a Bayer mosaic if `format` says so; 16UC1 or 32FC1 of compressedDepth; 32FC1 and the
-        like of TIFF and PFM. Any other encoding converts this image, as `image_to_array` does
+        like of TIFF and PFM; of zstd the raw image. Any other encoding converts this image, as
+        `image_to_array` does
 
     Returns
     -------
@@ -51,11 +57,13 @@ def compressed_to_array(msg: Message, desired_encoding: str = "passthrough") -> 
 
 
 def _decoded(msg, desired_encoding):
-    format, data = _format(msg), bytes_of(_data(msg))
-    decode = decode_depth if "compressedDepth" in format else _decode_image
+    format, data = _fields(msg)
+    if format in LOSSLESS:
+        return decode_lossless(data, desired_encoding)
+    decode = decode_depth if is_depth(format, data) else _decode_image
     frame, source = decode(format, data)
     if isinstance(desired_encoding, str) and desired_encoding in ("passthrough", ""):
-        return frame
+        desired_encoding = source.name.replace("rgb", "bgr")
     convert = _conversion(source, encoding_info(desired_encoding))
     return convert(frame) if convert else frame
 
@@ -122,13 +130,11 @@ _conversion = functools.lru_cache(maxsize=256)(converter)
 
 def _stored_as(info, codec):
     """EncodingInfo of the values in the file: one that OpenCV's encoders accept, of the same depth."""
-    if codec == "jpeg" and info.dtype != np.uint8:
+    is_mosaic = (info.color or "").startswith("bayer_")
+    if codec == "jpeg" and (is_mosaic or info.dtype != np.uint8):
+        problem = "blurs a mosaic" if is_mosaic else "holds 8 bits"
         raise ConversionError(
-            f"JPEG holds 8 bits, and {info.name!r} has more; use format='png', or scale the values to uint8"
-        )
-    if codec == "jpeg" and (info.color or "").startswith("bayer_"):
-        raise ConversionError(
-            f"JPEG blurs the mosaic of {info.name!r}; use format='png', or convert to 'bgr8'"
+            f"JPEG {problem}, and the array is {info.name!r}; use format='png', or convert it to 'bgr8'"
         )
     bits = 8 * info.dtype.itemsize
     if info.color in ("rgb", "bgr") or (codec == "jpeg" and info.color in ("rgba", "bgra")):
@@ -137,8 +143,7 @@ def _stored_as(info, codec):
         return encoding_info(f"bgra{bits}")
     if info.color == "gray":
         return info
-    is_accepted = info.dtype.kind == "u" and info.channels in (1, 3)
-    if is_accepted and (info.color is None or info.color.startswith("bayer_")):
+    if info.dtype.kind == "u" and info.channels in (1, 3) and (info.color is None or is_mosaic):
         return info._replace(color=None, name=_decoded_name(info.dtype, info.channels))
     remedy = "convert it to 'bgr8' or 'mono8' first"
     if info.name == "32FC1":
@@ -146,23 +151,16 @@ def _stored_as(info, codec):
     raise ConversionError(f"{codec} cannot hold {info.name!r}; {remedy}")
 
 
-def _format(msg):
-    format = getattr(msg, "format", None)
-    if isinstance(format, str):
-        return format
+def _fields(msg):
+    """(format, data) of a message; the data as a memoryview."""
+    format, data = (getattr(msg, field, None) for field in ("format", "data"))
+    if isinstance(format, str) and data is not None:
+        return format, bytes_of(data)
     remedy = "image_to_array reads an Image" if hasattr(msg, "encoding") else "pass the message itself"
+    missing = "'data'" if isinstance(format, str) else "a text in 'format'"
     raise ConversionError(
-        f"expected a sensor_msgs/CompressedImage whose field 'format' is a str, got {quoted(msg)}; {remedy}"
+        f"expected a sensor_msgs/CompressedImage, got {quoted(msg)} without {missing}; {remedy}"
     )
-
-
-def _data(msg):
-    try:
-        return msg.data
-    except AttributeError:
-        raise ConversionError(
-            f"expected a sensor_msgs/CompressedImage, got {quoted(msg)} without 'data'"
-        ) from None
 
 
 def _decode_image(format, data):
@@ -173,15 +171,28 @@ def _decode_image(format, data):
 
 def _meaning(format, frame):
     """EncodingInfo of a decoded image: as OpenCV decodes it, or as `format` says where that is more exact."""
-    name = _decoded_name(frame.dtype, 1 if frame.ndim == 2 else frame.shape[2])
-    original_name, _, order = format.partition(";")
-    if "compressed rgb" in order:  # the publisher did not swap the channels to OpenCV's order
-        name = name.replace("bgr", "rgb")
-    decoded = encoding_info(name)
-    try:
-        original = encoding_info(original_name.strip())
-    except ConversionError:
+    decoded = encoding_info(_decoded_name(frame.dtype, 1 if frame.ndim == 2 else frame.shape[2]))
+    original_name, _, codec = map(str.strip, format.partition(";"))
+    codec, compressed, stored_name = map(str.strip, codec.partition("compressed"))
+    original, stored = _known(original_name), _known(stored_name or original_name)
+    if compressed and stored and stored.dtype != decoded.dtype:
+        raise ConversionError(
+            f"format {quoted(format)} and a file of {decoded.dtype.name}: the publisher lost the values of "
+            f"{stored.name!r}, which the file cannot hold; subscribe to the raw topic"
+        )
+    if stored_name.startswith("rgb"):  # the publisher did not swap the channels to OpenCV's order
+        return encoding_info(decoded.name.replace("bgr", "rgb"))
+    if original is None or original[1:3] != decoded[1:3]:
         return decoded
-    # The file holds a mosaic or a depth image as gray levels: only `format` says what it is.
-    is_not_gray = (original.color or "").startswith("bayer_") or original.name == "16UC1"
-    return original if is_not_gray and original[1:3] == decoded[1:3] else decoded
+    # The file holds a mosaic or a depth image as gray levels: only `format` says what it is. Of a mosaic, the
+    # plugin makes gray before it writes a JPEG.
+    is_mosaic = (original.color or "").startswith("bayer_") and (codec, stored_name) != ("jpeg", "mono8")
+    is_as_it_was = codec == "tiff" and not stored_name and original.color
+    return original if is_mosaic or is_as_it_was or original.name == "16UC1" else decoded
+
+
+def _known(name):
+    try:
+        return encoding_info(name)
+    except ConversionError:
+        return None

@@ -12,35 +12,54 @@ import numpy as np
 from .encodings import encoding_info
 from .errors import ConversionError, quoted
 from .image_files import decode_image_file
-from .image_headers import BLANK_PIXELS, PIXELS_PER_BYTE, check_claim
+from .image_headers import BLANK_PIXELS, PIXELS_PER_BYTE, check_claim, file_format
 
+_ENCODINGS = ("16UC1", "mono16", "32FC1")
 _HEADER = struct.Struct("<iff")
 _SIZE = struct.Struct("<II")
 _MAX_NIBBLES = 11  # of a number of 32 bits in an RVL stream
 
 
+def is_depth(format, data):
+    """Whether `format` names compressedDepth, or names nothing, and a PNG follows a header of 12 bytes."""
+    return "compressedDepth" in format or (bytes(data[13:16]) == b"PNG" and file_format(data) is None)
+
+
 def decode_depth(format, data):
     """(array, EncodingInfo) of a contiguous memoryview; `format` is such as "16UC1; compressedDepth png"."""
-    info = encoding_info(format.partition(";")[0].strip())
-    if info.name not in ("16UC1", "mono16", "32FC1"):
-        raise ConversionError(
-            f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {quoted(info.name)}; "
-            "use array_to_compressed for other images"
-        )
     if len(data) <= _HEADER.size:
         raise ConversionError(
             f"compressedDepth needs a header of {_HEADER.size} bytes and an image, got {len(data)} bytes; "
             "the message is cut short"
         )
     _, a, b = _HEADER.unpack_from(data)
-    body = data[_HEADER.size :]
-    values = _decode_rvl(body) if format.rstrip().endswith("rvl") else _decode_png(body)
+    info, decode = _parsed(format, a, b)
+    values = decode(data[_HEADER.size :])
     if info.dtype == np.uint16:
         return values, info
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         metres = np.float32(a) / (values - np.float32(b))
     metres[values == 0] = np.nan
     return metres, info
+
+
+def _parsed(format, a, b):
+    """(EncodingInfo, function that decodes the values); PNG if the format names no codec."""
+    name, semicolon, codec = map(str.strip, format.partition(";"))
+    codec = codec.partition("compressedDepth")[2].strip() or "png"
+    if not semicolon and name not in _ENCODINGS:
+        name = "16UC1"
+        if a > 0 and b < 1 and 1 <= a / (1 - b) <= 100:  # limits of the publisher's depth_max, metres
+            raise ConversionError(
+                f"format {quoted(format)} names no encoding, and the header has A and B; set msg.format to "
+                "'32FC1; compressedDepth png' for metres, else to '16UC1; compressedDepth png'"
+            )
+    if encoding_info(name).name not in _ENCODINGS or codec not in ("png", "rvl"):
+        raise ConversionError(
+            f"compressedDepth knows '16UC1', 'mono16' and '32FC1' as 'png' or 'rvl', got {quoted(format)}; "
+            "subscribe to the raw topic"
+        )
+    return encoding_info(name), _decode_rvl if codec == "rvl" else _decode_png
 
 
 def _decode_png(body):

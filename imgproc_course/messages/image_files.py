@@ -123,10 +123,13 @@ def _remedy(dtype, channels):
 
 def _not_an_image(data, described_as):
     if len(data) == 0:
-        return f"field 'data' is empty, although 'format' is {quoted(described_as)}; the camera sent no image"
+        return (
+            f"field 'data' is empty, although 'format' is {quoted(described_as)}; the camera sent no image, "
+            "or its transport cannot store this encoding: subscribe to the raw topic"
+        )
     name = refused_format(data)
     content = f"holds {name}" if name else f"begins with {quoted(bytes(data[:8]))}"
     return (
-        f"expected a JPEG, PNG or other image file, and 'data' ({len(data)} bytes) {content}; set the "
-        "publisher's parameter 'format' to 'jpeg' or 'png', or subscribe to the raw topic"
+        f"expected a JPEG, PNG or other image file, and 'data' ({len(data)} bytes) {content}; "
+        "subscribe to the raw topic, or set the parameter 'format' of compressed_image_transport to 'jpeg'"
     )

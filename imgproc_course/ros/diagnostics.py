@@ -5,6 +5,8 @@ import os
 
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 
+from imgproc_course.messages.compressed import TRANSPORTS
+
 IMAGE_TYPES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
 
 
@@ -47,7 +49,8 @@ def _no_publisher(node, topic, own_topics):
         for name, types in types_of.items()
         if name not in (topic, *own_topics) and set(types) & set(IMAGE_TYPES) and node.count_publishers(name)
     ]
-    similar = difflib.get_close_matches(topic, image_topics, n=3, cutoff=0.5) or image_topics[:3]
+    similar = difflib.get_close_matches(topic, image_topics, n=3, cutoff=0.5) or image_topics
+    similar = sorted(similar, key=lambda name: name.rpartition("/")[2] in TRANSPORTS[1:])[:3]
     discovery_range = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or "SUBNET (the default)"
     network = f"domain {node.context.get_domain_id()}, discovery range {discovery_range}"
     if similar:
@@ -87,7 +90,7 @@ def _silent_publisher(publishers, topic, received):
             "off (ROS notices this only after about 20 s)"
         )
     reason = "the node is paused, or still starting (a Kachaka's depth camera is silent on its charger)"
-    if not topic.endswith("compressed"):
+    if topic.rpartition("/")[2] not in TRANSPORTS:
         reason += (
             f", or its big images get lost on the way: subscribe to {topic}/compressed, and run "
             "imgproc-course doctor"

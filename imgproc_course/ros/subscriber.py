@@ -13,6 +13,7 @@ from sensor_msgs.msg import CompressedImage, Image
 
 from imgproc_course.learner_errors import RepeatedErrors, describe
 from imgproc_course.messages import ConversionError, compressed_to_array, encoding_info, image_to_array
+from imgproc_course.messages.compressed import TRANSPORTS
 from imgproc_course.ros.diagnostics import explain_missing_messages
 from imgproc_course.ros.entities import Entities, Stoppable, weak_callback
 from imgproc_course.ros.session import RCLError, RosSession, Throttle, failed_line, log
@@ -40,7 +41,7 @@ _QOS_REMEDIES = {
 
 def image_type(topic):
     """The message type of an image topic, and the function that converts a message to an array."""
-    if topic.rpartition("/")[2] in ("compressed", "compressedDepth"):
+    if topic.rpartition("/")[2] in TRANSPORTS:
         return CompressedImage, compressed_to_array
     return Image, image_to_array
 
@@ -50,7 +51,8 @@ class ImageSubscriber(Stoppable):
 
     Parameters
     ----------
-    topic : sensor_msgs/Image, or sensor_msgs/CompressedImage if it ends in /compressed or /compressedDepth
+    topic : sensor_msgs/Image, or sensor_msgs/CompressedImage if it ends in /compressed, /compressedDepth,
+        /zstd or /zlib
     on_image : function(frame, msg), called for every frame in ROS's thread. It must be faster than the
         camera's period; if it is not, iterate over the subscriber instead, which skips to the newest frame
     qos : "sensor_data" (best effort, depth 5: what cameras offer), "reliable" (what a plain 10 means; it

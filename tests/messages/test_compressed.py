@@ -1,6 +1,8 @@
 """CompressedImage to array and back: the field `format`, the file itself, and what is refused."""
 
+import gzip
 import struct
+import sys
 import zlib
 from types import SimpleNamespace
 
@@ -9,7 +11,7 @@ import numpy as np
 import pytest
 from compressed_depth import depth_to_compressed, rvl_encode
 
-from imgproc_course.messages import ConversionError, array_to_compressed, compressed_to_array
+from imgproc_course.messages import ConversionError, array_to_compressed, compressed_to_array, encoding_info
 from imgproc_course.messages.depth import rvl_decode
 
 BGR = np.array([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [9, 99, 199]]], np.uint8)
@@ -101,19 +103,85 @@ def test_colors_by_format(format, desired, expected):
     assert (compressed_to_array(message(format, png(BGR)), desired) == expected).all()
 
 
+# --- what compressed_image_transport publishes, by encoding and codec
+
+BGR_OF = {"bgr": [0, 1, 2], "rgb": [2, 1, 0], "bgra": [0, 1, 2, 3], "rgba": [2, 1, 0, 3]}  # channels of each
+COLORS = [f"{color}{bits}" for color in BGR_OF for bits in (8, 16)]
+MOSAICS = [f"bayer_{rows}{bits}" for rows in ("rggb", "bggr", "gbrg", "grbg") for bits in (8, 16)]
+GRAYS = ["mono8", "mono16", "8UC1", "16UC1"]
+SIGNED = ["8SC1", "16SC1", "16SC3", "32SC1", "32FC1", "32FC3"]
+
+
+def ramp(encoding):
+    info = encoding_info(encoding)
+    shape = info.shape(16, 24)
+    low, high = (0, 250 if info.dtype == np.uint8 else 65000) if info.dtype.kind == "u" else (-120, 120)
+    return np.linspace(low, high, np.prod(shape)).reshape(shape).astype(info.dtype)
+
+
+def published(array, encoding, codec, stored=""):
+    """The plugin's message: `stored` is the encoding to which it converts; the values as they are without."""
+    info = encoding_info(encoding)
+    if stored.startswith("bgr"):
+        array = array[..., BGR_OF[info.color][: len(stored.rstrip("1268"))]]
+    elif stored == "mono8" and info.color.startswith("bayer_"):  # OpenCV names the second row
+        pattern = {"rggb": "BG", "bggr": "RG", "gbrg": "GR", "grbg": "GB"}[info.color.removeprefix("bayer_")]
+        array = cv2.cvtColor(array, getattr(cv2, f"COLOR_Bayer{pattern}2GRAY"))
+    if codec == "jpeg" and array.dtype == np.uint16:
+        array = np.rint(array / 257).astype(np.uint8)
+    data = cv2.imencode(f".{codec}", np.ascontiguousarray(array))[1].tobytes()
+    return message(f"{encoding}; {codec} compressed {stored}", data)
+
+
+@pytest.mark.parametrize("encoding", [*COLORS, *MOSAICS, *GRAYS, *SIGNED])
+def test_a_tiff_holds_the_image_as_it_was(encoding):
+    msg = published(ramp(encoding), encoding, "tiff")
+    assert (compressed_to_array(msg, encoding) == ramp(encoding)).all()
+    in_bgr = ramp(encoding)[..., BGR_OF[encoding.rstrip("168")]] if encoding in COLORS else ramp(encoding)
+    assert (compressed_to_array(msg) == in_bgr).all()
+
+
+PNG_ROWS = [(encoding, "") for encoding in [*MOSAICS, *GRAYS]]
+PNG_ROWS += [
+    (encoding, "bgr" + encoding.lstrip("rgba")) for encoding in COLORS
+]  # up to ROS Jazzy without alpha
+PNG_ROWS += [(encoding, "bgra" + encoding.lstrip("rgba")) for encoding in COLORS if "a" in encoding]
+
+
+@pytest.mark.parametrize(("encoding", "stored"), PNG_ROWS)
+def test_a_png_holds_colors_in_the_order_of_opencv(encoding, stored):
+    array = ramp(encoding)
+    frame = compressed_to_array(published(array, encoding, "png", stored), encoding)
+    if "a" in encoding and stored in ("bgr8", "bgr16"):
+        array[..., 3] = np.iinfo(array.dtype).max
+    assert (frame == array).all()
+
+
+@pytest.mark.parametrize("encoding", [*COLORS, *MOSAICS, "mono8", "mono16"])
+def test_a_jpeg_holds_colors_or_gray_of_8_bits(encoding):
+    msg = published(ramp(encoding), encoding, "jpeg", "bgr8" if encoding in COLORS else "mono8")
+    decoded = cv2.imdecode(np.frombuffer(msg.data, np.uint8), cv2.IMREAD_UNCHANGED)
+    frame = compressed_to_array(msg)
+    assert (frame == decoded).all() and frame.ndim == (3 if encoding in COLORS else 2)
+    gray = decoded if decoded.ndim == 3 else np.dstack([decoded] * 3)
+    assert (compressed_to_array(msg, "bgr8") == gray).all()
+
+
+def test_a_mosaic_in_a_jpeg_if_the_publisher_kept_it():
+    """The plugin's parameter jpeg_compress_bayer (ROS Kilted). A mosaic of 16 bits saturates, and is lost."""
+    mosaic = ramp("bayer_gbrg8")
+    msg = published(mosaic, "bayer_gbrg8", "jpeg", "bayer_gbrg8")
+    decoded = cv2.imdecode(np.frombuffer(msg.data, np.uint8), cv2.IMREAD_UNCHANGED)
+    assert (compressed_to_array(msg, "bgr8") == cv2.cvtColor(decoded, cv2.COLOR_BayerGR2BGR)).all()
+    with pytest.raises(ConversionError, match="lost the values of 'bayer_gbrg16'"):
+        compressed_to_array(message("bayer_gbrg16; jpeg compressed bayer_gbrg16", msg.data))
+
+
 def test_16uc1_in_a_png_is_not_gray():
     msg = message("16UC1; png compressed ", png(LEVELS))
     assert compressed_to_array(msg, "32FC1").tolist() == LEVELS.tolist()
     with pytest.raises(ConversionError, match="scale it yourself"):
         compressed_to_array(msg, "mono8")
-
-
-def test_a_mosaic_in_a_png_becomes_colors():
-    tile = np.array([[200, 100], [100, 10]], np.uint8)
-    msg = array_to_compressed(np.tile(tile, (3, 3)), "bayer_rggb8", "png")
-    assert msg.format == "bayer_rggb8; png compressed mono8"
-    assert (compressed_to_array(msg) == np.tile(tile, (3, 3))).all()
-    assert (compressed_to_array(msg, "bgr8") == [10, 100, 200]).all()
 
 
 def test_png_files_that_opencv_does_not_write():
@@ -145,6 +213,7 @@ def test_chunks_without_pixels_are_dropped_without_warnings(capfd):
         ("rgba8", np.dstack([BGR, BGR[..., :1]]), "bgra8"),
         ("mono16", LEVELS, "mono16"),
         ("16UC1", LEVELS, "mono16"),
+        ("bayer_rggb8", BGR[..., 0], "mono8"),
         ("rgb16", np.dstack([LEVELS, LEVELS + 1, LEVELS]), "bgr16"),
     ],
 )
@@ -322,6 +391,21 @@ def test_an_rvl_stream_calculated_by_hand():
     ]
 
 
+@pytest.mark.parametrize("format", ["", "16UC1", "png", "compressedDepth png", "16UC1; compressedDepth"])
+def test_depth_whose_format_names_no_codec_is_png(format):
+    data = depth_to_compressed(DEPTH).data
+    assert compressed_to_array(message(format, data)).tolist() == DEPTH.tolist()
+
+
+def test_depth_in_metres_without_its_encoding_is_refused():
+    msg = depth_to_compressed(np.array([[0.5, 2.0]], np.float32), "32FC1")
+    msg.format = "32FC1"
+    assert np.abs(compressed_to_array(msg) - [0.5, 2.0]).max() < 0.01
+    msg.format = ""
+    with pytest.raises(ConversionError, match=r"set msg\.format to '32FC1; compressedDepth png' for metres"):
+        compressed_to_array(msg)
+
+
 def plain_rvl_encode(pixels):
     """RVL as the paper describes it, one number and one nibble after another: a slow form of rvl_encode."""
     nibbles = []
@@ -378,6 +462,7 @@ BROKEN_DEPTH = {
         "16 bits, got uint8",
     ),
     "encoding": (message("bgr8; compressedDepth png", bytes(40)), "'16UC1', 'mono16' and '32FC1'"),
+    "codec": (message("16UC1; compressedDepth jpeg", bytes(40)), "'png' or 'rvl', got"),
     "rvl without size": (message("16UC1; compressedDepth rvl", bytes(15)), "too short to hold its size"),
     "rvl cut": (rvl_message(4, 3, STREAM[:4]), "RVL"),
     "rvl of other size": (rvl_message(4, 4, STREAM), "RVL stream"),
@@ -390,9 +475,61 @@ BROKEN_DEPTH = {
 }
 
 
-@pytest.mark.parametrize("case", BROKEN_DEPTH)
-def test_damaged_depth_is_refused(case):
-    msg, words = BROKEN_DEPTH[case]
+# --- zstd_image_transport
+
+
+def raw_in_a_stream(body, encoding=b"rgb8", height=2, width=2, step=7, is_bigendian=0, length=None):
+    fields = struct.pack("<IIBII", height, width, is_bigendian, step, length or len(encoding))
+    return message("zstd", fields + encoding + body)
+
+
+PADDED = np.pad(BGR.reshape(2, 6), ((0, 0), (0, 1)), constant_values=9).tobytes()
+
+
+def zstandard(data):
+    from backports.zstd import compress
+
+    return compress(data)
+
+
+@pytest.mark.parametrize("compress", [gzip.compress, zlib.compress, zstandard])
+def test_a_raw_image_in_a_stream(compress):
+    msg = raw_in_a_stream(compress(PADDED))
+    frame = compressed_to_array(msg)
+    frame[:] += 0  # writable
+    assert (frame == BGR).all()
+    assert (compressed_to_array(msg, "bgr8") == BGR[..., ::-1]).all()
+    msg.format = "zlib"
+    assert (compressed_to_array(msg, "rgb8") == BGR).all()
+    depth = raw_in_a_stream(compress(LEVELS.astype(">u2").tobytes()), b"16UC1", 2, 3, 6, is_bigendian=1)
+    assert compressed_to_array(depth).tolist() == LEVELS.tolist()
+
+
+STREAM_OF_PIXELS = gzip.compress(PADDED)
+BROKEN_STREAMS = {
+    **{f"png of {e}": (published(ramp(e), e, "png"), f"lost the values of '{e}'") for e in SIGNED},
+    "no fields": (message("zstd", bytes(16)), "cannot hold the fields"),
+    "endless encoding": (raw_in_a_stream(STREAM_OF_PIXELS, length=2**32 - 1), "unknown encoding"),
+    "no stream": (raw_in_a_stream(b"not compressed"), "does not decode"),
+    "stream cut": (raw_in_a_stream(STREAM_OF_PIXELS[:20]), "cut short"),
+    "one bit flipped": (raw_in_a_stream(STREAM_OF_PIXELS[:-6] + b"?" + STREAM_OF_PIXELS[-5:]), "decode"),
+    "no Zstandard": (raw_in_a_stream(zstandard(PADDED)[:4] + b"?" * 20), "does not decode"),
+    "claims 4 GB": (raw_in_a_stream(STREAM_OF_PIXELS, height=2**29, step=8), "claim an image of 4294967296"),
+    "step": (raw_in_a_stream(STREAM_OF_PIXELS, step=5), "needs step >= 6"),
+}
+
+
+@pytest.mark.parametrize("case", [*BROKEN_DEPTH, *BROKEN_STREAMS])
+def test_damaged_data_of_a_transport_are_refused(case):
+    msg, words = (BROKEN_DEPTH | BROKEN_STREAMS)[case]
     with pytest.raises(ConversionError) as caught:
         compressed_to_array(msg)
     assert words in str(caught.value)
+
+
+def test_without_a_decoder_of_zstandard_the_error_names_the_package(monkeypatch):
+    msg = raw_in_a_stream(zstandard(PADDED))
+    for name in ("compression.zstd", "backports.zstd"):
+        monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(ConversionError, match=r"pip install backports\.zstd, or subscribe to the raw topic"):
+        compressed_to_array(msg)

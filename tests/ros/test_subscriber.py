@@ -226,6 +226,24 @@ def test_no_publisher_but_a_similar_topic(send, subscribe, session):
     assert text.split("images are published on ")[1].split(", ")[0] == TOPIC
 
 
+def test_a_lossless_transport(send, subscribe, session, wait_until):
+    import struct
+    import zlib
+
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import CompressedImage
+
+    publisher = session.node.create_publisher(CompressedImage, f"{TOPIC}/zstd", qos_profile_sensor_data)
+    assert f"images are published on {TOPIC}, {TOPIC}/zstd" in reason(subscribe(f"{TOPIC}/zst"))
+    subscriber = subscribe(f"{TOPIC}/zstd", encoding="rgb8")
+    wait_until(lambda: publisher.get_subscription_count() == 1)
+    assert "/compressed" not in reason(subscriber)
+    data = struct.pack("<IIBII", 4, 5, 0, 15, 4) + b"rgb8" + zlib.compress(colours().tobytes())
+    publisher.publish(CompressedImage(format="zstd", data=data))
+    wait_until(lambda: subscriber.latest() is not None)
+    assert (subscriber.latest() == colours()).all()
+
+
 def test_no_publisher_at_all(subscribe):
     text = reason(subscribe(TOPIC))
     assert text.startswith("no node publishes this topic or any other image (domain ")
