@@ -15,6 +15,7 @@ from .encodings import ENCODINGS, EncodingInfo, encoding_info, generic_name
 from .errors import ConversionError, quoted
 from .message_classes import Message, new_message
 from .pixels import converter
+from .wrong_arrays import CALLS_FOR_SHAPES, call_for, call_for_values, has_channels_first
 
 UINT32_MAX = 2**32 - 1  # the largest height, width and step of a message, and the most bytes it can carry
 
@@ -163,17 +164,20 @@ def _known(name, field):
 
 def described(array, encoding):
     """EncodingInfo of an array, which must fit `encoding`; of "passthrough": how the array is stored."""
+    if isinstance(array, np.ndarray) and array.dtype == object:
+        array = array.tolist()
     if not isinstance(array, np.ndarray):
-        raise ConversionError(f"expected a NumPy array, got {quoted(array)}; call np.asarray(...) first")
+        raise ConversionError(f"expected a NumPy array, got {quoted(array)}; {call_for(array)}")
     if type(array) is not np.ndarray and np.ma.is_masked(array):
         raise ConversionError("a message cannot hold a mask; fill it first: array.filled(0)")
-    if array.ndim not in (2, 3):
+    encoding = _checked_name("encoding", encoding)
+    if array.ndim not in (2, 3) or has_channels_first(array.shape, encoding):
         raise ConversionError(
             f"expected an array of shape (H, W) or (H, W, channels), got {array.shape}; "
-            "send one image per message, without a batch axis"
+            + CALLS_FOR_SHAPES.get(array.ndim, CALLS_FOR_SHAPES[4])
         )
     channels = array.shape[2] if array.ndim == 3 else 1
-    stored, info, fits, is_planar = _described(array.dtype, channels, _checked_name("encoding", encoding))
+    stored, info, fits, is_planar = _described(array.dtype, channels, encoding)
     if not fits:
         raise ConversionError(_mislabelled(array, stored, info))
     if is_planar and (array.shape[0] % 3 or _planes_misfit(info, 0, array.shape[1])):
@@ -195,7 +199,7 @@ def _described(dtype, channels, encoding):
 def _mislabelled(array, stored, info):
     expected = f"{info.dtype.name}, " + ("(H, W)" if info.channels == 1 else f"(H, W, {info.channels})")
     if info.dtype != stored.dtype:
-        remedy = f"convert the values to {info.dtype.name} first"
+        remedy = f"convert the values to {info.dtype.name} first: {call_for_values(array, info)}"
     else:
         remedy = f"name the array's own encoding ({_names_of(stored)}), or convert the array first"
     actual = f"{array.dtype.name}, {array.shape}"

@@ -189,8 +189,10 @@ def _meaning_missing(source):
     if source.channels == 1 and source.name not in {"8U", "8UC1"}:
         # Unmeasured depth in metres is NaN or infinite: scaled by that maximum, every pixel would be black.
         largest = "a[np.isfinite(a)].max()" if source.dtype.kind == "f" else "a.max()"
+        values = "a" if source.dtype.kind == "u" else "a.clip(0)"  # -5 would become 5
         remedy = (
-            f"take 'passthrough' and scale it yourself, as in cv2.convertScaleAbs(a, alpha=255 / {largest})"
+            "take 'passthrough' and scale it yourself, as in "
+            f"cv2.convertScaleAbs({values}, alpha=255 / {largest})"
         )
         return problem + remedy + (f"; {relabel}" if relabel else "")
     return problem + (relabel or "take 'passthrough' and select channels with NumPy")

@@ -5,10 +5,12 @@ import os
 import re
 import subprocess
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import cv2
 import numpy as np
+import PIL.Image
 import pytest
 
 from imgproc_course.messages import (
@@ -186,13 +188,14 @@ def test_a_conversion_without_meaning_names_the_remedy(source, desired):
     assert REFUSALS[source, desired] in str(caught.value)
 
 
-@pytest.mark.parametrize("values", [[500, 2000, 0, 1000], [0.5, 2.0, np.nan, np.inf]])
+@pytest.mark.parametrize("values", [[500, 2000, 0, 1000], [0.5, 2.0, np.nan, np.inf], [0.5, 2.0, -1.0, -9]])
 def test_the_remedy_for_depth_makes_measured_values_visible(values):
     a = np.array([values], np.uint16 if isinstance(values[0], int) else np.float32)
     with pytest.raises(ConversionError) as caught:
         image_to_array(array_to_image(a), "mono8")
     recipe = re.search(r"as in (cv2\.convertScaleAbs\(.*\))(?:;|$)", str(caught.value))[1]
-    assert eval(recipe, {"a": a, "cv2": cv2, "np": np})[0, :2].tolist() == [64, 255]
+    visible = eval(recipe, {"a": a, "cv2": cv2, "np": np})[0].tolist()
+    assert visible[:2] == [64, 255] and (visible[2] == 0 or not values[2] < 0)
 
 
 def test_float_to_integer_saturates_at_both_ends():
@@ -326,6 +329,24 @@ def test_a_message_of_planes_has_the_height_of_the_image():
 U1 = np.zeros((4, 6, 3), np.uint8)
 BAD_ARRAYS = {  # array, encoding, words of the error
     "no array": ([[1]], "mono8", ["expected a NumPy array", "a list", "np.asarray"]),
+    "None": (None, "bgr8", ["got None", "the file or the camera gave no image", "cv2.imread"]),
+    "array of None": (np.asarray(None), "bgr8", ["got None", "gave no image"]),
+    "VideoCapture.read": ((True, U1), "bgr8", ["a tuple", "(ok, frame)"]),
+    "path": (Path("a.png"), "bgr8", ["Path", "call cv2.imread(...) first"]),
+    "bytes of a file": (b"\xff\xd8", "bgr8", ["cv2.imdecode"]),
+    "PIL image": (PIL.Image.new("RGB", (3, 2)), "rgb8", ["np.asarray(image.convert('RGB'))", "'rgb8'"]),
+    "PyTorch": (type("Tensor", (), {})(), "rgb8", ["a Tensor", ".permute(1, 2, 0).cpu().numpy()"]),
+    "UMat": (cv2.UMat(U1), "bgr8", ["a UMat", "call .get() first"]),
+    "message": (SimpleNamespace(encoding="bgr8", data=b""), "bgr8", ["call image_to_array(...) first"]),
+    "compressed": (SimpleNamespace(format="png", data=b""), "bgr8", ["call compressed_to_array(...) first"]),
+    "channels first": (U1.transpose(2, 0, 1), "bgr8", ["(3, 4, 6)", "np.transpose(array, (1, 2, 0))"]),
+    "channels first, large": (np.zeros((3, 40, 640), "u1"), "rgb8", ["np.transpose(array, (1, 2, 0))"]),
+    "channels first, passthrough": (np.zeros((3, 40, 64), "u1"), "passthrough", ["np.transpose"]),
+    "0..1": (U1 / 255, "bgr8", ["np.rint(np.nan_to_num(array) * 255)", "lie in 0 to 0"]),
+    "0..300": (U1 + 300.5, "bgr8", ["np.clip(np.rint(np.nan_to_num(array)), 0, 255)", "300.5 to 300.5"]),
+    "metres": (U1[..., 0] + 1.5, "16UC1", ["array) * 1000), 0, 65535).astype('uint16')"]),
+    "negative depth": (U1[..., 0] - np.int16(5), "16UC1", ["np.clip(np.rint(array), 0, 65535)", "-5 to -5"]),
+    "16 bits": (U1[..., 0].astype("u2"), "mono8", ["np.rint(array * (255 / 65535))"]),
     "one axis": (U1[0, 0], "passthrough", ["(H, W)", "(3,)"]),
     "four axes": (U1[None], "passthrough", ["(1, 4, 6, 3)", "one image per message"]),
     "bool": (np.zeros((2, 2), bool), "mono8", ["bool", "* 255"]),
