@@ -5,8 +5,10 @@ import zlib
 import cv2
 import numpy as np
 
+from .encodings import ENCODINGS
 from .errors import ConversionError, quoted
 from .image_headers import DAMAGED, file_format, refused_format
+from .wrong_arrays import call_for_values
 
 MAX_VALUES = 2**30  # what OpenCV's encoders take
 _INTEGERS = ("uint8", "uint16")
@@ -87,7 +89,7 @@ def encode_image_file(array, extension, options=()):
     if array.dtype.name not in dtypes or channels not in channel_counts:
         raise ConversionError(
             f"{extension} holds {_listed(channel_counts)} channels of {_listed(dtypes)}, not {channels} of "
-            f"{array.dtype.name}; {_remedy(array.dtype, channels)}"
+            f"{array.dtype.name}; {_remedy(array, channels)}"
         )
     pixels = np.ascontiguousarray(array, array.dtype.newbyteorder("="))
     try:
@@ -115,10 +117,12 @@ def _listed(values):
     return f"{', '.join(first)} or {last}" if first else last
 
 
-def _remedy(dtype, channels):
+def _remedy(array, channels):
     if channels not in (1, 3, 4):
         return "convert it to 1, 3 or 4 channels"
-    return "'png' holds 8 and 16 bits" if dtype.name in _INTEGERS else "'tiff' holds every dtype of a message"
+    if array.dtype.name in _INTEGERS:
+        return "'png' holds 8 and 16 bits"
+    return f"'tiff' holds every dtype of a message; else call {call_for_values(array, ENCODINGS['mono8'])}"
 
 
 def _not_an_image(data, described_as):

@@ -198,5 +198,5 @@ _REFUSED = {
     rb"\x76\x2f\x31\x01": "OpenEXR",
     rb"II\+\0|MM\0\+": "BigTIFF",
     rb"\xff\x4f\xff\x51": "JPEG 2000 without a file header",
-    rb"\0\0\0\x01": "H.264 video",
+    rb"\0\0\0?\x01": "H.264 or H.265 video",
 }

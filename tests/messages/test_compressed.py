@@ -281,6 +281,7 @@ BROKEN = {
     "empty": (b"", "'data' is empty"),
     "text": (b"hello, world", "expected a JPEG, PNG or other"),
     "video": (b"\0\0\0\1gxx", "H.264"),
+    "video with a short start code": (b"\0\0\1\x40\1x", "H.265"),
     "png cut": (WHOLE[:-20], "cut short"),
     "png cut within a chunk": (WHOLE[: len(WHOLE) // 2], "cut short"),
     "png, one bit flipped": (WHOLE[:100] + bytes([WHOLE[100] ^ 1]) + WHOLE[101:], "wrong checksum"),
