@@ -9,7 +9,6 @@ from types import SimpleNamespace
 import cv2
 import numpy as np
 
-MAX_NIBBLES = 11  # of a number of 32 bits
 LARGEST_DEPTH = 10.0  # metres that the 65535 steps of 1 / depth reach
 
 
@@ -22,7 +21,7 @@ def depth_to_compressed(array, encoding="16UC1", format="png"):
     if format == "png":
         body = cv2.imencode(".png", values)[1].tobytes()
     else:
-        body = struct.pack("<II", values.shape[1], values.shape[0]) + rvl_encode(values)
+        body = struct.pack("<II", values.shape[1], values.shape[0]) + rvl_encode(values.ravel().tolist())
     return SimpleNamespace(
         format=f"{encoding}; compressedDepth {format}", data=struct.pack("<iff", 0, a, b) + body
     )
@@ -38,45 +37,33 @@ def quantized(metres):
     return np.where(is_measured, q, 0).astype(np.uint16), a, b
 
 
-def rvl_encode(depth):
-    """RVL stream of a depth image.
+def rvl_encode(pixels):
+    """RVL stream of a list of pixels, as the paper describes it: one number and one nibble after another."""
+    nibbles = []
 
-    Parameters
-    ----------
-    depth : array of uint16, any shape
+    def write(number):
+        while True:
+            number, low = number >> 3, number & 7
+            nibbles.append(low | (8 if number else 0))
+            if not number:
+                return
 
-    Returns
-    -------
-    bytes; their number is a multiple of 4
-    """
-    flat = np.ascontiguousarray(depth, np.uint16).ravel()
-    present = np.concatenate([[False], flat != 0, [False]])
-    edges = np.flatnonzero(present[1:] != present[:-1])
-    starts, ends = edges[0::2], edges[1::2]
-    zeros, nonzeros = starts - np.concatenate([[0], ends[:-1]]), ends - starts
-    tail = flat.size - (ends[-1] if ends.size else 0)
-
-    pixels = np.diff(flat[flat != 0].astype(np.int32), prepend=np.int32(0))
-    signed_low = (pixels << 1) ^ (pixels >> 31)
-    numbers = np.empty(2 * zeros.size + pixels.size + (2 if tail else 0), np.uint32)
-    pixels_before = np.concatenate([[0], np.cumsum(nonzeros)])  # nonzero pixels before each run
-    run_starts = 2 * np.arange(zeros.size) + pixels_before[:-1]
-    numbers[run_starts], numbers[run_starts + 1] = zeros, nonzeros
-    numbers[np.arange(pixels.size) + 2 * np.repeat(np.arange(1, zeros.size + 1), nonzeros)] = signed_low
-    if tail:
-        numbers[-2:] = tail, 0
-    return to_words(numbers)
-
-
-def to_words(numbers):
-    lengths = np.ones(numbers.size, np.int64)
-    for nibble in range(1, MAX_NIBBLES):
-        lengths += (numbers >> np.uint32(3 * nibble)) != 0
-    starts = np.cumsum(lengths) - lengths
-    nibbles = np.zeros(-(-int(lengths.sum()) // 8) * 8, np.uint8)
-    for nibble in range(lengths.max(initial=0)):
-        longer = lengths > nibble
-        more = (lengths[longer] > nibble + 1) * np.uint8(8)
-        nibbles[starts[longer] + nibble] = (numbers[longer] >> np.uint32(3 * nibble)) & 7 | more
-    highest_first = nibbles[0::2] << 4 | nibbles[1::2]
-    return highest_first.view(">u4").astype("<u4").tobytes()
+    at, previous = 0, 0
+    while at < len(pixels):
+        zeros = 0
+        while at + zeros < len(pixels) and pixels[at + zeros] == 0:
+            zeros += 1
+        at += zeros
+        nonzeros = 0
+        while at + nonzeros < len(pixels) and pixels[at + nonzeros] != 0:
+            nonzeros += 1
+        write(zeros)
+        write(nonzeros)
+        for value in pixels[at : at + nonzeros]:
+            difference = value - previous
+            write(2 * difference if difference >= 0 else -2 * difference - 1)
+            previous = value
+        at += nonzeros
+    nibbles += [0] * (-len(nibbles) % 8)
+    words = [int("".join(f"{n:x}" for n in nibbles[i : i + 8]), 16) for i in range(0, len(nibbles), 8)]
+    return struct.pack(f"<{len(words)}I", *words)
