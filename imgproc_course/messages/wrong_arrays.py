@@ -52,8 +52,8 @@ def call_for_values(array, info):
     values = "np.nan_to_num(array)" if is_float else "array"
     if is_float and info.name == "16UC1" and high <= 100:
         values += " * 1000"  # metres to millimetres
-    elif is_float and 0 <= low <= high <= 1:
-        values += f" * {limits.max}"
+    elif is_float and -1 <= low <= high <= 1:
+        values = f"{values} * {limits.max}" if low >= 0 else f"({values} + 1) * {limits.max / 2:g}"
     elif info.color and array.dtype.kind == "u":
         values += f" * ({limits.max} / {np.iinfo(array.dtype).max})"
     values = f"np.clip(np.rint({values}), {limits.min}, {limits.max})"

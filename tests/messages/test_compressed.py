@@ -1,6 +1,7 @@
 """CompressedImage to array and back: the field `format`, the file itself, and what is refused."""
 
 import gzip
+import importlib
 import struct
 import sys
 import zlib
@@ -454,9 +455,8 @@ PADDED = np.pad(BGR.reshape(2, 6), ((0, 0), (0, 1)), constant_values=9).tobytes(
 
 
 def zstandard(data):
-    from backports.zstd import compress
-
-    return compress(data)
+    package = "compression.zstd" if sys.version_info >= (3, 14) else "backports.zstd"
+    return importlib.import_module(package).compress(data)
 
 
 @pytest.mark.parametrize("compress", [gzip.compress, zlib.compress, zstandard])

@@ -343,6 +343,7 @@ BAD_ARRAYS = {  # array, encoding, words of the error
     "channels first, large": (np.zeros((3, 40, 640), "u1"), "rgb8", ["np.transpose(array, (1, 2, 0))"]),
     "channels first, passthrough": (np.zeros((3, 40, 64), "u1"), "passthrough", ["np.transpose"]),
     "0..1": (U1 / 255, "bgr8", ["np.rint(np.nan_to_num(array) * 255)", "lie in 0 to 0"]),
+    "-1..1": (U1 - 0.5, "bgr8", ["np.rint((np.nan_to_num(array) + 1) * 127.5)", "-0.5 to -0.5"]),
     "0..300": (U1 + 300.5, "bgr8", ["np.clip(np.rint(np.nan_to_num(array)), 0, 255)", "300.5 to 300.5"]),
     "metres": (U1[..., 0] + 1.5, "16UC1", ["array) * 1000), 0, 65535).astype('uint16')"]),
     "negative depth": (U1[..., 0] - np.int16(5), "16UC1", ["np.clip(np.rint(array), 0, 65535)", "-5 to -5"]),
