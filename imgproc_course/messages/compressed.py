@@ -178,7 +178,7 @@ def _meaning(format, frame):
     if compressed and stored and stored.dtype != decoded.dtype:
         raise ConversionError(
             f"format {quoted(format)} and a file of {decoded.dtype.name}: the publisher lost the values of "
-            f"{stored.name!r}, which the file cannot hold; subscribe to the raw topic"
+            f"{stored.name!r}; subscribe to the raw topic, or for depth to compressedDepth"
         )
     if stored_name.startswith("rgb"):  # the publisher did not swap the channels to OpenCV's order
         return encoding_info(decoded.name.replace("bgr", "rgb"))

@@ -475,6 +475,7 @@ def test_a_raw_image_in_a_stream(compress):
 STREAM_OF_PIXELS = gzip.compress(PADDED)
 BROKEN_STREAMS = {
     **{f"png of {e}": (published(ramp(e), e, "png"), f"lost the values of '{e}'") for e in SIGNED},
+    "depth in a JPEG": (message("16UC1; jpeg compressed ", jpeg(BGR[..., 0])), "lost the values of '16UC1'"),
     "no fields": (message("zstd", bytes(16)), "cannot hold the fields"),
     "endless encoding": (raw_in_a_stream(STREAM_OF_PIXELS, length=2**32 - 1), "unknown encoding"),
     "no stream": (raw_in_a_stream(b"not compressed"), "does not decode"),
