@@ -13,7 +13,7 @@ import numpy as np
 
 from .conversion import bytes_of, described
 from .depth import decode_depth, is_depth
-from .encodings import encoding_info, generic_name
+from .encodings import ENCODINGS, encoding_info, generic_name
 from .errors import ConversionError, quoted
 from .image_files import check_value_count, decode_image_file, encode_image_file
 from .lossless import LOSSLESS, decode_lossless
@@ -174,7 +174,7 @@ def _meaning(format, frame):
     decoded = encoding_info(_decoded_name(frame.dtype, 1 if frame.ndim == 2 else frame.shape[2]))
     original_name, _, codec = map(str.strip, format.partition(";"))
     codec, compressed, stored_name = map(str.strip, codec.partition("compressed"))
-    original, stored = _known(original_name), _known(stored_name or original_name)
+    original, stored = ENCODINGS.get(original_name), ENCODINGS.get(stored_name or original_name)
     if compressed and stored and stored.dtype != decoded.dtype:
         raise ConversionError(
             f"format {quoted(format)} and a file of {decoded.dtype.name}: the publisher lost the values of "
@@ -189,10 +189,3 @@ def _meaning(format, frame):
     is_mosaic = (original.color or "").startswith("bayer_") and (codec, stored_name) != ("jpeg", "mono8")
     is_as_it_was = codec == "tiff" and not stored_name and original.color
     return original if is_mosaic or is_as_it_was or original.name == "16UC1" else decoded
-
-
-def _known(name):
-    try:
-        return encoding_info(name)
-    except ConversionError:
-        return None
