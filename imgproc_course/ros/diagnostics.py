@@ -8,6 +8,7 @@ from rclpy.qos import QoSCompatibility, qos_check_compatible
 from imgproc_course.messages.compressed import TRANSPORTS
 
 IMAGE_TYPES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
+VIDEO_TYPES = ("theora_image_transport/msg/Packet", "ffmpeg_image_transport_msgs/msg/FFMPEGPacket")
 
 
 def explain_missing_messages(
@@ -65,7 +66,7 @@ def _wrong_type(actual_type, expected_type, topic):
     remedy = "this topic carries no images"
     if actual_type == IMAGE_TYPES[1]:
         remedy = "its name must end in /compressed: remap it, or publish it under such a name"
-    elif actual_type == IMAGE_TYPES[0]:
+    elif actual_type == IMAGE_TYPES[0] or actual_type in VIDEO_TYPES:
         remedy = f"subscribe to {topic.rpartition('/')[0]} for raw images"
     return f"the topic carries {actual_type}, but the subscription expects {expected_type}; {remedy}"
 

@@ -294,7 +294,6 @@ def _whole_files():
     ):
         yield msg.format, bytes(msg.data)
     yield "zstd", struct.pack("<IIBII", 8, 10, 0, 30, 4) + b"rgb8" + zlib.compress(ramp.tobytes())
-    yield "rgb8; tiff compressed ", cv2.imencode(".tiff", ramp)[1].tobytes()
     progressive = cv2.imencode(".jpg", ramp, [cv2.IMWRITE_JPEG_PROGRESSIVE, 1])[1]
     yield "jpeg", progressive.tobytes()
     yield "png", cv2.imencode(".png", ramp[..., 0], [cv2.IMWRITE_PNG_BILEVEL, 1])[1].tobytes()

@@ -338,7 +338,6 @@ BAD_ARRAYS = {  # array, encoding, words of the error
     "PyTorch": (type("Tensor", (), {})(), "rgb8", ["a Tensor", ".permute(1, 2, 0).cpu().numpy()"]),
     "UMat": (cv2.UMat(U1), "bgr8", ["a UMat", "call .get() first"]),
     "message": (SimpleNamespace(encoding="bgr8", data=b""), "bgr8", ["call image_to_array(...) first"]),
-    "compressed": (SimpleNamespace(format="png", data=b""), "bgr8", ["call compressed_to_array(...) first"]),
     "channels first": (U1.transpose(2, 0, 1), "bgr8", ["(3, 4, 6)", "np.transpose(array, (1, 2, 0))"]),
     "channels first, large": (np.zeros((3, 40, 640), "u1"), "rgb8", ["np.transpose(array, (1, 2, 0))"]),
     "channels first, passthrough": (np.zeros((3, 40, 64), "u1"), "passthrough", ["np.transpose"]),

@@ -326,6 +326,13 @@ def test_another_type_is_on_the_topic(another_process, session, subscribe, wait_
     )
 
 
+def test_a_topic_of_video_proposes_the_raw_one():
+    from imgproc_course.ros.diagnostics import VIDEO_TYPES, _wrong_type
+
+    text = _wrong_type(VIDEO_TYPES[0], "sensor_msgs/msg/Image", f"{TOPIC}/theora")
+    assert text.endswith(f"subscribe to {TOPIC} for raw images")
+
+
 def test_a_compressed_topic_that_carries_raw_images_is_explained(
     another_process, session, subscribe, wait_until
 ):
