@@ -1,7 +1,6 @@
 """The core of every lesson stands alone: without its deeper sections no cell misses a name."""
 
 import re
-import symtable
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -18,6 +17,7 @@ from imgproc_course.classroom.authoring.execute import execute, normalize, outpu
 from imgproc_course.classroom.authoring.lesson_files import lesson_files
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
 from imgproc_course.classroom.authoring.minutes import read_sections
+from imgproc_course.classroom.exercises.cell_syntax import statements_of
 from imgproc_course.classroom.exercises.percent_script import read_script
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -26,15 +26,8 @@ MASTERS = find_masters(NOTEBOOKS / "masters")
 
 def global_names_read(source):
     """The names of other cells that a cell may read: no local variables of its functions."""
-    tables = [symtable.symtable(TransformerManager().transform_cell(source), "cell", "exec")]
-    names = set()
-    for table in tables:
-        tables += table.get_children()
-        symbols = (symbol for symbol in table.get_symbols() if symbol.is_referenced())
-        names |= {
-            symbol.get_name() for symbol in symbols if table.get_type() == "module" or symbol.is_global()
-        }
-    return names
+    statements = statements_of(TransformerManager().transform_cell(source))
+    return {name for statement in statements for name in statement.reads}
 
 
 def names_of_deeper_cells(cells):

@@ -355,6 +355,8 @@ def _names_read(source):
     symtable knows the scopes as Python's compiler does: a local variable of a function is no global name.
     """
     try:
+        if " for " in source:
+            source = ast.unparse(_Generators().visit(ast.parse(source)))
         tables = [symtable.symtable(source, "cell", "exec")]
     except UNPARSABLE:
         return set()
@@ -369,6 +371,23 @@ def _names_read(source):
         }
         tables += table.get_children()
     return names
+
+
+class _Generators(ast.NodeTransformer):
+    """Comprehensions as generator expressions.
+
+    From Python 3.12 on (PEP 709), symtable shows the variable of a comprehension as one of the scope around it.
+    """
+
+    def visit_ListComp(self, node):
+        self.generic_visit(node)
+        return ast.GeneratorExp(node.elt, node.generators)
+
+    visit_SetComp = visit_ListComp
+
+    def visit_DictComp(self, node):
+        self.generic_visit(node)
+        return ast.GeneratorExp(ast.Tuple([node.key, node.value], ast.Load()), node.generators)
 
 
 def _names_read_at_once(source):

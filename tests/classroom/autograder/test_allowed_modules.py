@@ -34,6 +34,8 @@ USES = {
     "imgproc_course.imaging.canny": "from imgproc_course.imaging.canny import canny\ncanny(1)",
     "networkx": "import importlib\nimportlib.import_module('networkx').Graph()",
     "tifffile": "__import__('tifffile').imread('x')",
+    "bs4": "[__import__(name) for name in ['bs4']][0].BeautifulSoup('x')",
+    "yaml": "def read():\n    yield __import__('yaml').load('x')\nnext(read())",
 }
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from imgproc_course.classroom.exercises.cell_syntax import parts_of, plain_python
+from imgproc_course.classroom.exercises.cell_syntax import parts_of, plain_python, statements_of
 
 FUTURE = "from __future__ import annotations"
 
@@ -38,3 +38,24 @@ def test_an_answer_of_very_many_lines_is_one_part(start):
 )
 def test_lines_keep_their_numbers_without_magics(source, plain):
     assert plain_python(source) == plain
+
+
+@pytest.mark.parametrize(
+    ("source", "reads"),
+    [
+        ("x = [w for w in words]", {"words"}),
+        ("x = {w: k for w, k in pairs if w in known}", {"pairs", "known"}),
+        ("x = {w for w in words}, w", {"words", "w"}),
+        ("x = [[k * w for k in row] for row in [*{s for s in rows}]]", {"w", "rows"}),
+        ("def f(a):\n    return [w + bias for w in a], {k: k for k in a}", {"bias"}),
+        ("def f(a):\n    return [w for w in a], w", {"w"}),
+        ("def f(a=[w for w in words]):\n    return (w for w in a)", {"words"}),
+        ("class A:\n    names = [w for w in words]\n    def f(self):\n        return {w for w in self}", {"words"}),
+        ("f = lambda a: [w for w in a if w > least]", {"least"}),
+        ("for w in [w for w in words]:\n    print(w)", {"print", "words"}),
+        ("x = [w := k for k in words], w", {"words", "w"}),
+    ],
+)
+def test_the_variable_of_a_comprehension_is_no_name_that_a_statement_reads(source, reads):
+    [statement] = statements_of(source)
+    assert statement.reads == reads

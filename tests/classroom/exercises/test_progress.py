@@ -1,6 +1,7 @@
 """Progress is kept in a learner's folder only, and survives what can happen to its file."""
 
 import json
+import linecache
 import os
 import subprocess
 import sys
@@ -131,3 +132,12 @@ def test_a_digest_tells_answers_apart():
     functions = [plus, minus, nested, nested_otherwise, len]
     assert len({digest_of(function) for function in functions}) == 5
     assert digest_of(plus) == digest_of(plus)
+
+
+def test_a_digest_does_not_depend_on_lines(monkeypatch):
+    digests = set()
+    for source in ("def f(a, b):\n    return a - b\n", "def f(a, b):\n    return (a -  # on two lines\n        b)\n"):
+        monkeypatch.setitem(linecache.cache, "<cell>", (len(source), None, source.splitlines(True), "<cell>"))
+        exec(compile(source, "<cell>", "exec"), names := {})
+        digests.add(digest_of(names["f"]))
+    assert len(digests) == 1

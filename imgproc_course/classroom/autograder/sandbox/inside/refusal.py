@@ -90,9 +90,15 @@ def _stand_ins(name):
     return modules
 
 
+# Where handlers begin that Python adds from 3.12 on, around a comprehension and in a generator.
+_OWN_HANDLERS = ("SWAP", "CALL_INTRINSIC_1")
+
+
 def _is_guarded(frame):
     """Whether the frame is inside a try or a with statement now."""
-    entries = dis.Bytecode(frame.f_code).exception_entries
+    code = dis.Bytecode(frame.f_code)
+    own = {step.offset for step in code if step.opname in _OWN_HANDLERS}
+    entries = (entry for entry in code.exception_entries if entry.target not in own)
     return any(entry.start <= frame.f_lasti < entry.end for entry in entries)
 
 
