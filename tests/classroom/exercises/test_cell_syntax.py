@@ -50,7 +50,7 @@ def test_lines_keep_their_numbers_without_magics(source, plain):
         ("def f(a):\n    return [w + bias for w in a], {k: k for k in a}", {"bias"}),
         ("def f(a):\n    return [w for w in a], w", {"w"}),
         ("def f(a=[w for w in words]):\n    return (w for w in a)", {"words"}),
-        ("class A:\n    names = [w for w in words]\n    def f(self):\n        return {w for w in self}", {"words"}),
+        ("class A:\n    names = [w for w in words]\n    f = lambda self: {w for w in self}", {"words"}),
         ("f = lambda a: [w for w in a if w > least]", {"least"}),
         ("for w in [w for w in words]:\n    print(w)", {"print", "words"}),
         ("x = [w := k for k in words], w", {"words", "w"}),
