@@ -141,10 +141,10 @@ def _size(ctx, param, value):
 @option("--room", type=int, help="Number of a furnished room.  [default: the room of the recorded drive]")
 @option("--switch", is_flag=True, help="Switch the robot for all programs that use it.")
 def drive(**options):
-    """Drive a robot through the room of the recorded drive or a furnished one, with the keyboard.
+    """Start a robot in the room of the recorded drive or in a furnished one, until Ctrl-C.
 
-    Other programs see its camera, depth, scan and odometry, and can drive it too. There is one robot for all
-    your programs in a ROS domain: this command starts it or joins it.
+    Your programs see its camera, depth, scan and odometry, and drive it; in a notebook, drive(Robot()) drives
+    it by keys. There is one robot for all your programs in a ROS domain: this command starts it or joins it.
     """
     with _with_ros():
         from imgproc_course.ros.driver import drive as drive_robot

@@ -376,7 +376,7 @@ def _names_read(source):
 class _Generators(ast.NodeTransformer):
     """Comprehensions as generator expressions.
 
-    From Python 3.12 on (PEP 709), symtable shows the variable of a comprehension as one of the scope around it.
+    From Python 3.12 on (PEP 709), symtable shows a comprehension's variable in the scope around it.
     """
 
     def visit_ListComp(self, node):
