@@ -20,7 +20,7 @@ from ..exercises.check_data import shared_fields
 from ..exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
 from ..exercises.node_feedback import sentence_on_node
 from ..exercises.recording_node import UNKNOWN_PART
-from ..exercises.running import CallResult
+from ..exercises.running import NODES, CallResult
 from .answer_key import known_mistake
 from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
 from .sanitize import sanitize_text
@@ -32,7 +32,7 @@ _CELL = re.compile(r"<ipython-input-[^<>\s]*>|(?<!\S)\S*/ipykernel_\d+/\d+\.py|\
 _LARGEST_SHOWN = 1_500_000  # characters of a form: as much as the largest array with values
 _MOST_READ = 4  # characters that are read of a text, for each one that is kept
 _MEMORY_ERRORS = ("MemoryError", "_ArrayMemoryError")
-# Errors whose messages are sentences of ours.
+# Errors whose messages are sentences of ours; their names are those of our classes, see `running.error_name`.
 _OUTCOMES_OF_ERRORS = {
     "RefusedModule": Outcome.REFUSED_MODULE,
     "NotGradedError": Outcome.NOT_GRADED,
@@ -225,9 +225,7 @@ def _outcome_of_drive(exercise, run):
     if verdict.ending and verdict.ending.timed_out:
         return Outcome.TIME, f"one look took more than {LOOK_SECONDS:g} s of processor time, {when}"
     if verdict.ending:
-        outcome, message = _outcome_of_exception(verdict.ending)
-        if outcome == Outcome.NOT_GRADED:  # no controller can know of a fault
-            outcome = Outcome.RAISED
+        outcome, message = _outcome_of_exception(exercise, verdict.ending)
         return outcome, f"{message}, {when}" if outcome == Outcome.RAISED else message
     if verdict.passed:
         return Outcome.NOT_GRADED, "its drive is right, but nbval did not let it pass: look at it by hand"
@@ -301,27 +299,33 @@ def _outcome_of_verdict(exercise, verdict):
         limit = f"{exercise.time_limit:g} s of processor time"
         return Outcome.TIME, f"{exercise.answer_name} used more than {limit}"
     if call.error:
-        return _outcome_of_exception(call)
+        return _outcome_of_exception(exercise, call)
     if call.changed:
         return Outcome.WRONG, f"it changed its input {reproducible_text(', '.join(call.changed), 100)}"
     place = f"in answer{verdict.difference.path}: " if verdict.difference.path else ""
     return Outcome.WRONG, reproducible_text(f"{place}{verdict.difference.message}")
 
 
-def _outcome_of_exception(call):
+def _outcome_of_exception(exercise, call):
     if call.error == "NotImplementedError":
         return Outcome.NOT_ATTEMPTED, ""
-    if call.error in _OUTCOMES_OF_ERRORS:
-        return _OUTCOMES_OF_ERRORS[call.error], reproducible_text(call.message)
+    if outcome := _outcome_of_error(exercise, call.error):
+        return outcome, reproducible_text(call.message)
     line = f" ({reproducible_text(call.line)})" if call.line else ""
     outcome = Outcome.MEMORY if call.error in _MEMORY_ERRORS else Outcome.RAISED
     return outcome, _exception_text(call.error, call.message) + line
 
 
+def _outcome_of_error(exercise, name):
+    """The Outcome of an error of ours, or None; only the check of a node can meet what it does not know."""
+    outcome = _OUTCOMES_OF_ERRORS.get(name)
+    return outcome if outcome != Outcome.NOT_GRADED or exercise.subject in NODES else None
+
+
 def _outcome_without_function(exercise, run):
     name, text = run.answer.error
-    if name in _OUTCOMES_OF_ERRORS:
-        return _OUTCOMES_OF_ERRORS[name], reproducible_text(text)
+    if outcome := _outcome_of_error(exercise, name):
+        return outcome, reproducible_text(text)
     if name:
         return Outcome.RAISED, f"{CELL_FAILS}: {_exception_text(name, text)}"
     return Outcome.MISSING, f"its cell does not define {exercise.answer_name}"

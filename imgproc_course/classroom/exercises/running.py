@@ -29,6 +29,7 @@ import numpy as np
 
 from .canonical import canonical
 from .comparison import compare, named_items
+from .recording_node import NodeError, NotGradedError
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
@@ -40,6 +41,9 @@ NODES = ("node", "package")  # those whose answer has a node, which `node_driver
 _NODE_ARGUMENTS = ["look", "steps"]  # of a call in an exercise that drives, see `node_driver`
 
 
+# By these names grading knows how an answer ended, if the classes are these.
+KNOWN_ERRORS = {kind.__name__: kind for kind in (MemoryError, NotImplementedError, NodeError, NotGradedError)}
+KNOWN_ERRORS |= {"_ArrayMemoryError": MemoryError}
 MEANT = "Did you mean"  # before the name that is most like a misspelled one
 
 
@@ -142,8 +146,15 @@ def failure_fields(error, function):
     """The fields of CallResult that say why a call did not finish, as a dict."""
     if isinstance(error, TimeUp):
         return {"timed_out": True, "stuck": bool(error.args)}
-    fields = {"error": type(error).__name__, "message": _message(error), "closest": _closest(error)}
+    fields = {"error": error_name(error), "message": _message(error), "closest": _closest(error)}
     return fields | {"line": _own_line(error, function)}
+
+
+def error_name(error):
+    """The name of an exception's class, marked if grading knows another class by it."""
+    name = type(error).__name__
+    is_known = isinstance(error, KNOWN_ERRORS.get(name, BaseException))
+    return name if is_known else f"{name} (a class of the answer)"
 
 
 def overwrite_freed_memory(form):

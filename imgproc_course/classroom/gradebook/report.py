@@ -228,7 +228,7 @@ def _advice_on(exercise):
         return "", False
     (outcome,) = outcomes
     if outcome == Outcome.RAISED:
-        if "RefusedModule" in exercise.message:
+        if ": RefusedModule: " in exercise.message:
             return _FOREIGN_VALUE, True
         if exercise.message:
             advice = _advice_on_exception(exercise.message.partition(": ")[2])

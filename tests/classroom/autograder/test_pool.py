@@ -452,3 +452,26 @@ def test_a_thread_of_a_stopped_pool_starts_no_process_again():
         future = again.submit(nbval_process_of_thread, False, None)
         with pytest.raises(NbvalProcessNotStarted, match="the run was stopped"):
             future.result()
+
+
+OWN = "class {name}(Exception):\n    pass\n\n"
+IMPORTED = "from imgproc_course.classroom.exercises.recording_node import {name}\n\n"
+KNOWN_NAMES = (
+    "NotGradedError",
+    "NodeError",
+    "RefusedModule",
+    "NotImplementedError",
+    "MemoryError",
+    "TimeoutError",
+)
+
+
+def test_the_name_of_an_exception_decides_nothing(key):
+    binds = [*((OWN, name) for name in KNOWN_NAMES), (IMPORTED, "NotGradedError")]
+    raises = ["raise {name}('mine')", "def double(pixels):\n    raise {name}('mine')"]
+    sources = [(name, (bind + end).format(name=name)) for bind, name in binds for end in raises]
+    submissions = [(name, LESSON, {"attacked-double": source}) for name, source in sources]
+    for result in autograde(submissions, key, workers=1):
+        cases = result.exercises[0].cases
+        assert {case.outcome for case in cases} == {Outcome.RAISED}, result.name
+        assert result.name in cases[0].message and "mine" in cases[0].message

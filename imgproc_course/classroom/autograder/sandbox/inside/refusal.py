@@ -13,6 +13,7 @@ import sys
 import types
 
 from imgproc_course.classroom import course
+from imgproc_course.classroom.exercises.running import KNOWN_ERRORS
 
 # Every answer may use these, and the standard library.
 _ALWAYS = (
@@ -23,6 +24,9 @@ _ALWAYS = (
 
 class RefusedModule(ModuleNotFoundError):
     """The answer uses a module that its exercise does not allow."""
+
+
+KNOWN_ERRORS["RefusedModule"] = RefusedModule
 
 
 class _Unusable:

@@ -22,6 +22,7 @@ from traitlets import Type
 from traitlets.config import Config
 
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
+from imgproc_course.classroom.exercises.running import error_name
 
 _BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
 _MOST_PRINTED = 1_000_000  # characters that are sent of what a request prints; the rest costs nothing
@@ -135,9 +136,9 @@ class CellShell(InteractiveShell):
 
     def showtraceback(self, exc_tuple=None, *_arguments, **_options):
         """Send the exception without its traceback: nobody reads it, and IPython takes long to make it."""
-        etype, evalue, _ = self._get_exc_info(exc_tuple)
+        _, evalue, _ = self._get_exc_info(exc_tuple)
         flush()
-        WRITER.send("error", ename=etype.__name__, evalue=_text_of(evalue))
+        WRITER.send("error", ename=error_name(evalue), evalue=_text_of(evalue))
 
     def showsyntaxerror(self, *_arguments, **_options):
         self.showtraceback()
@@ -191,7 +192,7 @@ def serve(shell, requests, descriptor, deliver):
         errors = [runner.run(code) for code in request["cells"]]
         flush()
         error = next((error for error in errors if error is not None), None)
-        name = "" if error is None else type(error).__name__
+        name = "" if error is None else error_name(error)
         WRITER.send("idle", ename=name, evalue="" if error is None else _text_of(error))
 
 
