@@ -467,7 +467,8 @@ def _grade_and_review(submissions, keys, out, rules, review, options):
         from imgproc_course.classroom.gradebook.grade import grade_submissions
         from imgproc_course.classroom.gradebook.review_server import serve_review
 
-        with _in_one_line(SandboxError, ValueError):  # the other errors of grading are ValueErrors
+        # The other errors of grading are ValueErrors.
+        with _in_one_line(SandboxError, ValueError, written="the grades"):
             report = grade_submissions(submissions, keys, out, **options)
             rules.keep()
             if review:
@@ -522,7 +523,7 @@ def league(folder, out, **options):
     from imgproc_course.classroom.gradebook.league import run_league
 
     try:
-        with _in_one_line(SandboxError, ValueError):
+        with _in_one_line(SandboxError, ValueError, written="the league"):
             lines = run_league(folder, out, **options)
     except KeyboardInterrupt:
         click.echo("\nStopped; nothing is written.", err=True)

@@ -40,7 +40,7 @@ class LearnerPages:
     """
 
     def __init__(self, out, learners, answer_keys, store, rules, *, anonymous=False):
-        self.entries, self.failed, self.parts = {}, {}, AnswerParts()
+        self.entries, self.failed, self.parts = {}, {}, AnswerParts(out)
         self._out, self._learners, self._answer_keys, self._store = out, learners, answer_keys, store
         self._rules, self._anonymous = rules, anonymous
         self._missing = {learner.name: set(learner.digests.values()) for learner in learners}

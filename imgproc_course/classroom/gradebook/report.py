@@ -80,8 +80,6 @@ def anchor_of(entry):
 
 def prepare_templates():
     """Import what draws pages, and compile the templates: the autograder can start in this time."""
-    import pygments.lexers.python  # noqa: F401
-
     import imgproc_course.classroom.exercises.answer_images  # noqa: F401 - Pillow
 
     for path in TEMPLATES.glob("*.html"):

@@ -4,6 +4,7 @@ A page shows each learner's answer as it was graded, beside its checks; learners
 follow each other. What is typed there becomes lines for decisions.csv, to copy, or saved by `grade --review`.
 """
 
+import keyword
 import re
 import tempfile
 
@@ -14,13 +15,20 @@ from .report import anchor_of, render_page
 
 FOLDER = "review"
 _MOST_COLOURED = 20_000  # characters of an answer; a longer one takes time
+# What is not closed ends with the line or the text, so no character is looked at for a second try.
+_TOKENS = re.compile(
+    r"(?P<c>#.*)"
+    r"|(?P<s>\"\"\"[\s\S]*?(?:\"\"\"|\Z)|'''[\s\S]*?(?:'''|\Z)"
+    r"|\"(?:\\.|[^\"\\\n])*+\"?|'(?:\\.|[^'\\\n])*+'?)"
+    rf"|\b(?P<k>{'|'.join(keyword.kwlist)})\b|(?<=\bdef )(?P<nf>\w+)|\b(?P<m>\d[\w.]*)"
+)
 
 
 class AnswerParts:
     """What the pages show of each answer, kept in a file until all are graded: it can be much."""
 
-    def __init__(self):
-        self._file, self._places = tempfile.TemporaryFile(), {}  # noqa: SIM115 - `close` closes it
+    def __init__(self, folder):
+        self._file, self._places = tempfile.TemporaryFile(dir=folder), {}  # noqa: SIM115 - `close` closes it
         self.close = self._file.close
 
     def keep(self, learner, exercise, answer, body):
@@ -41,14 +49,13 @@ class AnswerParts:
 def _coloured(source):
     """A source as HTML; hidden characters are made visible before."""
     from jinja2.utils import markupsafe
-    from pygments import highlight
-    from pygments.formatters import HtmlFormatter
-    from pygments.lexers.python import PythonLexer
 
     text = sanitize_text(source, 2 * _MOST_COLOURED)
-    if len(text) > _MOST_COLOURED:
-        return markupsafe.escape(text)
-    return highlight(text, PythonLexer(stripnl=False), HtmlFormatter(nowrap=True))
+    span, parts, end = markupsafe.Markup('<span class="{}">{}</span>'), [], 0
+    for token in _TOKENS.finditer(text) if len(text) <= _MOST_COLOURED else ():
+        parts += [text[end : token.start()], span.format(token.lastgroup, token[0])]
+        end = token.end()
+    return markupsafe.Markup("").join([*parts, text[end:]])
 
 
 def review_pages(grades, parts, names):

@@ -6,7 +6,10 @@ Every address begins with a token, which nobody else on this machine or in anoth
 import contextlib
 import csv
 import io
+import re
 import secrets
+import sys
+import threading
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from itertools import chain
@@ -23,6 +26,7 @@ from .teacher_tables import DECISION_COLUMNS, read_decisions
 
 _PAGES = ("*.html", "review/*.html", "learners/*.html")
 _MOST_BYTES = 10_000_000  # of decisions saved at once
+_LENGTH = re.compile(r"\d{1,8}", re.A)
 
 
 class ReviewServer(ThreadingHTTPServer):
@@ -33,8 +37,13 @@ class ReviewServer(ThreadingHTTPServer):
     def __init__(self, out, decisions, answer_keys):
         super().__init__(("127.0.0.1", 0), _Handler)
         self.out, self.decisions, self.answer_keys = Path(out), Path(decisions), answer_keys
-        self.token = secrets.token_urlsafe(32)
+        self.token, self.lock = secrets.token_urlsafe(32), threading.Lock()
         self.url = f"http://127.0.0.1:{self.server_port}/{self.token}/review.html"
+
+    def handle_error(self, *connection):
+        """Print nothing about a browser that went away."""
+        if not isinstance(sys.exception(), ConnectionError):
+            super().handle_error(*connection)
 
     def read(self, path):
         """The page of that address, or None: only pages are served, and only with the token."""
@@ -56,22 +65,34 @@ def serve_review(out, keys, decisions=None, *, say=print):
 
 
 class _Handler(BaseHTTPRequestHandler):
+    timeout = 60  # seconds that a browser may be silent
+
     def do_GET(self):
         page = self.server.read(self.path.partition("?")[0])
         self._answer(HTTPStatus.NOT_FOUND if page is None else HTTPStatus.OK, page or b"", "text/html")
 
     def do_POST(self):
-        length = int(self.headers.get("Content-Length") or 0)
-        wanted = f"/{self.server.token}/decisions"
-        if not secrets.compare_digest(self.path.encode(), wanted.encode()) or length > _MOST_BYTES:
+        address = f"/{self.server.token}/decisions"
+        if not secrets.compare_digest(self.path.encode(), address.encode()):
             return self._answer(HTTPStatus.NOT_FOUND)
-        lines = self.rfile.read(length).decode("utf-8", "replace")
         try:
-            number = save_decisions(self.server.decisions, lines, self.server.answer_keys)
-        except ValueError as error:
+            lines = self._body().decode("utf-8")
+            with self.server.lock:  # another tab of the browser may save now
+                number = save_decisions(self.server.decisions, lines, self.server.answer_keys)
+        except (ValueError, csv.Error) as error:
             return self._answer(HTTPStatus.BAD_REQUEST, f"Not saved: {error}".encode())
         text = f"{count_of(number, 'line')} saved. The points change when you end the command with Ctrl-C."
         return self._answer(HTTPStatus.OK, text.encode())
+
+    def _body(self):
+        """The bytes that were sent; ValueError: they are not as many as the header says."""
+        header = self.headers.get("Content-Length", "none")
+        length = int(header) if _LENGTH.fullmatch(header) else _MOST_BYTES + 1
+        body = self.rfile.read(length) if length <= _MOST_BYTES else b""
+        if len(body) != length:
+            text = f"{len(body)} bytes came with the Content-Length {header[:20]!r}"
+            raise ValueError(f"{text}; at most {_MOST_BYTES} are read")
+        return body
 
     def _answer(self, status, data=b"", kind="text/plain"):
         self.send_response(status)

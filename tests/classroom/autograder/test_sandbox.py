@@ -236,3 +236,12 @@ def test_a_user_who_is_not_root_has_a_sandbox_too():
     assert lines[0].endswith(" scipy"), done.stderr[-2000:]
     assert lines[4] == "['/dev/shm', '/tmp']"  # its own; the next kernel would find what it wrote elsewhere
     assert int(lines[2]) >= 5  # inheritable, permitted, effective, bounding, ambient: all empty
+
+
+def test_a_kernel_does_not_see_which_folders_are_mounted_in_it():
+    """No page can filter every form of a path, such as its hexadecimal digits."""
+    with KernelFactory() as kernel_factory:
+        kernel = kernel_factory.start((), 30)
+        read = "print([open(f'/proc/{place}/mountinfo').read() for place in ('self', 'thread-self', 1)])"
+        assert kernel.run(read).printed == "['', '', '']\n"
+        kernel.stop()

@@ -2,6 +2,7 @@
 
 import json
 import shutil
+import tempfile
 
 import pytest
 from click.testing import CliRunner
@@ -55,6 +56,18 @@ def test_an_exception_of_ours_is_not_graded_not_stored_and_reported(light, fault
     assert set(hidden) == {"the autograder failed: KeyError"}
     assert [path.name for path in (out / "results").iterdir() if "answers" not in path.name] == []
     assert "could not be graded" in (out / "summary.html").read_text()
+
+
+def test_a_full_disk_is_one_line(light, key_path, submissions, tmp_path, monkeypatch):
+    def full(**_options):
+        raise OSError(28, "No space left on device")
+
+    write(submissions / "ada" / "light.ipynb", notebook(light))
+    monkeypatch.setattr(tempfile, "TemporaryFile", full)
+    command = ["grade", str(submissions), "--key", str(key_path), "--out", str(tmp_path / "grades")]
+    done = CliRunner().invoke(main, command)
+    error = "Error: the grades cannot be written: [Errno 28] No space left on device"
+    assert (done.exit_code, done.output.splitlines()[-1]) == (1, error)
 
 
 def test_two_runs_do_not_write_into_one_folder(tmp_path):

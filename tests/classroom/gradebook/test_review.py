@@ -6,9 +6,11 @@ import json
 import re
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import threading
+import time
 import urllib.error
 import urllib.request
 from pathlib import Path
@@ -20,7 +22,7 @@ from submissions import answers_of, notebook, write
 from imgproc_course.classroom.gradebook import grades_folder
 from imgproc_course.classroom.gradebook.csv_table import TableError
 from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.review import AnswerParts
+from imgproc_course.classroom.gradebook.review import AnswerParts, _coloured
 from imgproc_course.classroom.gradebook.review_server import ReviewServer, save_decisions
 
 pytestmark = pytest.mark.sandbox
@@ -70,6 +72,17 @@ def test_the_answer_stands_coloured_beside_its_values_and_its_mistake(graded):
     for words in ("given pixels", "returned", "expected"):
         assert f"<b>{words}</b> an array of shape (18, 24)" in bob
     assert bob.count("data:image/png") == 4
+
+
+SLOW = ["\n" + " \n" * 9_980, " " * 20_000, '"\\' * 9_999, "'''" + '"""' * 6_600, "\\" * 20_000, "(" * 20_000]
+
+
+@pytest.mark.parametrize("source", ["'a' + f\"<b>\"  # &\ndef x(): 'open", *SLOW])
+def test_the_colours_of_an_answer_change_no_character_and_take_no_time(source):
+    """The processor time is this test's own; one of these took eleven seconds."""
+    start = time.process_time()
+    assert html.unescape(re.sub("<[^>]+>", "", _coloured(source))) == source
+    assert time.process_time() - start < 3
 
 
 def test_a_page_loads_nothing_and_an_answer_is_only_text(graded):
@@ -270,6 +283,29 @@ def test_only_pages_are_served_only_with_the_token_only_on_loopback(server):
     assert server.decisions.read_bytes() == before
 
 
+BODY = b"Bob,light,light-double,1,"
+
+
+@pytest.mark.parametrize(
+    ("headers", "body"),
+    [
+        *((f"Content-Length: {length}", BODY) for length in ("abc", "-1", "9" * 5_000, "+25", len(BODY) + 9)),
+        ("Transfer-Encoding: chunked", b"%x\r\n%b\r\n0\r\n\r\n" % (len(BODY), BODY)),
+        (f"Content-Length: {len(BODY) + 1}", BODY + b"\xff"),
+        (f"Content-Length: {len(BODY) + 200_000}", BODY + b"x" * 200_000),
+    ],
+)
+def test_a_request_with_a_mistake_gets_a_line_and_saves_nothing(server, capsys, headers, body):
+    before = server.decisions.read_bytes()
+    with socket.create_connection(server.server_address) as connection:
+        head = f"POST /{server.token}/decisions HTTP/1.0\r\nHost: elsewhere\r\n{headers}\r\n\r\n"
+        connection.sendall(head.encode() + body)
+        connection.shutdown(socket.SHUT_WR)
+        reply = connection.makefile("rb").read()
+    assert b" 400 " in reply.splitlines()[0] and b"Not saved: " in reply
+    assert server.decisions.read_bytes() == before and capsys.readouterr().err == ""
+
+
 @pytest.mark.parametrize("line", ["Bob,light,light-double,", "Bob,light,light-double,4,", "Bob,dark,,1,"])
 def test_a_line_with_a_mistake_leaves_the_table_as_it_is(server, answer_keys, line):
     before = server.decisions.read_bytes()
@@ -301,6 +337,6 @@ def test_the_pages_of_answers_go_with_the_last_exercise(tmp_path):
     (tmp_path / "review").mkdir()
     for name in ("review.html", "review/light-double.html", "summary.html"):
         (tmp_path / name).write_text("of the run before")
-    with contextlib.closing(AnswerParts()) as parts:
+    with contextlib.closing(AnswerParts(tmp_path)) as parts:
         grades_folder._write_review(tmp_path, {"learners": []}, parts, {})
     assert [path.name for path in tmp_path.rglob("*.html")] == ["summary.html"]

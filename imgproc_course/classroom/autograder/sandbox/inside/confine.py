@@ -38,7 +38,7 @@ NEWNS, NEWUTS, NEWIPC, NEWPID, NEWNET = 0x20000, 0x4000000, 0x8000000, 0x2000000
 USERS_OF_SERVER = 256  # users of the kernels of one fork server, one after another
 _KEYCTL = {"x86_64": 250, "aarch64": 219}  # numbers of the call; asm/unistd.h
 _JOIN_SESSION_KEYRING = 1
-_READ_ONLY, _NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE = 1, 2, 4, 8, 0x4000, 0x40000
+_READ_ONLY, _NOSUID, _NODEV, _NOEXEC, _BIND, _REC, _PRIVATE = 1, 2, 4, 8, 0x1000, 0x4000, 0x40000
 _PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
 _LAST_CAPABILITY = 63
 _libc = ctypes.CDLL(None, use_errno=True)
@@ -103,6 +103,9 @@ def _mount_proc():
         _mount("proc", "/proc", "proc", flags, "subset=pid")
     except OSError:  # a system before Linux 5.8
         _mount("proc", "/proc", "proc", flags)
+    for process in ("self", "thread-self"):  # the teacher's paths; what a kernel starts still sees them
+        with suppress(OSError):
+            _mount(os.devnull, f"/proc/{process}/mountinfo", "", _BIND)
 
 
 def set_limits(limits):
