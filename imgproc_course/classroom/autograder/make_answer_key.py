@@ -6,6 +6,7 @@
 import contextlib
 import hashlib
 import json
+import shutil
 from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
@@ -16,7 +17,7 @@ from tqdm import tqdm
 
 from ..authoring.masters import find_masters, read_master
 from ..exercises import running
-from ..exercises.atomic_write import write_folder
+from ..exercises.atomic_write import write_file, write_folder
 from ..exercises.check_data import shared_fields
 from ..exercises.declaration import MasterError
 from ..exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS, looks_of
@@ -33,14 +34,17 @@ from .verdict import verdict_on
 
 _EMIT_IMPORT = "from imgproc_course.classroom.autograder.sandbox.inside.check_cell import emit"
 _PLACEHOLDER = "# the learner's answer"
+_SECONDS_PER_EXERCISE, _SECONDS_PER_DRIVE = 2.5, 2.2  # fitted to the course's own lessons
 
 
-def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, replace=False):
+def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, replace=False, say=str):
     """Make a Key: run each solution on inputs drawn from the seed, in the sandbox that grades.
 
-    The folder is written whole at the end: an error or Ctrl-C leaves the old one unchanged. The key does not
-    contain the seed. `names` are lessons, as `find_masters` takes them, all if empty; each learner gets one
-    of so many `variants` of inputs; `unsafe` runs without a sandbox; `replace` replaces an existing key.
+    The folder is written whole at the end: an error or Ctrl-C leaves the old key unchanged, and the next call
+    with the same seed goes on after the exercises that are finished. The key does not contain the seed.
+    `names` are lessons, as `find_masters` takes them, all if empty; each learner gets one of so many
+    `variants` of inputs; `unsafe` runs without a sandbox; `replace` replaces an existing key; `say` takes a
+    line that tells how long it takes.
 
     MasterError: a solution fails, or inputs cannot be sent to a kernel as data; names lesson and case.
     KeyFolderError: there is a key already, or the folder cannot be written. SandboxError: no sandbox here.
@@ -58,17 +62,21 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
         answer_key.HANDED_OUT: _dumps({master.name: master.handed_out for master in masters}),
         answer_key.SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
     }
-    drives = {}
+    unfinished = out.with_name(f"{out.name}.unfinished")
+    jobs = {number: _jobs(masters, seed, number, unfinished, unsafe) for number in range(1, variants + 1)}
+    say(_about_time(jobs.values()))
+    unfinished.mkdir(mode=0o700, parents=True, exist_ok=True)
     with KernelFactory(unsafe=unsafe) as kernel_factory:
-        for number in range(1, variants + 1):
+        for number, own_jobs in jobs.items():
             about = _about_variant(seed, number, variants)
-            variant_files = _variant_files(masters, _numpy_seed(seed, number), about, kernel_factory, drives)
+            variant_files = _variant_files(masters, own_jobs, about, kernel_factory)
             prefix = f"{answer_key.VARIANTS}/{number}/" if number > 1 else ""
             files |= {f"{prefix}{name}": text for name, text in variant_files.items()}
     try:
         write_folder(out, files, permissions=0o700)
     except OSError as error:
         raise answer_key.KeyFolderError(f"{out}: cannot be written ({error})") from error
+    shutil.rmtree(unfinished)
     return answer_key.load_key(out)
 
 
@@ -78,22 +86,48 @@ def _about_variant(seed, number, count):
     return {"variant": number, "variants": count, "secret": secret} if count > 1 else {}
 
 
-def _variant_files(masters, numpy_seed, about, kernel_factory, drives):
-    """{relative name: text} of one variant of a key.
+def _jobs(masters, seed, variant, folder, unsafe):
+    """{exercise id: (the file that keeps its part of the key, what makes this part)}.
 
-    `drives` keeps {id: maker} of the exercises that drive: all variants use the first one's scenarios, since
-    scenarios differ in how hard they are.
+    All variants use the first one's scenarios of a drive, since scenarios differ in how hard they are.
     """
-    exercises = [(master, exercise) for master in masters for exercise in master.exercises]
+    jobs = {}
+    for master in masters:
+        text = master.path.read_text(encoding="utf-8")
+        for exercise in master.exercises:
+            own_seed = _numpy_seed(seed, 1 if exercise.subject == "drive" else variant)
+            about = json.dumps([text, exercise.id, own_seed, unsafe, version("imgproc-course")])
+            path = folder / f"{hashlib.sha256(about.encode()).hexdigest()}.json"
+            jobs[exercise.id] = path, (master, exercise, own_seed)
+    return jobs
+
+
+def _about_time(jobs):
+    """How many exercises are to be run, of all variants, and about how long that takes."""
+    exercises = {path: exercise for own in jobs for path, (_, exercise, _) in own.values()}
+    seconds = [_seconds_of(exercise) for path, exercise in exercises.items() if not path.exists()]
+    minutes = max(1, round(sum(seconds) / 60))
+    return f"{len(seconds)} of {len(exercises)} exercises to run, about {minutes} min on two quiet cores."
+
+
+def _seconds_of(exercise):
+    """About how long an exercise takes on two quiet cores."""
+    drives = len(exercise.cases) * (1 + len(exercise.mistakes)) if exercise.subject == "drive" else 0
+    return 0 if exercise.practice else _SECONDS_PER_EXERCISE + _SECONDS_PER_DRIVE * drives
+
+
+def _variant_files(masters, jobs, about, kernel_factory):
+    """{relative name: text} of one variant of a key."""
     label = f"key, variant {about['variant']} of {about['variants']}" if about else "key"
-    entries, files = {}, {}
-    for master, exercise in tqdm(exercises, desc=label, unit=" exercises", delay=2, leave=False):
-        maker = drives.get(exercise.id) or _ExerciseKeyMaker(master, exercise, numpy_seed, kernel_factory)
-        if exercise.subject == "drive":
-            drives[exercise.id] = maker
-        entries[exercise.id] = maker.entry()
-        files |= {} if exercise.practice else maker.files()
-    lessons = [_lesson_entry(master, entries) for master in masters]
+    missing = [job for job in jobs.values() if not job[0].exists()]
+    # Each one as often as it takes seconds: so the bar knows how much time is left.
+    seconds = [job for job in missing for _ in range(1 + round(_seconds_of(job[1][1])))]
+    for path, job in tqdm(seconds, desc=label, unit=" s", smoothing=0, delay=2, leave=False):
+        if not path.exists():
+            write_file(path, json.dumps(_ExerciseKeyMaker(*job, kernel_factory).part()), permissions=0o600)
+    parts = {id: json.loads(path.read_text(encoding="utf-8")) for id, (path, _) in jobs.items()}
+    files = {name: text for part in parts.values() for name, text in part["files"].items()}
+    lessons = [_lesson_entry(master, parts) for master in masters]
     return files | {"key.json": _dumps({"format": answer_key.FORMAT, "lessons": lessons} | about)}
 
 
@@ -107,11 +141,11 @@ def _numpy_seed(seed, variant=1):
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:16])
 
 
-def _lesson_entry(master, entries):
+def _lesson_entry(master, parts):
     return shared_fields(master, answer_key.KeyLesson) | {
         "version": version("imgproc-course"),
         "digest": hashlib.sha256(master.path.read_bytes()).hexdigest(),
-        "exercises": [entries[exercise.id] for exercise in master.exercises],
+        "exercises": [parts[exercise.id]["entry"] for exercise in master.exercises],
     }
 
 
@@ -156,7 +190,11 @@ class _ExerciseKeyMaker:
         finally:
             kernel.stop()
 
-    def entry(self):
+    def part(self):
+        """The key's part of the exercise, plain data."""
+        return {"entry": self._entry(), "files": {} if self._exercise.practice else self._files()}
+
+    def _entry(self):
         """The exercise's entry in key.json; a practice exercise has no cases there."""
         exercise = self._exercise
         mistakes = () if exercise.practice else exercise.mistakes
@@ -169,7 +207,7 @@ class _ExerciseKeyMaker:
         }
         return asdict(answer_key.KeyExercise(**shared_fields(exercise, answer_key.KeyExercise) | own_fields))
 
-    def files(self):
+    def _files(self):
         """{relative name: text} of a graded exercise's files."""
         exercise = self._exercise
         payloads = {case.id: self._solution_payload(case) for case in exercise.cases}

@@ -10,6 +10,7 @@ from master_answers import sample_answers
 
 from imgproc_course.classroom.autograder.answer_key import KeyFolderError, load_key
 from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises import MasterError, read_exercises
 from imgproc_course.classroom.exercises.input_encoding import decode
 
@@ -90,6 +91,33 @@ def test_a_key_is_overwritten_only_with_replace(copy):
     before = load_key(copy).digest
     assert make_key(MASTERS, 1, copy, replace=True).digest != before
     assert [path.name for path in copy.parent.iterdir()] == ["copy"]
+
+
+@pytest.mark.parametrize("variants", [1, 2])
+def test_a_second_run_goes_on_where_the_first_one_stopped(tmp_path, monkeypatch, variants):
+    """Of three exercises the second one is interrupted; the same seed gives the key of one run."""
+    run, begun, said = KernelFactory.start, [], []
+
+    def interrupted(factory, *arguments, **options):
+        begun.append(arguments)
+        if len(begun) == 3:
+            raise KeyboardInterrupt
+        return run(factory, *arguments, **options)
+
+    whole = make_key(MASTERS, SEED, tmp_path / "whole", variants=variants, say=said.append)
+    out = tmp_path / "key"
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(KernelFactory, "start", interrupted)
+        make_key(MASTERS, SEED, out, variants=variants, say=said.append)
+    assert not out.exists()
+    key = make_key(MASTERS, SEED, out, variants=variants, say=said.append)
+    assert files(key.path) == files(whole.path)
+    count = 3 * variants
+    assert [text.split(" exercises")[0] for text in said] == [
+        f"{n} of {count}" for n in (count, count, count - 1)
+    ]
+    assert "about 1 min on two quiet cores" in said[0]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["key", "whole"]
 
 
 def test_a_failure_leaves_the_old_key(copy, tmp_path):

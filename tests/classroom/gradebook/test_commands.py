@@ -14,7 +14,7 @@ from submissions import MASTERS, answers_of, notebook, write
 
 from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.classroom.authoring.new_lesson import new_lesson
-from imgproc_course.classroom.autograder import worker_threads
+from imgproc_course.classroom.autograder import make_answer_key, worker_threads
 from imgproc_course.classroom.autograder.answer_key import load_key
 from imgproc_course.classroom.exercises.declaration import MasterError
 from imgproc_course.classroom.gradebook import grade, result_store
@@ -257,6 +257,16 @@ def test_ctrl_c_says_how_to_continue(run, light, key_path, tmp_path, monkeypatch
     monkeypatch.setattr(result_store, "grade_missing", interrupted)
     ended = run("grade", "in", "--key", key_path)
     assert ended.exit_code == 130 and "run the same command again to continue" in ended.output
+
+
+def test_ctrl_c_of_the_key_says_how_to_continue(run, monkeypatch):
+    def interrupted(*_words, **_options):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(make_answer_key, "make_key", interrupted)
+    ended = run("key", "--masters", MASTERS)
+    text = "Stopped. Finished exercises are kept: run the same command again to continue."
+    assert ended.exit_code == 130 and text in ended.output
 
 
 def test_a_scheduler_is_found_by_its_address(run, light, key_path, tmp_path, monkeypatch):
