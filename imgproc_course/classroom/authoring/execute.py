@@ -76,6 +76,8 @@ def execute(notebook, master_path, kernel_name="python3", files=None):
             reason = f"not finished after {CELL_SECONDS} s"
         except DeadKernelError:
             reason = "the kernel died"
+        except RuntimeError as error:  # the kernel did not start in time
+            reason = str(error)
         else:
             return
     raise MasterError(f"{Path(master_path).name}: cell {running['id']}: {reason}")

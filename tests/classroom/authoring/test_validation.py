@@ -1,10 +1,12 @@
 """An invalid exercise is not built."""
 
+import itertools
+
 import pytest
 
 from imgproc_course.classroom.authoring.validation import validate_exercise
-from imgproc_course.classroom.exercises import read_exercises
-from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
+from imgproc_course.classroom.exercises import read_exercises, running
+from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
 
 HIDDEN_INPUTS = "return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),) for _ in range(3)]"
 BRIGHT = "return (rng.integers(128, 256, (5, 5), dtype=np.uint8),)"  # whose doubles are all 255
@@ -69,6 +71,29 @@ def test_a_valid_exercise_has_no_problem(write_master):
 def test_an_invalid_exercise_is_named(write_master, replacements, added, message):
     problems = problems_of(write_master(*replacements, add=added))
     assert any(message in problem for problem in problems), problems
+
+
+def test_a_call_that_a_busy_machine_stops_is_named_by_the_time(write_master, monkeypatch):
+    """Each call in turn is the one that is stopped; the masters differ, because results are cached."""
+
+    def problems_if_late(late):
+        exercise, calls = read_exercises(write_master(("Doubling", f"Doubling {late}")))[0], itertools.count()
+
+        def call_within(function, _seconds):
+            if next(calls) == late:
+                raise running.TimeUp
+            return function()
+
+        monkeypatch.setattr(running, "call_within", call_within)
+        try:
+            return validate_exercise(exercise), next(calls)
+        except MasterError as error:
+            return [str(error)], next(calls)
+
+    problems, count = problems_if_late(-1)
+    assert problems == [] and count > 40
+    late = [problems for call in range(count) for problems in [problems_if_late(call)[0]] if problems]
+    assert len(late) > 20 and all("did not finish" in problem for problems in late for problem in problems)
 
 
 def test_a_mistake_costs_points_for_another_seed_too(write_master):
