@@ -38,11 +38,23 @@ def _in_one_line(*errors, written=""):
     try:
         yield
     except errors as error:
-        raise click.ClickException(str(error)) from error
+        exception = click.ClickException(str(error))
+        exception.exit_code = getattr(error, "exit_code", 1)
+        raise exception from error
     except OSError as error:
         if not written:
             raise
         raise click.ClickException(f"{written} cannot be written: {error}") from error
+
+
+@contextlib.contextmanager
+def _until_ctrl_c(text):
+    """Prints a line if Ctrl-C ends what runs inside."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        click.echo(f"\n{text}", err=True)
+        raise SystemExit(130) from None
 
 
 _masters_option = option(
@@ -323,7 +335,8 @@ def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
         return make_key(masters, seed, folder, names, **options)
 
     remedy = "; --masters takes the folder that the old key was made from" if redraw and not lessons else ""
-    with _in_one_line(KeyFolderError, SandboxError, written="the key"):
+    stopped = "Stopped. Finished exercises are kept: run the same command again to continue."
+    with _until_ctrl_c(stopped), _in_one_line(KeyFolderError, SandboxError, written="the key"):
         try:
             if redraw:
                 click.echo(f"The old key is in {key_seed.redraw(out, make)}/, for the grades that it gave.")
@@ -332,10 +345,6 @@ def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
                 answer_key = make(key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed, out)
         except MasterError as error:
             raise click.ClickException(f"{error}{remedy}") from error
-        except KeyboardInterrupt:
-            text = "\nStopped. Finished exercises are kept: run the same command again to continue."
-            click.echo(text, err=True)
-            raise SystemExit(130) from None
     click.echo("\n".join(_lines_about_key(answer_key, out)))
     if is_seed_saved:
         click.echo(f"Its secret seed is saved in {seed_file}: you need it to make the same key again.")
@@ -435,8 +444,8 @@ def grade(submissions, keys, out, review, forget_rules, yes, **options):
     A submission that was graded before, with the same key and the same answers, is not graded again: after an
     interruption, the same command continues. Key, deadline, late policy, extensions, decisions and roster are
     those of the run before into the same folder, unless you give others. Exit codes: 0 all graded, 3 some
-    could not be graded (they get 0 points and a reason) or a page is incomplete, 1 nothing was graded, 130
-    interrupted.
+    could not be graded (they get 0 points and a reason) or a page is incomplete, or nothing was graded since
+    one learner's files name several people, 1 nothing was graded, 130 interrupted.
     """
     from imgproc_course.classroom.autograder.worker_threads import usual_workers
     from imgproc_course.classroom.gradebook.answer_keys import load_keys
@@ -447,12 +456,8 @@ def grade(submissions, keys, out, review, forget_rules, yes, **options):
     if not options["workers"]:
         with _in_one_line(ValueError):
             options["workers"] = usual_workers(load_keys(keys).lessons.values())
-    try:
+    with _until_ctrl_c("Stopped. Finished grades are saved: run the same command again to continue."):
         report = _grade_and_review(submissions, keys, out, rules, review, options)
-    except KeyboardInterrupt:
-        text = "\nStopped. Finished grades are saved: run the same command again to continue."
-        click.echo(text, err=True)
-        raise SystemExit(130) from None
     click.echo(report.text)
     if report.not_graded or report.failed_pages:
         raise SystemExit(_COULD_NOT_GRADE)
@@ -528,12 +533,9 @@ def league(folder, out, **options):
     from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
     from imgproc_course.classroom.gradebook.league import run_league
 
-    try:
-        with _in_one_line(SandboxError, ValueError, written="the league"):
-            lines = run_league(folder, out, **options)
-    except KeyboardInterrupt:
-        click.echo("\nStopped; nothing is written.", err=True)
-        raise SystemExit(130) from None
+    in_one_line = _in_one_line(SandboxError, ValueError, written="the league")
+    with _until_ctrl_c("Stopped; nothing is written."), in_one_line:
+        lines = run_league(folder, out, **options)
     click.echo("\n".join(lines))
 
 

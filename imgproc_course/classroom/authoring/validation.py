@@ -27,7 +27,8 @@ def validate_exercise(exercise, seeds=BUILD_SEEDS):
     problems = [
         f"{case_result.case.id}: the solution does not pass it a second time; is the solution random?"
         for seed in (PUBLIC_SEED, _ANOTHER_SEED)
-        for case_result in _in_time(run_cases(exercise, solution, cases=exercise.cases, seed=seed))
+        for result in [run_cases(exercise, solution, cases=exercise.cases, seed=seed)]
+        for case_result in _in_time(exercise, result).results
         if not case_result.passed
     ]
     problems += _refusals(exercise)
@@ -44,24 +45,14 @@ def validate_exercise(exercise, seeds=BUILD_SEEDS):
     return problems
 
 
-def _in_time(result, who="the solution"):
-    """The CaseResults of a CheckResult; MasterError: a call did not finish in time, which proves nothing."""
-    for call in filter(None, (case_result.failed_call for case_result in result.results)):
-        _require_in_time(result.exercise, call.result, f"{call.case.id}: {who}")
-    return result.results
-
-
-def _call(exercise, function, arguments):
-    """The CallResult of the solution or the stub; MasterError: it did not finish in time."""
-    result = exercise.call(function, arguments)
-    _require_in_time(exercise, result, f"{exercise.id}: {function.__name__}")
-    return result
-
-
-def _require_in_time(exercise, result, who):
-    if result.timed_out:
-        text = f"{who} did not finish within its time_limit of {exercise.time_limit:g} s"
+def _in_time(exercise, result):
+    """The result, of a call or a check; MasterError: a call did not finish in time, which proves nothing."""
+    calls = [case_result.failed_call for case_result in getattr(result, "results", ())]
+    results = [call.result for call in calls if call] if calls else [result]
+    if any(result.timed_out for result in results):
+        text = f"{exercise.id}: a call did not finish within its time_limit of {exercise.time_limit:g} s"
         raise MasterError(f"{text}: build again while the machine does nothing else, or raise the limit")
+    return result
 
 
 def _refusals(exercise):
@@ -96,7 +87,7 @@ def _recognition_problems(exercise, mistake):
     if all(case_result.passed for case_result in result.results):
         yield f"{exercise.id}: the mistake {mistake.name!r} passes every public case; add one that catches it"
     elif result.mistake is None or result.mistake.name != mistake.name:
-        _in_time(result, f"the mistake {mistake.name!r}")
+        _in_time(exercise, result)
         confusion = f"is taken for {result.mistake.name!r}" if result.mistake else "is not recognized"
         yield (
             f"{exercise.id}: the mistake {mistake.name!r} {confusion};"
@@ -128,7 +119,7 @@ def _seed_problems(exercise, case, solution, seeds):
     ]
     if all(drawn == arguments[0] for drawn in arguments):
         return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
-    answers = [[_call(exercise, solution, call).value for call in drawn] for drawn in calls]
+    answers = [[_in_time(exercise, exercise.call(solution, call)).value for call in drawn] for drawn in calls]
     differ = partial(compare, tolerance=case.tolerance, exact_type=exercise.exact_type)
     for constant in [answer for drawn in answers for answer in drawn]:
         if _passes_by_chance([constant], answers, differ):
@@ -157,7 +148,7 @@ def _is_empty_stub(exercise):
     """Whether the stub returns nothing: with a docstring added it must still count as not attempted."""
     stub = exercise.function_of(exercise.stub, "stub")
     arguments = exercise.arguments(exercise.cases[0])[0]
-    result = _call(exercise, stub, arguments)
+    result = _in_time(exercise, exercise.call(stub, arguments))
     return result.error == "NotImplementedError" or result.value == {"type": "None"}
 
 
@@ -165,7 +156,7 @@ def _size_problems(exercise, case):
     """Grading carries large arrays as digests, and a tolerance has no meaning for a digest."""
     solution = exercise.function_of(exercise.solution, "solution")
     for arguments in exercise.arguments(case):
-        answer = array_of(_call(exercise, solution, arguments).value)
+        answer = array_of(_in_time(exercise, exercise.call(solution, arguments)).value)
         is_large = answer is not None and answer.nbytes > _MOST_BYTES
         if is_large and (answer.dtype.kind == "f" or case.tolerance):
             yield (

@@ -64,7 +64,10 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
     }
     unfinished = out.with_name(f"{out.name}.unfinished")
     jobs = {number: _jobs(masters, seed, number, unfinished, unsafe) for number in range(1, variants + 1)}
-    say(_about_time(jobs.values()))
+    exercises = {path: job[1] for own_jobs in jobs.values() for path, job in own_jobs.values()}
+    seconds = [_seconds_of(exercise) for path, exercise in exercises.items() if not path.exists()]
+    minutes = max(1, round(sum(seconds) / 60))
+    say(f"{len(seconds)} of {len(exercises)} exercises to run, about {minutes} min on two quiet cores.")
     unfinished.mkdir(mode=0o700, parents=True, exist_ok=True)
     with KernelFactory(unsafe=unsafe) as kernel_factory:
         for number, own_jobs in jobs.items():
@@ -87,27 +90,17 @@ def _about_variant(seed, number, count):
 
 
 def _jobs(masters, seed, variant, folder, unsafe):
-    """{exercise id: (the file that keeps its part of the key, what makes this part)}.
-
-    All variants use the first one's scenarios of a drive, since scenarios differ in how hard they are.
-    """
+    """{exercise id: (the file that keeps its part of the key, the arguments of what makes it)}."""
     jobs = {}
     for master in masters:
         text = master.path.read_text(encoding="utf-8")
         for exercise in master.exercises:
+            # All variants use the first one's scenarios, since scenarios differ in how hard they are.
             own_seed = _numpy_seed(seed, 1 if exercise.subject == "drive" else variant)
-            about = json.dumps([text, exercise.id, own_seed, unsafe, version("imgproc-course")])
+            about = repr([text, exercise.id, exercise.mistakes, own_seed, unsafe, version("imgproc-course")])
             path = folder / f"{hashlib.sha256(about.encode()).hexdigest()}.json"
             jobs[exercise.id] = path, (master, exercise, own_seed)
     return jobs
-
-
-def _about_time(jobs):
-    """How many exercises are to be run, of all variants, and about how long that takes."""
-    exercises = {path: exercise for own in jobs for path, (_, exercise, _) in own.values()}
-    seconds = [_seconds_of(exercise) for path, exercise in exercises.items() if not path.exists()]
-    minutes = max(1, round(sum(seconds) / 60))
-    return f"{len(seconds)} of {len(exercises)} exercises to run, about {minutes} min on two quiet cores."
 
 
 def _seconds_of(exercise):

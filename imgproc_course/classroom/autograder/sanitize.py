@@ -37,11 +37,12 @@ def sanitize_line(text, max_length=300):
 
 
 def spreadsheet_text(value):
-    """One line that no spreadsheet takes for a formula, by an apostrophe before it; a number is unchanged."""
+    """One line that is no formula and no comment (#), by an apostrophe before it; a number is unchanged."""
     if isinstance(value, (int, float)):
         return value
     line = without_formulas(sanitize_line(value, 2000))
-    return f"'{line}" if value.startswith(("\t", "\r", "\n")) and not line.startswith("'") else line
+    is_hidden = value.startswith(("\t", "\r", "\n")) and not line.startswith("'")
+    return f"'{line}" if is_hidden or value.lstrip(" '").startswith("#") else line
 
 
 def without_formulas(text):

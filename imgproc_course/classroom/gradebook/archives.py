@@ -26,7 +26,11 @@ _ERRORS = (zipfile.BadZipFile, zlib.error, OSError, ValueError, EOFError, Runtim
 
 
 class CollectError(ValueError):
-    """There is nothing to collect; one line that says what to do."""
+    """There is nothing to collect, or nobody knows whose it is; what to do, and the command's exit code."""
+
+    def __init__(self, text, exit_code=1):
+        super().__init__(text)
+        self.exit_code = exit_code
 
 
 def file_problem(status, largest):

@@ -16,16 +16,15 @@ from .collect import collect
 from .csv_table import TableError
 from .grades_folder import LearnerPages, set_pages_aside, write_grades
 from .grades_json import count_not_graded, faults_of, grades_of
-from .learners import read_all, unproven_dates
+from .learners import read_all, require_one_person_each, unproven_dates
 from .lms_import import fill_table, read_tables
 from .report import count_of, prepare_templates
 from .result_store import GradesFolderError
-from .roster import read_roster, roster_report
+from .roster import names_in_roster, read_roster, roster_report
 from .similarity import compare, report_copies, similar_entries
 from .teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
 _NOT_FILLED = "Not filled: "
-_MOST_REPEATED = 3  # times that one learner submits one lesson
 _MAX_LINES = 12  # of a run's summary, before the last lines
 
 
@@ -81,6 +80,9 @@ def grade_submissions(
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
         learners = read_all(collection, answer_keys, store, quiet=quiet)
+        require_one_person_each(
+            learners, answer_keys.lessons, names_in_roster(roster or (), learners).values()
+        )
         rules.assign(learners, roster or ())
         again = result_store.answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
@@ -132,12 +134,6 @@ def _decisions_file(out):
     return path
 
 
-def _folder_above(learners):
-    """A line if everything came from one folder, which perhaps holds the submissions."""
-    if len(learners) == 1 and any(len(one["earlier"]) >= _MOST_REPEATED for one in learners[0]["lessons"]):
-        yield f"All of them came from {learners[0]['name']}. Is this a folder of submissions? Then name it."
-
-
 def _fill_tables(platform_tables, grades, out):
     """Write the platforms' tables with points in them; returns lines for the summary."""
     lines = []
@@ -176,7 +172,6 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
                 lines.append(f"  {learner['name']}: {lesson['file']}: {fault}; run the command again")
     if len(lines) > _MAX_LINES:
         lines[_MAX_LINES - 1 :] = [f"  and {len(lines) - _MAX_LINES + 1} more"]
-    lines += _folder_above(grades["learners"])
     lines += [f"The page of {name} is incomplete ({reason})." for name, reason in failed_pages.items()]
     if not grades["sandbox"]:
         lines.append("Graded without a sandbox; grades.json records it.")

@@ -3,6 +3,7 @@
 import hashlib
 import re
 import time
+import unicodedata
 from collections import Counter
 from dataclasses import dataclass, field
 from itertools import chain
@@ -14,11 +15,19 @@ from ..autograder.answer_key import Key
 from .archives import CollectError
 from .collect import AGES, IntakeFinding, SubmittedFile, digest_of
 from .notebook_reader import NotebookReader
+from .roster import squeezed
 from .senders import Certainty, notebook_name, split_repetition
 from .submission import AnswerState, SubmissionContent, lesson_by_name, read_submission
 
 NOTEBOOK_SECONDS = 5  # of processor time, for reading one notebook; a usual one takes 0.02
+_MOST_LISTED = 20  # files that may be several people's
 READING_SECONDS = 30  # for all notebooks of one sender
+# Words of files and folders that name nobody; so do single letters and numbers such as v2 or 2026.
+_NO_NAMES = """[a-z] ps version final old new copy of kopie von conflicted backup draft try attempt fixed
+    my work solution solved answers? abgabe loesung lösung submissions? submitted homework hw week woche lab
+    lessons? task exercises? uebung übung blatt aufgabe assignment project notebooks? untitled imgproc course
+    downloads desktop first second third last better best mine"""
+_NO_NAME = re.compile(rf"(?:{'|'.join(_NO_NAMES.split())})?\d{{0,4}}")
 _TOO_SLOW_TOGETHER = "reading the earlier notebooks of this submission took too much time; submit fewer"
 
 
@@ -161,7 +170,15 @@ def _doubt(counting, other):
         return f"{other.file.source} has other answers and the same date: which one is the last is unknown"
     if _way_of(other.file) != _way_of(counting.file):
         return f"{other.file.source} has other answers and came in another way; only one file counts"
+    if not counting.file.platform and len(_own_parts(counting.file)) == 1:
+        text = f"{other.file.source} has other answers, and nothing but its name says whose it is"
+        return f"{text}; only one file counts"
     return ""
+
+
+def _own_parts(file):
+    """The parts of its path from the one that names its sender on."""
+    return file.source.split("/")[len(file.place) :]
 
 
 def _way_of(file):
@@ -169,8 +186,7 @@ def _way_of(file):
 
     A learner who can choose the name of a file can choose a neighbour's, but not the neighbour's folder.
     """
-    name = file.source.split("/")[len(file.place)]
-    return file.place, PurePosixPath(name).suffix
+    return file.place, PurePosixPath(_own_parts(file)[0]).suffix
 
 
 def _display_names(submissions):
@@ -252,10 +268,37 @@ def _spelled_differently(submissions):
 
 def _spelling(file):
     """What names its sender: its folder, or its file without the mark of a repeated submission."""
-    parts = file.source.split("/")[len(file.place) :]
+    parts = _own_parts(file)
     name = PurePosixPath(notebook_name(parts[0]))
     stem = name.stem if len(parts) == 1 or name.suffix == ".zip" else name.name
     return split_repetition(stem)[0]
+
+
+def require_one_person_each(learners, lessons, known):
+    """CollectError with a list: the files in a folder or zip of nobody `known` name several people."""
+    folders = {}
+    for learner in (learner for learner in learners if learner.name not in known):
+        for submission in (*learner.submissions.values(), *chain.from_iterable(learner.earlier.values())):
+            if not submission.file.platform and (name := _inner_name(submission.file, lessons)):
+                folders.setdefault((learner.name, submission.file.place), {})[name] = submission.file.source
+    doubtful = [named for named in folders.values() if not all(name <= max(named, key=len) for name in named)]
+    if doubtful:
+        files = sorted(chain.from_iterable(named.values() for named in doubtful))
+        listed = [f"  {file}" for file in files[:_MOST_LISTED]] + ["  ..."] * (len(files) > _MOST_LISTED)
+        text = "nothing was graded: in the folder or zip of one learner, these files name several people:"
+        remedy = "Several people: give the folder that has a file or folder for each, and unpack the zip. One"
+        remedy += " learner, or a group: give a --roster that has the folder's name, or rename the files."
+        raise CollectError("\n".join([text, *listed, remedy]), 3)
+
+
+def _inner_name(file, lessons):
+    """The words that may name a person, of a file and its folders in the folder or zip of its sender."""
+    path = unicodedata.normalize("NFC", "/".join(_own_parts(file)[1:])).casefold().partition(".ipynb")[0]
+    others = {word for lesson in lessons for word in lesson.split("_")}
+    words = (word for word in re.findall(r"[^\W_]+", path) if word not in others)
+    return frozenset(
+        word for word in words if not _NO_NAME.fullmatch(word) and word not in squeezed(file.learner)
+    )
 
 
 def unproven_dates(files, deadline):

@@ -127,18 +127,26 @@ def _matched(table, rows, learners):
         numbers = [number for number, forms in enumerate(names) if name in forms]
         is_another = _is_canvas(table) and "canvas" in {lesson["platform"] for lesson in learner["lessons"]}
         if learner not in matched and not is_another and len(numbers) == own_names.count(name) == 1:
-            matched[numbers[0]] = matched[numbers[0]] or learner
+            place, other = numbers[0], matched[numbers[0]]
+            if other is None or not _has_number(records[place], other):
+                # The login is one learner's name and the full name another's: nobody knows whose row it is.
+                matched[place] = learner if other is None else None
     return [(row, learner) for row, learner in zip(rows, matched, strict=True) if learner is not None]
 
 
 def _learner(row, learners):
     """The learner whose row it is, {column: cell}, or None."""
-    number, identities = number_of(row), set(map(str.casefold, identities_of(row)))
-    for learner in learners:
-        if number in {(lesson["platform"], lesson["platform_id"]) for lesson in learner["lessons"]}:
-            return learner
+    identities = set(map(str.casefold, identities_of(row)))
+    by_number = [learner for learner in learners if _has_number(row, learner)]
+    if by_number:
+        return by_number[0]
     candidates = [learner for learner in learners if learner["name"].casefold() in identities]
     return candidates[0] if len(candidates) == 1 else None
+
+
+def _has_number(row, learner):
+    numbers = {(lesson["platform"], lesson["platform_id"]) for lesson in learner["lessons"]}
+    return number_of(row) in numbers
 
 
 def _different_points(table, columns, grades):

@@ -8,7 +8,6 @@ import csv
 import io
 import re
 import secrets
-import sys
 import threading
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -25,8 +24,7 @@ from .result_store import write_grades_file
 from .teacher_tables import DECISION_COLUMNS, read_decisions
 
 _PAGES = ("*.html", "review/*.html", "learners/*.html")
-_MOST_BYTES = 10_000_000  # of decisions saved at once
-_LENGTH = re.compile(r"\d{1,8}", re.A)
+_LENGTH = re.compile(r"\d{1,7}", re.A)  # of decisions saved at once, in bytes
 
 
 class ReviewServer(ThreadingHTTPServer):
@@ -39,11 +37,6 @@ class ReviewServer(ThreadingHTTPServer):
         self.out, self.decisions, self.answer_keys = Path(out), Path(decisions), answer_keys
         self.token, self.lock = secrets.token_urlsafe(32), threading.Lock()
         self.url = f"http://127.0.0.1:{self.server_port}/{self.token}/review.html"
-
-    def handle_error(self, *connection):
-        """Print nothing about a browser that went away."""
-        if not isinstance(sys.exception(), ConnectionError):
-            super().handle_error(*connection)
 
     def read(self, path):
         """The page of that address, or None: only pages are served, and only with the token."""
@@ -75,24 +68,17 @@ class _Handler(BaseHTTPRequestHandler):
         address = f"/{self.server.token}/decisions"
         if not secrets.compare_digest(self.path.encode(), address.encode()):
             return self._answer(HTTPStatus.NOT_FOUND)
+        length = self.headers.get("Content-Length", "none")
+        body = self.rfile.read(int(length)) if _LENGTH.fullmatch(length) else b""
         try:
-            lines = self._body().decode("utf-8")
+            if str(len(body)) != length:
+                raise ValueError(f"{len(body)} bytes came with the Content-Length {length[:20]!r}")
             with self.server.lock:  # another tab of the browser may save now
-                number = save_decisions(self.server.decisions, lines, self.server.answer_keys)
+                number = save_decisions(self.server.decisions, body.decode(), self.server.answer_keys)
         except (ValueError, csv.Error) as error:
             return self._answer(HTTPStatus.BAD_REQUEST, f"Not saved: {error}".encode())
         text = f"{count_of(number, 'line')} saved. The points change when you end the command with Ctrl-C."
         return self._answer(HTTPStatus.OK, text.encode())
-
-    def _body(self):
-        """The bytes that were sent; ValueError: they are not as many as the header says."""
-        header = self.headers.get("Content-Length", "none")
-        length = int(header) if _LENGTH.fullmatch(header) else _MOST_BYTES + 1
-        body = self.rfile.read(length) if length <= _MOST_BYTES else b""
-        if len(body) != length:
-            text = f"{len(body)} bytes came with the Content-Length {header[:20]!r}"
-            raise ValueError(f"{text}; at most {_MOST_BYTES} are read")
-        return body
 
     def _answer(self, status, data=b"", kind="text/plain"):
         self.send_response(status)

@@ -15,7 +15,7 @@ from imgproc_course.classroom.gradebook import learners as learners_module
 from imgproc_course.classroom.gradebook.archives import CollectError
 from imgproc_course.classroom.gradebook.collect import collect, local_time
 from imgproc_course.classroom.gradebook.csv_table import TableError
-from imgproc_course.classroom.gradebook.learners import read_all, unproven_dates
+from imgproc_course.classroom.gradebook.learners import read_all, require_one_person_each, unproven_dates
 from imgproc_course.classroom.gradebook.result_store import ResultStore
 from imgproc_course.classroom.gradebook.roster import names_in_roster, read_roster, roster_report
 from imgproc_course.classroom.gradebook.teacher_tables import Deadlines
@@ -64,6 +64,58 @@ def test_a_learners_zip_is_the_learners_whatever_it_names(read, light, submissio
     assert learners["eve"].submissions["light"].file.submitted_at.year == 2026
     ((sender, text),) = findings(collection)
     assert sender == "eve" and "all of it counts as eve's" in text and "unpack it" in text
+
+
+SEVERAL_PEOPLE = [
+    ["GroupA/ada.ipynb", "GroupA/bob.ipynb"],
+    ["week3/ada.ipynb", "week3/bob_20_light.ipynb"],
+    ["course/section 1/ada/20_light.ipynb", "course/section 1/bob/20_light.ipynb"],
+    ["course/section 1/ada/20_light.ipynb", "course/section 2/cy/sound.ipynb"],
+    ["GroupA/ada.ipynb", "GroupA/bob sound.ipynb"],
+    ["20_light/GroupA/ada.ipynb", "20_light/GroupA/bob.ipynb"],
+    ["GroupA/1234567.ipynb", "GroupA/1234568.ipynb"],
+    ["GroupA/student1.ipynb", "GroupA/student2.ipynb"],
+    [
+        "ilias.zip/Abgaben/Lovelace_Ada_ada_17/20_light.ipynb",
+        "ilias.zip/Abgaben/Ray_Bob_bob_18/20_light.ipynb",
+    ],
+]
+ONE_PERSON = [
+    ["ada/20_light.ipynb", "ada/20_light-1.ipynb", "ada/old/20_light (2).ipynb", "ada/sound.ipynb"],
+    [
+        "ada/20_light-Copy1.ipynb",
+        "ada/20_light-Copy2.ipynb",
+        "ada/20_light v2 final.ipynb",
+        "ada/my light.ipynb",
+    ],
+    ["ada/imgproc-course/my_lessons/20_light.ipynb", "ada/imgproc-course/notebooks/20_light.ipynb"],
+    ["Ada Lovelace/lovelace_20_light.ipynb", "Ada Lovelace/Ada-L sound.ipynb"],
+    ["group 7/ada.ipynb", "group 7/ada and bob sound.ipynb"],
+    ["ada/week 1/20_light.ipynb", "ada/week 2/21_sound.ipynb", "ada/Homework 3.ipynb"],
+    ["ada.zip/20_light.ipynb", "ada.zip/Downloads/20_light (1).ipynb"],
+    ["Ada_1_assignsubmission_file_/mine.ipynb", "Ada_1_assignsubmission_file_/better.ipynb"],
+    ["20_light/ada.ipynb", "20_light/bob.ipynb", "21_sound/ada.ipynb", "cy.ipynb", "dora_20_light-1.ipynb"],
+]
+
+
+@pytest.mark.parametrize("names", [*SEVERAL_PEOPLE, *ONE_PERSON])
+def test_files_that_name_several_people_are_not_one_learners(read, masters, submissions, names):
+    """The table of a class that has the name of the folder says that it is a learner's, or a group's."""
+    for name in names:
+        lesson = notebook(masters["sound" if "sound" in name else "light"])
+        archive, is_zip, member = name.partition(".zip/")
+        if not is_zip:
+            write(submissions / name, lesson)
+            continue
+        with zipfile.ZipFile(submissions / f"{archive}.zip", "a") as opened:
+            opened.writestr(member, json.dumps(lesson))
+    learners = list(read(submissions)[1].values())
+    require_one_person_each(learners, LESSONS, {learner.name for learner in learners})
+    if names in ONE_PERSON:
+        return require_one_person_each(learners, LESSONS, set())
+    with pytest.raises(CollectError, match="--roster") as refused:
+        require_one_person_each(learners, LESSONS, set())
+    assert [line.strip() for line in str(refused.value).splitlines()[1:-1]] == sorted(names)
 
 
 def test_a_zip_of_several_people_in_one_folder_is_reported(submissions):

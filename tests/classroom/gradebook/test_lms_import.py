@@ -105,6 +105,19 @@ def test_a_row_is_found_by_its_name_if_nobody_else_has_it(light, submissions, gr
     assert lines == ["20_light.csv: 1 points filled in.", "  graded, but in no row of the table: Bob, Cy"]
 
 
+def test_a_row_that_two_learners_could_have_is_nobodys(light, submissions, grade, table):
+    """Of a login that is one learner's name, and a full name that is another's."""
+    right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
+    write(submissions / "Ada Lovelace" / "20_light.ipynb", right)
+    for name in ("a@x.ipynb", "c@x.ipynb", "Cy_3_assignsubmission_file_/20_light.ipynb"):
+        write(submissions / name, wrong if "x" in name else right)
+    head = "Identifier,Full name,Email address,Status,Grade,Maximum grade\n"
+    rows = "Participant 1,Ada Lovelace,a@x,,,\nParticipant 2,Cyd,c@x,,,\nParticipant 3,Cy,d@x,,,\n"
+    text, lines = fill_table(read_tables([table("20_light.csv", head + rows)])[0], grade(submissions))
+    assert [row[4] for row in cells(text)] == ["Grade", "", "0", "6"]
+    assert lines[1:] == ["  graded, but in no row of the table: a@x, Ada Lovelace"]
+
+
 def test_empty_lines_of_a_table_stay(submitted, grade, table):
     grades = grade(submitted)
     text, lines = filled(table("gradebook.csv", CANVAS), grades)

@@ -19,11 +19,13 @@ import pytest
 from accessibility import violations
 from submissions import answers_of, notebook, write
 
-from imgproc_course.classroom.gradebook import grades_folder
-from imgproc_course.classroom.gradebook.csv_table import TableError
+from imgproc_course.classroom.autograder.sanitize import sanitize_line, spreadsheet_text
+from imgproc_course.classroom.gradebook import grades_folder, teacher_tables
+from imgproc_course.classroom.gradebook.csv_table import TableError, csv_text
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.review import AnswerParts, _coloured
 from imgproc_course.classroom.gradebook.review_server import ReviewServer, save_decisions
+from imgproc_course.classroom.gradebook.teacher_tables import DECISIONS_TEMPLATE, read_decisions
 
 pytestmark = pytest.mark.sandbox
 HEADER = "learner,lesson,exercise,points,comment\n"
@@ -331,6 +333,21 @@ def test_a_table_of_a_spreadsheet_keeps_its_form(tmp_path, answer_keys, learner)
         table.read_bytes().decode()
         == f"{header}light;''=Eve;3;light-double;\r\nlight;'=Eve;2;light-double;\"a; b\"\r\n"
     )
+
+
+NAMES = ["#ada", "'#ada", "''#ada", "# ada", "=ada", "'=ada", "a,b", 'a"b', "a;b", "a\\nb", "-1", "'", "a\tb"]
+
+
+def test_a_decision_on_any_name_is_saved_and_read(tmp_path, answer_keys):
+    table, names = tmp_path / "decisions.csv", [sanitize_line(name) for name in NAMES]
+    table.write_text(DECISIONS_TEMPLATE, encoding="utf-8")
+    for name in names:
+        line = csv_text([[spreadsheet_text(name), "light", "light-double", 1, ""]])
+        assert save_decisions(table, line, answer_keys) == 1
+    decisions = teacher_tables._by_learner(
+        read_decisions(table, answer_keys), dict(zip(names, names, strict=True))
+    )
+    assert {name: len(rows) for name, rows in decisions.items()} == dict.fromkeys(names, 1)
 
 
 def test_the_pages_of_answers_go_with_the_last_exercise(tmp_path):

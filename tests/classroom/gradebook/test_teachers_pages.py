@@ -9,11 +9,13 @@ import zipfile
 from datetime import datetime
 
 import pytest
+from click.testing import CliRunner
 from submissions import answers_of, cell_of, notebook, write
 
 from imgproc_course.classroom.gradebook.changes import changes_between
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.summary import _concerns, summary_page
+from imgproc_course.cli import main
 
 pytestmark = pytest.mark.sandbox
 MOODLE = "Ada_B Lovelace_12345_assignsubmission_file_"
@@ -412,11 +414,18 @@ def test_who_sent_only_other_files_is_named_with_them(light, submissions, key_pa
     assert "<bdi>Uwe Ulm</bdi> (sent 1 file, no notebook); <bdi>Max Nobody</bdi>." in page
 
 
-def test_a_folder_above_the_submissions_is_noticed(light, submissions, key_path, tmp_path):
+def test_a_folder_above_the_submissions_stops_the_run_with_a_list(light, submissions, key_path, tmp_path):
     for name in ("ada", "bob", "cy", "di"):
         write(submissions / "week_1" / name / "a.ipynb", notebook(light, answers_of(light, "right")))
-    summary = grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
-    assert "All of them came from week_1. Is this a folder of submissions?" in summary.text
+    command = ["grade", str(submissions), "--key", str(key_path), "--out", str(tmp_path / "out")]
+    ended = CliRunner().invoke(main, command)
+    assert ended.exit_code == 3 and not (tmp_path / "out" / "grades.json").exists()
+    assert [line for line in ended.output.splitlines() if line.startswith("  ")] == [
+        f"  week_1/{name}/a.ipynb" for name in ("ada", "bob", "cy", "di")
+    ]
+    (tmp_path / "roster.csv").write_text("name\nweek_1\n", encoding="utf-8")
+    ended = CliRunner().invoke(main, [*command, "--roster", str(tmp_path / "roster.csv")])
+    assert ended.exit_code == 0 and "1 learner, 1 lesson graded" in ended.output
 
 
 def test_an_excused_lesson_is_no_practice(light, submissions, key_path, tmp_path):
