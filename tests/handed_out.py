@@ -7,9 +7,10 @@ import zipfile
 
 from imgproc_course.classroom.exercises.cell_syntax import plain_python
 from imgproc_course.classroom.exercises.input_encoding import encode
-from imgproc_course.classroom.gradebook.fingerprints import shape_of, syntax_tokens, winnowed
+from imgproc_course.classroom.gradebook.syntax_shapes import syntax_tokens
 
-COPIED = 0.8  # of a solution's fingerprints: a text that shares more contains it
+RUN = 16  # tokens; a line of code has about ten
+COPIED = 0.8  # of a solution's runs of tokens: a text that shares more contains it
 
 
 def files_in(data, place):
@@ -73,6 +74,12 @@ def squeezed(text):
     return "".join(text.replace('"', "'").split())
 
 
+def runs_of_tokens(source):
+    """Every RUN successive tokens of a source, whatever its own names, as a set."""
+    tokens = ["V" if token[:1] == "V" and token[1:].isdigit() else token for token in syntax_tokens(source)]
+    return {tuple(tokens[start : start + RUN]) for start in range(len(tokens) - RUN + 1)}
+
+
 class HandedOut:
     """All that a hand-out holds: its texts, and the syntax of what is Python in them."""
 
@@ -88,15 +95,15 @@ class HandedOut:
                 texts.add(text)
         functions = {source for text in texts for source in functions_in(text)}
         self.text = "\0".join(squeezed(text) for text in texts | functions)
-        self.shapes = {shape_of(syntax_tokens(source))[0] for source in functions}
-        self.prints = [winnowed(syntax_tokens(plain_python(text))).keys() for text in texts if "\n" in text]
+        self.shapes = {tuple(syntax_tokens(source)) for source in functions}
+        self.runs = [runs_of_tokens(plain_python(text)) for text in texts if "\n" in text]
 
     def share_of(self, source):
-        """The largest share of a source's fingerprints that one text has."""
-        prints = winnowed(syntax_tokens(source)).keys()
-        if len(prints) <= 3:
+        """The largest share of a source's runs of tokens that one text has."""
+        runs = runs_of_tokens(source)
+        if len(runs) <= RUN:
             return 0
-        return max((len(prints & others) for others in self.prints), default=0) / len(prints)
+        return max((len(runs & others) for others in self.runs), default=0) / len(runs)
 
     def leaks(self, exercise):
         """What of an exercise learners must not get, and would get."""
@@ -104,7 +111,7 @@ class HandedOut:
         body = body_of(source) if exercise.subject == "function" else without_imports(source)
         if body in self.text:
             yield "the solution, as text"
-        if {shape_of(syntax_tokens(function))[0] for function in functions_in(source)} & self.shapes:
+        if {tuple(syntax_tokens(function)) for function in functions_in(source)} & self.shapes:
             yield "the solution's function, under whatever names"
         if self.share_of(source) > COPIED:
             yield "the solution's statements"

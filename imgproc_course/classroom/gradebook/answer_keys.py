@@ -39,19 +39,15 @@ class AnswerKeys:
         key_lesson, cells = key.lessons[lesson], self._cells[key.digest].get(lesson, {})
         return LessonDescription(lesson, key_lesson.version, key_lesson.exercises, cells)
 
-    def known_code(self, lesson):
-        """What everybody knows of a lesson, as [{place: code handed out}, {exercise id: solution}]."""
-        handed_out, solutions = {}, {}
-        for key in self.keys:
-            if lesson in key.lessons:
-                cells = self._cells[key.digest].get(lesson, {})
-                handed_out |= {id: source for id, source in cells.items() if source}
-                exercises = key.lessons[lesson].exercises
-                handed_out |= {f"stub {exercise.id}": exercise.stub for exercise in exercises}
-                ids = {exercise.id for exercise in exercises}
-                known = self._solutions[key.digest].items()
-                solutions |= {id: source for id, source in known if id in ids}
-        return [handed_out, solutions]
+    def solutions(self, lesson):
+        """{exercise id: solution} of a lesson."""
+        return {
+            exercise.id: self._solutions[key.digest][exercise.id]
+            for key in self.keys
+            if lesson in key.lessons
+            for exercise in key.lessons[lesson].exercises
+            if exercise.id in self._solutions[key.digest]
+        }
 
     def key_of(self, digest):
         """The key or variant with this digest."""

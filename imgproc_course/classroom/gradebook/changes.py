@@ -50,7 +50,7 @@ def changes_between(before, after):
 
 def _changes_of_run(before, after):
     about = {"learner": "", "page": "", "lesson": "the whole run", "exercise": ""}
-    for name in sorted((before.keys() | after.keys()) - {"learners", "similar", "anonymous_pages"}):
+    for name in sorted((before.keys() | after.keys()) - {"learners", "anonymous_pages"}):
         old, new = before.get(name), after.get(name)
         if old != new:
             texts = [_WORDS.get(one, one) for one in (old, new)] if name in _RULES else ["", "changed"]

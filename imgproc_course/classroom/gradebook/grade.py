@@ -13,6 +13,7 @@ from . import result_store
 from .answer_keys import load_keys
 from .archives import CollectError
 from .collect import collect
+from .copies import find_copies, report_copies
 from .csv_table import TableError
 from .grades_folder import LearnerPages, set_pages_aside, write_grades
 from .grades_json import count_not_graded, faults_of, grades_of
@@ -21,7 +22,6 @@ from .lms_import import fill_table, read_tables
 from .report import count_of, prepare_templates
 from .result_store import GradesFolderError
 from .roster import names_in_roster, read_roster, roster_report
-from .similarity import compare, report_copies, similar_entries
 from .teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
 _NOT_FILLED = "Not filled: "
@@ -87,24 +87,22 @@ def grade_submissions(
         again = result_store.answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         stack.callback(pages.parts.close)
-        comparison = stack.enter_context(ThreadPoolExecutor(1)).submit(compare, learners, answer_keys, store)
+        copies = stack.enter_context(ThreadPoolExecutor(1)).submit(find_copies, learners, answer_keys, store)
         threading.Thread(target=prepare_templates, daemon=True).start()
         options |= {"quiet": quiet, "on_result": pages.result_stored}
         graded_now = result_store.grade_missing(learners, answer_keys, store, again, **options)
         if deadline:
             collection.findings += unproven_dates(collection.files, deadline)
-        groups, copies = comparison.result()
         grades = grades_of(
-            report_copies(pages.finish(), learners, copies),
+            report_copies(pages.finish(), learners, copies.result()),
             answer_keys,
             sandbox=not unsafe,
             deadlines=rules.deadlines,
             collection=collection,
             roster=roster_report(roster, learners) if roster is not None else None,
-            similar=similar_entries(groups),
             anonymous=anonymous,
         )
-        write_grades(out, grades, learners, answer_keys.lessons, pages, groups, store)
+        write_grades(out, grades, learners, answer_keys.lessons, pages, store)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, table_lines, pages.failed)
 

@@ -18,7 +18,6 @@ from .predictions import predictions_page
 from .report import label_of, learner_page, map_of, render_page
 from .result_store import write_grades_file
 from .review import FOLDER, AnswerParts, review_pages
-from .similarity import similarity_page
 from .summary import summary_page
 
 _GIVEN_BACK = ("learners", "exports")
@@ -27,7 +26,6 @@ _OTHER_PAGES = {
     "predictions.html": "What the learners predicted",
     "changes.html": "What changed since the run before",
     "drives.html": "The drives, on maps",
-    "similar.html": "Similar submissions, side by side",
 }
 
 
@@ -85,7 +83,7 @@ class LearnerPages:
             self.parts.keep(learner.name, exercise["id"], answers.get(exercise["id"], ""), exercise["review"])
 
 
-def write_grades(out, grades, learners, lessons, pages, groups, store):
+def write_grades(out, grades, learners, lessons, pages, store):
     """Write all but the results and the learners' pages; `learners` in the order of grades["learners"]."""
     before, text = read_grades(out / "grades.json"), grades_text(grades)
     changed = before is not None and grades_text(before) != text
@@ -100,7 +98,6 @@ def write_grades(out, grades, learners, lessons, pages, groups, store):
         write_grades_file(out / "changes.html", changes_page(before, grades, names))
     _write_or_remove(out / "predictions.html", predictions_page(learners, lessons, names))
     _write_or_remove(out / "drives.html", _drives_page(learners, store, names))
-    _write_or_remove(out / "similar.html", similarity_page(groups, names))
     _write_review(out, page_grades, pages.parts, {shown: name for name, shown in names.items()})
     files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():

@@ -19,7 +19,7 @@ from .teacher_tables import plain_number
 FORMAT = 4
 
 
-def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster, similar, anonymous):
+def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster, anonymous):
     """The content of grades.json; `entries` are from `learner_entry`, `roster` from `roster_report`."""
     return {
         "format": FORMAT,
@@ -33,7 +33,6 @@ def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster, s
         "ignored": collection.ignored,
         "intake": [asdict(finding) for finding in sorted(collection.findings)],
         "roster": roster,
-        "similar": similar,
     }
 
 

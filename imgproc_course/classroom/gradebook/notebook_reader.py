@@ -31,10 +31,10 @@ class NotebookReader(contextlib.AbstractContextManager):
         """What `submission_reader.compose_answers` gives of the last notebook; None if it takes too much."""
         return (self._reply(b"compose", json.dumps(requests).encode("ascii")) or {}).get("answers")
 
-    def fingerprints(self, answers):
-        """What `fingerprints.fingerprints` returns of {exercise id: source}; nothing if it takes too much."""
-        reply = self._reply(b"compare", json.dumps(answers).encode("ascii"))
-        return reply if reply and "prints" in reply else {"shapes": {}, "prints": {}}
+    def shapes(self, answers):
+        """What `syntax_shapes.shapes` gives of {exercise id: source}; nothing if it takes too much."""
+        reply = self._reply(b"shapes", json.dumps(answers).encode("ascii")) or {}
+        return {id: tuple(shape) for id, shape in reply.get("shapes", {}).items()}
 
     def _reply(self, kind, data):
         """The reply to a request, a dict; None if it takes too much, or is ended too often."""

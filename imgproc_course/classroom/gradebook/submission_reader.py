@@ -2,10 +2,10 @@
 
 `notebook_reader.NotebookReader` starts this file as a program with limits on memory and processor time, sends
 it the bytes of a notebook and receives plain data: the id and type of each cell, and the sources of code. It
-also composes the source by which an answer is graded, and takes the fingerprints of answers. Nothing in a
-notebook is run or followed. The program imports the standard library only, and `cell_syntax` and
-`fingerprints` (and `syntax_slips`, once an answer has an error), which do the same: it starts quickly, and no
-module of a learner can take the place of ours.
+also composes the source by which an answer is graded, and takes the shapes of answers. Nothing in a
+notebook is run or followed. The program imports the standard library only, and `cell_syntax`,
+`syntax_shapes` and (once an answer has an error) `syntax_slips`, which do the same: it starts quickly, and
+no module of a learner can take the place of ours.
 """
 
 import ast
@@ -24,10 +24,10 @@ from pathlib import Path
 if __name__ == "__main__":
     sys.path += [str(Path(__file__).parents[1] / "exercises"), str(Path(__file__).parent)]
     import cell_syntax
-    import fingerprints
+    import syntax_shapes
 else:
     from imgproc_course.classroom.exercises import cell_syntax
-    from imgproc_course.classroom.gradebook import fingerprints
+    from imgproc_course.classroom.gradebook import syntax_shapes
 
 MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
@@ -306,7 +306,7 @@ def serve(requests, replies, most_memory, seconds):
 
     `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
     `compose <length>`, and the requests of `compose_answers` as JSON, about the last notebook: {"answers": }
-    `compare <length>`, and {exercise id: source} as JSON: what `fingerprints.fingerprints` returns
+    `shapes <length>`, and {exercise id: source} as JSON: {"shapes": }, see `syntax_shapes.shapes`
 
     With more than `most_memory` bytes in use, it ends instead of reading another notebook: so what it
     remembers of earlier notebooks leaves enough memory for each one. A request that takes more `seconds` of
@@ -327,7 +327,7 @@ def serve(requests, replies, most_memory, seconds):
                 reply = {"answers": compose_answers(notebook["cells"], json.loads(body))}
             else:
                 os.setpriority(os.PRIO_PROCESS, 0, 5)  # grading is waited for, and this is not
-                reply = fingerprints.fingerprints(json.loads(body))
+                reply = {"shapes": syntax_shapes.shapes(json.loads(body))}
         except UnreadableError as error:
             reply = {"reason": str(error)}
         except (MemoryError, RecursionError):

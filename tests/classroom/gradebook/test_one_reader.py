@@ -19,8 +19,8 @@ from imgproc_course.classroom.autograder.pool import autograde
 from imgproc_course.classroom.gradebook.answer_keys import load_keys
 from imgproc_course.classroom.gradebook.check import LessonFileError, check_lesson, run_answers
 from imgproc_course.classroom.gradebook.collect import collect
-from imgproc_course.classroom.gradebook.fingerprints import shape_of, syntax_tokens
 from imgproc_course.classroom.gradebook.learners import read_all
+from imgproc_course.classroom.gradebook.syntax_shapes import syntax_tokens
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]  # the key is made in a sandbox
 
@@ -500,9 +500,9 @@ def test_what_is_reported_of_a_class(nodes, tmp_path, answer, own, state, text):
 
 def test_a_class_is_compared_whatever_its_names(nodes):
     renamed = NODE.format(2).replace("publisher =", "out =").replace("self.publisher.", "self.out.")
-    shapes = [shape_of(syntax_tokens(source)) for source in (NODE.format(2), renamed, NODE.format(3))]
+    shapes = [syntax_tokens(source) for source in (NODE.format(2), renamed, NODE.format(3))]
     assert shapes[0] == shapes[1] != shapes[2]
-    assert shapes[0] == shape_of(syntax_tokens(nodes[0].exercises[0].solution))
+    assert shapes[0] == syntax_tokens(nodes[0].exercises[0].solution)
 
 
 def too_long(made):

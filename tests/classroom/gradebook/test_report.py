@@ -29,7 +29,6 @@ from imgproc_course.classroom.exercises.canonical import canonical
 from imgproc_course.classroom.exercises.values import differing_elements
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.report import _advice_on, learner_page, value_of
-from imgproc_course.classroom.gradebook.similarity import SimilarGroup, Version, similarity_page
 
 pytestmark = pytest.mark.sandbox
 EVIL = "<script>alert(1)</script>"
@@ -84,14 +83,6 @@ def test_no_page_shows_a_folder_of_this_machine(masters, key_path, tmp_path):
     text = page.read_text(encoding="utf-8")
     assert "/usr/lib" in text and "…" in text
     assert here not in text and sys.prefix not in text and end not in text
-
-
-def test_the_page_of_similar_answers_shows_no_folder_of_this_machine():
-    source = f"path = {sys.prefix!r}, {str(Path(__file__).parents[3] / 'key')!r}, '/usr/lib'"
-    versions = {"light-double": (Version(("ada", "bob"), source, frozenset({1})),)}
-    page = similarity_page([SimilarGroup("light", 1.0, ("ada", "bob"), versions)], {"ada": "A", "bob": "B"})
-    assert "path = &#39;…&#39;, &#39;…/key&#39;, &#39;/usr/lib&#39;" in page
-    assert sys.prefix not in page and str(Path(__file__).parents[3]) not in page
 
 
 def test_no_page_contains_anything_that_runs_or_loads(pages):
@@ -323,18 +314,6 @@ def test_an_answer_in_another_cell_is_listed_for_the_teacher(alike):
     assert not [row for row in rows if "<bdi>quotes</bdi>" in row]  # no slip
 
 
-def similar_page(folder):
-    """The page of similar submissions: two answers of a hundred lines, side by side."""
-    source = "\n".join(f"line_{number} = {EVIL!r} * {number}" for number in range(100))
-    versions = tuple(Version((name,), source, frozenset({1, 2, 99})) for name in ("ada", NAME))
-    names = ["ada", NAME, *(f"learner {number}" for number in range(40))]
-    many = SimilarGroup("light", 1.0, tuple(names), {"light-double": (Version(names, source, frozenset()),)})
-    group = SimilarGroup("light", 0.9, ("ada", NAME), {"light-double": versions})
-    path = folder / "similar.html"
-    path.write_text(similarity_page([many, group], {name: name for name in names}), encoding="utf-8")
-    return path
-
-
 @pytest.mark.browser
 def test_the_pages_in_a_browser(pages, tmp_path):
     from playwright.sync_api import sync_playwright
@@ -347,7 +326,6 @@ def test_the_pages_in_a_browser(pages, tmp_path):
         complaints = []
         page.on("console", lambda message: complaints.append(message.text))
         page.on("dialog", lambda dialog: complaints.append("a dialog"))
-        pages = pages | {"similar": similar_page(tmp_path)}
         for path in pages.values():
             page.goto(path.as_uri())
             page.eval_on_selector_all("details", "all => all.forEach(each => each.open = true)")
@@ -366,11 +344,6 @@ def test_the_pages_in_a_browser(pages, tmp_path):
             assert page.eval_on_selector_all(".line", apart) == 0  # points stand beside their title
             displays = "all => [...new Set(all.map(each => getComputedStyle(each).display))]"
             assert page.eval_on_selector_all("table.stack td:not(.drawn)", displays) in ([], ["block"])
-        page.goto(pages["similar"].as_uri())
-        page.eval_on_selector_all("details", "all => all.forEach(each => each.open = true)")
-        page.emulate_media(media="print")
-        lost = "all => all.map(each => each.scrollHeight - each.clientHeight)"
-        assert page.eval_on_selector_all("pre.source", lost) == [0, 0, 0]  # paper does not scroll
         page.goto(pages["ada"].as_uri())
         widths = page.eval_on_selector_all("figure img", "all => all.map(each => each.naturalWidth)")
         assert widths == [192, 192, 192, 192]
