@@ -102,7 +102,7 @@ def grade_submissions(
             roster=roster_report(roster, learners) if roster is not None else None,
             anonymous=anonymous,
         )
-        write_grades(out, grades, learners, answer_keys.lessons, pages, store)
+        write_grades(out, grades, learners, pages, store)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, table_lines, pages.failed)
 

@@ -14,7 +14,6 @@ from .anonymity import learner_without_name, without_names
 from .changes import PREVIOUS, changes_page, read_grades
 from .grades_json import grades_text, learner_entry
 from .lms_export import checks_csv, exports, feedback_zips, grades_csv
-from .predictions import predictions_page
 from .report import label_of, learner_page, map_of, render_page
 from .result_store import write_grades_file
 from .review import FOLDER, AnswerParts, review_pages
@@ -23,7 +22,6 @@ from .summary import summary_page
 _GIVEN_BACK = ("learners", "exports")
 _OTHER_PAGES = {
     "review.html": "Answers and decisions, by exercise",
-    "predictions.html": "What the learners predicted",
     "changes.html": "What changed since the run before",
     "drives.html": "The drives, on maps",
 }
@@ -83,7 +81,7 @@ class LearnerPages:
             self.parts.keep(learner.name, exercise["id"], answers.get(exercise["id"], ""), exercise["review"])
 
 
-def write_grades(out, grades, learners, lessons, pages, store):
+def write_grades(out, grades, learners, pages, store):
     """Write all but the results and the learners' pages; `learners` in the order of grades["learners"]."""
     before, text = read_grades(out / "grades.json"), grades_text(grades)
     changed = before is not None and grades_text(before) != text
@@ -96,7 +94,6 @@ def write_grades(out, grades, learners, lessons, pages, store):
     if changed:  # else the page shows the last change
         write_grades_file(out / PREVIOUS, grades_text(before))
         write_grades_file(out / "changes.html", changes_page(before, grades, names))
-    _write_or_remove(out / "predictions.html", predictions_page(learners, lessons, names))
     _write_or_remove(out / "drives.html", _drives_page(learners, store, names))
     _write_review(out, page_grades, pages.parts, {shown: name for name, shown in names.items()})
     files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())

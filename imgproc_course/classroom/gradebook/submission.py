@@ -19,8 +19,6 @@ from ..exercises.running import answer_name
 from ..exercises.source_remarks import STUB_LINE
 from .submission_reader import MOST_CHARACTERS
 
-_LONGEST_PREDICTION = 1_000  # characters
-_MOST_PREDICTIONS = 100
 _MOST_NAMES = 8  # that a finding lists
 GRADED_WITH_IT = "which is graded with it"
 ONE_LESSON = "a notebook counts for one lesson: submit the others as notebooks of their own"
@@ -60,7 +58,6 @@ class SubmissionContent:
     version   of the course, as the notebook says
     answers   {exercise id: source}; states: {exercise id: AnswerState} of every exercise
     claims    exercise ids whose stored outputs say that every check passes
-    predictions  {cell id: source}
     is_page   it is a page of the course that has no answers, such as the index
     """
 
@@ -70,7 +67,6 @@ class SubmissionContent:
     states: dict = field(default_factory=dict)
     findings: list = field(default_factory=list)
     claims: list = field(default_factory=list)
-    predictions: dict = field(default_factory=dict)
     reason: str = ""
     is_page: bool = False
 
@@ -98,7 +94,6 @@ def read_submission(data, catalog, reader, name=""):
             content.reason += f"; it says that it is {sanitize_line(notebook['lesson'], 80)!r}"
         return content
     lesson = catalog.describe(content.lesson, content.version)
-    content.predictions = _predictions(cells, lesson)
     _inspect_notebook(notebook, cells, lesson, content)
     answers = {}
     for exercise in lesson.exercises:
@@ -108,15 +103,6 @@ def read_submission(data, catalog, reader, name=""):
         _report_other_tries(exercise, cells, content)
     _compose_answers(answers, notebook["cells"], reader, content)
     return content
-
-
-def _predictions(cells, lesson):
-    """{id: source} of the predict cells; of a lesson that was handed out with some only those."""
-    handed_out = {id for id in lesson.cells if id.startswith("predict-")}
-    own = [cell for cell in cells if cell["id"].startswith(f"predict-{lesson.name}-") and cell["source"]]
-    own = [cell for cell in own if not handed_out or cell["id"] in handed_out]
-    predictions = {cell["id"]: cell["source"][:_LONGEST_PREDICTION] for cell in own}
-    return dict(list(predictions.items())[:_MOST_PREDICTIONS])
 
 
 def lesson_by_name(name, lessons):

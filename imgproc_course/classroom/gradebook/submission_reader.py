@@ -32,7 +32,7 @@ else:
 MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
 MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what comes after is not searched
-_COURSE_IDS = ("answer-", "check-", "given-", "predict-")
+_COURSE_IDS = ("answer-", "check-", "given-")
 _MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_COUNT = 1_000_000  # runs of cells

@@ -564,17 +564,6 @@ def _circle(lesson):
         lesson["cells"].append({"id": f"h{number}", "cell_type": "code", "metadata": {}, "source": source})
 
 
-@of_cells(
-    303,
-    "predictions that are markup and formulas",
-    never=(("**/*.html", "<script>alert"), ("**/*.csv", "=x9")),
-)
-def _predictions(lesson):
-    for text in ("<script>alert(1)</script>", "=x9|' /C calc'!A0", "\u202e\x1b[31m", "x" * 3_000_000):
-        cell = {"id": "predict-light-1", "cell_type": "code", "metadata": {}, "source": text, "outputs": []}
-        lesson["cells"].append(cell)
-
-
 @of_cells(304, "a source of a million lines of one letter", "longer than")
 def _lines(lesson):
     cell_of(lesson, "answer-light-double")["source"] = ["#\n"] * 1_000_000 + ["def double(p): return p"]
@@ -759,25 +748,6 @@ def _many_members(folder, light):
             archive.writestr(zipfile.ZipInfo(f"{number}.txt"), "")
     for number in range(4):
         write(folder / f"{number}.zip", buffer.getvalue())
-
-
-@of_cells(
-    407,
-    "thousands of questions that the lesson does not ask",
-    never=(("predictions.html", "predict-light-777"),),
-)
-def _made_up_questions(lesson):
-    for number in range(4_900):
-        source = f"guess_{number} = {'<' * 300}  # your guess: {'&' * 300}"
-        lesson["cells"].append(
-            {
-                "id": f"predict-light-{number}",
-                "cell_type": "code",
-                "metadata": {},
-                "source": source,
-                "outputs": [],
-            }
-        )
 
 
 @attack(408, "a hundred files of no lesson", "it is not one of the lessons")

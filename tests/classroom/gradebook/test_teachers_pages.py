@@ -1,4 +1,4 @@
-"""The teacher's pages: what to look at, lines for decisions, predictions, changes, ids, feedback zips."""
+"""The teacher's pages: what to look at, lines for decisions, changes, ids, feedback zips."""
 
 import csv
 import html
@@ -19,30 +19,18 @@ from imgproc_course.cli import main
 
 pytestmark = pytest.mark.sandbox
 MOODLE = "Ada_B Lovelace_12345_assignsubmission_file_"
-EVIL = "<script>alert(1)</script>"
 
 
 @pytest.fixture(scope="module")
 def class_folder(light, key_path, tmp_path_factory):
     folder = tmp_path_factory.mktemp("class")
     right = answers_of(light, "right")
-    write(folder / "in" / MOODLE / "20_light.ipynb", guessing(light, right, "12  # your guess: how many?"))
-    write(folder / "in" / "lovelacebob_LATE_77_100_20_light-1.ipynb", guessing(light, right, EVIL))
-    cheating = guessing(
-        light, right | {"light-double": "def double(p):\n    import os\n    os._exit(0)"}, "12"
-    )
+    write(folder / "in" / MOODLE / "20_light.ipynb", notebook(light, right))
+    write(folder / "in" / "lovelacebob_LATE_77_100_20_light-1.ipynb", notebook(light, right))
+    cheating = notebook(light, right | {"light-double": "def double(p):\n    import os\n    os._exit(0)"})
     write(folder / "in" / "eve" / "20_light.ipynb", cheating)
     write(folder / "in" / "Zoe, =1+1" / "20_light.ipynb", b"{")
     return folder
-
-
-def guessing(light, answers, guess):
-    made = notebook(light, answers)
-    source = f"# mine\nguess_sum = {guess}"
-    made["cells"].insert(
-        1, cell_of(made, "answer-light-double") | {"id": "predict-light-1", "source": source}
-    )
-    return made
 
 
 @pytest.fixture(scope="module")
@@ -228,15 +216,6 @@ def test_one_learner_and_one_lesson_are_not_plural(light, submissions, key_path,
     assert "<b>1</b>learner<" in text and "of 1 submission graded" in text
 
 
-def test_predictions_are_collected_as_text(graded):
-    text = (graded[1] / "predictions.html").read_text(encoding="utf-8")
-    assert "guess_sum: how many?</caption>" in text
-    row = text.partition("<code>12</code>")[2].partition("</tr>")[0]
-    assert "<bdi>Ada_B Lovelace</bdi>" in row and "<bdi>eve</bdi>" in row
-    assert "<code>&lt;script&gt;alert(1)&lt;/script&gt;</code>" in text and "<script" not in text
-    assert 'href="predictions.html"' in (graded[1] / "summary.html").read_text(encoding="utf-8")
-
-
 def test_the_zips_of_feedback_have_the_names_that_moodle_and_canvas_read(graded):
     with zipfile.ZipFile(graded[1] / "exports" / "moodle-feedback-light.zip") as archive:
         (name,) = archive.namelist()
@@ -354,7 +333,7 @@ def test_anonymous_pages_show_no_name(class_folder, graded, key_path, tmp_path):
         assert re.fullmatch(r"learners/learner-[0-9a-f]{10}\.html", learner["page"])
     pages = [*out.glob("*.html"), *(out / "learners").iterdir()]
     pages += (out / "review").iterdir()
-    assert len(pages) == 9
+    assert len(pages) == 8
     for path in pages:
         text = path.read_text(encoding="utf-8")
         assert not re.search("lovelace|zoe|\\beve\\b|20_light", text, re.I), path.name
