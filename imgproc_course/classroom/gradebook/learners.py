@@ -26,7 +26,7 @@ READING_SECONDS = 30  # for all notebooks of one sender
 _NO_NAMES = """[a-z] ps version final old new copy of kopie von conflicted backup draft try attempt fixed
     my work solution solved answers? abgabe loesung lösung submissions? submitted homework hw week woche lab
     lessons? task exercises? uebung übung blatt aufgabe assignment project notebooks? untitled imgproc course
-    downloads desktop first second third last better best mine"""
+    downloads desktop zip first second third last better best mine"""
 _NO_NAME = re.compile(rf"(?:{'|'.join(_NO_NAMES.split())})?\d{{0,4}}")
 _TOO_SLOW_TOGETHER = "reading the earlier notebooks of this submission took too much time; submit fewer"
 
@@ -294,6 +294,8 @@ def require_one_person_each(learners, lessons, known):
 def _inner_name(file, lessons):
     """The words that may name a person, of a file and its folders in the folder or zip of its sender."""
     path = unicodedata.normalize("NFC", "/".join(_own_parts(file)[1:])).casefold().partition(".ipynb")[0]
+    if "\\" in path or path.rpartition("/")[2].startswith("-"):  # hidden marks, options: nobody is called so
+        return frozenset()
     others = {word for lesson in lessons for word in lesson.split("_")}
     words = (word for word in re.findall(r"[^\W_]+", path) if word not in others)
     return frozenset(

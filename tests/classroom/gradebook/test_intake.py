@@ -92,7 +92,7 @@ ONE_PERSON = [
     ["Ada Lovelace/lovelace_20_light.ipynb", "Ada Lovelace/Ada-L sound.ipynb"],
     ["group 7/ada.ipynb", "group 7/ada and bob sound.ipynb"],
     ["ada/week 1/20_light.ipynb", "ada/week 2/21_sound.ipynb", "ada/Homework 3.ipynb"],
-    ["ada.zip/20_light.ipynb", "ada.zip/Downloads/20_light (1).ipynb"],
+    ["ada.zip/20_light.ipynb", "ada.zip/Downloads/20_light (1).ipynb", "ada/-rf.ipynb", "ada/a\nb.ipynb"],
     ["Ada_1_assignsubmission_file_/mine.ipynb", "Ada_1_assignsubmission_file_/better.ipynb"],
     ["20_light/ada.ipynb", "20_light/bob.ipynb", "21_sound/ada.ipynb", "cy.ipynb", "dora_20_light-1.ipynb"],
 ]
