@@ -171,8 +171,7 @@ def _doubt(counting, other):
     if _way_of(other.file) != _way_of(counting.file):
         return f"{other.file.source} has other answers and came in another way; only one file counts"
     if not counting.file.platform and len(_own_parts(counting.file)) == 1:
-        text = f"{other.file.source} has other answers, and nothing but its name says whose it is"
-        return f"{text}; only one file counts"
+        return f"{other.file.source} has other answers; only one file counts, and only its name says whose"
     return ""
 
 
