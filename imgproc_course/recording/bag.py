@@ -1,58 +1,30 @@
-"""A rosbag2 recording, MCAP or sqlite3, read lazily: message k of a topic without the messages after it."""
+"""A rosbag2 recording, MCAP or SQLite, read lazily: message k of a topic without the messages after it.
 
-import itertools
+Its files say what is in it. Of metadata.yaml, only the files' order and the number of messages are used.
+"""
+
 import os
+import re
+import shutil
 import struct
 import sys
+import tempfile
 import threading
 import weakref
-from contextlib import ExitStack, contextmanager
-from pathlib import Path
+from contextlib import ExitStack, contextmanager, suppress
+from pathlib import Path, PurePath
+from typing import Any, NamedTuple
 
-import apsw
-from backports.zstd import ZstdError
-from rosbags.highlevel import AnyReader
-from rosbags.highlevel.anyreader import AnyReaderError
-from rosbags.rosbag2 import ReaderError
-from rosbags.serde import SerdeError
-from rosbags.typesys import Stores, TypesysError, get_typestore
+from ruamel.yaml import YAML
+from ruamel.yaml.error import YAMLError
 
-from ..messages.message_classes import message_types
+from .channels import READ_ERRORS, Channel, typestores_of, zstd
 from .errors import FrameIndexError, NotRecordedError, RecordingError
-from .mcap import CutReader, damaged_spans
+from .mcap import McapFile
+from .sqlite import SqliteFile
 
-STORAGE_SUFFIXES = (".mcap", ".db3")
-# The exceptions of rosbags on damaged bytes. tests/recording flips and cuts bytes to check this list.
-READ_ERRORS = (
-    *(AnyReaderError, ReaderError, SerdeError, TypesysError, ZstdError, apsw.Error, struct.error),
-    *(ArithmeticError, AssertionError, EOFError, LookupError, MemoryError, OSError, RuntimeError),
-    *(TypeError, ValueError),
-)
-# The types whose fields this package reads by name.
-READ_TYPES = {
-    "sensor_msgs/msg/Image",
-    "sensor_msgs/msg/CompressedImage",
-    "sensor_msgs/msg/CameraInfo",
-    "geometry_msgs/msg/PoseStamped",
-    "std_msgs/msg/String",
-}
-
-
-def _table_of_contents(reader):
-    """{topic: (message type, number of messages)}, in the order in which the recorder added the topics."""
-    contents = {}
-    for topic, info in sorted(reader.topics.items(), key=lambda item: item[1].connections[0].id):
-        if not 0 <= info.msgcount <= sys.maxsize:
-            raise ReaderError(f"it claims {info.msgcount} messages on {topic}")
-        contents[str(topic)] = (str(info.connections[0].msgtype), info.msgcount)
-    return contents
-
-
-def _check_types(kinds, types):
-    """Checks the message definitions in the bag: those that this package reads must be the ones of ROS."""
-    for kind in sorted(READ_TYPES & kinds):
-        if types.hash_rihs01(kind) != message_types().hash_rihs01(kind):
-            raise ReaderError(f"its definition of {kind} differs from that of ROS")
+FILE_CLASSES = {".mcap": McapFile, ".db3": SqliteFile}
+ZSTD_MAGIC = b"\x28\xb5\x2f\xfd"
 
 
 def find_bag(path):
@@ -66,62 +38,60 @@ def find_bag(path):
         )
     if not os.access(path, os.R_OK):
         raise RecordingError(f"you may not read {path}; change its permissions: chmod -R u+rwX {path}")
-    if path.is_dir():
-        return _find_in_folder(path)
-    if path.suffix not in STORAGE_SUFFIXES:
-        reasons = {
-            ".bag": f"a ROS 1 bag; convert it: rosbags-convert --src {path} --dst {path.stem}",
-            ".zstd": f"compressed as a file; open its folder, or unpack it first: zstd -d {path}",
-        }
-        other = "not a rosbag2 recording; give a folder with metadata.yaml, a .mcap or a .db3"
-        raise RecordingError(f"{path} is {reasons.get(path.suffix, other)}")
+    if path.is_dir() or _storage_suffix(path):
+        return path
+    reason = "not a rosbag2 recording; give a folder with metadata.yaml, a .mcap or a .db3"
+    if path.suffix == ".bag":
+        reason = f"a ROS 1 bag; convert it: rosbags-convert --src {path} --dst {path.stem}"
+    raise RecordingError(f"{path} is {reason}")
+
+
+def _storage_suffix(path):
+    """ ".mcap" or ".db3", also if the file is compressed as a whole; None for any other file."""
+    suffix = PurePath(path.name.removesuffix(".zstd")).suffix
+    return suffix if suffix in FILE_CLASSES else None
+
+
+def _stated(folder):
+    """(names of the files, number of messages) in a folder's metadata.yaml; ([], 0) if it cannot be read."""
+    try:
+        text = (folder / "metadata.yaml").read_text(errors="replace")
+        information = YAML(typ="safe").load(text)["rosbag2_bagfile_information"]
+        names = [PurePath(name).name for name in information["relative_file_paths"]]
+        return names, int(information["message_count"])
+    except (YAMLError, OSError, LookupError, TypeError, ValueError, AttributeError):
+        return [], 0
+
+
+def _files_of(folder, names):
+    """(the files of a folder, the names of missing ones), as metadata.yaml names them, or else by number."""
+    files = {path.name.removesuffix(".zstd"): path for path in sorted(folder.iterdir(), reverse=True)}
+    files = {name: path for name, path in files.items() if _storage_suffix(path)}
+    names = [name.removesuffix(".zstd") for name in names]
+    if present := [files[name] for name in names if name in files]:
+        return present, [name for name in names if name not in files]
+    if not files:
+        reason = "holds no recording: no metadata.yaml, no .mcap, no .db3; give another folder"
+        if names:
+            reason = f"lacks {', '.join(names)}, which its metadata.yaml names; copy the whole folder again"
+        raise RecordingError(f"{folder} {reason}")
+    if len({re.sub(r"_\d+(?=\.\w+$)", "", name) for name in files}) > 1:
+        listed = ", ".join(sorted(files))
+        raise RecordingError(f"{folder} holds several recordings; give the path of one of them: {listed}")
+    return [files[name] for name in sorted(files, key=lambda name: (len(name), name))], []
+
+
+def _opened(path, stack):
+    """A file of a recording; one that is compressed as a whole is unpacked first, as far as it goes."""
+    name, storage_class = path.name, FILE_CLASSES[_storage_suffix(path)]
     if path.stat().st_size == 0:
         raise RecordingError(f"{path} is empty; the recording stopped before its first message: record again")
-    return path
-
-
-def _find_in_folder(folder):
-    if (folder / "metadata.yaml").is_file():
-        return folder
-    files = sorted(file for file in folder.iterdir() if file.suffix in STORAGE_SUFFIXES)
-    if len(files) == 1:
-        return find_bag(files[0])
-    if files:
-        raise RecordingError(
-            f"{folder} has {len(files)} files and no metadata.yaml; create it: ros2 bag reindex {folder}"
-        )
-    raise RecordingError(
-        f"{folder} holds no recording: no metadata.yaml, no .mcap, no .db3; give another folder"
-    )
-
-
-def _remedy(path, error):
-    text = str(error)
-    if "ompression" in text or "ecompress" in text:
-        return "write it again with a compression that rosbags knows (none, zstd, lz4): ros2 bag convert"
-    if path.is_dir() and ("metadata" in text or "missing" in text):
-        return f"its metadata.yaml is damaged or a file is missing: ros2 bag reindex {path}"
-    if path.suffix == ".db3" or (path.is_dir() and any(path.glob("*.db3"))):
-        return "it is cut short or not a bag; try: sqlite3 damaged.db3 .recover | sqlite3 repaired.db3"
-    return (
-        "it is cut short or not a bag; try: ros2 bag reindex FOLDER, "
-        "or: mcap recover damaged.mcap -o repaired.mcap"
-    )
-
-
-def _damage(path):
-    """When an MCAP recording is damaged, in seconds after its first message; "" if no chunk is."""
-    files = sorted(path.glob("*.mcap")) if path.is_dir() else [path]
-    if path.suffix != ".mcap" and len(files) != 1:
-        return ""
-    try:
-        spans, first = damaged_spans(files[0])
-    except READ_ERRORS:
-        return ""
-    return " and ".join(
-        f"from {(start - first) / 1e9:.1f} to {(end - first) / 1e9:.1f} s after its first message"
-        for start, end in spans[:3]
-    )
+    if path.suffix == ".zstd":
+        unpacked = Path(stack.enter_context(tempfile.TemporaryDirectory()), "unpacked")
+        with zstd.open(path) as packed, unpacked.open("wb") as copy, suppress(EOFError, zstd.ZstdError):
+            shutil.copyfileobj(packed, copy)
+        path = unpacked
+    return storage_class(path, name, stack)
 
 
 @contextmanager
@@ -136,67 +106,27 @@ def reading(path):
             f"you may not read {path}: {error.strerror}; change its owner or its permissions"
         ) from error
     except READ_ERRORS as error:
-        reason = " ".join(str(error).split()) or type(error).__name__
-        if damage := _damage(Path(path)):
-            raise RecordingError(
-                f"{path} is damaged {damage} ({reason[:200]}); read what lies before, and copy it again"
-            ) from error
         raise RecordingError(
-            f"{path} cannot be read ({reason[:200]}); {_remedy(Path(path), error)}"
+            f"{path} cannot be read ({_reason(error)}); it is cut short or not a bag: "
+            "copy it again from where it was recorded"
         ) from error
 
 
-def _opened(path, stack):
-    any_reader = AnyReader([path], default_typestore=get_typestore(Stores.ROS2_JAZZY))
-    any_reader.readers = [CutReader(path)]
-    return stack.enter_context(any_reader)
+def _reason(error):
+    return " ".join(str(error).split())[:200] or type(error).__name__
 
 
-def _missing(path, any_reader):
-    """What a recording lacks that was cut off, in a sentence; None if it is complete, or in several files."""
-    storage = any_reader.readers[0].storage
-    storages = getattr(storage, "storages", [storage])
-    if len(storages) != 1 or getattr(storages[0], "missing", None) is None:
-        return None
-    (file,) = storages
-    count, chunks = file.statistics.message_count, file.chunks
-    seconds = (max(chunk[1] for chunk in chunks) - min(chunk[0] for chunk in chunks)) / 1e9
-    stated = f"{any_reader.message_count - count} of {any_reader.message_count} messages are missing"
-    lost = stated if path.is_dir() else "how many messages are missing is not known"
-    tail = f", and its last {file.missing / 1e6:.2f} MB cannot be read" if file.missing else ""
-    return f"{path.name} was cut off: it has {count} messages of {seconds:.1f} s; {lost}{tail}"
+def _unpacked(raw):
+    """A serialized message, which may be compressed on its own."""
+    return zstd.decompress(raw) if raw[:4] == ZSTD_MAGIC else raw
 
 
-class TopicIndex:
-    """The time of each message of a topic, read from the recording only as far as needed."""
+class TopicIndex(NamedTuple):
+    """Where each message of a topic is, and its time, read from the recording only as far as needed."""
 
-    def __init__(self, messages):
-        self._messages = messages  # iterator of (log time in ns, serialized message)
-        self._error = None  # raised again later: after it the iterator would look as if the bag ended
-        self.times = []  # log time in ns
-        self.stamps = []  # header stamp in ns, or the log time if the header's stamp is zero
-
-    def read_to(self, k=None):
-        """Reads until message k is known, or to the end."""
-        while k is None or len(self.times) <= k:
-            if self._error is not None:
-                raise self._error
-            try:
-                entry = next(self._messages, None)
-            except READ_ERRORS as error:
-                self._error = error
-                raise
-            if entry is None:
-                return
-            time, raw = entry
-            self.times.append(time)
-            self.stamps.append(header_stamp(raw) or time)
-
-
-def _messages(reader, topic, start=None, stop=None):
-    connections = [connection for connection in reader.connections if connection.topic == topic]
-    for _, time, raw in reader.messages(connections, start, stop):
-        yield time, raw
+    entries: Any  # iterator of (log time in ns, place, serialized message or None)
+    places: list
+    stamps: list[int]  # header stamp in ns, or the log time if the header's stamp is zero
 
 
 def header_stamp(raw):
@@ -215,20 +145,50 @@ class Bag:
         self.path = find_bag(source)
         self._lock = threading.RLock()
         self._indexes = {}
+        self._files: list[Any] = []
         stack = ExitStack()
         self._close = weakref.finalize(self, stack.close)
-        with reading(self.path):
-            any_reader = _opened(self.path, stack)
-            self.missing = _missing(self.path, any_reader)
-            if self.missing and self.path.is_dir():
-                # The counts of metadata.yaml are those of the complete file.
-                self.path = any_reader.readers[0].storage.storages[0].path
-                any_reader = _opened(self.path, stack)
-            self._stack = stack
-            self._reader = any_reader.readers[0]
-            self.types = any_reader.typestore
-            self.topics = _table_of_contents(any_reader)
-            _check_types({kind for kind, _ in self.topics.values()}, self.types)
+        self.missing = self._open_files(stack)
+        self._channels: dict[str, Channel] = {}  # by topic: the first in CDR, or the first
+        channels = [channel for file in self._files for channel in file.channels.values()]
+        for channel in sorted(channels, key=lambda channel: channel.encoding != "cdr"):
+            self._channels.setdefault(channel.topic, channel)
+        self.topics = {
+            topic: (self._channels[topic].kind, self._count(topic))
+            for topic in dict.fromkeys(channel.topic for channel in channels)
+        }
+
+    def _open_files(self, stack):
+        """Opens each file that can be read, and says in a sentence what is missing; None if nothing is."""
+        paths, absent, stated = [self.path], [], 0
+        if self.path.is_dir():
+            names, stated = _stated(self.path)
+            paths, absent = _files_of(self.path, names)
+        problems, errors = [f"{name} is missing" for name in absent], []
+        for path in paths:
+            try:
+                self._files.append(_opened(path, stack))
+            except READ_ERRORS as error:
+                errors.append(error)
+                problems.append(f"{path.name} cannot be read ({_reason(error)})")
+        if not self._files:
+            with reading(self.path if len(paths) > 1 else paths[0]):
+                raise errors[0]
+        return self._missing(problems, stated)
+
+    def _missing(self, problems, stated):
+        count = sum(file.counts.total() for file in self._files)
+        for file in self._files:
+            if file.problem:
+                known = f"it has {file.counts.total()} messages of {file.seconds:.1f} s"
+                problems.append(f"{file.name} {file.problem}: {known}")
+        if not problems and count >= stated:
+            return None
+        stated_loss = f"{stated - count} of {stated} messages are missing"
+        loss = stated_loss if stated >= count else "how many messages are missing is not known"
+        tail = sum(file.missing for file in self._files)
+        unread = f", and its last {tail / 1e6:.2f} MB cannot be read" if tail else ""
+        return "; ".join([*(problems or [f"{self.path.name} is not complete"]), loss]) + unread
 
     def close(self):
         with self._lock:
@@ -243,59 +203,90 @@ class Bag:
     def count(self, topic):
         return self.topics[topic][1]
 
+    def _count(self, topic):
+        return sum(file.counts[number] for file in self._files for number in self._numbers(file, topic))
+
+    def _numbers(self, file, topic):
+        """The channels of a file with the messages of a topic, or of all topics."""
+        if topic is None:
+            return set(file.channels)
+        return {
+            number for number, channel in file.channels.items() if channel[:3] == self._channels[topic][:3]
+        }
+
+    def unreadable(self, topic):
+        """Why no message of a topic can be read; "" if they can."""
+        return typestores_of(self._channels[topic])[1]
+
+    def _entries(self, topic=None):
+        """Yields (log time, place, serialized message or None if it is damaged) in the order of recording."""
+        for file in self._files:
+            for time, place, number, raw in file.messages(self._numbers(file, topic)):
+                with suppress(zstd.ZstdError, TypeError):  # of what is damaged, an error says later
+                    raw = _unpacked(raw)
+                yield time, (file, place, file.channels[number]), raw
+
+    def _raw_at(self, file, place, _):
+        with self._lock, reading(self.path):
+            return _unpacked(file.read(place))
+
     def raw(self, topic, k):
         """Message k of a topic, serialized (CDR)."""
-        index = self.index(topic, k)
-        if not 0 <= k < len(index.times):
-            self._raise_no_message(topic, k, len(index.times))
-        time = index.times[k]
-        earlier = index.times[:k].count(time)
-        with self._lock, reading(self.path):
-            for _, raw in itertools.islice(_messages(self._reader, topic, time, time + 1), earlier, None):
-                return bytes(raw)
-        raise RecordingError(
-            f"message {k} of {topic} is no longer in {self.path}; if the file was changed, open it again"
-        )
+        return self._read(topic, k)[0]
 
     def message(self, topic, k):
         """Message k of a topic, of the classes of rosbags."""
-        return self.deserialize(self.raw(topic, k), self.topics[topic][0])
+        return self.deserialize(*self._read(topic, k))
+
+    def _read(self, topic, k):
+        places = self.index(topic, k).places
+        if not 0 <= k < len(places):
+            raise FrameIndexError(
+                f"{topic} has messages 0 to {len(places) - 1}, got {k}; choose one of these"
+            )
+        return self._raw_at(*places[k]), places[k][-1]
 
     def index(self, topic, k=None):
         """The topic's index, read to message k, or to the end."""
         self.check_open()
         with self._lock, reading(self.path):
-            if topic not in self._indexes:
-                if topic not in self.topics:
-                    raise NotRecordedError(
-                        f"{self.path.name} has no topic {topic}; it has {', '.join(self.topics)}"
-                    )
-                # A separate reader: its position in the file must not move when another message is read.
-                reader = self._stack.enter_context(CutReader(self.path))
-                messages = _messages(reader, topic)
-                # Runs first: sqlite does not close a file that is being read.
-                self._stack.callback(messages.close)
-                self._indexes[topic] = TopicIndex(messages)
-            index = self._indexes[topic]
-            index.read_to(k)
+            if topic not in self.topics:
+                raise NotRecordedError(
+                    f"{self.path.name} has no topic {topic}; it has {', '.join(self.topics)}"
+                )
+            # Kept only if reading ends well: after an error, the iterator would look as if the bag ended.
+            index = self._indexes.pop(topic, None) or TopicIndex(self._entries(topic), [], [])
+            while k is None or len(index.places) <= k:
+                entry = next(index.entries, None)
+                if entry is None:
+                    break
+                time, place, raw = entry
+                index.places.append(place)
+                index.stamps.append((raw and header_stamp(raw)) or min(time, sys.maxsize))
+            self._indexes[topic] = index
             return index
 
-    def read(self):
-        """Yields (topic, serialized message, message type) in the order of recording."""
-        self.check_open()
-        with reading(self.path), CutReader(self.path) as reader:
-            for connection, _, raw in reader.messages():
-                yield connection.topic, bytes(raw), connection.msgtype
+    def messages(self):
+        """Yields (topic, message), or (topic, error) if it cannot be read, in the order of recording."""
+        entries = self._entries()
+        while True:
+            self.check_open()
+            with self._lock, reading(self.path):
+                entry = next(entries, None)
+            if entry is None:
+                return
+            _, place, raw = entry
+            try:
+                message = self.deserialize(self._raw_at(*place) if raw is None else raw, place[-1])
+            except RecordingError as error:
+                message = error
+            yield place[-1].topic, message
 
-    def deserialize(self, raw, kind):
-        with reading(self.path):
-            return self.types.deserialize_cdr(raw, kind)
-
-    def _raise_no_message(self, topic, k, actual_count):
-        stated_count = self.count(topic)
-        if k < stated_count:
-            raise RecordingError(
-                f"{self.path} should hold {stated_count} messages on {topic} and holds {actual_count}; "
-                f"it is cut short: ros2 bag reindex {self.path.parent}"
-            )
-        raise FrameIndexError(f"{topic} has messages 0 to {actual_count - 1}, got {k}; choose one of these")
+    def deserialize(self, raw, channel):
+        typestores, reason = typestores_of(channel)
+        for types in typestores:
+            try:
+                return types.deserialize_cdr(raw, channel.kind)
+            except READ_ERRORS as error:
+                reason = f"a message is damaged ({_reason(error)}); read the others"
+        raise RecordingError(f"{channel.topic} of {self.path.name} cannot be read: {reason}")

@@ -1,145 +1,233 @@
-"""MCAP files: chunks with a CRC, and what can still be read of a file that was cut off.
+"""MCAP files: whatever wrote them, and also without index or end.
 
 The format: https://mcap.dev/spec
 """
 
+import contextlib
+import heapq
 import struct
-from binascii import crc32
-from types import MappingProxyType
-from typing import Any, NamedTuple
+from collections import Counter
+from typing import NamedTuple
 
-from backports.zstd import ZstdError
-from rosbags.rosbag2 import Reader, ReaderError, StoragePlugin, Writer
-from rosbags.rosbag2.reader import DirectoryReader
-from rosbags.rosbag2.storage_mcap import DECOMPRESSORS, ChunkInfo, McapReader, McapWriter, decompress
+from rosbags.rosbag2.storage_mcap import DECOMPRESSORS, decompress
 
-CHUNK = 0x06
+from .channels import READ_ERRORS, Channel
+from .errors import RecordingError
+
+FOOTER, SCHEMA, CHANNEL, MESSAGE, CHUNK, MESSAGE_INDEX, CHUNK_INDEX = range(2, 9)
 HEAD = struct.Struct("<BQ")  # of a record: what it is, its length
 CHUNK_HEAD = struct.Struct("<QQQII")  # start, end, size, CRC, length of the compression's name
-CRC_PLACE = HEAD.size + 24  # in a chunk
+MESSAGE_HEAD = struct.Struct("<HIQQ")  # channel, sequence, time of recording, time of publishing
+INDEX_HEAD = struct.Struct("<HI")  # channel, bytes of its entries, of which each has 16
+FOOTER_TAIL = struct.Struct("<9xQ12x8s")  # where the summary begins, the magic at the end
 MAGIC = b"\x89MCAP0\r\n"
 
 
-class _CheckedMcapWriter(McapWriter):
-    """Writes a CRC into each chunk, where rosbags writes 0."""
-
-    def close_chunk(self):
-        start, crc = self.bio.tell(), crc32(self.chunk.bio.getvalue())
-        super().close_chunk()
-        end = self.bio.tell()
-        self.bio.seek(start + CRC_PLACE)
-        self.bio.write(crc.to_bytes(4, "little"))
-        self.bio.seek(end)
-
-
-class CheckedWriter(Writer):
-    """rosbags' Writer, with a CRC in each chunk of an MCAP file."""
-
-    STORAGE_PLUGINS = MappingProxyType({**Writer.STORAGE_PLUGINS, StoragePlugin.MCAP: _CheckedMcapWriter})
-
-
-class Chunk(NamedTuple):
-    """A chunk of a file: times in ns, its place and whole length in bytes, and how its data are packed."""
+class Block(NamedTuple):
+    """A chunk, or a message outside of chunks: times in ns, its place in the file, {channel: messages}."""
 
     start: int
     end: int
     place: int
-    length: int
-    size: int
-    crc: int
-    compression: str
+    counts: dict[int, int]
 
-    @property
-    def packed(self):
-        """Bytes of its data in the file."""
-        return self.place + self.length - self.data_place
 
-    @property
-    def data_place(self):
-        return self.place + HEAD.size + CHUNK_HEAD.size + len(self.compression) + 8
+def records(read, place, end):
+    """Yields (kind, place of its data, their size) of each complete record between two places."""
+    while place + HEAD.size <= end:
+        kind, size = HEAD.unpack(read(place, HEAD.size))
+        place += HEAD.size
+        if not kind or place + size > end:
+            return
+        yield kind, place, size
+        place += size
 
-    def is_whole(self, file):
-        """Whether its data can be unpacked and have its CRC; True also if that cannot be known."""
-        if self.compression not in DECOMPRESSORS:
-            return True
-        file.seek(self.data_place)
-        data = file.read(self.packed)
+
+def unpacked(chunk):
+    """The records in a chunk, checked by its size and CRC."""
+    _, _, size, crc, _ = CHUNK_HEAD.unpack_from(chunk)
+    (compression,) = texts(chunk, CHUNK_HEAD.size - 4, 1)
+    if compression not in DECOMPRESSORS:
+        remedy = "record again with a compression that rosbags knows (none, zstd, lz4)"
+        raise RecordingError(f"a chunk has the compression {compression!r}; {remedy}")
+    place = CHUNK_HEAD.size + len(compression)
+    (packed,) = struct.unpack_from("<Q", chunk, place)
+    return decompress(chunk[place + 8 : place + 8 + packed], compression, size, crc)
+
+
+def texts(data, place, count):
+    """Yields the texts from a place in a record on."""
+    for _ in range(count):
+        (length,) = struct.unpack_from("<I", data, place)
+        yield bytes(data[place + 4 : place + 4 + length]).decode(errors="replace")
+        place += 4 + length
+
+
+class McapFile:
+    """An open file.
+
+    Attributes
+    ----------
+    name : of the file, for errors
+    channels : {number: Channel}
+    counts : {number of the channel: how many messages it has}
+    problem : what is wrong with the file as a whole; "" if nothing is
+    missing : bytes at its end that cannot be read
+    seconds : from its first message to its last
+    """
+
+    def __init__(self, path, name, stack):
+        self.name, self.problem, self.missing = name, "", 0
+        self.channels: dict[int, Channel] = {}
+        self._schemas: dict[int, tuple[str, ...]] = {0: ("", "", "")}  # name, language, definition
+        self._blocks: list[Block] = []
+        self._loaded: tuple[Block | None, memoryview] = None, memoryview(b"")
+        self._file = stack.enter_context(path.open("rb"))
+        self._size = self._file.seek(0, 2)
+        self._read_contents()
+        self.counts = Counter[int]()
+        for block in self._blocks:
+            self.counts.update(block.counts)
+        times = [time for block in self._blocks if block.counts for time in (block.start, block.end)]
+        self._first = min(times, default=0)
+        self.seconds = (max(times, default=0) - self._first) / 1e9
+
+    def _bytes(self, place, size):
+        if place + size > self._size:
+            raise EOFError("it ends early")
+        self._file.seek(place)
+        return self._file.read(size)
+
+    def _read_contents(self):
+        """Reads which channels there are, and where, from the records outside of chunks if they say it."""
+        if self._bytes(0, len(MAGIC)) != MAGIC and not any(self._places_in_summary()):
+            raise ValueError("it does not begin as an MCAP file does")
+        kind, end = 0, len(MAGIC)
+        for kind, place, size in self._records_outside_chunks():
+            end = place + size
+            if kind == CHUNK:
+                start, stop, *_ = CHUNK_HEAD.unpack(self._bytes(place, CHUNK_HEAD.size))
+                self._blocks.append(Block(start, stop, place - HEAD.size, {}))
+            elif kind == MESSAGE:
+                number, _, time, _ = MESSAGE_HEAD.unpack(self._bytes(place, MESSAGE_HEAD.size))
+                self._blocks.append(Block(time, time, place - HEAD.size, {number: 1}))
+            elif kind == MESSAGE_INDEX and self._blocks:
+                number, length = INDEX_HEAD.unpack(self._bytes(place, INDEX_HEAD.size))
+                self._blocks[-1].counts[number] = length // 16
+            elif kind in (SCHEMA, CHANNEL):
+                self._define(kind, self._bytes(place, size))
+        # Channels that the summary does not repeat are in chunks, perhaps long before their first message.
+        are_known = all(block.counts.keys() <= self.channels.keys() for block in self._blocks)
+        for block in self._blocks:
+            if not (are_known and block.counts):
+                self._look_into(block)
+        if kind != FOOTER:
+            self.problem, self.missing = "was cut off", self._size - end
+            if not self._blocks:
+                raise EOFError("it ends before its first complete chunk")
+
+    def _records_outside_chunks(self):
+        """Yields the records outside of chunks; after a broken one, it goes on where the summary says."""
+        kind, end, place = 0, 0, len(MAGIC)
+        while place and kind != FOOTER:
+            end = place
+            for kind, place, size in records(self._bytes, end, self._size):
+                yield kind, place, size
+                end = place + size
+            place = min((place for place in self._places_in_summary() if place > end), default=0)
+            if kind != FOOTER:
+                self.problem = "is damaged"
+
+    def _places_in_summary(self):
+        """Yields where the summary begins, and each chunk that it names."""
+        with contextlib.suppress(*READ_ERRORS):
+            end = self._size - FOOTER_TAIL.size
+            start, magic = FOOTER_TAIL.unpack(self._bytes(end, FOOTER_TAIL.size))
+            if start and magic == MAGIC:
+                yield start
+                for kind, place, _ in records(self._bytes, start, end):
+                    if kind == CHUNK_INDEX:
+                        yield struct.unpack("<16xQ", self._bytes(place, 24))[0]
+
+    def _define(self, kind, data):
+        """Takes in a schema, or a channel whose schema is known; one that is cut short is left out."""
+        with contextlib.suppress(struct.error):
+            if kind == SCHEMA:
+                self._schemas[struct.unpack_from("<H", data)[0]] = tuple(texts(data, 2, 3))
+            elif kind == CHANNEL:
+                number, schema = struct.unpack_from("<HH", data)
+                topic, encoding = texts(data, 4, 2)
+                if schema in self._schemas:
+                    name, *definition = self._schemas[schema]
+                    self.channels[number] = Channel.of(topic, name, encoding, *definition)
+
+    def _look_into(self, block):
+        """Reads the channels and the number of messages in a chunk."""
+        counts = Counter[int]()
         try:
-            decompress(data, self.compression, self.size, self.crc)
-        except (ReaderError, ZstdError, RuntimeError, ValueError, EOFError, MemoryError):
-            return False
-        return True
+            for kind, _, data in self._records_in(block):
+                self._define(kind, data)
+                if kind == MESSAGE:
+                    counts[MESSAGE_HEAD.unpack_from(data)[0]] += 1
+        except READ_ERRORS:
+            self.problem = "is damaged"
+        block.counts.update(counts)
 
+    def _load(self, block):
+        """The records of a block."""
+        if self._loaded[0] is not block:
+            kind, size = HEAD.unpack(self._bytes(block.place, HEAD.size))
+            data = self._bytes(block.place, HEAD.size + size)
+            self._loaded = block, memoryview(unpacked(data[HEAD.size :]) if kind == CHUNK else data)
+        return self._loaded[1]
 
-def scan_chunks(file):
-    """The complete chunks of an open MCAP file, and the place where its last complete record ends."""
-    length, place, chunks = file.seek(0, 2), len(MAGIC), []
-    while place + HEAD.size <= length:
-        file.seek(place)
-        kind, size = HEAD.unpack(file.read(HEAD.size))
-        if place + HEAD.size + size > length or not kind:
-            break
-        if kind == CHUNK:
-            start, end, unpacked, crc, name = CHUNK_HEAD.unpack(file.read(CHUNK_HEAD.size))
-            compression = file.read(name).decode()
-            chunks.append(Chunk(start, end, place, HEAD.size + size, unpacked, crc, compression))
-        place += HEAD.size + size
-    return chunks, place
+    def _records_in(self, block):
+        """Yields (kind, place in the block, data) of each record."""
+        data = self._load(block)
+        for kind, place, size in records(lambda place, size: data[place : place + size], 0, len(data)):
+            yield kind, place, data[place : place + size]
 
+    def messages(self, numbers):
+        """Yields (time in ns, place, channel's number, data) of some channels in the order of time.
 
-def damaged_spans(path):
-    """(start, end) in ns of each chunk of an MCAP file that is damaged, and when its first message was."""
-    with path.open("rb") as file:
-        chunks, _ = scan_chunks(file)
-        spans = [(chunk.start, chunk.end) for chunk in chunks if not chunk.is_whole(file)]
-    return spans, min((chunk.start for chunk in chunks), default=0)
+        Data are None where the file is damaged.
+        """
+        pending: list[tuple] = []
+        for index, block in sorted(enumerate(self._blocks), key=lambda entry: entry[1].start):
+            if block.counts.keys() & numbers:
+                while pending and pending[0][0] < block.start:
+                    yield heapq.heappop(pending)
+                for message in self._messages_in(index, block, numbers):
+                    heapq.heappush(pending, message)
+        while pending:
+            yield heapq.heappop(pending)
 
-
-class CutMcapReader(McapReader):
-    """Reads also an MCAP file without its end; then `missing` is the number of bytes of its broken piece."""
-
-    missing: int | None = None
-
-    def _open(self) -> None:
+    def _messages_in(self, index, block, numbers):
+        messages = []
         try:
-            super()._open()
-        except (ReaderError, OSError):
-            if not self.data_start or self._has_end():
-                raise
-            self._open_without_end()
+            for kind, place, data in self._records_in(block):
+                if kind == MESSAGE:
+                    number, _, time, _ = MESSAGE_HEAD.unpack_from(data)
+                    if number in numbers:
+                        messages.append((time, (index, place), number, bytes(data[MESSAGE_HEAD.size :])))
+        except READ_ERRORS:
+            lost = [number for number in block.counts.keys() & numbers for _ in range(block.counts[number])]
+            return [(block.start, (index, -k), number, None) for k, number in enumerate(lost, 1)]
+        return messages
 
-    def _has_end(self):
-        file: Any = self.bio
-        file.seek(-min(len(MAGIC), file.seek(0, 2)), 2)
-        return file.read() == MAGIC
-
-    def _open_without_end(self):
-        file: Any = self.bio
-        chunks, self.data_end = scan_chunks(file)
-        if not chunks:
-            raise ReaderError("it ends before its first complete chunk")
-        self.meta_scan()
-        statistics: Any = self.statistics
-        counts = statistics.channel_message_counts
-        self.connections = [
-            connection._replace(msgcount=counts.get(connection.id, 0)) for connection in self.connections
-        ]
-        # Which channels a chunk has is not known without its index: perhaps all.
-        channels = dict.fromkeys(self.channels, 1)
-        self.chunks = [
-            ChunkInfo(c.start, c.end, c.place, c.length, {}, 0, c.compression, c.packed, c.size, channels)
-            for c in chunks
-        ]
-        self.missing = file.seek(0, 2) - self.data_end
-
-
-class _CutDirectoryReader(DirectoryReader):
-    STORAGE_PLUGINS = MappingProxyType({**DirectoryReader.STORAGE_PLUGINS, "mcap": CutMcapReader})
-
-
-class CutReader(Reader):
-    """rosbags' Reader, also of a recording in MCAP that was cut off."""
-
-    STORAGE_PLUGINS = MappingProxyType(
-        {**Reader.STORAGE_PLUGINS, "dir": _CutDirectoryReader, ".mcap": CutMcapReader}
-    )
+    def read(self, place):
+        """The data of the message at a place."""
+        index, start = place
+        block = self._blocks[index]
+        try:
+            data = self._load(block)
+            _, size = HEAD.unpack(data[start - HEAD.size : start])
+            return bytes(data[start + MESSAGE_HEAD.size : start + size])
+        except RecordingError:
+            raise
+        except READ_ERRORS as error:
+            first, last = ((time - self._first) / 1e9 for time in (block.start, block.end))
+            raise RecordingError(
+                f"{self.name} is damaged from {first:.1f} to {last:.1f} s after its first message ({error}); "
+                "what lies before and after can be read; copy it again"
+            ) from error

@@ -1,9 +1,9 @@
 """A recorded drive: frames, messages, camera info, depth, labels, poses."""
 
 import array
-import contextlib
 import dataclasses
 import json
+import re
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
@@ -21,6 +21,12 @@ DRIVE = Path(__file__).parent / "drive"
 IMAGE = "sensor_msgs/msg/Image"
 COMPRESSED = "sensor_msgs/msg/CompressedImage"
 CAMERA_INFO = "sensor_msgs/msg/CameraInfo"
+COLOR, GRAY, UNKNOWN, DEPTH = range(4)  # types of images, the likeliest camera first
+# Images that a camera's driver or another program computes, and transports for a few programs only.
+OTHER_IMAGES = re.compile(
+    r"depth|disparity|infra|/ir\d*(/|$)|label|mask|segment|truth|debug|annotat|overlay|result|/zstd$|/ffmpeg$",
+    re.IGNORECASE,
+)
 
 
 def open_recording(source: str | Path = "drive", *, camera_topic: str | None = None) -> "Recording":
@@ -30,8 +36,8 @@ def open_recording(source: str | Path = "drive", *, camera_topic: str | None = N
     ----------
     source : "drive" for the course's own recording, or the path of your own rosbag2 recording: its folder,
         its .mcap or its .db3
-    camera_topic : the topic of the images that are the frames; if omitted, the first topic with color or gray
-        images
+    camera_topic : the topic of the images that are the frames; if omitted, it is chosen by the images and the
+        name: color before gray before depth
 
     Returns
     -------
@@ -41,7 +47,7 @@ def open_recording(source: str | Path = "drive", *, camera_topic: str | None = N
     ------
     RecordingError : the recording is missing, empty, not a recording, or has no images; the text is one line
         that says what to do
-    UserWarning : the recording was cut off, and opens with what it has; see `Recording.missing`
+    UserWarning : the recording is not complete, and opens with what it has; see `Recording.missing`
 
     Examples
     --------
@@ -56,7 +62,8 @@ def open_recording(source: str | Path = "drive", *, camera_topic: str | None = N
 class Recording:
     """An open recording: see `open_recording`.
 
-    Iterating yields (topic, message) lazily, in the order of recording; `len()` is the number of frames.
+    Iterating yields (topic, message) lazily, in the order of recording; a warning names each topic of which
+    messages are skipped, because nothing here reads them. `len()` is the number of frames.
     Messages are of ROS's classes (sensor_msgs.msg.CompressedImage and so on) if ROS is installed, otherwise
     of the classes of rosbags, which have the same fields. The fastest way to publish a message is to pass
     `raw(k)` to the publisher: rclpy publishes serialized messages directly.
@@ -66,7 +73,7 @@ class Recording:
     ----------
     name : "drive", or the name of the folder or file
     camera_topic : the topic of the images that are the frames
-    missing : what a recording that was cut off lacks, in a sentence; None if it is complete
+    missing : what a recording that is not complete lacks, in a sentence; None if it is complete
     """
 
     def __init__(self, source: str | Path = "drive", *, camera_topic: str | None = None):
@@ -90,6 +97,7 @@ class Recording:
         if self.missing:
             warnings.warn(self.missing, stacklevel=3)
         self.name = "drive" if is_drive else self._bag.path.name
+        self._skipped: set[str] = set()  # topics of messages that a warning named
         try:
             self.camera_topic = self._find_camera(camera_topic)
         except RecordingError:
@@ -110,8 +118,12 @@ class Recording:
         return self._bag.count(self.camera_topic)
 
     def __iter__(self) -> Iterator[tuple[str, Message]]:
-        for topic, raw, kind in self._bag.read():
-            yield topic, to_installed(self._bag.deserialize(raw, kind))
+        for topic, message in self._bag.messages():
+            if not isinstance(message, RecordingError):
+                yield topic, to_installed(message)
+            elif topic not in self._skipped:
+                self._skipped.add(topic)
+                warnings.warn(f"skipped: {message}", stacklevel=2)
 
     def __repr__(self):
         counts = f"{len(self)} frames on {self.camera_topic}, {len(self.topics)} topics"
@@ -249,21 +261,22 @@ class Recording:
         return (len(stamps) - 1) * 1e9 / duration if duration > 0 else 0.0
 
     def _find_camera(self, requested):
-        counts = {t: self._bag.count(t) for t, kind in self.topics.items() if kind in (IMAGE, COMPRESSED)}
+        kinds = {topic: kind for topic, kind in self.topics.items() if kind in (IMAGE, COMPRESSED)}
+        counts = {topic: self._bag.count(topic) for topic in kinds if not self._bag.unreadable(topic)}
         if requested is not None and requested not in counts:
             raise NotRecordedError(
                 f"{self.name} holds no images on {requested}, but on: {', '.join(counts) or 'no topic'}"
             )
         if not counts:
-            topics = ", ".join(self.topics) or "nothing"
+            reasons = [f"{topic} ({self._bag.unreadable(topic)})" for topic in kinds]
+            topics = ", ".join(reasons or self.topics) or "nothing"
             raise RecordingError(
                 f"{self.name} holds no camera topic, only {topics}; record one: ros2 bag record TOPIC"
             )
-        # Depth and label images are images too, and may have been recorded first.
-        likely = [t for t in counts if not t.endswith("/compressedDepth") and not t.startswith("/truth/")]
-        candidates = [t for t in dict.fromkeys([*likely, *counts]) if counts[t]]
-        camera_topics = filter(self._has_color_or_gray, candidates) if len(candidates) > 1 else ()
-        camera = requested or next(iter(camera_topics), candidates[0] if candidates else None)
+        candidates = [topic for topic in counts if counts[topic]]
+        if len(candidates) > 1:
+            candidates.sort(key=self._likeness)
+        camera = requested or next(iter(candidates), None)
         if camera is None or not counts[camera]:
             raise RecordingError(
                 f"{self.name} holds no message on {requested or ', '.join(counts)}; a reliable recorder "
@@ -271,14 +284,13 @@ class Recording:
             )
         return camera
 
-    def _has_color_or_gray(self, topic):
-        """Whether the first image of a topic is in color or gray, and not depth in 16UC1 or 32FC1."""
-        if self.topics[topic] == COMPRESSED:
-            return True
+    def _likeness(self, topic):
+        """A key that sorts topics by their first images and their names, the likeliest camera first."""
         try:
-            return encoding_info(self._bag.message(topic, 0).encoding).color is not None
+            image = _image_type(self._bag.message(topic, 0))
         except (RecordingError, ConversionError):
-            return False
+            image = UNKNOWN
+        return image >= UNKNOWN, bool(OTHER_IMAGES.search(topic)), image, topic
 
     def _checked_topic(self, topic, description):
         if topic not in self.topics:
@@ -300,32 +312,54 @@ class Recording:
         return number % count
 
     def _number_at_frame(self, topic, k):
-        """The number of the message of a topic that has frame k's stamp.
+        """The number of the message of a topic whose stamp is nearest to frame k's, within half a period.
 
-        In a recording of one's own each topic may begin at another time, and a message may be lost.
+        In a recording of one's own each topic may begin at another time or be stamped later, and a message
+        may be lost.
         """
         number = self._number(k)
         stamp = self._bag.index(self.camera_topic, number).stamps[number]
         if self._bag.count(topic) == len(self) and self._bag.index(topic, number).stamps[number] == stamp:
             return number
-        with contextlib.suppress(ValueError):
-            return self._bag.index(topic).stamps.index(stamp)
-        raise NotRecordedError(f"{self.name} holds no message on {topic} at frame {number}")
+        periods = np.diff(np.sort(self.stamps))
+        limit = np.median(periods) / 2 if periods.size else 50e6
+        distances = np.abs(np.array(self._bag.index(topic).stamps, np.int64) - stamp)
+        if distances.size and distances.min() < limit:
+            return int(distances.argmin())
+        nearest = f"{distances.min() / 1e6:.0f} ms from it" if distances.size else "missing"
+        raise NotRecordedError(
+            f"{self.name} holds no message on {topic} at frame {number}: "
+            f"the nearest is {nearest}, and half a period is {limit / 1e6:.0f} ms"
+        )
 
     def _decode(self, topic, k, encoding):
         decode = compressed_to_array if self.topics[topic] == COMPRESSED else image_to_array
         return decode(self._bag.message(topic, k), encoding)
 
 
+def _image_type(msg):
+    """Color, gray or depth, by the encoding of an Image or the pixels of a CompressedImage."""
+    if msg.__msgtype__ == COMPRESSED:
+        pixels = compressed_to_array(msg)
+        color, dtype, channels = None, pixels.dtype, 1 if pixels.ndim == 2 else pixels.shape[2]
+    else:
+        _, dtype, channels, color = encoding_info(msg.encoding)
+    if color == "gray" or (color is None and channels == 1 and dtype == np.uint8):
+        return GRAY
+    return COLOR if color or (channels >= 3 and dtype.kind == "u") else DEPTH
+
+
 def to_installed(msg):
-    """A copy of a message of rosbags in ROS's class, which publishers accept; itself where ROS is missing."""
+    """A copy of a message of rosbags in ROS's class, which publishers accept.
+
+    The message itself where ROS is missing, or has another version of its type.
+    """
     cls = installed_class(msg.__msgtype__)
-    if cls is None:
+    if cls is None or not all(hasattr(msg, name) for name in cls.get_fields_and_field_types()):
         return msg
     ros_msg = cls()
-    for field in dataclasses.fields(msg):
-        if field.name != "__msgtype__":
-            _set_field(ros_msg, field.name, getattr(msg, field.name))
+    for name in cls.get_fields_and_field_types():
+        _set_field(ros_msg, name, getattr(msg, name))
     return ros_msg
 
 

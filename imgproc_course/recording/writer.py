@@ -2,21 +2,41 @@
 
 import contextlib
 import shutil
+from binascii import crc32
 from pathlib import Path
+from types import MappingProxyType
 from typing import Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
 from rosbags.interfaces import Connection
-from rosbags.rosbag2 import StoragePlugin
+from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.rosbag2.errors import WriterError
+from rosbags.rosbag2.storage_mcap import McapWriter
 
 from ..messages import array_to_compressed
 from ..messages.message_classes import message_types
 from .errors import RecordingError
-from .mcap import CheckedWriter
+from .mcap import HEAD
 
 METADATA_VERSION: Final = 8  # the newest that `ros2 bag` of both Humble and Jazzy reads
+CRC_PLACE = HEAD.size + 24  # in a chunk
+
+
+class _CheckedMcapWriter(McapWriter):
+    """Writes a CRC into each chunk, where rosbags writes 0."""
+
+    def close_chunk(self):
+        start, crc = self.bio.tell(), crc32(self.chunk.bio.getvalue())
+        super().close_chunk()
+        end = self.bio.tell()
+        self.bio.seek(start + CRC_PLACE)
+        self.bio.write(crc.to_bytes(4, "little"))
+        self.bio.seek(end)
+
+
+class _CheckedWriter(Writer):
+    STORAGE_PLUGINS = MappingProxyType({**Writer.STORAGE_PLUGINS, StoragePlugin.MCAP: _CheckedMcapWriter})
 
 
 class RecordingWriter:
@@ -52,7 +72,7 @@ class RecordingWriter:
                 f"{self.path} is the name of a file, but a recording is a folder; give {self.path.stem}"
             )
         try:
-            self._writer = CheckedWriter(
+            self._writer = _CheckedWriter(
                 self.path, version=METADATA_VERSION, storage_plugin=StoragePlugin.MCAP
             )
             self._writer.open()
@@ -96,7 +116,7 @@ class RecordingWriter:
 
         Parameters
         ----------
-        topic : its name; `open_recording` takes the first topic with images as the frames
+        topic : its name
         image : (H, W, 3) uint8 BGR, or (H, W) uint8 gray
         stamp : time of the image and of recording in ns since 1970
 

@@ -1,5 +1,10 @@
 """A recording of the drive, and bags that the tests write themselves."""
 
+import struct
+import zlib
+from collections import Counter
+
+import lz4.frame
 import numpy as np
 import pytest
 from rosbags.rosbag2 import StoragePlugin, Writer
@@ -24,7 +29,7 @@ def header(stamp_ns, frame_id="lens"):
 
 def gray_pixels(k):
     """(4, 5) uint8: each test image differs from every other in every pixel."""
-    return (np.arange(20, dtype=np.uint8).reshape(4, 5) + 40 * k).astype(np.uint8)
+    return (np.arange(20, dtype=np.uint8).reshape(4, 5) + 40 * k % 256).astype(np.uint8)
 
 
 def raw_image(k, stamp_ns):
@@ -80,3 +85,66 @@ def write_raw_bag(path, storage="mcap", images=6, topic="/my/cam", **options):
             stamp = START + k * 10**8
             bag.write(topic, raw_image(k, stamp), stamp + 5_000_000)
     return path
+
+
+def image_channel(topic="/my/cam", kind="sensor_msgs/msg/Image"):
+    """(topic, type, encoding, language, definition) for `write_mcap`."""
+    return topic, kind, "cdr", "ros2msg", TYPES.generate_msgdef(kind, ros_version=2)[0]
+
+
+def write_mcap(path, messages, profile="ros2", per_chunk=2, indexed=True, repeated=True, packed=""):
+    """Writes an MCAP file, record by record, with what other writers leave out.
+
+    `messages`: (channel, log time, bytes or message); `per_chunk` 0: no chunks; `indexed`: an index behind
+    each chunk; `repeated`: the summary repeats schemas and channels; `packed`: name of the compression.
+    """
+
+    def record(kind, *parts):
+        data = b"".join(part if isinstance(part, bytes) else text(part) for part in parts)
+        return struct.pack("<BQ", kind, len(data)) + data
+
+    def text(value):
+        return struct.pack("<I", len(value)) + (value.encode() if isinstance(value, str) else bytes(value))
+
+    channels = list(dict.fromkeys(channel for channel, _, _ in messages))
+    definitions = {}
+    for number, (topic, kind, encoding, language, definition) in enumerate(channels, 1):
+        schema = record(3, struct.pack("<H", number), kind, language, text(definition))
+        definitions[number] = schema + record(4, struct.pack("<HH", number, number), topic, encoding, "")
+    written = [b"\x89MCAP0\r\n", record(1, profile, "test")]
+    known = set()
+    for first in range(0, len(messages), per_chunk or 1):
+        data, counts, times = b"", Counter(), []
+        for channel, time, message in messages[first : first + (per_chunk or 1)]:
+            number = channels.index(channel) + 1
+            if number not in known:
+                data += definitions[number]
+                known.add(number)
+            raw = (
+                message
+                if isinstance(message, bytes)
+                else bytes(TYPES.serialize_cdr(message, message.__msgtype__))
+            )
+            data += record(5, struct.pack("<HIQQ", number, 0, time, time), raw)
+            counts[number] += 1
+            times.append(time)
+        if per_chunk:
+            head = struct.pack("<QQQI", min(times), max(times), len(data), zlib.crc32(data))
+            stored = lz4.frame.compress(data) if packed == "lz4" else data
+            data = record(6, head, packed, struct.pack("<Q", len(stored)), stored)
+        written.append(data)
+        for number, count in counts.items() if indexed and per_chunk else ():
+            written.append(record(7, struct.pack("<HI", number, 16 * count), bytes(16 * count)))
+    written += [record(15, bytes(4)), *(definitions.values() if repeated else ())]
+    path.write_bytes(b"".join([*written, record(2, bytes(20)), b"\x89MCAP0\r\n"]))
+    return path
+
+
+def write_gray_mcap(path, foreign=(), **options):
+    """Six gray images, ten a second; before each, a message on each foreign channel."""
+    messages = []
+    for k in range(6):
+        time = START + k * 10**8
+        messages += [(channel, time, b'{"a": 1}') for channel in foreign]
+        messages.append((image_channel(), time, raw_image(k, time)))
+    return write_mcap(path, messages, **options)

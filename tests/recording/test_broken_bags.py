@@ -41,8 +41,8 @@ def test_an_empty_folder(tmp_path):
 def test_a_folder_of_several_files_without_metadata(tmp_path):
     for name in ("a.mcap", "b.mcap"):
         (tmp_path / name).write_bytes(b"\x89MCAP0\r\n")
-    assert error_of(tmp_path).endswith(
-        f"2 files and no metadata.yaml; create it: ros2 bag reindex {tmp_path}"
+    assert error_of(tmp_path) == (
+        f"{tmp_path} holds several recordings; give the path of one of them: a.mcap, b.mcap"
     )
 
 
@@ -57,9 +57,9 @@ def test_an_empty_file(tmp_path, suffix):
     [
         ("a.txt", "is not a rosbag2 recording; give a folder"),
         ("a.bag", "is a ROS 1 bag; convert it: rosbags-convert"),
-        ("a.mcap.zstd", "open its folder, or unpack it first: zstd -d"),
-        ("a.mcap", "mcap recover damaged.mcap -o repaired.mcap"),
-        ("a.db3", "sqlite3 damaged.db3 .recover | sqlite3 repaired.db3"),
+        ("a.mcap.zstd", "it is cut short or not a bag: copy it again"),
+        ("a.mcap", "it is cut short or not a bag: copy it again"),
+        ("a.db3", "it is cut short or not a bag: copy it again"),
     ],
 )
 def test_a_file_that_is_not_a_bag(tmp_path, name, words):
@@ -68,24 +68,19 @@ def test_a_file_that_is_not_a_bag(tmp_path, name, words):
 
 
 @pytest.mark.parametrize("text", ["", "[", "rosbag2_bagfile_information: 3", "{}", "\0"])
-def test_a_broken_metadata_file(tmp_path, text):
+def test_a_broken_metadata_file_costs_nothing(tmp_path, text):
     path = write_raw_bag(tmp_path / "mine")
     (path / "metadata.yaml").write_text(text)
-    assert "ros2 bag reindex" in error_of(path)
+    with open_recording(path) as opened:
+        assert [int(opened.frame(k, "mono8")[0, 0]) for k in range(6)] == [0, 40, 80, 120, 160, 200]
 
 
 def test_a_file_in_the_metadata_that_does_not_exist(tmp_path):
     path = write_raw_bag(tmp_path / "mine")
     (path / "mine.mcap").unlink()
-    assert "a file is missing: ros2 bag reindex" in error_of(path)
-
-
-def test_an_unknown_compression_of_files(tmp_path):
-    path = write_raw_bag(tmp_path / "mine")
-    text = (path / "metadata.yaml").read_text()
-    text = text.replace("compression_format: ''", "compression_format: br")
-    (path / "metadata.yaml").write_text(text.replace("compression_mode: ''", "compression_mode: file"))
-    assert "a compression that rosbags knows (none, zstd, lz4)" in error_of(path)
+    assert error_of(path) == (
+        f"{path} lacks mine.mcap, which its metadata.yaml names; copy the whole folder again"
+    )
 
 
 def test_an_unknown_compression_of_chunks(tmp_path):
@@ -130,11 +125,8 @@ def test_metadata_with_too_many_messages(tmp_path):
     path = write_raw_bag(tmp_path / "mine")
     text = (path / "metadata.yaml").read_text()
     (path / "metadata.yaml").write_text(text.replace("message_count: 6", "message_count: 9"))
-    with (
-        open_recording(path) as bag,
-        pytest.raises(RecordingError, match=r"should hold 9 messages .* and holds 6"),
-    ):
-        bag.frame(8)
+    with pytest.warns(UserWarning, match="3 of 9 messages are missing"), open_recording(path) as bag:
+        assert len(bag) == 6
 
 
 def test_an_image_that_does_not_decode_leaves_the_others_readable(tmp_path):
@@ -220,8 +212,7 @@ def test_a_bag_that_is_taken_away_while_it_is_open(tmp_path):
     with open_recording(path) as opened:
         opened.frame(0)
         shutil.rmtree(path)
-        with pytest.raises(RecordingError, match="cannot be read"):
-            list(opened)
+        assert len(list(opened)) == 6
 
 
 def test_two_raw_images_of_which_one_is_malformed(tmp_path):

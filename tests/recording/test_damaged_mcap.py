@@ -4,13 +4,14 @@ import os
 import resource
 import subprocess
 import sys
+from binascii import crc32
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from imgproc_course.recording import RecordingError, RecordingWriter, open_recording
-from imgproc_course.recording.mcap import scan_chunks
+from imgproc_course.recording.mcap import CHUNK, CHUNK_HEAD, HEAD, records
 
 from .conftest import START, TYPES, raw_image
 
@@ -41,8 +42,10 @@ def own(tmp_path):
 
 
 def chunks_of(file):
-    with file.open("rb") as opened:
-        return scan_chunks(opened)[0]
+    """(its place, its data) of each chunk."""
+    data = file.read_bytes()
+    found = records(lambda place, size: data[place : place + size], 8, len(data))
+    return [(place, data[place : place + size]) for kind, place, size in found if kind == CHUNK]
 
 
 def frames(recording):
@@ -51,16 +54,14 @@ def frames(recording):
 
 def test_every_chunk_has_its_crc(own):
     _, file = own
-    chunks = chunks_of(file)
-    assert len(chunks) == IMAGES and 0 not in [chunk.crc for chunk in chunks]
-    with file.open("rb") as opened:
-        assert all(chunk.is_whole(opened) for chunk in chunks)
+    chunks = [data for _, data in chunks_of(file)]
+    assert [CHUNK_HEAD.unpack_from(data)[3] for data in chunks] == [crc32(data[40:]) for data in chunks]
+    assert len(chunks) == IMAGES
 
 
 def test_a_file_that_was_cut_off_opens_with_what_it_has(own):
     folder, file = own
-    chunks = chunks_of(file)
-    os.truncate(file, chunks[4].place + 700_000)
+    os.truncate(file, chunks_of(file)[4][0] - HEAD.size + 700_000)
     for path, lost in (
         (folder, "2 of 6 messages are missing"),
         (file, "how many messages are missing is not"),
@@ -94,10 +95,17 @@ DAMAGED = r"is damaged from 0\.3 to 0\.3 s after its first message"
 
 def damage(file):
     """Changes a byte in the chunk of image 3."""
-    chunk = chunks_of(file)[3]
     with file.open("r+b") as opened:
-        opened.seek(chunk.data_place + 600_000)
+        opened.seek(chunks_of(file)[3][0] + 600_000)
         opened.write(b"\xff")
+
+
+def assert_only_image_3_is_lost(recording):
+    assert [int(recording.frame(k, "mono8")[3, 4]) for k in (0, 1, 2, 4, 5)] == [0, 1, 2, 4, 5]
+    with pytest.raises(RecordingError, match=DAMAGED):
+        recording.frame(3)
+    with pytest.warns(UserWarning, match="skipped: own.mcap is damaged from 0.3"):
+        assert len(list(recording)) == 5
 
 
 def test_a_damaged_chunk_is_named_with_its_time(own):
@@ -105,17 +113,27 @@ def test_a_damaged_chunk_is_named_with_its_time(own):
     damage(file)
     for path in (folder, file):
         with open_recording(path) as recording:
-            assert [int(recording.frame(k, "mono8")[3, 4]) for k in range(3)] == [0, 1, 2]
-            with pytest.raises(RecordingError, match=DAMAGED):
-                recording.frame(3)
+            assert_only_image_3_is_lost(recording)
 
 
 def test_a_damaged_chunk_of_a_file_that_was_cut_off_is_named_too(own):
     _, file = own
     damage(file)
     os.truncate(file, file.stat().st_size - 40)
-    with pytest.raises(RecordingError, match=DAMAGED):
-        open_recording(file)
+    with pytest.warns(UserWarning, match="it has 6 messages"), open_recording(file) as recording:
+        assert_only_image_3_is_lost(recording)
+
+
+@pytest.mark.parametrize("lost", range(IMAGES))
+def test_a_chunk_whose_head_is_overwritten_does_not_cost_the_others(own, lost):
+    folder, file = own
+    with file.open("r+b") as opened:
+        opened.seek(chunks_of(file)[lost][0] - HEAD.size)
+        opened.write(bytes(4096))
+    with pytest.warns(UserWarning, match="is damaged: .* 1 of 6 messages are missing"):
+        recording = open_recording(folder)
+    assert frames(recording) == [k for k in range(IMAGES) if k != lost]
+    recording.close()
 
 
 def test_a_full_disk_is_let_go_and_what_came_before_opens(tmp_path):

@@ -2,17 +2,32 @@
 
 import gc
 import shutil
+import sqlite3
 import sys
+import warnings
 
 import cv2
 import numpy as np
 import pytest
+from backports import zstd
 from rosbags.rosbag2 import CompressionFormat, CompressionMode
 
 from imgproc_course.messages.message_classes import installed_class
 from imgproc_course.recording import NotRecordedError, open_recording
 
-from .conftest import START, TYPES, BagWriter, compressed, gray_pixels, header, raw_image, write_raw_bag
+from .conftest import (
+    START,
+    TYPES,
+    BagWriter,
+    compressed,
+    gray_pixels,
+    header,
+    image_channel,
+    raw_image,
+    write_gray_mcap,
+    write_mcap,
+    write_raw_bag,
+)
 
 
 @pytest.fixture(params=["mcap", "sqlite3"])
@@ -87,6 +102,167 @@ def test_compressed_chunks(tmp_path):
     compression = (CompressionMode.STORAGE, CompressionFormat.ZSTD)
     with open_recording(write_raw_bag(tmp_path / "mine", compression=compression)) as recording:
         assert_holds_the_raw_images(recording)
+
+
+QOS = "- history: 1\\n  depth: 5\\n  reliability: 2\\n  durability: 2\\n  deadline: {sec: 0, nsec: 0}"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("offered_qos_profiles: ''", f'offered_qos_profiles: "{QOS}"'),
+        ("message_count: 6", "message_count: 0"),
+        ("version: 8", "version: 99"),
+        ("storage_identifier: ", "storage_identifier: my_"),
+        ("serialization_format: cdr", "serialization_format: other"),
+        ("relative_file_paths:\n  - mine", "relative_file_paths:\n  - other"),
+        ("topics_with_message_count:", "topics: ["),
+    ],
+)
+def test_metadata_that_differ_from_the_file_cost_nothing(raw_bag, old, new):
+    text = (raw_bag / "metadata.yaml").read_text()
+    assert old in text
+    (raw_bag / "metadata.yaml").write_text(text.replace(old, new))
+    with open_recording(raw_bag) as recording:
+        assert_holds_the_raw_images(recording)
+        assert len(list(recording)) == 6
+
+
+def write_split_bag(folder, storage, packed=False):
+    """Twelve images in as many files, as rosbag2 numbers them."""
+    folder.mkdir()
+    for k in range(12):
+        with BagWriter(folder / "part", storage) as bag:
+            bag.write("/cam", raw_image(k, START + k), START + k)
+        file = bag_file(folder / "part")
+        data = zstd.compress(file.read_bytes()) if packed else file.read_bytes()
+        (folder / f"mine_{k}{file.suffix}{'.zstd' * packed}").write_bytes(data)
+        shutil.rmtree(folder / "part")
+    return folder
+
+
+@pytest.mark.parametrize("packed", [False, True])
+def test_a_split_bag_without_metadata_is_read_in_the_order_of_its_numbers(tmp_path, storage, packed):
+    folder = write_split_bag(tmp_path / "mine", storage, packed)
+    with open_recording(folder) as recording:
+        assert recording.stamps.tolist() == [START + k for k in range(12)]
+        assert [topic for topic, _ in recording] == ["/cam"] * 12
+        for k in (11, 2, 10):
+            np.testing.assert_array_equal(recording.frame(k, "mono8"), gray_pixels(k))
+
+
+def test_files_that_are_missing_or_empty_do_not_cost_the_others(tmp_path, storage):
+    folder = write_split_bag(tmp_path / "mine", storage)
+    suffix = {"mcap": ".mcap", "sqlite3": ".db3"}[storage]
+    names = [f"mine_{k}{suffix}" for k in range(12)]
+    lines = ["rosbag2_bagfile_information:", "  message_count: 12", "  relative_file_paths:"]
+    (folder / "metadata.yaml").write_text("\n".join([*lines, *(f"  - {name}" for name in names)]))
+    (folder / names[3]).unlink()
+    (folder / names[5]).write_bytes(b"")
+    with pytest.warns(UserWarning, match="2 of 12 messages are missing") as caught:
+        recording = open_recording(folder)
+    assert f"{names[3]} is missing" in str(caught[0].message)
+    assert f"{names[5]} cannot be read" in str(caught[0].message)
+    assert recording.stamps.tolist() == [START + k for k in range(12) if k not in (3, 5)]
+    recording.close()
+
+
+@pytest.mark.parametrize("name", ["a#b", "a?b=c", "100% of it", "Übung 1", "mode=ro&x"])
+def test_any_name_of_a_folder_and_a_file(raw_bag, name):
+    (raw_bag / "metadata.yaml").unlink()
+    bag_file(raw_bag).rename(raw_bag / f"{name}{bag_file(raw_bag).suffix}")
+    with open_recording(raw_bag.rename(raw_bag.with_name(name))) as recording:
+        assert_holds_the_raw_images(recording)
+
+
+def test_a_recorder_that_was_killed_leaves_images_in_its_log(tmp_path):
+    """SQLite keeps what was written last in a second file, and moves it when the recorder ends."""
+    file = bag_file(write_raw_bag(tmp_path / "mine", "sqlite3"))
+    database = sqlite3.connect(file)
+    database.execute("PRAGMA journal_mode = wal")
+    (tmp_path / "killed").mkdir()
+    with database:
+        for k in range(6, 10):
+            data = TYPES.serialize_cdr(raw_image(k, START + k * 10**8), "sensor_msgs/msg/Image")
+            database.execute("INSERT INTO messages VALUES (NULL, 1, ?, ?)", (START + k * 10**8, bytes(data)))
+    for path in (file, file.with_name(f"{file.name}-wal")):
+        shutil.copy(path, tmp_path / "killed")
+    database.close()
+    before = {path.name: path.read_bytes() for path in (tmp_path / "killed").iterdir()}
+    with open_recording(tmp_path / "killed") as recording:
+        assert recording.stamps.tolist() == [START + k * 10**8 for k in range(10)]
+        np.testing.assert_array_equal(recording.frame(9, "mono8"), gray_pixels(9))
+    assert {path.name: path.read_bytes() for path in (tmp_path / "killed").iterdir()} == before
+
+
+UNION = "module a { module msg { union U switch(long) { case 1: long x; }; }; };"
+FOREIGN = {
+    "protobuf": ("/other", "foxglove.Log", "protobuf", "protobuf", bytes(range(256))),
+    "json": ("/other", "Log", "json", "jsonschema", "{}"),
+    "ros1": ("/other", "sensor_msgs/Image", "ros1", "ros1msg", "uint8 x"),
+    "service event": ("/other", "a/srv/B_Event", "cdr", "ros2msg", "int64 a\n---\nint64 b"),
+    "idl union": ("/other", "a/msg/U", "cdr", "ros2idl", UNION),
+    "no definition": ("/other", "a/msg/Own", "cdr", "", ""),
+    "unknown language": ("/other", "a/msg/Own", "cdr", "x", "x"),
+    "unreadable": ("/other", "std_msgs/msg/String", "cdr", "ros2msg", "string data"),
+}
+
+
+def warnings_of_iterating(recording):
+    """(the number of messages, the warnings) of iterating twice: each topic is named once."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        count = len(list(recording))
+        assert len(list(recording)) == count
+    return count, [str(warning.message) for warning in caught]
+
+
+@pytest.mark.parametrize("kind", FOREIGN)
+def test_a_foreign_channel_costs_nothing_and_is_named_once(tmp_path, kind):
+    with open_recording(write_gray_mcap(tmp_path / "a.mcap", [FOREIGN[kind]])) as recording:
+        assert [int(recording.frame(k, "mono8")[0, 0]) for k in range(6)] == [40 * k % 256 for k in range(6)]
+        count, texts = warnings_of_iterating(recording)
+    assert count == 6
+    assert len(texts) == 1 and texts[0].startswith("skipped: /other of a.mcap cannot be read: ")
+
+
+@pytest.mark.parametrize("text", ["string data", "bool[", ""])
+def test_a_wrong_definition_of_a_type_of_ros_costs_nothing(tmp_path, text):
+    with BagWriter(tmp_path / "log", "sqlite3") as bag:
+        bag.write("/log", header(START), START)
+        bag.write("/cam", raw_image(0, START), START)
+    with sqlite3.connect(bag_file(tmp_path / "log")) as database:
+        database.execute(
+            "UPDATE message_definitions SET encoded_message_definition = ? WHERE topic_type = ?",
+            (text, "std_msgs/msg/Header"),
+        )
+    database.close()
+    with open_recording(tmp_path / "log") as recording:
+        assert [topic for topic, _ in recording] == ["/log", "/cam"]
+
+
+@pytest.mark.parametrize("profile", ["ros2", ""])
+@pytest.mark.parametrize("per_chunk", [0, 1, 4])
+@pytest.mark.parametrize("indexed", [True, False])
+@pytest.mark.parametrize("repeated", [True, False])
+@pytest.mark.parametrize("packed", ["", "lz4"])
+def test_an_mcap_of_any_writer(tmp_path, profile, per_chunk, indexed, repeated, packed):
+    options = {"per_chunk": per_chunk, "indexed": indexed, "repeated": repeated, "packed": packed}
+    path = write_gray_mcap(tmp_path / "a.mcap", [FOREIGN["json"]], profile=profile, **options)
+    with open_recording(path) as recording:
+        assert recording.missing is None
+        assert recording.stamps.tolist() == [START + k * 10**8 for k in range(6)]
+        for k in (5, 0, 3):
+            np.testing.assert_array_equal(recording.frame(k, "mono8"), gray_pixels(k))
+
+
+@pytest.mark.parametrize("per_chunk", [0, 2])
+def test_a_clock_that_jumps_back_costs_no_image(tmp_path, per_chunk):
+    times = [START + jump for jump in (5, 6, 7, 1, 2, 3)]
+    messages = [(image_channel(), time, raw_image(k, 0)) for k, time in enumerate(times)]
+    with open_recording(write_mcap(tmp_path / "a.mcap", messages, per_chunk=per_chunk)) as recording:
+        assert recording.stamps.tolist() == sorted(times)
+        assert [int(recording.frame(k, "mono8")[0, 0]) // 40 for k in range(6)] == [3, 4, 5, 0, 1, 2]
 
 
 def test_iteration_yields_the_messages(raw_bag):
@@ -224,6 +400,56 @@ def test_raw_depth_recorded_first_is_not_the_camera(tmp_path, encoding, bytes_pe
     with open_recording(tmp_path / "realsense") as recording:
         assert recording.camera_topic == "/camera/color/image_raw"
         np.testing.assert_array_equal(recording.frame(0, "mono8"), gray_pixels(2))
+
+
+PNG = {
+    "color": ("bgr8; png compressed bgr8", np.full((2, 3, 3), 9, np.uint8)),
+    "gray": ("mono8; png compressed mono8", np.full((2, 3), 9, np.uint8)),
+    "depth": ("16UC1; png compressed ", np.full((2, 3), 900, np.uint16)),
+}
+
+
+@pytest.mark.parametrize(
+    ("topics", "camera"),
+    [
+        ({"/cam/image_raw/zstd": None, "/cam/image_raw/compressed": "color"}, "/cam/image_raw/compressed"),
+        ({"/a/compressed": "depth", "/b/compressed": "gray", "/c/compressed": "color"}, "/c/compressed"),
+        ({"/a/depth/compressed": "color", "/b/image/compressed": "gray"}, "/b/image/compressed"),
+        ({"/infra1/image": "gray", "/left/image": "gray"}, "/left/image"),
+        ({"/right/image": "color", "/left/image": "color"}, "/left/image"),
+        ({"/depth_camera/color": "color", "/tof": "depth"}, "/depth_camera/color"),
+        ({"/depth/compressed": "depth"}, "/depth/compressed"),
+        ({"/cam/image/ffmpeg": None}, "/cam/image/ffmpeg"),
+    ],
+)
+def test_the_camera_is_chosen_by_images_and_name_not_by_order(tmp_path, topics, camera):
+    for order in (list(topics), list(reversed(topics))):
+        with BagWriter(tmp_path / str(len(list(tmp_path.iterdir())))) as bag:
+            for topic in order:
+                format, pixels = PNG.get(topics[topic], ("other", None))
+                data = b"\0" * 40 if pixels is None else cv2.imencode(".png", pixels)[1].tobytes()
+                bag.write(topic, compressed(data, START, format), START)
+        with open_recording(bag.path) as recording:
+            assert recording.camera_topic == camera
+
+
+@pytest.mark.parametrize("delay", [3_000_000, -3_000_000, 40_000_000, 60_000_000])
+def test_depth_of_another_stamp_is_the_nearest_within_half_a_period(tmp_path, delay):
+    with BagWriter(tmp_path / "realsense") as bag:
+        for k in range(5):
+            stamp = START + k * 10**8
+            bag.write("/cam/color", raw_image(k, stamp), stamp)
+            if k != 2:  # lost on the way
+                bag.write("/cam/depth", raw_image(k, stamp + delay), stamp + 1)
+    with open_recording(tmp_path / "realsense", camera_topic="/cam/color") as recording:
+        if delay == 60_000_000:  # of frame 1 it is 60 ms away, of frame 2 40 ms
+            assert recording.depth(2)[0, 0] == 40
+            with pytest.raises(
+                NotRecordedError, match="the nearest is 60 ms from it, and half a period is 50"
+            ):
+                recording.depth(0)
+        else:
+            assert [recording.depth(k)[0, 0] // 40 for k in (0, 1, 3, 4)] == [0, 1, 3, 4]
 
 
 def test_depth_is_the_camera_if_there_is_no_other_image(tmp_path):

@@ -1,0 +1,96 @@
+"""Channels: what a recording says about the messages of a topic, and the classes that they are read with."""
+
+import functools
+import re
+import sqlite3
+import struct
+import sys
+from typing import NamedTuple
+
+from rosbags.rosbag2 import ReaderError
+from rosbags.serde import SerdeError
+from rosbags.typesys import Stores, TypesysError, get_types_from_idl, get_types_from_msg, get_typestore
+
+from ..messages.message_classes import message_types
+
+if sys.version_info >= (3, 14):
+    from compression import zstd
+else:
+    from backports import zstd
+
+# What damaged bytes raise in rosbags and Python. tests/recording flips and cuts bytes to check this list.
+READ_ERRORS = (
+    *(ReaderError, SerdeError, TypesysError, sqlite3.Error, struct.error, zstd.ZstdError),
+    *(
+        ArithmeticError,
+        AssertionError,
+        EOFError,
+        LookupError,
+        MemoryError,
+        OSError,
+        RuntimeError,
+        TypeError,
+        ValueError,
+    ),
+)
+# The types whose fields this package reads by name.
+READ_TYPES = {
+    "sensor_msgs/msg/Image",
+    "sensor_msgs/msg/CompressedImage",
+    "sensor_msgs/msg/CameraInfo",
+    "geometry_msgs/msg/PoseStamped",
+    "std_msgs/msg/String",
+}
+IDL_HEADING = re.compile(r"^={80}\nIDL: .*\n", re.MULTILINE)
+
+
+class Channel(NamedTuple):
+    """A topic in a file: its message type, how messages are serialized, and the definition of the type."""
+
+    topic: str
+    kind: str
+    encoding: str
+    language: str = ""
+    definition: str = ""
+
+    @classmethod
+    def of(cls, topic, kind, encoding, language="", definition=""):
+        """A channel whose type has its full name: "std_msgs/String" is "std_msgs/msg/String"."""
+        return cls(topic, re.sub(r"^(\w+)/(\w+)$", r"\1/msg/\2", kind), encoding, language, definition)
+
+
+@functools.cache
+def typestores_of(channel):
+    """(typestores for a channel's messages, the likeliest first, ""), or ([], why none reads them)."""
+    kind, types = channel.kind, message_types()
+    if channel.encoding != "cdr":
+        return [], f"its messages are in the format {channel.encoding!r}, and only 'cdr' can be read"
+    own = _own_typestore(channel)
+    if own and kind in READ_TYPES and own.hash_rihs01(kind) != types.hash_rihs01(kind):
+        return [], f"its definition of {kind} differs from that of ROS"
+    typestores = [*([own] if own else []), *([types] if kind in types.types else [])]
+    return typestores, "" if typestores else f"its type {kind!r} has no usable definition"
+
+
+def _own_typestore(channel):
+    """A typestore with the definition in the channel, which may lack types that ROS has; None without."""
+    if not channel.definition.strip() and channel.kind in message_types().types:
+        return None
+    for base in (Stores.EMPTY, Stores.ROS2_JAZZY):
+        store = get_typestore(base)
+        try:
+            store.register(_definitions(channel))
+            store.get_msgdef(channel.kind)
+        except READ_ERRORS:
+            continue
+        return store
+    return None
+
+
+def _definitions(channel):
+    if channel.language == "ros2msg":
+        return get_types_from_msg(channel.definition, channel.kind)
+    types = {}
+    for text in filter(str.strip, IDL_HEADING.split(channel.definition)):
+        types.update(get_types_from_idl(text))
+    return types
