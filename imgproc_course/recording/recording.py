@@ -21,6 +21,7 @@ DRIVE = Path(__file__).parent / "drive"
 IMAGE = "sensor_msgs/msg/Image"
 COMPRESSED = "sensor_msgs/msg/CompressedImage"
 CAMERA_INFO = "sensor_msgs/msg/CameraInfo"
+CLOCK_JUMP = 600 * 10**9  # ns between two frames, from which on the clock was set rather than the camera slow
 COLOR, GRAY, UNKNOWN, DEPTH = range(4)  # types of images, the likeliest camera first
 # Images that a camera's driver or another program computes, and transports for a few programs only.
 OTHER_IMAGES = re.compile(
@@ -255,10 +256,11 @@ class Recording:
 
     @property
     def rate(self) -> float:
-        """Frames per second, the mean over the recording; 0.0 for a single frame."""
-        stamps = self.stamps
-        duration = int(stamps[-1] - stamps[0])
-        return (len(stamps) - 1) * 1e9 / duration if duration > 0 else 0.0
+        """Frames per second, the mean, without jumps of the clock; 0.0 for a single frame."""
+        intervals = np.diff(self.stamps)
+        intervals = intervals[np.abs(intervals) < CLOCK_JUMP]
+        duration = int(intervals.sum())
+        return len(intervals) * 1e9 / duration if duration > 0 else 0.0
 
     def _find_camera(self, requested):
         kinds = {topic: kind for topic, kind in self.topics.items() if kind in (IMAGE, COMPRESSED)}

@@ -11,6 +11,7 @@ from sensor_msgs.msg import CameraInfo, Image
 
 from imgproc_course.messages import array_to_compressed, array_to_image, encoding_info
 from imgproc_course.recording import NotRecordedError
+from imgproc_course.recording.recording import CLOCK_JUMP
 
 FRAME_ID = "camera_front"
 _WEBCAM_REMEDY = "plug one in, close the program that uses it, or open_camera() for the recorded drive"
@@ -41,8 +42,10 @@ class RecordedImages:
         except NotRecordedError:
             self.info = _uncalibrated(*recording.frame(0).shape[:2])
         self.rate = (recording.rate or 1.0) * speed
-        # Seconds from the start. If a stamp jumps back, its image is due at once.
-        self._offsets = np.maximum.accumulate(self.stamps - self.stamps[0]) / 1e9 / speed
+        # Seconds from the start. If a stamp jumps back, or far ahead, its image is due at once.
+        intervals = np.diff(self.stamps, prepend=self.stamps[0])
+        stamps = np.cumsum(np.where(np.abs(intervals) < CLOCK_JUMP, intervals, 0))
+        self._offsets = np.maximum.accumulate(stamps) / 1e9 / speed
         self._duration = self._offsets[-1] + 1 / self.rate
 
     def __iter__(self):

@@ -351,6 +351,15 @@ def test_a_stamp_of_zero_becomes_the_time_of_recording(tmp_path):
         assert recording.stamps.tolist() == [START + k * 10**8 for k in range(3)]
 
 
+@pytest.mark.parametrize("first, then", [(0, START), (START, 10**9)])
+def test_a_clock_that_was_set_while_recording_does_not_count_for_the_rate(tmp_path, first, then):
+    with BagWriter(tmp_path / "mine") as bag:
+        for k, start in enumerate([first] * 6 + [then] * 6):
+            bag.write("/cam", raw_image(k, start + (k + 1) * 10**8), START + k * 10**8)
+    with open_recording(tmp_path / "mine") as recording:
+        assert recording.rate == pytest.approx(10)
+
+
 def test_a_single_image_has_no_rate(tmp_path):
     with open_recording(write_raw_bag(tmp_path / "mine", images=1)) as recording:
         assert recording.rate == 0.0

@@ -273,6 +273,13 @@ def test_after_the_machine_slept_it_continues_from_there():
 def test_a_single_image_and_stamps_that_jump_back_can_be_played():
     assert due_times(stamps=(0.0,), count=3) == [100.0, 101.0, 102.0]
     assert due_times(stamps=(0.0, 0.3, 0.2, 0.4), count=4) == pytest.approx([100.0, 100.3, 100.3, 100.4])
+    # The robot's clock was set while it recorded.
+    assert due_times(stamps=(0.0, 0.3, 1.8e9, 1.8e9 + 0.4), count=4) == pytest.approx(
+        [100, 100.3, 100.3, 100.7]
+    )
+    assert due_times(stamps=(1.8e9, 1.8e9 + 0.3, 0.0, 0.4), count=4) == pytest.approx(
+        [100, 100.3, 100.3, 100.7]
+    )
 
 
 @pytest.mark.ros
