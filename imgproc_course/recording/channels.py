@@ -21,17 +21,8 @@ else:
 # What damaged bytes raise in rosbags and Python. tests/recording flips and cuts bytes to check this list.
 READ_ERRORS = (
     *(ReaderError, SerdeError, TypesysError, sqlite3.Error, struct.error, zstd.ZstdError),
-    *(
-        ArithmeticError,
-        AssertionError,
-        EOFError,
-        LookupError,
-        MemoryError,
-        OSError,
-        RuntimeError,
-        TypeError,
-        ValueError,
-    ),
+    *(ArithmeticError, AssertionError, EOFError, LookupError, MemoryError, OSError, RuntimeError),
+    *(TypeError, ValueError),
 )
 # The types whose fields this package reads by name.
 READ_TYPES = {

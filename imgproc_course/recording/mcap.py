@@ -64,17 +64,7 @@ def texts(data, place, count):
 
 
 class McapFile:
-    """An open file.
-
-    Attributes
-    ----------
-    name : of the file, for errors
-    channels : {number: Channel}
-    counts : {number of the channel: how many messages it has}
-    problem : what is wrong with the file as a whole; "" if nothing is
-    missing : bytes at its end that cannot be read
-    seconds : from its first message to its last
-    """
+    """An open file: its channels and counts of messages by number, and what is wrong with it as a whole."""
 
     def __init__(self, path, name, stack):
         self.name, self.problem, self.missing = name, "", 0
@@ -113,7 +103,8 @@ class McapFile:
                 self._blocks.append(Block(time, time, place - HEAD.size, {number: 1}))
             elif kind == MESSAGE_INDEX and self._blocks:
                 number, length = INDEX_HEAD.unpack(self._bytes(place, INDEX_HEAD.size))
-                self._blocks[-1].counts[number] = length // 16
+                if length == size - INDEX_HEAD.size:
+                    self._blocks[-1].counts[number] = length // 16
             elif kind in (SCHEMA, CHANNEL):
                 self._define(kind, self._bytes(place, size))
         # Channels that the summary does not repeat are in chunks, perhaps long before their first message.
@@ -204,16 +195,17 @@ class McapFile:
 
     def _messages_in(self, index, block, numbers):
         messages = []
-        try:
+        lost = Counter({number: block.counts[number] for number in block.counts.keys() & numbers})
+        with contextlib.suppress(*READ_ERRORS):
             for kind, place, data in self._records_in(block):
                 if kind == MESSAGE:
                     number, _, time, _ = MESSAGE_HEAD.unpack_from(data)
                     if number in numbers:
                         messages.append((time, (index, place), number, bytes(data[MESSAGE_HEAD.size :])))
-        except READ_ERRORS:
-            lost = [number for number in block.counts.keys() & numbers for _ in range(block.counts[number])]
-            return [(block.start, (index, -k), number, None) for k, number in enumerate(lost, 1)]
-        return messages
+                        lost[number] -= 1
+        return messages + [
+            (block.start, (index, -k), number, None) for k, number in enumerate(lost.elements())
+        ]
 
     def read(self, place):
         """The data of the message at a place."""
@@ -221,6 +213,8 @@ class McapFile:
         block = self._blocks[index]
         try:
             data = self._load(block)
+            if start <= 0:
+                raise EOFError("a message is missing")
             _, size = HEAD.unpack(data[start - HEAD.size : start])
             return bytes(data[start + MESSAGE_HEAD.size : start + size])
         except RecordingError:

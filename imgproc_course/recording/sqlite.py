@@ -5,6 +5,8 @@ from collections import Counter
 
 from .channels import Channel
 
+ROWS = "SELECT timestamp, id, topic_id FROM messages NOT INDEXED WHERE typeof(timestamp) = 'integer'"
+
 
 class SqliteFile:
     """An open file: see `McapFile`, which has the same attributes and methods."""
@@ -33,19 +35,16 @@ class SqliteFile:
                 "SELECT id, name, type, serialization_format FROM topics ORDER BY id"
             )
         }
-        self._rows: list[tuple] = []
-        try:
-            self._rows.extend(
-                database.execute(
-                    "SELECT timestamp, id, topic_id FROM messages NOT INDEXED "
-                    "WHERE typeof(timestamp) = 'integer'"
-                )
-            )
-        except sqlite3.DatabaseError:
-            if not self._rows:
-                raise
-            self.problem = "was cut off"
-        self._rows.sort()
+        entries: set[tuple] = set()
+        for order in ("ASC", "DESC"):  # from both ends to what is damaged
+            try:
+                entries.update(database.execute(f"{ROWS} ORDER BY id {order}"))
+                break
+            except sqlite3.DatabaseError:
+                self.problem = "is damaged"
+        if self.problem and not entries:
+            raise EOFError("none of its messages can be read")
+        self._rows = sorted(entries)
         self.counts = Counter(number for _, _, number in self._rows)
         self.seconds = (self._rows[-1][0] - self._rows[0][0]) / 1e9 if self._rows else 0.0
 
