@@ -263,22 +263,21 @@ class Recording:
         return len(intervals) * 1e9 / duration if duration > 0 else 0.0
 
     def _find_camera(self, requested):
-        kinds = {topic: kind for topic, kind in self.topics.items() if kind in (IMAGE, COMPRESSED)}
-        counts = {topic: self._bag.count(topic) for topic in kinds if not self._bag.unreadable(topic)}
+        images = [topic for topic, kind in self.topics.items() if kind in (IMAGE, COMPRESSED)]
+        reasons = {topic: self._bag.unreadable(topic) for topic in images}
+        counts = {topic: self._bag.count(topic) for topic, reason in reasons.items() if not reason}
         if requested is not None and requested not in counts:
             raise NotRecordedError(
                 f"{self.name} holds no images on {requested}, but on: {', '.join(counts) or 'no topic'}"
             )
         if not counts:
-            reasons = [f"{topic} ({self._bag.unreadable(topic)})" for topic in kinds]
-            topics = ", ".join(reasons or self.topics) or "nothing"
+            unreadable = [f"{topic} ({reason})" for topic, reason in reasons.items()]
+            topics = ", ".join(unreadable or self.topics) or "nothing"
             raise RecordingError(
                 f"{self.name} holds no camera topic, only {topics}; record one: ros2 bag record TOPIC"
             )
         candidates = [topic for topic in counts if counts[topic]]
-        if len(candidates) > 1:
-            candidates.sort(key=self._likeness)
-        camera = requested or next(iter(candidates), None)
+        camera = requested or min(candidates, key=self._likeness, default=None)
         if camera is None or not counts[camera]:
             raise RecordingError(
                 f"{self.name} holds no message on {requested or ', '.join(counts)}; a reliable recorder "
@@ -326,7 +325,7 @@ class Recording:
         periods = np.diff(np.sort(self.stamps))
         limit = np.median(periods) / 2 if periods.size else 50e6
         distances = np.abs(np.array(self._bag.index(topic).stamps, np.int64) - stamp)
-        if distances.size and distances.min() < limit:
+        if distances.size and distances.min() <= limit:
             return int(distances.argmin())
         nearest = f"{distances.min() / 1e6:.0f} ms from it" if distances.size else "missing"
         raise NotRecordedError(

@@ -221,19 +221,17 @@ def test_a_foreign_channel_costs_nothing_and_is_named_once(tmp_path, kind):
     assert len(texts) == 1 and texts[0].startswith("skipped: /other of a.mcap cannot be read: ")
 
 
-@pytest.mark.parametrize("text", ["string data", "bool[", ""])
-def test_a_wrong_definition_of_a_type_of_ros_costs_nothing(tmp_path, text):
-    with BagWriter(tmp_path / "log", "sqlite3") as bag:
-        bag.write("/log", header(START), START)
-        bag.write("/cam", raw_image(0, START), START)
-    with sqlite3.connect(bag_file(tmp_path / "log")) as database:
-        database.execute(
-            "UPDATE message_definitions SET encoded_message_definition = ? WHERE topic_type = ?",
-            (text, "std_msgs/msg/Header"),
-        )
-    database.close()
-    with open_recording(tmp_path / "log") as recording:
-        assert [topic for topic, _ in recording] == ["/log", "/cam"]
+FIELDS = "std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\n"
+
+
+@pytest.mark.parametrize("kind", ["sensor_msgs/msg/Image", "sensor_msgs/Image"])
+@pytest.mark.parametrize("text", ["", "bool[", FIELDS + "uint32 step\nuint8[] data"])
+def test_a_definition_that_is_missing_wrong_or_incomplete_costs_nothing(tmp_path, kind, text):
+    messages = [(("/log", "std_msgs/msg/Header", "cdr", "ros2msg", "string data"), START, header(START))]
+    messages += [(("/cam", kind, "cdr", "ros2msg", text), START + k, raw_image(k, START)) for k in range(3)]
+    with open_recording(write_mcap(tmp_path / "a.mcap", messages)) as recording:
+        assert [int(recording.frame(k, "mono8")[0, 0]) for k in range(3)] == [0, 40, 80]
+        assert [topic for topic, _ in recording] == ["/log", "/cam", "/cam", "/cam"]
 
 
 @pytest.mark.parametrize("profile", ["ros2", ""])
