@@ -28,6 +28,7 @@ OTHER_IMAGES = re.compile(
     r"depth|disparity|infra|/ir\d*(/|$)|label|mask|segment|truth|debug|annotat|overlay|result|/zstd$|/ffmpeg$",
     re.IGNORECASE,
 )
+ALIGNED_DEPTH = re.compile("aligned_depth|depth_registered")  # as drivers name depth in the camera's pixels
 
 
 def open_recording(source: str | Path = "drive", *, camera_topic: str | None = None) -> "Recording":
@@ -205,7 +206,8 @@ class Recording:
     def depth_topic(self) -> str | None:
         """The topic of the depth images that belong to the frames; None without."""
         beside = f"{self.camera_topic.removesuffix('/compressed').rpartition('/')[0]}/depth"
-        return next((topic for topic in (names.DEPTH, beside) if topic in self.topics), None)
+        aligned = [t for t, kind in self.topics.items() if kind == IMAGE and ALIGNED_DEPTH.search(t)]
+        return next((topic for topic in (names.DEPTH, beside, *aligned) if topic in self.topics), None)
 
     def labels(self, k: int) -> NDArray[np.uint8]:
         """Label image of frame k: (720, 1280) uint8, the numbers of `label_names`."""

@@ -420,15 +420,17 @@ def test_the_camera_is_chosen_by_images_and_name_not_by_order(tmp_path, topics, 
             assert recording.camera_topic == camera
 
 
+@pytest.mark.parametrize("depth", ["/cam/depth", "/cam/aligned_depth_to_color/image_raw"])
 @pytest.mark.parametrize("delay", [3_000_000, -3_000_000, 40_000_000, 60_000_000])
-def test_depth_of_another_stamp_is_the_nearest_within_half_a_period(tmp_path, delay):
+def test_depth_of_another_stamp_is_the_nearest_within_half_a_period(tmp_path, delay, depth):
     with BagWriter(tmp_path / "realsense") as bag:
         for k in range(5):
             stamp = START + k * 10**8
             bag.write("/cam/color", raw_image(k, stamp), stamp)
             if k != 2:  # lost on the way
-                bag.write("/cam/depth", raw_image(k, stamp + delay), stamp + 1)
-    with open_recording(tmp_path / "realsense", camera_topic="/cam/color") as recording:
+                bag.write(depth, raw_image(k, stamp + delay), stamp + 1)
+    with open_recording(tmp_path / "realsense") as recording:
+        assert recording.camera_topic == "/cam/color"
         if delay == 60_000_000:  # of frame 1 it is 60 ms away, of frame 2 40 ms
             assert recording.depth(2)[0, 0] == 40
             with pytest.raises(
