@@ -6,6 +6,10 @@ import importlib
 import os
 import sys
 
+# What this package imports, and visualization_msgs, which lessons import where ROS is available.
+MESSAGES = ("sensor_msgs.msg", "geometry_msgs.msg", "nav_msgs.msg", "std_msgs.msg", "visualization_msgs")
+MODULES = ("rclpy", "rclpy.node", *MESSAGES, "rcl_interfaces.msg", "std_srvs.srv")
+
 
 class RosMissingError(ImportError):
     """ROS 2 is not installed here, or cannot be loaded. The text says what to do."""
@@ -20,7 +24,7 @@ def import_problem():
             f"RMW_IMPLEMENTATION={middleware} is set, but that middleware is not installed here; "
             "unset RMW_IMPLEMENTATION, then start again (in a notebook: restart the kernel)"
         )
-    for name in ("rclpy", "rclpy.node", "sensor_msgs.msg"):
+    for name in MODULES:
         try:
             if getattr(importlib.import_module(name), "__file__", None) is None:
                 # What takes the place of ROS in exercises: nothing is sent by it.

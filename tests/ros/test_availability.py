@@ -34,6 +34,18 @@ def test_calls_that_need_a_graph_say_what_to_install(run_python, call):
         assert remedy in out
 
 
+@pytest.mark.ros
+@pytest.mark.parametrize("package", ["geometry_msgs", "nav_msgs", "std_srvs", "visualization_msgs"])
+def test_each_message_package_that_is_missing_is_named(run_python, package):
+    code, out, err = run_python(
+        f"import sys; sys.modules['{package}'] = None\n"
+        "from imgproc_course.ros import ros_available, ros_problem; print(ros_available(), ros_problem())"
+    )
+    assert (code, err) == (0, "")
+    assert out.startswith(f"False ROS 2 is missing ({package}")
+    assert "environment/pixi.toml" in out
+
+
 def test_the_error_is_an_import_error():
     from imgproc_course.ros import RosMissingError
 
