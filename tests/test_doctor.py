@@ -3,8 +3,10 @@
 import importlib.metadata
 import importlib.util
 import io
+import os
 import re
 import socket
+import subprocess
 import sys
 from pathlib import Path
 
@@ -136,7 +138,38 @@ def test_a_python_that_is_too_new(monkeypatch):
     monkeypatch.setattr(software.sys, "version_info", _Version(3, 14, 0))
     diagnosis = diagnoses_of(software.check_python)["Python"]
     assert (diagnosis.verdict, diagnosis.observation) == ("failure", "3.14.0")
-    assert "PYTHON=python3.12 environment/lab" in diagnosis.remedy
+    assert "run environment/lab" in diagnosis.remedy
+
+
+def test_packages_in_pythonpath_that_hide_the_courses_end_the_checks(monkeypatch, tmp_path):
+    ros = tmp_path / f"ros/lib/python3.{sys.version_info.minor}/site-packages"
+    for folder in (ros / "rclpy", tmp_path / "other/my_package", tmp_path / "other/numpy"):
+        folder.mkdir(parents=True)
+        (folder / "__init__.py").touch()
+    monkeypatch.setenv("PYTHONPATH", f"{ros}:{tmp_path / 'other'}")
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path / "ros"))
+    problem = "packages there come before the course's own: numpy"
+    remedy = "unset PYTHONPATH; environment/lab does not use it"
+    assert doctor().diagnoses == [Diagnosis("PYTHONPATH", "failure", problem, remedy)]
+    monkeypatch.setenv("PYTHONPATH", str(ros))
+    assert list(software.check_pythonpath()) == []
+
+
+@pytest.mark.parametrize(("path", "verdict"), [("/a b/c", "warning"), ("/x" * 60, "warning"), ("/é/c", None)])
+def test_a_path_in_which_ros_packages_do_not_start(monkeypatch, path, verdict):
+    monkeypatch.setattr(software, "VENV", Path(path, ".venv"))
+    assert getattr(diagnoses_of(software.check_disk).get("folder"), "verdict", None) == verdict
+
+
+def test_without_the_library_of_x11_the_room_names_its_package(tmp_path):
+    (tmp_path / "libX11.so.6").touch()  # hides the system's
+    libraries = f"{tmp_path}:{os.environ.get('LD_LIBRARY_PATH', '')}"
+    environment = {"LD_LIBRARY_PATH": libraries, "_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1"}
+    code = "from imgproc_course.doctor import software; print(*software.check_room())"
+    command = [sys.executable, "-c", code]
+    process = subprocess.run(command, env=os.environ | environment, capture_output=True, text=True)
+    assert "verdict='failure', observation=\"the room's renderer does not load" in process.stdout
+    assert "remedy='install that: sudo apt install libx11-6 (Debian, Ubuntu)" in process.stdout
 
 
 class _Version(tuple):

@@ -11,6 +11,7 @@ CHECKS = (
     ("packages", software.check_packages),
     ("OpenCV", software.check_opencv),
     ("the recording", software.check_recording),
+    ("the room", software.check_room),
     ("the disk", software.check_disk),
     ("ROS 2", graph.check_ros),
     ("the network", graph.check_network),
@@ -20,7 +21,9 @@ CHECKS = (
 
 def doctor():
     """Checks everything that the lessons use, in about five seconds; returns the Report."""
-    diagnoses = []
+    diagnoses = list(software.check_pythonpath())
+    if diagnoses:
+        return Report(diagnoses)  # the other checks would load packages that are not the course's
     with _progress() as show_progress:
         for subject, run_check in CHECKS:
             show_progress(subject)

@@ -3,9 +3,12 @@
 import contextlib
 import importlib.metadata
 import importlib.util
+import os
+import pkgutil
 import re
 import shutil
 import sys
+import sysconfig
 from pathlib import Path
 
 import imgproc_course
@@ -16,12 +19,24 @@ ENOUGH_DISK = 200 << 20  # bytes
 VENV = Path(imgproc_course.__file__).resolve().parents[1] / ".venv"
 
 
+def check_pythonpath():
+    """Whether packages in PYTHONPATH hide the course's own; those of a sourced ROS for this Python may."""
+    ros = f"/python3.{sys.version_info.minor}/" if os.environ.get("AMENT_PREFIX_PATH") else os.pathsep
+    folders = os.environ.get("PYTHONPATH", "").split(os.pathsep)
+    foreign = pkgutil.iter_modules([folder for folder in folders if folder and ros not in folder])
+    own = pkgutil.iter_modules([sysconfig.get_path("purelib")])
+    hidden = {module.name for module in foreign} & {module.name for module in own}
+    if hidden:
+        problem = f"packages there come before the course's own: {', '.join(sorted(hidden)[:5])}"
+        yield failure("PYTHONPATH", problem, "unset PYTHONPATH; environment/lab does not use it")
+
+
 def check_python():
     version = ".".join(map(str, sys.version_info[:3]))
     if (3, 11) <= sys.version_info[:2] <= (3, 13):
         yield ok("Python", version)
     else:
-        yield failure("Python", version, "the course needs 3.11 to 3.13: PYTHON=python3.12 environment/lab")
+        yield failure("Python", version, "the course needs 3.11 to 3.13: run environment/lab again")
     yield from _package("imgproc-course")
 
 
@@ -107,7 +122,21 @@ def check_recording():
         yield failure_of("recording", error, "git checkout -- imgproc_course/recording/drive")
 
 
+def check_room():
+    from imgproc_course.simulation.renderer import software_pipe
+
+    try:
+        software_pipe()
+        yield ok("room", "its renderer loads")
+    except RuntimeError as error:
+        is_missing = importlib.util.find_spec("panda3d") is None  # some systems have no wheel of it
+        yield (warning if is_missing else failure)("room", *str(error).split("; ", 1))
+
+
 def check_disk():
+    if re.search(r'[\s"$`{}\\]', str(VENV.parent)) or len(str(VENV.parent)) > 108:
+        problem = 'the path of the course has a space, one of " $ ` { } \\, or more than 108 characters'
+        yield warning("folder", problem, "lesson 10 may fail here: move the course, then run environment/lab")
     free = shutil.disk_usage(Path.cwd()).free
     if free >= ENOUGH_DISK:
         yield ok("disk", "enough space for your work")

@@ -60,7 +60,10 @@ def software_pipe():
     selection = p3d.GraphicsPipeSelection.get_global_ptr()
     pipe = selection.make_pipe("TinyOffscreenGraphicsPipe", "p3tinydisplay")
     if pipe is None:
-        raise RuntimeError("this panda3d has no software renderer (p3tinydisplay)")
+        raise RuntimeError(
+            "the room's renderer does not load: it needs libX11.so.6 of the system; install that: "
+            "sudo apt install libx11-6 (Debian, Ubuntu), or sudo dnf install libX11 (Fedora)"
+        )
     return pipe
 
 
