@@ -36,7 +36,7 @@ class DdsProfile:
     chosen_by : "course", "user" (by an environment variable or a file), or "nobody" (Fast DDS's defaults)
     path : the profile file, or None if none is used
     segment_bytes : size of the shared-memory segment that the course's profile requests; None otherwise
-    free_bytes : free shared memory at the time of the choice; None without /dev/shm
+    free_bytes : free shared memory at the time of the choice; None without a /dev/shm that can be written
     note : a problem, with the remedy; None if there is none
     """
 
@@ -84,6 +84,11 @@ def _why_not(free):
             "a ROS node existed before imgproc_course.ros was imported, so images get lost between programs; "
             "restart the kernel and import imgproc_course.ros first"
         )
+    if SHARED_MEMORY.is_dir() and not os.access(SHARED_MEMORY, os.W_OK):
+        return (
+            f"{SHARED_MEMORY} cannot be written, so raw images get lost between processes; mount it so that "
+            "you can write (mount -o remount,rw /dev/shm, mode 1777), or subscribe to the /compressed topic"
+        )
     if free is not None and free < _SMALL_NEEDS:
         return (
             f"{SHARED_MEMORY} has {free >> 20} MiB free, but images need {_SMALL_NEEDS >> 20}, so raw images "
@@ -101,31 +106,51 @@ def _users_choice():
     for name in PROFILE_VARIABLES:
         path = os.environ.get(name)
         if path and path not in course_files:
-            note = None
             if not Path(path).is_file():
                 note = f"{name} names a file that does not exist; unset it"
             elif not os.environ.get(PROFILE_VARIABLES[0]):
                 note = f"Fast DDS 2 (ROS 2 Jazzy) reads only {PROFILE_VARIABLES[0]}; set it too"
+            else:
+                note = _lack_of(path)
             return DdsProfile("user", path, note=note)
     transports = os.environ.get("FASTDDS_BUILTIN_TRANSPORTS")
     if transports:
         return DdsProfile("user", note=f"FASTDDS_BUILTIN_TRANSPORTS={transports}")
     local_file = Path("DEFAULT_FASTRTPS_PROFILES.xml")  # Fast DDS reads a file with this name by itself
-    return DdsProfile("user", str(local_file.absolute())) if local_file.is_file() else None
+    if not local_file.is_file():
+        return None
+    return DdsProfile("user", str(local_file.absolute()), note=_lack_of(local_file))
+
+
+def _lack_of(path):
+    """What a user's profile lacks, and the remedy, in one line; None if nothing."""
+    from xml.etree import ElementTree as ET  # not at the top: few have a profile of their own
+
+    try:
+        tags = [element.tag for element in ET.parse(path).iter()]
+    except (ET.ParseError, OSError) as error:
+        return f"Fast DDS cannot read this file ({error}) and uses its defaults; correct it"
+    if any(str(tag).endswith("initialAnnouncements") for tag in tags):
+        return None
+    return (
+        "without <initialAnnouncements> the first image can come 3 s late; copy those of "
+        f"imgproc_course/ros/{LARGE.name}"
+    )
 
 
 def _a_node_exists():
-    """Whether this process already has a DDS participant: its memory is mapped, or rclpy is running."""
+    """Whether this process already has a DDS participant: its memory is mapped."""
     rclpy = sys.modules.get("rclpy")
     if rclpy is None:
         return False
     maps = Path("/proc/self/maps")
-    return (maps.exists() and f"{SHARED_MEMORY}/fastrtps_" in maps.read_text()) or rclpy.ok()
+    return f"{SHARED_MEMORY}/fastrtps_" in maps.read_text() if maps.exists() else rclpy.ok()
 
 
 def free_shared_memory():
-    """Free bytes of /dev/shm, or None if there is no such folder."""
-    return shutil.disk_usage(SHARED_MEMORY).free if SHARED_MEMORY.is_dir() else None
+    """Free bytes of /dev/shm, or None if there is no such folder, or nothing can be written there."""
+    usable = SHARED_MEMORY.is_dir() and os.access(SHARED_MEMORY, os.W_OK)
+    return shutil.disk_usage(SHARED_MEMORY).free if usable else None
 
 
 def lost_ports():

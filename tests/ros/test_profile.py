@@ -10,6 +10,7 @@ import pytest
 from imgproc_course.ros import profile
 
 MIB = 1 << 20
+free_shared_memory = profile.free_shared_memory
 
 
 @pytest.fixture
@@ -40,10 +41,11 @@ def test_a_child_process_knows_that_the_course_chose(clean_environment):
 @pytest.mark.parametrize("name", profile.PROFILE_VARIABLES)
 def test_a_users_profile_is_left_alone(clean_environment, tmp_path, name):
     user_file = tmp_path / "mine.xml"
-    user_file.write_text("<dds/>")
+    user_file.write_text("<dds><initialAnnouncements/></dds>")
     clean_environment.setenv(name, str(user_file))
     dds_profile = profile.choose_profile()
     assert (dds_profile.chosen_by, dds_profile.path) == ("user", str(user_file))
+    assert (dds_profile.note is None) == (name == profile.PROFILE_VARIABLES[0])
     other_variable = next(variable for variable in profile.PROFILE_VARIABLES if variable != name)
     assert os.environ[other_variable] == ""
 
@@ -52,6 +54,22 @@ def test_a_users_profile_that_does_not_exist_is_noted(clean_environment):
     clean_environment.setenv("FASTRTPS_DEFAULT_PROFILES_FILE", "/nowhere/mine.xml")
     note = "FASTRTPS_DEFAULT_PROFILES_FILE names a file that does not exist; unset it"
     assert profile.choose_profile().note == note
+
+
+@pytest.mark.parametrize("in_working_folder", [False, True])
+@pytest.mark.parametrize(
+    "text, note",
+    [
+        ("<dds/>", "without <initialAnnouncements> the first image can come 3 s late; copy those of "),
+        ("<dds>", "Fast DDS cannot read this file (no element found: line 1, column 5) and uses its "),
+    ],
+)
+def test_what_a_users_profile_lacks_is_noted(clean_environment, tmp_path, text, note, in_working_folder):
+    user_file = tmp_path / "DEFAULT_FASTRTPS_PROFILES.xml"
+    user_file.write_text(text)
+    if not in_working_folder:
+        clean_environment.setenv("FASTRTPS_DEFAULT_PROFILES_FILE", str(user_file))
+    assert profile.choose_profile().note.startswith(note)
 
 
 def test_the_newer_name_alone_is_not_read_by_this_fast_dds(clean_environment, tmp_path):
@@ -108,6 +126,15 @@ def test_too_little_shared_memory_is_warned_about(clean_environment):
     assert [os.environ[variable] for variable in profile.PROFILE_VARIABLES] == ["", ""]
 
 
+def test_shared_memory_that_cannot_be_written_is_warned_about(clean_environment):
+    clean_environment.setattr(os, "access", lambda path, mode: path != profile.SHARED_MEMORY)
+    assert free_shared_memory() is None
+    with pytest.warns(
+        RuntimeWarning, match=r"/dev/shm cannot be written, .* or subscribe to the /compressed"
+    ):
+        assert profile.choose_profile().chosen_by == "nobody"
+
+
 def test_a_node_that_exists_too_early_is_warned_about(clean_environment):
     clean_environment.setattr(profile, "_a_node_exists", lambda: True)
     with pytest.warns(RuntimeWarning, match=r"restart the kernel and import imgproc_course\.ros first"):
@@ -144,6 +171,17 @@ def test_the_participant_uses_shared_memory_and_udp(path):
     assert used == ["SHM", "UDPv4"]
 
 
+@pytest.mark.parametrize("path", profile.SEGMENT_BYTES, ids=lambda path: path.name)
+def test_a_program_announces_itself_often_also_when_it_is_old(path):
+    # A new program misses the answers to its first announcement: it waits for the next one of the others.
+    name = "{http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles}"
+    (discovery,) = ET.parse(path).iter(f"{name}discovery_config")
+    period = int(discovery.findtext(f"{name}initialAnnouncements/{name}period/{name}nanosec"))
+    assert period <= 100_000_000
+    assert int(discovery.findtext(f"{name}initialAnnouncements/{name}count")) * period >= 3_000_000_000
+    assert int(discovery.findtext(f"{name}leaseAnnouncement/{name}nanosec")) <= 300_000_000
+
+
 MAPPED = """
 import os, pathlib, psutil
 from rclpy.context import Context
@@ -166,6 +204,7 @@ node.destroy_node(); context.try_shutdown()
     [
         ("import imgproc_course.ros", 67),
         ("import rclpy, imgproc_course.ros", 67),  # imported, but no node exists yet: early enough
+        ("import rclpy; rclpy.init(); import imgproc_course.ros", 67),
         ("", 0),
     ],
 )
