@@ -344,6 +344,35 @@ def test_the_domain_says_who_shares_the_topics(monkeypatch, domain, discovery_ra
     assert bool(diagnosis.remedy) == (verdict == "failure")
 
 
+@pytest.mark.parametrize(
+    ("environment", "verdict", "observation", "remedy"),
+    [
+        (
+            {"ROS_DISCOVERY_SERVER": "10.0.0.9:11811"},
+            "warning",
+            "ROS_DISCOVERY_SERVER=10.0.0.9",
+            "start it, or unset",
+        ),
+        (
+            {"ROS_LOCALHOST_ONLY": "1", "ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF"},
+            "ok",
+            "9; topics are shared only",
+            "",
+        ),
+        ({"ROS_DOMAIN_ID": "٣"}, "failure", "ROS_DOMAIN_ID=", "give a number from 0 to 101"),
+        ({}, "warning", "ROS programs of another user (54321) are in domain 9", "for a domain of your own: "),
+    ],
+)
+def test_what_keeps_programs_apart(monkeypatch, environment, verdict, observation, remedy):
+    for name, value in ({"ROS_DOMAIN_ID": "9"} | environment).items():
+        monkeypatch.setenv(name, value)
+    users = set() if environment else {54321, os.getuid()}
+    monkeypatch.setattr("imgproc_course.ros_domain.users_in", lambda domain: users)
+    (diagnosis,) = graph._domain()
+    assert diagnosis.verdict == verdict
+    assert diagnosis.observation.startswith(observation) and diagnosis.remedy.startswith(remedy)
+
+
 def test_the_loopback_carries_packets_and_multicast():
     assert graph._packet_arrives("127.0.0.1")
     assert diagnoses_of(graph.check_network)["loopback"].verdict in ("ok", "warning")

@@ -9,10 +9,10 @@ import sys
 
 from imgproc_course.doctor.report import failure, failure_of, ok, warning
 from imgproc_course.doctor.software import SET_UP
+from imgproc_course.ros_domain import DOMAINS, discovery_problem, discovery_range, shared_domain
 
 FRAMES = 3  # that must arrive
 MULTICAST_GROUP = "239.255.0.1"  # through which DDS programs discover each other
-RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
 ENOUGH_SHARED_MEMORY = 276 << 20  # bytes: for the camera, the notebook, and two more programs
 
 
@@ -60,20 +60,18 @@ def _shared_memory(free):
 
 def _domain():
     domain = os.environ.get("ROS_DOMAIN_ID", "0") or "0"
-    discovery_range = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE", "") or "SUBNET"
-    if not (domain.isdecimal() and int(domain) <= 101):
+    if not (domain.isascii() and domain.isdecimal() and int(domain) < DOMAINS):
         remedy = "give a number from 0 to 101: export ROS_DOMAIN_ID=7"
         yield failure("domain", f"ROS_DOMAIN_ID={domain}", remedy)
-    elif discovery_range not in RANGES:
-        problem = f"ROS_AUTOMATIC_DISCOVERY_RANGE={discovery_range} is not one of {', '.join(RANGES)}"
-        yield failure("domain", problem, "unset ROS_AUTOMATIC_DISCOVERY_RANGE, then restart the kernel")
-    elif discovery_range == "OFF":
-        problem = "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: programs do not discover each other"
-        remedy = "unset ROS_AUTOMATIC_DISCOVERY_RANGE, or set it to LOCALHOST; then restart the kernel"
-        yield failure("domain", problem, remedy)
+    elif problem := discovery_problem():
+        # A discovery server may run: the diagnosis of the topic says whether images arrive.
+        is_sure = "ROS_DISCOVERY_SERVER" not in problem
+        yield (failure if is_sure else warning)("domain", *problem.split("; ", 1))
+    elif problem := shared_domain(int(domain)):
+        yield warning("domain", *problem.split("; ", 1))
     else:
         scope = "with everyone on this network in the same domain"
-        if discovery_range == "LOCALHOST" or os.environ.get("ROS_LOCALHOST_ONLY") == "1":
+        if discovery_range() == "LOCALHOST":
             scope = "only with programs on this machine, not with a robot"
         yield ok("domain", f"{domain}; topics are shared {scope}")
 

@@ -125,7 +125,7 @@ def keep_topics_local(say=print_now):
     """
     if not any(os.environ.get(name) for name in DISCOVERY_VARIABLES):
         os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
-        domain = choose_domain()
+        domain = choose_domain(say)
         others = "" if domain == "0" else f", in domain {domain}, which is yours alone"
         say(
             f"ROS topics stay on this machine{others}. To subscribe to a robot's topics, start with its "

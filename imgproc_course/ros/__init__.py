@@ -4,6 +4,7 @@ Importing this package chooses the Fast DDS profile (unless you set one). The im
 ROS, `ros_available()` is False, and everything that needs a graph raises RosMissingError with the remedy.
 """
 
+import logging
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,7 +21,7 @@ from imgproc_course.ros_domain import choose_domain
 
 # Before rclpy is imported: the middleware reads its profile only once in a process.
 _profile = choose_profile()
-choose_domain()
+choose_domain(logging.getLogger(__name__).warning)
 _problem = import_problem()
 
 if TYPE_CHECKING or _problem is None:
