@@ -3,9 +3,12 @@
 import difflib
 import os
 
+import psutil
+from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 
 from imgproc_course.messages.compressed import TRANSPORTS
+from imgproc_course.ros_domain import discovery_problem, discovery_range, users_in
 
 IMAGE_TYPES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
 VIDEO_TYPES = ("theora_image_transport/msg/Packet", "ffmpeg_image_transport_msgs/msg/FFMPEGPacket")
@@ -40,7 +43,11 @@ def explain_missing_messages(
         return start + _wrong_type(publishers[0].topic_type, expected_type, topic)
     if not subscription.get_publisher_count():
         return start + (qos_problem or _not_matched(of_expected_type[0], subscription.qos_profile))
-    return start + (publisher_error or _silent_publisher(of_expected_type, topic, received))
+    return start + (
+        _other_user(node, of_expected_type)
+        or publisher_error
+        or _silent_publisher(node, of_expected_type, topic, received)
+    )
 
 
 def _no_publisher(node, topic, own_topics):
@@ -52,8 +59,9 @@ def _no_publisher(node, topic, own_topics):
     ]
     similar = difflib.get_close_matches(topic, image_topics, n=3, cutoff=0.5) or image_topics
     similar = sorted(similar, key=lambda name: name.rpartition("/")[2] in TRANSPORTS[1:])[:3]
-    discovery_range = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or "SUBNET (the default)"
-    network = f"domain {node.context.get_domain_id()}, discovery range {discovery_range}"
+    network = f"domain {node.context.get_domain_id()}, discovery range {discovery_range()}"
+    if problem := discovery_problem():
+        return f"no node publishes this topic ({network}); {problem}"
     if similar:
         return f"no node publishes this topic ({network}); images are published on {', '.join(similar)}"
     return (
@@ -72,19 +80,71 @@ def _wrong_type(actual_type, expected_type, topic):
 
 
 def _not_matched(publisher, qos):
-    compatibility, reason = qos_check_compatible(publisher.qos_profile, qos)
-    if compatibility is QoSCompatibility.OK:
-        return "it is published, but publisher and subscription have not found each other yet; wait again"
-    return f'the QoS policies are incompatible ({reason.strip("; ")}); use qos="sensor_data"'
+    if reason := _incompatible(publisher.qos_profile, qos):
+        return f'the QoS policies are incompatible ({reason}); use qos="sensor_data"'
+    return "it is published, but publisher and subscription have not found each other yet; wait again"
 
 
-def _silent_publisher(publishers, topic, received):
+def _incompatible(publisher_qos, subscription_qos):
+    """Why a publisher's images do not reach a subscription, in a few words; None if they do."""
+    compatibility, reason = qos_check_compatible(publisher_qos, subscription_qos)
+    reason = reason.replace("ERROR: ", "").strip("; ").replace(";", ", ")
+    return reason[0].lower() + reason[1:] if compatibility == QoSCompatibility.ERROR else None
+
+
+def process_of(endpoint):
+    """The psutil.Process of this machine that has an endpoint of the graph; None if it is not known."""
+    number = int.from_bytes(bytes(endpoint.endpoint_gid[4:6]), "little")  # Fast DDS: its id's last 16 bits
+    processes = [process for process in psutil.process_iter() if process.pid & 0xFFFF == number]
+    return processes[0] if len(processes) == 1 else None
+
+
+def _other_user(node, publishers):
+    """That other users' processes publish the topic, and the remedy; None if not only they do."""
+    others = users_in(node.context.get_domain_id()) - {os.getuid()}
+    processes = [process for info in publishers if others and (process := process_of(info))]
+    foreign = [process for process in processes if process.uids().real in others]
+    if not foreign or len(foreign) < len(publishers):
+        return None
+    names = ", ".join(f"{process.username()} (process {process.pid})" for process in foreign)
+    return (
+        f"another user of this machine publishes it, {names}, and images pass through shared memory, which "
+        "is each user's own; run both programs as one user, or open_camera() with another ROS_DOMAIN_ID"
+    )
+
+
+def _input_problem(node, publisher):
+    """Why the publishing node itself receives no image, and the remedy; None if nothing is wrong."""
+    name = publisher.node_name, publisher.node_namespace
+    try:
+        topics = node.get_subscriber_names_and_types_by_node(*name)
+    except rclpy_implementation.NodeNameNonExistentError:
+        return None
+    for topic, types in topics:
+        sources = node.get_publishers_info_by_topic(topic)
+        if not sources and set(types) & set(IMAGE_TYPES):
+            return (
+                f"it subscribes to {topic}, which no node publishes; run open_camera(), or correct the name"
+            )
+        for subscription in node.get_subscriptions_info_by_topic(topic):
+            reasons = [_incompatible(source.qos_profile, subscription.qos_profile) for source in sources]
+            if (subscription.node_name, subscription.node_namespace) == name and all(reasons) and reasons:
+                return (
+                    f"it receives nothing from {topic}: the QoS policies are incompatible ({reasons[0]}); "
+                    "in its create_subscription write qos_profile_sensor_data in place of a number such as 10"
+                )
+    return None
+
+
+def _silent_publisher(node, publishers, topic, received):
     names = {
         f"{info.node_namespace.rstrip('/')}/{info.node_name}"
         for info in publishers
         if "UNKNOWN_" not in info.node_name
     }
     nodes = ", ".join(sorted(names)) or "a node whose name is not known yet"
+    if problem := next(filter(None, (_input_problem(node, info) for info in publishers)), None):
+        return f"{nodes} publishes it, but {problem}"
     if received:
         return (
             f"{nodes} publishes it, but the images have stopped; the node is paused, was killed, or is cut "

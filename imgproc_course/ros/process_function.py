@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 from sensor_msgs.msg import Image
 
+from imgproc_course.learner_errors import learners_calls
 from imgproc_course.messages import ConversionError, array_to_image
 
 
@@ -30,7 +31,8 @@ def _location(error, process):
     # The last line in the learner's own file helps more than a line deep in a library that it called.
     own_file = getattr(getattr(process, "__code__", None), "co_filename", None)
     frames = traceback.extract_tb(error.__traceback__)
-    frame = next((frame for frame in reversed(frames) if frame.filename == own_file), frames[-1])
+    last = (learners_calls(error) or frames)[-1]
+    frame = next((frame for frame in reversed(frames) if frame.filename == own_file), last)
     text = traceback.format_exception_only(error)[-1].strip()
     return f"in line {frame.lineno} of {Path(frame.filename).name} ({frame.line}): {text}"
 

@@ -1,8 +1,11 @@
 """Publishes the room: a robot that can be driven, on the real robot's topics."""
 
+import contextlib
 import math
 import time
+from pathlib import Path
 
+import psutil
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from rcl_interfaces.msg import SetParametersResult
@@ -13,6 +16,7 @@ from std_msgs.msg import Header
 from std_srvs.srv import SetBool
 
 from imgproc_course.ros.camera_publisher import UNKNOWN_NODE_NAME, CameraPublisher
+from imgproc_course.ros.diagnostics import process_of
 from imgproc_course.ros.robot_topics import COMMANDS, ENABLED, ODOMETRY, ROOM_NODE, WHEEL_ODOMETRY
 from imgproc_course.ros.room_images import RoomImages
 from imgproc_course.ros.room_messages import ODOM_FRAME, odometry_message
@@ -115,10 +119,13 @@ class RoomPublisher(CameraPublisher):
         names = ", ".join(sorted(info.node_name for info in publishers))
         is_commanded = time.monotonic() - self._commanded < 1.0
         if len(publishers) > 1 and is_commanded and UNKNOWN_NODE_NAME not in names:
+            programs = sorted(set(map(_program_of, publishers)))
+            remedy = "" if len(programs) == 1 else "; shut one down, in JupyterLab: Kernel > Shut Down Kernel"
+            senders = f"{len(publishers)} publishers" if len(programs) == 1 else " and ".join(programs)
             self._warn(
-                f"publishers {names}",
-                f"{len(publishers)} publishers send commands on {COMMANDS} ({names}): the robot follows the "
-                "newest command of them all",
+                f"publishers {names} {senders}",
+                f"{senders} send commands on {COMMANDS} ({names}): the robot follows the newest command of "
+                f"them all{remedy}",
             )
 
     def _publish_odometry(self, stamp):
@@ -126,6 +133,17 @@ class RoomPublisher(CameraPublisher):
             if publisher.get_subscription_count():
                 header = Header(stamp=Time(nanoseconds=stamp).to_msg(), frame_id=ODOM_FRAME)
                 publisher.publish(odometry_message(self._images.simulation.odometry(), header))
+
+
+def _program_of(publisher):
+    """The notebook or the process that has a publisher, for people."""
+    process = process_of(publisher)
+    if process is None:
+        return f"the node {publisher.node_name}"
+    with contextlib.suppress(psutil.Error):
+        if notebook := process.environ().get("JPY_SESSION_NAME"):
+            return f"the notebook {Path(notebook).name}"
+    return f"process {process.pid}"
 
 
 def _description(topic, images):

@@ -193,7 +193,7 @@ class RosSession:
         for node in self._spinner.nodes() if self.running else ():
             if topic in (publisher.topic_name for publisher in node.publishers):
                 # Only an ImageProcessor knows its own error.
-                error = getattr(node, "last_error", None) or self._spinner.last_callback_error
+                error = getattr(node, "last_error", None) or self._spinner.callback_errors.get(node)
                 return f"{node.get_fully_qualified_name()} publishes it, but {error}" if error else None
         return None
 
@@ -277,7 +277,7 @@ class _Spinner:
         self.executor = _Executor(context=self.context)
         self.executor.add_node(self.node)
         self.closed = False
-        self.last_callback_error: str | None = None
+        self.callback_errors: dict[Any, str] = {}  # node: what its callback raised last
         self._nodes = [self.node]
         self._lock = threading.RLock()
         self._leaving = threading.Event()
@@ -337,6 +337,7 @@ class _Spinner:
     def destroy(self, node):
         if node in self._nodes:
             self._nodes.remove(node)
+            self.callback_errors.pop(node, None)
             self.executor.remove_node(node)
             with contextlib.suppress(InvalidHandle):  # its owner destroyed it already
                 node.destroy_node()
@@ -359,11 +360,12 @@ class _Spinner:
         except InvalidHandle:
             pass  # something was destroyed between the wait and its callback; the next round is in order
         except Exception as error:  # noqa: BLE001  callbacks are other people's code; the graph must live on
-            self.last_callback_error = f"a callback failed {failed_line(error)}"
+            self.callback_errors[self.executor.node] = f"a callback failed {failed_line(error)}"
             lines = learner_errors.describe(error) or "".join(traceback.format_exception(error)).rstrip()
             text = self._errors.news(error, f"a ROS callback failed; the graph continues\n{lines}")
             if text:
-                notebook_log.in_cell_of(self.executor.name_of_node)(log.error, "%s", text)
+                name = self.executor.node.get_logger().name if self.executor.node else ""
+                notebook_log.in_cell_of(name)(log.error, "%s", text)
 
     def _close(self):
         notebook_spin.uninstall()
@@ -383,17 +385,17 @@ class _Spinner:
 class _Executor(SingleThreadedExecutor):
     """Knows whose callback it calls."""
 
-    name_of_node = ""  # of its logger
+    node: Any = None  # None: a task of the session
 
     def wait_for_ready_callbacks(self, *arguments, **options):
         ready: Any = super().wait_for_ready_callbacks(*arguments, **options)
-        self.name_of_node = ready[2].get_logger().name if ready[2] else ""
+        self.node = ready[2]
         return ready  # (handler, entity, node)
 
 
 def failed_line(error):
-    """Where an exception was raised, and what it says, in one line."""
-    line = traceback.extract_tb(error.__traceback__)[-1]
+    """The learner's line that led to an exception, or the last one, and what it says, in one line."""
+    line = (learner_errors.learners_calls(error) or traceback.extract_tb(error.__traceback__))[-1]
     text = traceback.format_exception_only(error)[-1].strip()
     return f"in line {line.lineno} ({line.line}): {text}"
 
@@ -422,7 +424,16 @@ def _new_node(name):
     """A context and its first node, which creates the DDS participant with its shared-memory ports."""
     for attempt in range(START_ATTEMPTS):
         context = _new_context()
-        node = Node(name, context=context)
+        try:
+            node = Node(name, context=context)
+        except RCLError as error:
+            if "Unable to resolve peer" not in str(error):
+                raise
+            peers = os.environ.get("ROS_STATIC_PEERS")
+            raise ValueError(
+                f"ROS_STATIC_PEERS={peers} has a name that is not found; separate addresses by a semicolon, "
+                "give no ports, or unset ROS_STATIC_PEERS"
+            ) from error
         if attempt + 1 == START_ATTEMPTS or not lost_ports():
             return context, node
         node.destroy_node()
@@ -444,7 +455,7 @@ def _new_context():
 
 def _check_domain():
     domain = os.environ.get("ROS_DOMAIN_ID") or "0"
-    if not domain.isdecimal() or int(domain) > 232:
+    if not (domain.isascii() and domain.isdecimal()) or int(domain) > 232:
         raise ValueError(
             f"ROS_DOMAIN_ID={domain} is not a ROS domain; choose 0 to 101, the same on all machines"
         )

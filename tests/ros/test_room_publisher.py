@@ -165,6 +165,31 @@ def test_several_publishers_are_reported_once_and_the_newest_command_counts(
     assert body.last_error is None
 
 
+COMMANDS_OF_A_NOTEBOOK = """
+from geometry_msgs.msg import Twist
+from imgproc_course.ros import RosSession
+publisher = RosSession.current().node.create_publisher(Twist, "/kachaka/manual_control/cmd_vel", 10)
+import time
+while True:
+    publisher.publish(Twist())
+    time.sleep(0.05)
+"""
+
+
+def test_other_notebooks_that_send_commands_are_named(body, start_python, wait_until, reports, monkeypatch):
+    from imgproc_course.ros import camera_publisher
+
+    monkeypatch.setattr(camera_publisher, "CHECK_PERIOD", 0.05)
+    for notebook in ("11_drive.ipynb", "12_obstacles.ipynb"):
+        start_python(COMMANDS_OF_A_NOTEBOOK, JPY_SESSION_NAME=f"/lessons/{notebook}")
+    start = "the notebook 11_drive.ipynb and the notebook 12_obstacles.ipynb send commands on "
+    wait_until(lambda: reports(start))
+    (line,) = reports(start)
+    assert line.endswith(
+        "newest command of them all; shut one down, in JupyterLab: Kernel > Shut Down Kernel"
+    )
+
+
 def test_manual_control_can_be_switched_off_as_on_the_robot(body, send, session, wait_until):
     from std_srvs.srv import SetBool
 

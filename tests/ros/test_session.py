@@ -380,7 +380,17 @@ def test_a_child_forked_before_any_session_can_start_one(run_python):
     assert (code, out, err) == (0, "42\n", "")
 
 
-@pytest.mark.parametrize("domain", ["abc", "300", "-1"])
+def test_peers_that_are_not_found_are_named(run_python):
+    code, out, _ = run_python(
+        "from imgproc_course.ros import RosSession\n"
+        "try: RosSession.current()\n"
+        "except ValueError as error: print(error)",
+        ROS_STATIC_PEERS="127.0.0.1,10.0.0.5",
+    )
+    assert code == 0 and out.startswith("ROS_STATIC_PEERS=127.0.0.1,10.0.0.5 has a name that is not found; ")
+
+
+@pytest.mark.parametrize("domain", ["abc", "300", "-1", "٣"])
 def test_a_bad_domain_is_refused(run_python, domain):
     code, out, err = run_python(
         "from imgproc_course.ros import RosSession\n"

@@ -1,6 +1,8 @@
 """The subscriber: frames with the right pixels, correct counts, and the reason if no image arrives."""
 
 import gc
+import os
+import re
 import threading
 import types
 import weakref
@@ -262,17 +264,87 @@ def test_a_callback_of_the_publishing_node_has_failed(subscribe, session, wait_u
     from rclpy.node import Node
     from sensor_msgs.msg import Image
 
-    def fail():
-        raise NameError("name 'grey' is not defined")
-
     subscriber = subscribe("/by_hand/gray")
-    node = session.add_node(Node("by_hand", context=session.context))
-    node.create_publisher(Image, "~/gray", subscriber.qos)
-    wait_until(lambda: subscriber.matched == 1)
+
+    def make(callback):
+        node = session.add_node(Node("by_hand", context=session.context))
+        publisher = node.create_publisher(Image, "~/gray", subscriber.qos)
+        node.create_timer(0.01, lambda: callback(publisher))
+        wait_until(lambda: subscriber.matched == 1)
+
+    make(lambda publisher: None)
     assert "a callback failed" not in reason(subscriber)
-    node.create_timer(0.01, fail)
-    assert reason(subscriber).startswith("/by_hand publishes it, but a callback failed in line ")
-    assert reason(subscriber).endswith("NameError: name 'grey' is not defined")
+    make(lambda publisher: publisher.publish("gray"))  # raises in rclpy
+    expected = (
+        r'/by_hand publishes it, but a callback failed in line \d+ \(.*publisher.publish\("gray"\).*\): Type'
+    )
+    assert re.match(expected, reason(subscriber))
+    make(lambda publisher: None)  # the mended class takes its place
+    assert "a callback failed" not in reason(subscriber)
+
+
+def test_the_publishing_node_itself_receives_nothing(send, subscribe, session, wait_until):
+    from rclpy.node import Node
+    from sensor_msgs.msg import Image
+
+    node = session.add_node(Node("by_hand", context=session.context))
+    node.create_publisher(Image, "~/gray", 10)
+    subscriber = subscribe("/by_hand/gray")
+    wait_until(lambda: subscriber.matched == 1)
+    node.create_subscription(Image, TOPIC, print, 10)
+    start = (
+        f"/by_hand publishes it, but it receives nothing from {TOPIC}: the QoS policies are incompatible ("
+    )
+    assert reason(subscriber).startswith(
+        start + "best effort publisher and reliable subscription); in its create"
+    )
+    session.run(lambda: session.node.destroy_publisher(send.publisher))
+    wait_until(lambda: not session.node.count_publishers(TOPIC))
+    assert f"it subscribes to {TOPIC}, which no node publishes; run open_camera()" in reason(subscriber)
+
+
+def test_the_publisher_is_another_user(send, subscribe, session, wait_until, monkeypatch):
+    from imgproc_course.ros import diagnostics
+
+    subscriber = subscribe(TOPIC)
+    wait_until(lambda: subscriber.matched == 1)
+    assert diagnostics.process_of(session.node.get_publishers_info_by_topic(TOPIC)[0]).pid == os.getpid()
+    monkeypatch.setattr(diagnostics, "users_in", lambda domain: {os.getuid() + 1})
+    assert "another user" not in reason(subscriber)  # who is in the domain, and publishes something else
+    uids = types.SimpleNamespace(real=os.getuid() + 1)
+    process = types.SimpleNamespace(pid=7, uids=lambda: uids, username=lambda: "ada")
+    monkeypatch.setattr(diagnostics, "process_of", lambda endpoint: process)
+    assert reason(subscriber).startswith(
+        "another user of this machine publishes it, ada (process 7), and images "
+    )
+
+
+ALONE = """
+from imgproc_course.ros import ImageSubscriber, open_camera
+with open_camera() as camera:
+    try:
+        ImageSubscriber(camera.topic).wait(2)
+    except TimeoutError as error:
+        print(error)
+"""
+
+
+@pytest.mark.parametrize(
+    "environment, cause",
+    [
+        (
+            {"ROS_DISCOVERY_SERVER": "127.0.0.1:11811"},
+            "ROS_DISCOVERY_SERVER=127.0.0.1:11811: programs discover ",
+        ),
+        (
+            {"ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF"},
+            "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: programs do not discover",
+        ),
+    ],
+)
+def test_what_the_environment_keeps_apart_is_named(run_python, environment, cause):
+    code, out, _ = run_python(ALONE, **environment)
+    assert code == 0 and f"; {cause}" in out and "unset ROS_" in out
 
 
 def test_the_publisher_has_become_silent(send, subscribe, session):
