@@ -60,10 +60,10 @@ def _no_publisher(node, topic, own_topics):
     similar = difflib.get_close_matches(topic, image_topics, n=3, cutoff=0.5) or image_topics
     similar = sorted(similar, key=lambda name: name.rpartition("/")[2] in TRANSPORTS[1:])[:3]
     network = f"domain {node.context.get_domain_id()}, discovery range {discovery_range()}"
-    if problem := discovery_problem():
-        return f"no node publishes this topic ({network}); {problem}"
-    if similar:
-        return f"no node publishes this topic ({network}); images are published on {', '.join(similar)}"
+    problem = discovery_problem()
+    if similar or problem:
+        others = f"images are published on {', '.join(similar)}" if similar else None
+        return "; ".join(filter(None, [f"no node publishes this topic ({network})", others, problem]))
     return (
         f"no node publishes this topic or any other image ({network}); run open_camera(), or imgproc-course "
         "play in a terminal; for a robot, use its ROS_DOMAIN_ID and the discovery range SUBNET"
@@ -95,13 +95,13 @@ def _incompatible(publisher_qos, subscription_qos):
 def process_of(endpoint):
     """The psutil.Process of this machine that has an endpoint of the graph; None if it is not known."""
     number = int.from_bytes(bytes(endpoint.endpoint_gid[4:6]), "little")  # Fast DDS: its id's last 16 bits
-    processes = [process for process in psutil.process_iter() if process.pid & 0xFFFF == number]
-    return processes[0] if len(processes) == 1 else None
+    pids = [pid for pid in psutil.pids() if pid & 0xFFFF == number]
+    return psutil.Process(pids[0]) if len(pids) == 1 else None
 
 
 def _other_user(node, publishers):
     """That other users' processes publish the topic, and the remedy; None if not only they do."""
-    others = users_in(node.context.get_domain_id()) - {os.getuid()}
+    others = [user for user in users_in(node.context.get_domain_id()) if user != os.getuid()]
     processes = [process for info in publishers if others and (process := process_of(info))]
     foreign = [process for process in processes if process.uids().real in others]
     if not foreign or len(foreign) < len(publishers):
@@ -123,9 +123,7 @@ def _input_problem(node, publisher):
     for topic, types in topics:
         sources = node.get_publishers_info_by_topic(topic)
         if not sources and set(types) & set(IMAGE_TYPES):
-            return (
-                f"it subscribes to {topic}, which no node publishes; run open_camera(), or correct the name"
-            )
+            return f"it subscribes to {topic}, which no node publishes; run open_camera()"
         for subscription in node.get_subscriptions_info_by_topic(topic):
             reasons = [_incompatible(source.qos_profile, subscription.qos_profile) for source in sources]
             if (subscription.node_name, subscription.node_namespace) == name and all(reasons) and reasons:

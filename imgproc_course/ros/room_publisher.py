@@ -137,13 +137,11 @@ class RoomPublisher(CameraPublisher):
 
 def _program_of(publisher):
     """The notebook or the process that has a publisher, for people."""
-    process = process_of(publisher)
-    if process is None:
-        return f"the node {publisher.node_name}"
     with contextlib.suppress(psutil.Error):
-        if notebook := process.environ().get("JPY_SESSION_NAME"):
-            return f"the notebook {Path(notebook).name}"
-    return f"process {process.pid}"
+        if process := process_of(publisher):
+            notebook = process.environ().get("JPY_SESSION_NAME")
+            return f"the notebook {Path(notebook).name}" if notebook else f"process {process.pid}"
+    return f"the node {publisher.node_name}"
 
 
 def _description(topic, images):

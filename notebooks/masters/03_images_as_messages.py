@@ -600,7 +600,7 @@ def inputs(rng):
 #
 # **This is a good place for a break.** After it, run the cells above again: **Run → Run All Above Selected Cell**.
 #
-# ROS 2 has its own converter, `cv_bridge`, but Python's installer, pip, cannot install it. The course's `CvBridge` has methods with the same names, and for correct messages the same results. So your code runs on a robot after you change one line: the import.
+# ROS 2 has its own converter, `cv_bridge`, which comes with a full ROS 2 installation. Do not install it with pip: what pip finds under this name is for ROS 1, and fails as soon as it makes a message. The course's `CvBridge` has methods with the same names, and for correct messages the same results. So your code runs on a robot after you change one line: the import.
 #
 # **Check** that three ways give the same array: by hand, with the course's function, and with `CvBridge`. ("passthrough" means: keep the encoding of the message.)
 
