@@ -1,7 +1,7 @@
 """The first image after `open_camera()`, in fresh processes, with and without the profile's announcements.
 
 The receivers: an ImageSubscriber, as in a notebook; a plain rclpy subscription in a script that imports
-imgproc_course.ros; the result of a node that its console script has started, and that has waited for 4 s. Each
+imgproc_course.ros; the result of a node that its console script has started, and that waits for 4 s. Each
 start has a fresh robot process. The peer is the same start with a profile without <builtin>.
 Budget: within 0.7 s in every start. Run it on a quiet machine: it prints the load.
 """
