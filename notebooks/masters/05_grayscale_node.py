@@ -301,18 +301,22 @@ assert (array == frame).all() and msg.encoding == "bgr8"
 #
 # In many files you see `except Exception` around the whole callback. Do not copy it: it also catches your own mistakes. If you misspell a name in the callback, such a node logs an error for every image, and you look for the fault in the camera. Put only the conversion inside `try`, and catch only what a bad message causes: `ConversionError`, or `CvBridgeError` if you convert with `CvBridge`. Every other error ends the node, and shows you the line.
 #
-# Step 6: most ROS tutorials end with a function `main`:
+# Step 6: a script ends with a function `main`:
 #
 # ```python
 # def main(args=None):
 #     rclpy.init(args=args)
 #     node = ImageGrayProcessor()
-#     rclpy.spin(node)
-#     node.destroy_node()
-#     rclpy.shutdown()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
 # ```
 #
-# `ImageGrayProcessor` is the node that you write in section 7. `args` are the arguments of the command line, such as [[term:remapping|remappings]]; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
+# `ImageGrayProcessor` is the node that you write in section 7. `args` are the arguments of the command line, such as [[term:remapping|remappings]]; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: it runs until Ctrl-C raises one of these exceptions, which most tutorials forget. (You run such a script in [[ros2_packages]].)
 #
 # **Pause?** Then choose **Run → Run All Above Selected Cell** when you come back.
 
