@@ -9,6 +9,7 @@ import array
 import base64
 import collections
 import hashlib
+import math
 import types
 
 import numpy as np
@@ -39,8 +40,10 @@ _QUALNAME = type.__dict__["__qualname__"]
 _MODULE = type.__dict__["__module__"]
 
 
-def canonical(value, limit=None):
+def canonical(value, limit=None, most=None):
     """The canonical form of a value; an array of more than `limit` bytes is given by its SHA-256 digest.
+
+    Once its arrays have more than `most` bytes together, further ones are given without their values.
 
     It is a dict that json.dumps takes, with "type" and, by type:
         bool, int, float, str, None      "value" (the floats that JSON lacks are "nan", "inf", "-inf")
@@ -58,7 +61,7 @@ def canonical(value, limit=None):
 
     In this form NaN equals NaN and -0.0 equals 0.0; byte order and memory layout make no difference.
     """
-    return _Writer(limit).write(value, 0)
+    return _Writer(limit, math.inf if most is None else most).write(value, 0)
 
 
 def type_name(value):
@@ -72,8 +75,8 @@ def type_name(value):
 
 
 class _Writer:
-    def __init__(self, limit):
-        self._limit = limit
+    def __init__(self, limit, bytes_left):
+        self._limit, self._bytes_left = limit, bytes_left
         self._items_left = _MOST_ITEMS
 
     def write(self, value, depth):
@@ -97,7 +100,7 @@ class _Writer:
         if kind in (tuple, list, dict):
             return self._container(value, depth)
         if kind in _STAND_INS:
-            return self.write(_STAND_INS[kind](value), depth)
+            return self._stand_in(value, _STAND_INS[kind], depth)
         if issubclass(kind, tuple) and "_fields" in kind.__dict__:
             # The class of a named tuple is a learner's, and so may be its __iter__.
             return self.write(tuple(tuple.__iter__(value)), depth)
@@ -107,6 +110,9 @@ class _Writer:
         if names and depth < _MOST_DEPTH:
             return form | {"fields": {name: self._field(value, name, depth) for name in names}}
         return form | {"opaque": True}
+
+    def _stand_in(self, value, kind, depth):
+        return _too_large(kind.__name__) if len(value) > self._bytes_left else self.write(kind(value), depth)
 
     def _text(self, value):
         if len(value) > MOST_CHARACTERS:
@@ -127,6 +133,8 @@ class _Writer:
         form = {"type": "ndarray", "dtype": value.dtype.name, "shape": list(value.shape)}
         if value.dtype.kind not in "biuf" or value.dtype.itemsize > 8:
             return form | {"opaque": True}
+        if value.nbytes > self._bytes_left:
+            return form
         plain = np.ascontiguousarray(value).astype(value.dtype.newbyteorder("<"), copy=False)
         if plain.dtype.kind == "f":
             plain = plain + plain.dtype.type(0)  # -0.0 becomes 0.0
@@ -134,6 +142,9 @@ class _Writer:
         return form | self._data(plain.tobytes())
 
     def _data(self, raw):
+        self._bytes_left -= len(raw)
+        if self._bytes_left < 0:
+            return {}
         if self._limit is not None and len(raw) > self._limit:
             return {"digest": hashlib.sha256(raw).hexdigest()}
         return {"data": base64.b64encode(raw).decode("ascii")}

@@ -14,7 +14,7 @@ import numpy as np
 from .cell_syntax import cells_of, needed_parts, parts_of
 from .dependencies import tree_as_graded
 from .ros_double import offer_modules
-from .running import NODES, CallResult, answer_name, by_itself, call
+from .running import NODES, CallResult, answer_name, by_itself, bytes_allowed, call
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,11 +142,15 @@ class CheckData:
             linecache.cache[file] = (len(cell), None, cell.splitlines(keepends=True), file)
             parts = [*((file, part) for part in parts_of(cell)), *parts]
         needed = None if function is None else needed_parts([part for _, part in parts], function)
-        return [(file, part) for file, part in parts if needed is None or part in needed]
+        return [(file, part) for file, part in parts if not needed or part in needed]
 
-    def call(self, function, arguments, seconds=None):
-        """The CallResult of one call of an answer, within its time limit, or within these seconds."""
-        return call(function, arguments, self.names, seconds or self.time_limit, self.subject)
+    def call(self, function, arguments, seconds=None, expected=None):
+        """The CallResult of one call of an answer, within its time limit, or within these seconds.
+
+        Of a value that is much larger than the `expected` form, the arrays are given without their values.
+        """
+        most = None if expected is None else bytes_allowed(expected)
+        return call(function, arguments, self.names, seconds or self.time_limit, self.subject, most)
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,10 @@
 import contextlib
 import inspect
 import re
+import time
 import types
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -22,13 +24,25 @@ from .diagnosis import Diagnosis, diagnose
 from .drive import passes, sentences_of
 from .drive_check import drive_scenarios, known_mistake, progress_bar
 from .expected_results import check_data_of
+from .last_resort import with_last_resort
 from .one_change import sentence_on_change
 from .progress import ExerciseProgress, content_of, digest_of, note_progress
-from .running import CallResult, TimeUp, answer_name, call_within, code_of, codes_of, globals_of, source_of
+from .running import (
+    CallResult,
+    TimeUp,
+    answer_name,
+    attempt,
+    call_within,
+    code_of,
+    codes_of,
+    globals_of,
+    source_of,
+)
 from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
 _NONE = {"type": "None"}
 _SECONDS = 10  # for the statements beside an answer
+_FAST = 1.0  # seconds: calls that take longer are not repeated for a remark
 
 
 @dataclass(frozen=True)
@@ -104,10 +118,12 @@ class CheckResult:
         return sum(result.case.points for result in self.results if result.passed)
 
     def __repr__(self):
-        return feedback.as_text(self)
+        bare = partial(feedback.as_bare_text, self)
+        return with_last_resort(self.exercise.id, lambda: feedback.as_text(self), bare)
 
     def _repr_html_(self):
-        return feedback.as_html(self)
+        bare = partial(feedback.as_bare_html, self)
+        return with_last_resort(self.exercise.id, lambda: feedback.as_html(self), bare)
 
 
 class CheckInterrupted(KeyboardInterrupt):
@@ -143,7 +159,15 @@ def check(exercise_id, function):
             f" an error, repair that), and write check({exercise_id!r}, {exercise.function}), no parentheses"
             " after the name"
         )
-    why_older = RUNS.why_older(exercise_id, exercise.function, function)
+    return with_last_resort(
+        exercise_id,
+        lambda: _check_in_notebook(file, exercise, function),
+        lambda fault: _bare_result(exercise, function, fault),
+    )
+
+
+def _check_in_notebook(file, exercise, function):
+    why_older = RUNS.why_older(exercise.id, exercise.function, function)
     if why_older:
         return CheckResult(exercise, attempted=True, why_older=why_older)
     answer = _answer_in_notebook(file, exercise, function)
@@ -155,6 +179,14 @@ def check(exercise_id, function):
         raise CheckInterrupted from None
     _note(result, function)
     return result
+
+
+def _bare_result(exercise, function, fault):
+    """The CheckResult of an answer as it stands, without explanations; what stopped them is a remark."""
+    calls = _run_calls(exercise, function)
+    results = tuple(_case_result(case, calls) for case in exercise.cases)
+    drives = tuple(calls) if exercise.subject == "drive" else ()
+    return CheckResult(exercise, attempted=True, results=results, remarks=(fault,), drives=drives)
 
 
 def _answer_in_notebook(file, exercise, function):
@@ -200,19 +232,21 @@ def run_check(exercise, function, answer=None, progress=None):
     """
     graded, dependencies = _as_graded(exercise, function, answer)
     judged = graded or function
+    began = time.monotonic()
     calls, remarks = _run_calls(exercise, judged, answer if graded else None, progress), ()
+    is_fast = time.monotonic() - began < _FAST
     if dependencies.foreign and not any(call.passed for call in calls):
         calls, judged = _run_calls(exercise, function), function  # they tell more than a NameError
     else:
         dependencies = replace(dependencies, foreign={})
         if _are_same(codes_of(judged), codes_of(function)) is False:
             remarks = (SAYS["another function"].format(name=exercise.answer_name),)
-        elif graded and exercise.subject != "drive" and not all(call.passed for call in calls):
+        elif graded and is_fast and exercise.subject != "drive" and not all(call.passed for call in calls):
             remarks = _remarks_if_right_here(exercise, function, answer)
     if answer and answer.function != exercise.function:
         remarks = (SAYS["another try"].format(name=exercise.answer_name, other=answer.function), *remarks)
     result = _judge_calls(exercise, judged, calls, dependencies)
-    one_change = _one_change(result, judged, calls)
+    one_change = attempt(lambda: _one_change(result, judged, calls), "", seconds=5)
     way = one_change and SAYS["way without return"].format(name=exercise.function)  # not the cause then
     remarks = tuple(remark for remark in (*remarks, *result.remarks) if remark != way)
     return replace(result, remarks=remarks, one_change=one_change)
@@ -292,7 +326,7 @@ def _run_calls(exercise, function, answer=None, progress=None):
 
 def _run_call(exercise, function, case, arguments, expected, seconds=None):
     """The CaseCall of a function, as of an answer; within `seconds` in place of the exercise's time limit."""
-    result, difference = exercise.call(function, arguments, seconds), None
+    result, difference = exercise.call(function, arguments, seconds, expected.value), None
     if result.finished:
         values = expected.value, result.value
         difference = compare(*values, case.tolerance, exact_type=exercise.exact_type)
@@ -342,16 +376,19 @@ def _judge_calls(exercise, function, calls, dependencies):
         return CheckResult(exercise, attempted=False, remarks=remarks)
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     has_passed = all(result.passed for result in results)
-    mistake = None if has_passed else _known_mistake(exercise, calls)
-    if mistake and _has_another_reason(mistake, function, calls):
-        mistake = None
-    remarks = () if has_passed else tuple(remarks_on_source(function, errors))
+    mistake = None if has_passed else attempt(lambda: _explanation(exercise, function, calls), None, 5)
+    remarks = () if has_passed else tuple(attempt(lambda: remarks_on_source(function, errors), ()))
     if is_stub and _has_other_lines(exercise, function):
         never_run = SAYS["lines that never run"].format(name=exercise.answer_name)
         is_stub, remarks = False, (never_run, *remarks)
     parts = {"remarks": remarks, "drives": tuple(calls) if is_drive else ()}
     result = CheckResult(exercise, not is_stub, results, mistake, dependencies, **parts)
-    return replace(result, diagnosis=_diagnosis(result, calls))
+    return replace(result, diagnosis=attempt(lambda: _diagnosis(result, calls), Diagnosis()))
+
+
+def _explanation(exercise, function, calls):
+    mistake = _known_mistake(exercise, calls)
+    return None if mistake and _has_another_reason(mistake, function, calls) else mistake
 
 
 def _has_another_reason(mistake, function, calls):

@@ -15,6 +15,7 @@ import sys
 import time
 import warnings
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
@@ -26,7 +27,13 @@ from .running import CallResult, LimitedOutput, TimeUp, call_within, failure_fie
 
 _SIMULATORS = 2
 _SHOWN_LOOKS = 20  # between two states of the progress bar
-_LESS = "do less in each call, or keep results in memory"
+_MOST_SLOW = 20  # looks that take longer than they may while the drive does so on average
+_MOST_MEMORY = 1_000_000_000  # bytes by which this process may grow
+_SLOW = (
+    f"takes longer than {MEAN_LOOK_SECONDS} s for a look on average: do less in each call, do not sleep, or"
+)
+_SLOW += " keep results in memory"
+_LARGE = "takes more than 1 GB of memory: keep only what later looks need"
 _KEPT_LINES = 13  # of what a drive prints: one more than is shown
 _STEP = 5  # looks between two places of a path that is stored or compared
 
@@ -97,14 +104,40 @@ def _all_simulators():
         raise
 
 
+def _own_seconds():
+    """A clock that stands still while this thread waits for a processor; seconds."""
+    try:
+        return time.monotonic() - int(Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
+    except (OSError, IndexError):
+        return time.thread_time()
+
+
+def _memory():
+    """The memory of this process, bytes; 0 if the system does not say it."""
+    try:
+        return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    except OSError:
+        return 0
+
+
+@dataclass
+class _Burden:
+    """What all drives of a check cost; `excess` says why none of them goes on, "" if they do."""
+
+    memory: int = field(default_factory=_memory)  # before
+    excess: str = ""
+
+
 @dataclass
 class _Run:
     """One drive of a `control`: what it was told, what it printed, and why it failed."""
 
     control: object
     scenario: dict
+    burden: _Burden
     memory: dict = field(default_factory=dict)
-    seconds: float = 0.0  # of processor time, of all its calls
+    seconds: float = 0.0  # of all its calls
+    slow_looks: int = 0
     prints: list = field(default_factory=list)  # (seconds after the start, LimitedOutput) of each call
     warning: str = ""
     failure: dict = field(default_factory=dict)
@@ -112,26 +145,39 @@ class _Run:
 
     def answer(self, observation, name):
         """The request to the simulator after an observation."""
+        if self.burden.excess:
+            return self._end()
         try:
             speeds = self._call(observation)
         except (Exception, SystemExit, TimeUp) as error:  # noqa: BLE001 - the learner's code may raise anything
             self.failure = failure_fields(error, self.control)
             return "stop", _reason(self.failure, name)
-        if self.seconds > MEAN_LOOK_SECONDS * looks_of(self.scenario):
-            return "stop", f"{name} takes longer than {MEAN_LOOK_SECONDS} s for a look on average: {_LESS}"
+        if _memory() - self.burden.memory > _MOST_MEMORY:
+            self.burden.excess = f"{name} {_LARGE}"
+        elif self.slow_looks >= _MOST_SLOW or self.seconds > MEAN_LOOK_SECONDS * looks_of(self.scenario):
+            self.burden.excess = f"{name} {_SLOW}"
+        if self.burden.excess:
+            return self._end()
         try:
             return "act", *speeds_of(speeds)
         except ValueError as error:
             return "stop", str(error)
 
+    def _end(self):
+        """The last request, because the drives of this check cost too much; frees what it keeps."""
+        self.control, self.memory = None, {}
+        return "stop", self.burden.excess
+
     def _call(self, observation):
-        began, output = time.thread_time(), LimitedOutput()
+        began, output = _own_seconds(), LimitedOutput()
         self.prints.append((observation["time"], output))
         with warnings.catch_warnings(record=True) as caught_warnings:
             warnings.simplefilter("always")
             with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
                 speeds = call_within(lambda: self.control(observation, self.memory), LOOK_SECONDS)
-        self.seconds += time.thread_time() - began
+        seconds = _own_seconds() - began
+        self.seconds += seconds
+        self.slow_looks += seconds > MEAN_LOOK_SECONDS < self.seconds / len(self.prints)
         self.warning = self.warning or (str(caught_warnings[0].message) if caught_warnings else "")
         return speeds
 
@@ -168,7 +214,8 @@ def drive_scenarios(exercise, scenarios, make_control, progress=None):
     `make_control` gives a `control` for each: its globals are its own. `progress` takes the share that was
     driven, 0 to 1, now and then.
     """
-    runs = [_Run(make_control(), scenario) for scenario in scenarios]
+    burden = _Burden()
+    runs = [_Run(make_control(), scenario, burden) for scenario in scenarios]
     waiting, driving, looks = list(runs), {}, 0
     total = sum(map(looks_of, scenarios))
     with _all_simulators() as simulators:

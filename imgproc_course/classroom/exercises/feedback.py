@@ -282,6 +282,18 @@ def as_text(result):
     return "\n".join(filter(None, (*lines, _footer(result), *_ends(result))))
 
 
+def as_bare_text(result, fault):
+    """The verdict, the values and a sentence on a fault: what is left if `as_text` fails."""
+    lines = [f"{result.exercise.id}: {_headline(result)}.", fault]
+    for case_result in result.results:
+        lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
+        call = case_result.failed_call
+        if call is not None and call.result.finished:
+            forms = {"returned": call.result.value, "expected": call.expected.value}
+            lines += [f"    {name}: {describe_value(form)}" for name, form in forms.items()]
+    return "\n".join(lines)
+
+
 def _details_as_text(result, call):
     if call is None:
         return
@@ -322,6 +334,11 @@ def as_html(result):
     body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
     body += map(_paragraph, _ends(result))
     return f'<div style="border-left: 4px solid {colour}; padding: 4px 10px">{"".join(body)}</div>'
+
+
+def as_bare_html(result, fault):
+    """As `as_bare_text`."""
+    return _paragraph(as_bare_text(result, fault))
 
 
 def _drives_as_html(result):

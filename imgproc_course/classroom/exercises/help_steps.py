@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass
 
 from .check_files import SOLUTIONS, find_check_file, read_lesson_file, reading
+from .last_resort import with_last_resort
 from .progress import ExerciseProgress, note_progress, progress_of
 
 TRIES = 3  # honest ones, before a solution opens
@@ -61,7 +62,11 @@ def hint(exercise_id, step=None):
     CheckFileError : there is no such exercise, or its file is missing or damaged
     """
     exercise = find_check_file(exercise_id).exercise(exercise_id)
-    hints = exercise.hints
+    return with_last_resort(exercise_id, lambda: _hint(exercise, step), Help)
+
+
+def _hint(exercise, step):
+    exercise_id, hints = exercise.id, exercise.hints
     quoted_id = json.dumps(exercise_id)
     if step is None:
         step = progress_of(exercise_id).hints + 1
@@ -97,6 +102,11 @@ def solution(exercise_id, give_up=False):
     """
     file = find_check_file(exercise_id)
     exercise = file.exercise(exercise_id)
+    return with_last_resort(exercise_id, lambda: _solution(file, exercise, give_up), Help)
+
+
+def _solution(file, exercise, give_up):
+    exercise_id = exercise.id
     path = file.path.parents[1] / SOLUTIONS / file.path.name
     if not path.is_file():
         return Help(f"Your teacher has not released the solution of {exercise_id} yet.")

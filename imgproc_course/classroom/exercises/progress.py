@@ -150,7 +150,10 @@ def content_of(code):
     Python compiles cv2.add(a, b) in two ways: it depends on whether the import stands in the same cell.
     """
     if not isinstance(code, types.CodeType):
-        return repr(code)
+        try:
+            return repr(code)
+        except ValueError:  # an integer of more digits than Python writes
+            return str(hash(code))
     steps = (step for step in dis.get_instructions(code) if step.opname not in ("PUSH_NULL", "EXTENDED_ARG"))
     operands = ((step, "" if step.opcode in _JUMPS else content_of(step.argval)) for step in steps)
     return repr([(step.opname.replace("LOAD_METHOD", "LOAD_ATTR"), operand) for step, operand in operands])

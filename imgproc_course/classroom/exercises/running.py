@@ -32,6 +32,7 @@ from .comparison import compare, named_items
 from .recording_node import NodeError, NotGradedError
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
+_MOST_BYTES = 200_000  # of the arrays of a value, and 8 for each element of the expected one
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
@@ -83,12 +84,13 @@ def answer_name(function, subject):
     return function if subject == "node" else f"{function}()"
 
 
-def call(function, arguments, names, time_limit, subject="function"):
+def call(function, arguments, names, time_limit, subject="function", most_bytes=None):
     """Call a function on copies of its arguments; the CallResult says what it did.
 
     `names` are the arguments'; those without a name are numbered. The time limit is in seconds; on a busy
     machine up to three times as long. If the subject is "node", the function is the class of a node, and is
-    driven through the steps in its arguments; of a "package", it returns the files.
+    driven through the steps in its arguments; of a "package", it returns the files. Arrays are given with
+    their values up to `most_bytes` together, see `canonical`.
     """
     copies = copy.deepcopy(arguments)
     names = [*names[: len(copies)], *(f"argument {k + 1}" for k in range(len(names), len(copies)))]
@@ -97,10 +99,12 @@ def call(function, arguments, names, time_limit, subject="function"):
     with warnings.catch_warnings(record=True) as caught_warnings:
         warnings.simplefilter("always")
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
-            fields = _call_fields(function, copies, time_limit, subject)
+            fields = _call_fields(function, copies, time_limit, subject, most_bytes)
     if not fields.get("stuck"):
         pairs = zip(names, before, copies, strict=True)
-        fields["changed"] = tuple(name for name, old, new in pairs if old != canonical(new, limit=None))
+        fields["changed"] = tuple(
+            name for name, old, new in pairs if old != canonical(new, most=bytes_allowed(old))
+        )
     messages = [str(caught.message) for caught in caught_warnings]
     # An overflow is the one that explains most.
     warning = next((text for text in messages if "overflow" in text), messages[0] if messages else "")
@@ -127,7 +131,7 @@ def argument_names(function, subject="function"):
         return []
 
 
-def _call_fields(function, arguments, time_limit, subject):
+def _call_fields(function, arguments, time_limit, subject, most_bytes):
     """The fields of CallResult that the call itself gives, as a dict."""
     run = function
     if subject in NODES:
@@ -137,7 +141,7 @@ def _call_fields(function, arguments, time_limit, subject):
         run = partial(drive, function)
     try:
         value = call_within(lambda: run(*arguments), time_limit)
-        return {"value": canonical(value, limit=None)}
+        return {"value": canonical(value, most=most_bytes)}
     except (Exception, SystemExit, TimeUp) as error:  # noqa: BLE001 - a learner's function may raise anything
         return failure_fields(error, function)
 
@@ -146,7 +150,8 @@ def failure_fields(error, function):
     """The fields of CallResult that say why a call did not finish, as a dict."""
     if isinstance(error, TimeUp):
         return {"timed_out": True, "stuck": bool(error.args)}
-    fields = {"error": error_name(error), "message": _message(error), "closest": _closest(error)}
+    closest = attempt(lambda: _closest(error, str(error.name or "")), "")
+    fields = {"error": error_name(error), "message": _message(error), "closest": closest}
     return fields | {"line": _own_line(error, function)}
 
 
@@ -166,6 +171,16 @@ def overwrite_freed_memory(form):
     sizes = {np.prod(part["shape"], dtype=int) * np.dtype(part["dtype"]).itemsize for part in _arrays(form)}
     blocks = [np.full(size, 0xA5, np.uint8) for size in sizes for _ in range(_BLOCKS)]
     del blocks
+
+
+def bytes_allowed(form):
+    """How many bytes the arrays of a value may have that is compared with this form."""
+    sizes = [8 * np.prod(part["shape"], dtype=int) for part in _arrays(form)]
+    return _MOST_BYTES + sum(sizes) + _length_of_bytes(form)
+
+
+def _length_of_bytes(form):
+    return form.get("length", 0) + sum(_length_of_bytes(part) for _, part in named_items(form))
 
 
 def _arrays(form):
@@ -190,6 +205,14 @@ def call_within(function, seconds):
     if hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread():
         return _with_alarm(function, seconds)
     return _in_thread(function, seconds)
+
+
+def attempt(compute, otherwise, seconds=1):
+    """What compute() returns, or `otherwise` if it raises or does not end in time: a remark is left out."""
+    try:
+        return call_within(compute, seconds)
+    except (Exception, TimeUp):  # noqa: BLE001 - it reads what is a learner's, or is no more than a remark
+        return otherwise
 
 
 def _with_alarm(function, seconds):
@@ -246,16 +269,14 @@ def _in_thread(function, seconds):
 
 
 def _message(error):
-    try:
-        text = str(error)
-    except Exception:  # noqa: BLE001 - an exception class of the learner's
-        text = ""
-    return _ADDRESS.sub("0x…", text)[:500]
+    """The beginning of its text; an exception class may be the learner's."""
+    text = attempt(lambda: str(error), "")
+    return _ADDRESS.sub("0x…", text[:2_000])[:500]
 
 
-def _closest(error):
+def _closest(error, wanted):
     """The existing name that is most like the one that was not found; "" if none is."""
-    wanted, names = getattr(error, "name", None), []
+    names = []
     if isinstance(error, AttributeError) and wanted:
         names = dir(error.obj)
     elif isinstance(error, NameError) and wanted:

@@ -26,15 +26,14 @@ def remarks_on_source(function, errors=()):
 
     `errors` are the types that its calls raised, and "None" if one of them returned None.
     """
-    try:
-        source = source_of(function)
-        tree = ast.parse(source).body[0]
-    except (IndexError, SyntaxError):
+    source = source_of(function)
+    tree = next(iter(_body(source)), None)
+    if tree is None:
         return []
-    helpers = [helper for helper in _helpers(function) if isinstance(helper, ast.FunctionDef)]
-    nodes = [node for part in (tree, *helpers) for node in ast.walk(part)]
-    remarks = [text for part in (tree, *helpers) for text in _repeated_and_ended(part)]
-    remarks += [text for node in nodes for text in _remarks_on_node(node, source)]
+    parts = [(tree, source), *_helpers(function)]
+    nodes = [(node, source) for part, source in parts for node in ast.walk(part)]
+    remarks = [text for part, _ in parts for text in _repeated_and_ended(part)]
+    remarks += [text for node in nodes for text in _remarks_on_node(*node)]
     functions = tree.body if isinstance(tree, ast.ClassDef) else [tree]
     for part in functions:
         remarks += _remarks_on_function(part) if isinstance(part, ast.FunctionDef) else []
@@ -57,12 +56,21 @@ def has_done(source, sentence):
 
 
 def _helpers(function):
-    """The trees of the functions that a function calls by name, and that stand in its file."""
+    """(tree, source) of the functions that a function calls by name, and that stand in its file."""
     code = getattr(function, "__code__", None)
     for name in code.co_names if code else ():
         helper = function.__globals__.get(name)
         if isinstance(helper, types.FunctionType) and helper.__code__.co_filename == code.co_filename:
-            yield ast.parse(source_of(helper)).body[0]
+            source = source_of(helper)
+            yield from ((tree, source) for tree in _body(source)[:1] if isinstance(tree, ast.FunctionDef))
+
+
+def _body(source):
+    """The statements of a source; [] if it does not parse by itself, such as a part of a line."""
+    try:
+        return ast.parse(source).body
+    except (SyntaxError, ValueError):
+        return []
 
 
 def _repeated_and_ended(tree):
@@ -171,7 +179,7 @@ def _fixed_size(node, _source):
 def _remarks_on_comparison(node, source):
     if len(node.ops) == 1 and ast.dump(node.left) == ast.dump(node.comparators[0]):
         yield f"{ast.unparse(node)} compares a value with itself."
-    line = source.splitlines()[node.lineno - 1].encode()
+    line = source.split("\n")[node.lineno - 1].encode()
     for part in (node.left, *node.comparators):
         is_mask = isinstance(part, ast.BinOp) and isinstance(part.op, ast.BitAnd | ast.BitOr)
         if is_mask and line[part.col_offset - 1 : part.col_offset] != b"(" and part.lineno == node.lineno:

@@ -224,11 +224,31 @@ def test_what_ends_a_drive_is_said(data, body, sentence, advice):
     assert f"In all 3 scenarios: The drive ended after {sentence}" in text
 
 
-def test_a_controller_that_is_too_slow_on_average_ends_as_in_grading(data):
-    body = "    end = time.thread_time() + 0.08\n    while time.thread_time() < end:\n        pass\n"
+@pytest.mark.parametrize(
+    ("line", "sentence", "most"),
+    [
+        ("while time.thread_time() < end: pass", "0.05 s for a look on average: do less in each call", 24),
+        ("time.sleep(0.08)", "0.05 s for a look on average: do less in each call, do not sleep", 24),
+        ("if memory['n'] % 2: time.sleep(0.2)", "0.05 s for a look on average", 48),
+        ("memory[end] = np.ones(35_000_000, np.uint8)", "takes more than 1 GB of memory: keep only what", 34),
+    ],
+)
+def test_a_controller_that_costs_too_much_ends_all_drives_early(data, line, sentence, most):
+    body = f"    end = time.thread_time() + 0.08\n    memory['n'] = memory.get('n', 0) + 1\n    {line}\n"
     result = checked(data, f"import time\ndef control(observation, memory):\n{body}    return 0, 0\n")
-    sentence = "control() takes longer than 0.05 s for a look on average: do less in each call"
     assert [sentence in drive.record["ended"] for drive in result.drives] == [True] * 3
+    looks = [drive.record["looks"] for drive in result.drives]
+    assert max(looks) <= most and looks[2] == 0
+    assert repr(result).count("The drive ended after") == 1
+
+
+def test_a_controller_that_is_slow_now_and_then_drives_to_the_end(data):
+    source = "import time\nCOUNT = [0]\n" + RIGHT.replace(
+        "    return",
+        "    COUNT[0] += 1\n    time.sleep(0.06 if COUNT[0] < 10 or COUNT[0] % 9 == 0 else 0)\n    return",
+        1,
+    )
+    assert checked(data, source).passed
 
 
 def test_a_controller_with_other_arguments_is_told_which(data):

@@ -223,3 +223,16 @@ def test_a_number_that_is_compared_but_never_stored_is_named():
     )
     assert remarks(BEST.format("\n            largest = a[k]")) == []
     assert remarks(BEST.format("").replace("largest = 0", "largest = 50")) == []  # a threshold
+
+
+@pytest.mark.parametrize(
+    "helper",
+    [
+        "def g(values):\n    best = 0\n    for value in values:\n        if value > best: pass\n",
+        "def g(values):\n    text = '\f'\n    low = 1\n    return low <= values & 1 < 3\n",
+        "g = (\n    lambda values: values > 0\n)\n",
+        "def g(values): return [\n    values > 1 | 2,\n]\n",
+    ],
+)
+def test_a_helper_may_be_longer_than_the_function(helper):
+    assert isinstance(remarks(f"{helper}def f(a):\n    return g(a)\n"), list)
