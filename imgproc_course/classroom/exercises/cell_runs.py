@@ -9,7 +9,7 @@ import re
 import sys
 from dataclasses import dataclass
 
-from .cell_syntax import bound_names, function_definitions, plain_python
+from .cell_syntax import bound_names, function_definitions, plain_python, program_lines
 from .error_advice import advice_on
 from .guesses import read_bare_guess
 from .running import code_of, source_of
@@ -61,7 +61,10 @@ class CellRuns:
 
     def begin(self, info):
         """Record that IPython begins to run a cell."""
-        self.start(info.raw_cell, getattr(info, "cell_id", None), _exercise_of_request())
+        run = self.start(info.raw_cell, getattr(info, "cell_id", None), _exercise_of_request())
+        lines = program_lines(plain_python(run.source)) if run.exercise or run.definitions() else ()
+        for line, code in lines[:1]:
+            print(SAYS["line of a program"].format(line=line, code=code), SAYS["interrupt"])
 
     def end(self, result):
         """Record how the last cell of IPython ended."""

@@ -6,6 +6,7 @@ notebooks loads this file alone (see `gradebook.submission_reader`).
 
 import ast
 import builtins
+import contextlib
 import hashlib
 import re
 import symtable
@@ -40,6 +41,12 @@ _INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]+)(?=\S)")  # of a whole cell: Jupyter
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
 _CHANGING_METHODS = ("add", "append", "clear", "discard", "extend", "fill", "insert", "pop", "popitem")
 _CHANGING_METHODS += ("put", "remove", "resize", "reverse", "setdefault", "sort", "update")
+# Calls that belong to a program which runs by itself: those that never come to an end, or come once in a
+# process, and those that wait for a person.
+_ENDLESS_CALLS = re.compile(r"(.+\.)?(spin\w*|(rclpy\.)(init|ok|shutdown|try_shutdown)|ok)")
+_WAITING_CALLS = re.compile(
+    rf"{_ENDLESS_CALLS.pattern}|main|input|(plt|pyplot)\.show|(cv2\.)?(imshow|waitKey\w*)"
+)
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
@@ -193,6 +200,69 @@ def _is_not_implemented(statement):
     error = statement.exc if isinstance(statement, ast.Raise) else None
     error = error.func if isinstance(error, ast.Call) else error
     return isinstance(error, ast.Name) and error.id == "NotImplementedError"
+
+
+def program_lines(source, *, is_main=True):
+    """[line number, its text] of the statements of a cell that belong to a program which runs by itself.
+
+    They call main(), spin a node, loop without an end, or wait for a window, a key or a person. Below
+    `if __name__ == ...` they count if the cell is the main program.
+    """
+    try:
+        body = [part for statement in _top_level(source) for part in _parts_to_name(statement, is_main)]
+        statements = _statements_that_call(body, _WAITING_CALLS)
+        return [[statement.lineno, ast.unparse(statement).split("\n")[0]] for statement in statements]
+    except UNPARSABLE:
+        return []
+
+
+def _parts_to_name(statement, is_main):
+    """The statements of an `if`, `try` or `with`, or the one itself."""
+    if isinstance(statement, ast.If) and not is_main and ast.unparse(statement.test).startswith("__name__"):
+        return []
+    if isinstance(statement, ast.If | ast.Try | ast.With):
+        parts = [node for node in ast.iter_child_nodes(statement) if isinstance(node, ast.stmt)]
+        return [inner for part in parts for inner in _parts_to_name(part, is_main)]
+    return [statement]
+
+
+def _statements_that_call(statements, calls):
+    """The statements that loop without an end or make such calls, directly or through what they define."""
+    nodes = [node for statement in statements for node in ast.walk(statement)]
+    called = {node: _names_called(node) for node in nodes if isinstance(node, _DEFINITIONS)}
+    called |= {statement: _names_called(statement) for statement in statements if statement not in called}
+    names, count = {"while"}, -1
+    while len(names) > count:
+        count = len(names)
+        meant = {node for node, own in called.items() if own & names or any(map(calls.fullmatch, own))}
+        own_names = {node.name for node in meant if isinstance(node, _DEFINITIONS)}
+        names |= own_names | {f".{name}" for name in own_names}
+    return [node for node in statements if node in meant and not isinstance(node, _DEFINITIONS)]
+
+
+def _names_called(node):
+    """What a node calls: f, or a.f and .f; `while` for a loop without an end. A class calls its __init__."""
+    names, body = set(), getattr(node, "body", ()) if isinstance(node, ast.ClassDef) else [node]
+    body = [part for part in body if part is node or getattr(part, "name", "__init__") == "__init__"]
+    for part in (inner for own in body for inner in ast.walk(own)):
+        if isinstance(part, ast.Call) and isinstance(part.func, ast.Name | ast.Attribute):
+            names |= {f".{getattr(part.func, 'attr', '')}", ast.unparse(part.func)}
+        elif isinstance(part, ast.While) and getattr(part.test, "value", False) in (True, 1):
+            ends = (ast.Break, ast.Return, ast.Raise, ast.Yield)
+            names |= set() if any(isinstance(inner, ends) for inner in ast.walk(part)) else {"while"}
+    return names
+
+
+def without_endless(source):
+    """A source without the statements that never come to an end; its lines stay."""
+    lines, body, endless = source.split("\n"), _top_level(source), []
+    with contextlib.suppress(*UNPARSABLE):
+        endless = _statements_that_call(body, _ENDLESS_CALLS)
+    for statement in endless:
+        first, last = statement.lineno, statement.end_lineno
+        if sum(first <= other.end_lineno and other.lineno <= last for other in body) == 1:
+            lines[first - 1 : last] = ["#"] * (last - first + 1)
+    return "\n".join(lines)
 
 
 def parts_of(source):
@@ -483,7 +553,8 @@ class CellDefinitions:
         for other answers; `arguments` is how many arguments every call gives: their default values count for
         nothing. Returns the source, a tuple of Taken, and the set of names that nothing defines.
         """
-        answer = _without_defaults(_without_stub(self._cells[position], function), function, arguments)
+        answer = without_endless(_without_stub(self._cells[position], function))
+        answer = _without_defaults(answer, function, arguments)
         statements = statements_of(answer)
         own_names = {name for statement in statements for name in statement.binds}
         slice_ = _Slice(self._places_by_name, position, set(given), own_names, preferred or {})

@@ -2,6 +2,7 @@
 
 import contextlib
 import inspect
+import linecache
 import re
 import time
 import types
@@ -14,7 +15,7 @@ from . import feedback, running
 from .answer_cells import ComposedAnswer, compose_answer
 from .canonical import array_of
 from .cell_runs import RUNS
-from .cell_syntax import function_definitions
+from .cell_syntax import function_definitions, plain_python, program_lines
 from .check_data import Case, CheckData, Mistake
 from .check_files import find_check_file
 from .comparison import Difference, compare
@@ -41,6 +42,7 @@ from .running import (
 from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
 _NONE = {"type": "None"}
+_MOST_LINES = 3  # of a program, that are named
 _SECONDS = 10  # for the statements beside an answer
 _FAST = 1.0  # seconds: calls that take longer are not repeated for a remark
 
@@ -243,6 +245,7 @@ def run_check(exercise, function, answer=None, progress=None):
             remarks = (SAYS["another function"].format(name=exercise.answer_name),)
         elif graded and is_fast and exercise.subject != "drive" and not all(call.passed for call in calls):
             remarks = _remarks_if_right_here(exercise, function, answer)
+    remarks = (*_remarks_on_program(function), *remarks)
     if answer and answer.function != exercise.function:
         remarks = (SAYS["another try"].format(name=exercise.answer_name, other=answer.function), *remarks)
     result = _judge_calls(exercise, judged, calls, dependencies)
@@ -250,6 +253,13 @@ def run_check(exercise, function, answer=None, progress=None):
     way = one_change and SAYS["way without return"].format(name=exercise.function)  # not the cause then
     remarks = tuple(remark for remark in (*remarks, *result.remarks) if remark != way)
     return replace(result, remarks=remarks, one_change=one_change)
+
+
+def _remarks_on_program(function):
+    """What to delete from the cell of an answer: lines of a program."""
+    file = next((code.co_filename for code in codes_of(function).values()), "")
+    lines = attempt(lambda: program_lines(plain_python("".join(linecache.getlines(file)))), ())
+    return [SAYS["line of a program"].format(line=line, code=code) for line, code in lines[:_MOST_LINES]]
 
 
 def _remarks_if_right_here(exercise, function, answer):

@@ -9,6 +9,7 @@ import sys
 import xml.etree.ElementTree as ET
 
 from .. import course
+from .cell_syntax import program_lines
 from .node_driver import drive
 from .recording_node import NodeError
 
@@ -149,6 +150,8 @@ def _node_class(files):
     unknown = set(_imports(_parse(files, path))) - {*_KEYS, course.NAME, *sys.stdlib_module_names}
     if unknown:
         raise NodeError(f"{path} imports {min(unknown)}, which this exercise does not need.")
+    for line, code in program_lines(files[path], is_main=False)[:1]:
+        raise NodeError(f"{path}, line {line}: {code} runs when the file is imported: delete this line.")
     name = path.removesuffix(".py").replace("/", ".")
     names = {"__name__": name}
     exec(compile(files[path], path, "exec"), names)

@@ -16,7 +16,7 @@ from ..autograder.sanitize import sanitize_line
 from ..exercises.answer_cells import find_answer_cell, requests_to_compose
 from ..exercises.error_advice import advice_on
 from ..exercises.running import answer_name
-from ..exercises.source_remarks import STUB_LINE
+from ..exercises.source_remarks import SAYS, STUB_LINE
 from .submission_reader import MOST_CHARACTERS
 
 _MOST_NAMES = 8  # that a finding lists
@@ -318,8 +318,11 @@ def _compose_answers(answers, all_cells, reader, content):
         content.add(text, kind="odd")
         return
     functions = {exercise.function: exercise.id for exercise in answered}
-    for exercise, (source, taken, left_out) in zip(answered, composed, strict=True):
+    for exercise, (source, taken, left_out, program) in zip(answered, composed, strict=True):
         content.answers[exercise.id] = source
+        for line, code in program:
+            text = SAYS["line of a program"].format(line=line, code=sanitize_line(code, 80))
+            content.add(text[0].lower() + text[1:].rstrip("."), exercise.id)
         for name, number, line, text in left_out:
             content.add(_left_out_text(name, _place(all_cells[number]), line, text), exercise.id)
         if len(source) > MOST_CHARACTERS:

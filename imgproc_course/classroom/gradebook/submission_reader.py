@@ -255,10 +255,11 @@ def _output_text(cell):
 
 
 def compose_answers(cells, requests):
-    """What is graded, for each request [source, [[name, kind, number of the cell], ...], left out].
+    """What is graded, for each request [source, [[name, kind, number of the cell], ...], left out, program].
 
     `left out` is what the answer reads and nobody runs, [[name, number of the cell, line, text], ...]: in a
     cell that is not Python, from that line on; or, if `line` is 0, the call that may change a value.
+    `program` is `cell_syntax.program_lines` of the answer's cell.
     """
     sources = [_source_to_search(cell) for cell in cells]
     definitions = cell_syntax.CellDefinitions(sources)
@@ -269,7 +270,8 @@ def compose_answers(cells, requests):
         left_out = itertools.chain(
             _in_broken_cells(missing, sources), definitions.calls_left_out(request[0], taken)
         )
-        answers.append([source, names, [*itertools.islice(left_out, _MOST_LEFT_OUT)]])
+        program = cell_syntax.program_lines(sources[request[0]])[:_MOST_LEFT_OUT]
+        answers.append([source, names, [*itertools.islice(left_out, _MOST_LEFT_OUT)], program])
     return answers
 
 

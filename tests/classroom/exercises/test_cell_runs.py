@@ -168,3 +168,13 @@ def test_in_a_kernel_the_repaired_cell_passes_again(checked):
 def test_in_a_kernel_a_cell_that_checks_its_own_function(checked):
     checked(RIGHT.replace(":\n", "\n"))
     assert "both checks pass" in checked(f"{RIGHT}\n{CHECK_CELL}")
+
+
+def test_in_a_kernel_a_pasted_program_is_named_before_it_runs_and_in_the_check(kernel):
+    run(kernel, "import numpy as np\nimport imgproc_course.exercises")
+    cell = f"{RIGHT}\ndef main():\n    print('it runs')\n\nmain()"
+    line = f"Line {cell.count(chr(10)) + 1}, main(), belongs to a program that runs by itself"
+    printed = run(kernel, cell)
+    assert line in printed and "interrupt the kernel" in printed.split("it runs")[0]
+    text = run(kernel, CHECK_CELL)
+    assert "both checks pass" in text and line in text

@@ -2,7 +2,13 @@
 
 import pytest
 
-from imgproc_course.classroom.exercises.cell_syntax import parts_of, plain_python, statements_of
+from imgproc_course.classroom.exercises.cell_syntax import (
+    parts_of,
+    plain_python,
+    program_lines,
+    statements_of,
+    without_endless,
+)
 
 FUTURE = "from __future__ import annotations"
 
@@ -59,3 +65,46 @@ def test_lines_keep_their_numbers_without_magics(source, plain):
 def test_the_variable_of_a_comprehension_is_no_name_that_a_statement_reads(source, reads):
     [statement] = statements_of(source)
     assert statement.reads == reads
+SCRIPT = """class Gray(Node):
+    def run(self):
+        while rclpy.ok():
+            rclpy.spin_once(self)
+
+def main(args=None):
+    rclpy.init(args=args)
+    Gray().run()
+
+"""
+
+
+@pytest.mark.parametrize(
+    ("lines", "named", "is_left_out"),
+    [
+        ("main()", "main()", True),
+        ("import sys\nif __name__ == '__main__':\n    sys.exit(main())", "sys.exit(main())", True),
+        ("try:\n    main()\nexcept KeyboardInterrupt:\n    pass", "main()", True),
+        ("node = Gray()\nrclpy.spin(node)", "rclpy.spin(node)", True),
+        ("executor.spin()", "executor.spin()", True),
+        ("Gray().run()", "Gray().run()", True),
+        ("while rclpy.ok():\n    rclpy.spin_once(Gray())", "while rclpy.ok():", True),
+        ("while True:\n    print(3)", "while True:", True),
+        ("rclpy.init()", "rclpy.init()", True),
+        ("import matplotlib.pyplot as plt\nplt.show()", "plt.show()", False),
+        ("size = int(input('size?'))", "size = int(input('size?'))", False),
+        (
+            "while True:\n    cv2.imshow('a', b)\n    if cv2.waitKey(1) == 27:\n        break",
+            "while True:",
+            False,
+        ),
+        ("while True:\n    break", "", False),
+        ("if __name__ == '__main__':\n    print(3)", "", False),
+        ("def wait():\n    input()", "", False),
+        ("TABLE = [3]; main()", "main()", False),
+    ],
+)
+def test_lines_of_a_program_are_named_and_those_without_an_end_left_out(lines, named, is_left_out):
+    source = SCRIPT + lines
+    assert [code for _, code in program_lines(source)][:1] == [named] * bool(named)
+    kept = without_endless(source)
+    assert (kept != source) == is_left_out and kept.count("\n") == source.count("\n")
+    assert kept.startswith(SCRIPT)

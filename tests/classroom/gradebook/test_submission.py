@@ -256,6 +256,17 @@ def test_what_an_answer_reads_and_nobody_runs_is_named(read, made, helper, end):
     assert f"its answer reads wide of another cell (h), {end}" in texts(read(made), "message")
 
 
+def test_a_pasted_program_is_named_and_what_never_ends_is_not_run(read, made):
+    cell_of(made, DOUBLE)["source"] = (
+        "def double(p):\n    return p\n\nwhile rclpy.ok():\n    spin(3)\ninput()"
+    )
+    content = read(made)
+    assert content.answers["light-double"] == "def double(p):\n    return p\n\n#\n#\ninput()"
+    (loop, person) = texts(content, "message")
+    assert loop.startswith("line 4, while rclpy.ok():, belongs to a program that runs by itself")
+    assert person.startswith("line 6, input(), belongs to a program")
+
+
 def test_what_only_looks_at_a_value_is_not_named(read, made):
     cell_of(made, DOUBLE)["source"] = "def double(p):\n    return wide, p"
     helper = (
@@ -469,7 +480,7 @@ def test_notebooks_that_fill_the_readers_memory_cost_the_next_one_nothing():
         reader.read(cells_as_notebook(answer | cells))
         reader.compose([[0, "double", [], {}]])
         assert reader.read(cells_as_notebook(answer, output="x" * 10_000_000))[1] == ""
-        ((source, taken, _),) = reader.compose([[0, "double", [], {}]])
+        ((source, taken, _, _),) = reader.compose([[0, "double", [], {}]])
     assert taken == [["twice", "function", 1]]
     assert source.count("def twice(p):\n    return p") == 1
 
@@ -494,7 +505,7 @@ def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answ
         reader._process.kill()
         position = made["cells"].index(cell_of(made, DOUBLE))
         assert reader.compose([[position, "double", ["np", "LIMIT"]]]) == [
-            [answers_of(light, "right")["light-double"], [], []]
+            [answers_of(light, "right")["light-double"], [], [], []]
         ]
 
 
