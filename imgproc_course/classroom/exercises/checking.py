@@ -43,6 +43,7 @@ from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
 _NONE = {"type": "None"}
 _MOST_LINES = 3  # of a program, that are named
+_LONGEST_REMARK = 1_000  # characters
 _SECONDS = 10  # for the statements beside an answer
 _FAST = 1.0  # seconds: calls that take longer are not repeated for a remark
 
@@ -387,7 +388,8 @@ def _judge_calls(exercise, function, calls, dependencies):
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else attempt(lambda: _explanation(exercise, function, calls), None, 5)
-    remarks = () if has_passed else tuple(attempt(lambda: remarks_on_source(function, errors), ()))
+    remarks = () if has_passed else attempt(lambda: remarks_on_source(function, errors), ())
+    remarks = tuple(text for text in remarks if len(text) < _LONGEST_REMARK)  # it may quote a table
     if is_stub and _has_other_lines(exercise, function):
         never_run = SAYS["lines that never run"].format(name=exercise.answer_name)
         is_stub, remarks = False, (never_run, *remarks)

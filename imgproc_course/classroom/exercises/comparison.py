@@ -13,6 +13,7 @@ import numpy as np
 from .canonical import array_of, canonical
 
 _LONGEST_TEXT = 500  # a longer text is cut
+_MOST_KEYS = 50  # of a dict, that are named
 _LONGEST_INTEGER = 30  # digits; of a longer one the first digits are told
 _GLANCE, _CONTEXT = 30, 20  # characters: how two longer texts are compared
 # The kind of difference if two values have not the same parts.
@@ -116,7 +117,8 @@ def describe(form):
     if kind in ("tuple", "list"):
         return f"a {kind} of {len(form['items'])}"
     if kind == "dict":
-        return f"a dict with the keys {', '.join(_key(key) for key, _ in form['items']) or 'none'}"
+        keys = ", ".join(_key(key) for key, _ in form["items"][:_MOST_KEYS])
+        return f"a dict with the keys {keys[:_LONGEST_TEXT] or 'none'}"
     if kind == "bytes":
         return f"{form['length']} bytes"
     if kind == "str":

@@ -25,6 +25,7 @@ _FACTORS = {
 
 _COINCIDENCE = 0.01
 _MOST_REORDERED = 4
+_MOST_KEY = 60  # characters
 _LINES = {
     "the first row": np.s_[:1],
     "the last row": np.s_[-1:],
@@ -164,7 +165,7 @@ def _advice_on_number(expected, actual):
 def _advice_on_keys(expected, actual):
     keys, actual_keys = ([key.get("value") for key, _ in form["items"]] for form in (expected, actual))
     missing = ", ".join(repr(key) for key in keys if key not in actual_keys)
-    extra = ", ".join(repr(key) for key in actual_keys if key not in keys)
+    extra = ", ".join([repr(key)[:_MOST_KEY] for key in actual_keys if key not in keys][:_MOST_REORDERED])
     if not missing:
         return f"Leave the other key out: {extra}. The task asks only for {', '.join(map(repr, keys))}."
     return f"The key {missing} is missing" + (f"; you wrote {extra}." if extra else ".")

@@ -23,7 +23,7 @@ from .. import course
 from .canonical import array_of, canonical
 from .drive import LOOK, LOOK_SECONDS, MEAN_LOOK_SECONDS, PATH_TOLERANCE, PLACES, looks_of, speeds_of
 from .progress import TEST_VARIABLE
-from .running import CallResult, LimitedOutput, TimeUp, call_within, failure_fields
+from .running import CallResult, LimitedOutput, call_within, failure_fields
 
 _SIMULATORS = 2
 _SHOWN_LOOKS = 20  # between two states of the progress bar
@@ -149,7 +149,9 @@ class _Run:
             return self._end()
         try:
             speeds = self._call(observation)
-        except (Exception, SystemExit, TimeUp) as error:  # noqa: BLE001 - the learner's code may raise anything
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
             self.failure = failure_fields(error, self.control)
             return "stop", _reason(self.failure, name)
         if _memory() - self.burden.memory > _MOST_MEMORY:

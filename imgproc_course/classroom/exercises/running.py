@@ -95,9 +95,10 @@ def call(function, arguments, names, time_limit, subject="function", most_bytes=
     copies = copy.deepcopy(arguments)
     names = [*names[: len(copies)], *(f"argument {k + 1}" for k in range(len(names), len(copies)))]
     before = [canonical(value, limit=None) for value in copies]
-    output = LimitedOutput()
-    with warnings.catch_warnings(record=True) as caught_warnings:
+    output, texts = LimitedOutput(), []
+    with warnings.catch_warnings():
         warnings.simplefilter("always")
+        warnings.showwarning = partial(_keep_warning, texts)
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
             fields = _call_fields(function, copies, time_limit, subject, most_bytes)
     if not fields.get("stuck"):
@@ -105,10 +106,14 @@ def call(function, arguments, names, time_limit, subject="function", most_bytes=
         fields["changed"] = tuple(
             name for name, old, new in pairs if old != canonical(new, most=bytes_allowed(old))
         )
-    messages = [str(caught.message) for caught in caught_warnings]
-    # An overflow is the one that explains most.
-    warning = next((text for text in messages if "overflow" in text), messages[0] if messages else "")
-    return CallResult(printed=output.getvalue(), warning=warning, **fields)
+    return CallResult(printed=output.getvalue(), warning="".join(texts), **fields)
+
+
+def _keep_warning(texts, message, *_place):
+    """Keep the first one, or the first of an overflow, which explains most: a loop may warn often."""
+    if not texts or "overflow" not in texts[0]:
+        text = str(message)[:_MOST_OUTPUT]
+        texts[:] = [text] if not texts or "overflow" in text else texts
 
 
 @contextlib.contextmanager
@@ -142,7 +147,9 @@ def _call_fields(function, arguments, time_limit, subject, most_bytes):
     try:
         value = call_within(lambda: run(*arguments), time_limit)
         return {"value": canonical(value, most=most_bytes)}
-    except (Exception, SystemExit, TimeUp) as error:  # noqa: BLE001 - a learner's function may raise anything
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # noqa: BLE001 - a learner's function may raise anything
         return failure_fields(error, function)
 
 
@@ -301,7 +308,7 @@ def _own_line(error, function):
     if isinstance(error, SyntaxError) or not own_frames:
         return ""
     frame, line = own_frames[-1]
-    source = linecache.getline(frame.f_code.co_filename, line, frame.f_globals).strip()
+    source = linecache.getline(frame.f_code.co_filename, line, frame.f_globals).strip()[:_MOST_OUTPUT]
     return f"line {line}: {source}" if source else f"line {line}"
 
 
@@ -343,7 +350,7 @@ def source_of(answer):
     try:
         lines = _lines_of_class(answer) if isinstance(answer, type) else inspect.getsource(answer)
         return textwrap.dedent(lines)
-    except (OSError, TypeError, SyntaxError):
+    except (OSError, TypeError, ValueError, LookupError, SyntaxError, RecursionError):
         return ""
 
 

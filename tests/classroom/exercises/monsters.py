@@ -27,5 +27,8 @@ MONSTERS = {
     "    frame[...] = frame - 1\n    return bgr[..., 0]",
     "a sort of a large array": "def luma(bgr):\n    values = np.random.default_rng(1).random(4_000_000)\n"
     "    return bgr[..., 0] * bool(np.sort(values)[0] > 1)",
+    "a million warnings": "def luma(bgr):\n    for k in range(10 ** 6): np.uint8(200) + np.uint8(99)\n"
+    "    return bgr[..., 0]",
+    "a dict of long keys": "def luma(bgr):\n    return {f'{k:9999}': bgr for k in range(9000)}",
     "an error of a gigabyte": "def luma(bgr):\n    raise ValueError('x' * 10 ** 9)",
 }

@@ -184,6 +184,9 @@ def test_a_way_without_return_is_not_named_beside_the_one_change_that_helps():
         (lambda pixels: right(pixels).astype(int), "Expected uint8, got an array of int64."),
         (lambda pixels: right(pixels) + pixels.sort(), "double() raised TypeError"),
         (lambda: 3, "double() raised TypeError"),
+        (lambda pixels: (_ for _ in ()).throw(GeneratorExit("x")), "double() raised GeneratorExit: x"),
+        (lambda pixels: (_ for _ in ()).throw(NameError("x", name=5)), "double() raised NameError: x"),
+        (lambda pixels: {"k" * 900: 1}, "got a dict with the keys 'kkk"),
     ],
 )
 def test_each_kind_of_wrong_answer_has_its_text(function, text):
