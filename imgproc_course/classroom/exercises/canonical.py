@@ -43,7 +43,7 @@ _MODULE = type.__dict__["__module__"]
 def canonical(value, limit=None, most=None):
     """The canonical form of a value; an array of more than `limit` bytes is given by its SHA-256 digest.
 
-    Once its arrays have more than `most` bytes together, further ones are given without their values.
+    Once its arrays and texts have more than `most` bytes together, further ones are given without values.
 
     It is a dict that json.dumps takes, with "type" and, by type:
         bool, int, float, str, None      "value" (the floats that JSON lacks are "nan", "inf", "-inf")
@@ -115,7 +115,8 @@ class _Writer:
         return _too_large(kind.__name__) if len(value) > self._bytes_left else self.write(kind(value), depth)
 
     def _text(self, value):
-        if len(value) > MOST_CHARACTERS:
+        self._bytes_left -= len(value)
+        if len(value) > MOST_CHARACTERS or self._bytes_left < 0:
             return _too_large("str")
         return {"type": "str", "value": value.encode("utf-8", "backslashreplace").decode("utf-8")}
 

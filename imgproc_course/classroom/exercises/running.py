@@ -13,6 +13,7 @@ import inspect
 import io
 import keyword
 import linecache
+import math
 import re
 import signal
 import sys
@@ -32,7 +33,7 @@ from .comparison import compare, named_items
 from .recording_node import NodeError, NotGradedError
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
-_MOST_BYTES = 200_000  # of the arrays of a value, and 8 for each element of the expected one
+_MOST_BYTES = 200_000  # of a value, beside its share of the expected one: 8 for each element of an array
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
@@ -181,13 +182,17 @@ def overwrite_freed_memory(form):
 
 
 def bytes_allowed(form):
-    """How many bytes the arrays of a value may have that is compared with this form."""
-    sizes = [8 * np.prod(part["shape"], dtype=int) for part in _arrays(form)]
-    return _MOST_BYTES + sum(sizes) + _length_of_bytes(form)
+    """How many bytes the arrays and texts of a value may have that is compared with this form."""
+    return _MOST_BYTES + _size(form)
 
 
-def _length_of_bytes(form):
-    return form.get("length", 0) + sum(_length_of_bytes(part) for _, part in named_items(form))
+def _size(form):
+    if isinstance(form, list):
+        return sum(map(_size, form))
+    text = form.get("value")
+    size = form.get("length", 0) + (len(text) if isinstance(text, str) else 0)
+    size += 8 * math.prod(form.get("shape", (0,)))
+    return size + _size(form.get("items", [])) + _size([*form.get("fields", {}).values()])
 
 
 def _arrays(form):

@@ -135,7 +135,7 @@ def answers(seed):
 @pytest.mark.parametrize("seed", range(2))
 def test_no_error_of_ours_leaves_the_check_of_a_generated_answer(seed, monkeypatch):
     monkeypatch.setattr(one_change, "_MOST_SECONDS", 0.05)
-    monkeypatch.setattr(checking, "attempt", lambda compute, _otherwise: compute())
+    monkeypatch.setattr(checking, "attempt", lambda compute, *_others, **_options: compute())
     for _, source in zip(range(100), answers(seed), strict=False):
         text = repr(check(ID, luma_of(source)))
         assert text.startswith(f"{ID}: ") and FAULT not in text, source

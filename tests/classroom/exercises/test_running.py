@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.running import call, overwrite_freed_memory
+from imgproc_course.classroom.exercises.running import bytes_allowed, call, overwrite_freed_memory
 
 
 def run(function, *arguments, seconds=0.3):
@@ -181,3 +181,23 @@ def test_two_errors_are_the_same_only_with_the_same_message():
     first, second = run(lambda a: a[3], (0,)), run(lambda a: [0][3], (0,))
     assert first.error == second.error == "IndexError" and not first.matches(second, 0.0)
     assert first.matches(run(lambda a: a[4], (0,)), 0.0)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        {f"key number {number}": number for number in range(19_000)},
+        ["é" * 9_000] * 100,
+        b"x" * 3_000_000,
+        {"a": np.ones((300, 400)), "b": (np.zeros(5), b"abc")},
+        [np.ones(100, np.uint8)] * 5_000,
+        None,
+    ],
+)
+def test_a_value_equal_to_the_expected_one_is_written_whole(value):
+    form = canonical(value)
+    assert canonical(value, most=bytes_allowed(form)) == form
+    assert canonical([value, np.ones((99, 999, 9))], most=bytes_allowed(form))["items"] == [
+        form,
+        {"type": "ndarray", "dtype": "float64", "shape": [99, 999, 9]},
+    ]
