@@ -30,21 +30,17 @@ def text_within(compute, seconds):
     if sys.platform != "linux":  # elsewhere libraries do not work in a fork
         return ""
     reader, writer = os.pipe()
-    try:
-        with warnings.catch_warnings(action="ignore", category=DeprecationWarning):  # Python 3.12: of threads
-            child = os.fork()
-    except OSError:  # no memory or processes left
-        child = None
-    if child == 0:
-        _compute(compute, writer, seconds)
-    os.close(writer)
-    with os.fdopen(reader, "rb") as file:
+    with os.fdopen(reader, "rb") as file, warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # Python 3.12 warns of threads
+        child = os.fork()
+        if child == 0:
+            _compute(compute, writer, seconds)
+        os.close(writer)
         try:
-            return _read(file, child, seconds) if child else ""
+            return _read(file, child, seconds)
         finally:
-            if child:
-                os.kill(child, signal.SIGKILL)
-                os.waitpid(child, 0)
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
 
 
 def limit_memory():
