@@ -44,7 +44,7 @@ else:
         for call in case.calls:
             try:
                 call_within(lambda: names["luma"](*call.arguments), exercise.time_limit)
-            except (Exception, MemoryError):
+            except BaseException:
                 pass
 print(json.dumps([time.perf_counter() - began, text[:300]]))
 """
