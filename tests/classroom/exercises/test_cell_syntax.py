@@ -65,6 +65,8 @@ def test_lines_keep_their_numbers_without_magics(source, plain):
 def test_the_variable_of_a_comprehension_is_no_name_that_a_statement_reads(source, reads):
     [statement] = statements_of(source)
     assert statement.reads == reads
+
+
 SCRIPT = """class Gray(Node):
     def run(self):
         while rclpy.ok():
