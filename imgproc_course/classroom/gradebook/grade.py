@@ -102,9 +102,9 @@ def grade_submissions(
             roster=roster_report(roster, learners) if roster is not None else None,
             anonymous=anonymous,
         )
-        write_grades(out, grades, learners, pages, store)
+        changes = write_grades(out, grades, learners, pages, store)
         table_lines = _fill_tables(platform_tables, grades, out)
-    return _summary(grades, graded_now, out, table_lines, pages.failed)
+    return _summary(grades, graded_now, out, changes, table_lines, pages.failed)
 
 
 def _collect(submissions, answer_keys, out):
@@ -146,7 +146,7 @@ def _fill_tables(platform_tables, grades, out):
     return lines
 
 
-def _summary(grades, graded_now, out, table_lines, failed_pages):
+def _summary(grades, graded_now, out, changes, table_lines, failed_pages):
     lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
     graded = sum(lesson["status"] == "graded" for lesson in lessons)
     late = sum(lesson["late"] for lesson in lessons)
@@ -173,11 +173,9 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
     lines += [f"The page of {name} is incomplete ({reason})." for name, reason in failed_pages.items()]
     if not grades["sandbox"]:
         lines.append("Graded without a sandbox; grades.json records it.")
-    lines += table_lines
+    lines += changes + table_lines
     width = shutil.get_terminal_size().columns * 3
     places = f"Points: {out}/grades.csv   Your page: {out}/summary.html   Pages to give back: {out}/learners/"
-    if (out / "changes.html").exists():
-        places += f"   What changed last: {out}/changes.html"
     lines = [*(line[:width] for line in lines), places]
     not_filled = sum(line.startswith(_NOT_FILLED) for line in table_lines)
     return GradingSummary("\n".join(lines), not_graded, len(failed_pages) + not_filled)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..autograder.sanitize import sanitize_line
 from .anonymity import learner_without_name, without_names
-from .changes import PREVIOUS, changes_page, read_grades
+from .changes import PREVIOUS, changed_points, read_grades
 from .grades_json import grades_text, learner_entry
 from .lms_export import checks_csv, exports, feedback_zips, grades_csv
 from .report import label_of, learner_page, map_of, render_page
@@ -22,7 +22,6 @@ from .summary import summary_page
 _GIVEN_BACK = ("learners", "exports")
 _OTHER_PAGES = {
     "review.html": "Answers and decisions, by exercise",
-    "changes.html": "What changed since the run before",
     "drives.html": "The drives, on maps",
 }
 
@@ -82,18 +81,19 @@ class LearnerPages:
 
 
 def write_grades(out, grades, learners, pages, store):
-    """Write all but the results and the learners' pages; `learners` in the order of grades["learners"]."""
+    """Write all but the results and the learners' pages; `learners` in the order of grades["learners"].
+
+    Returns the lines that say whose points changed since the run before.
+    """
     before, text = read_grades(out / "grades.json"), grades_text(grades)
-    changed = before is not None and grades_text(before) != text
     write_grades_file(out / "grades.json", text)
     write_grades_file(out / "grades.csv", grades_csv(grades))
     write_grades_file(out / "checks.csv", checks_csv(grades))
     page_grades = without_names(grades) if grades["anonymous_pages"] else grades
     entries = zip(grades["learners"], page_grades["learners"], strict=True)
     names = {entry["name"]: shown_entry["name"] for entry, shown_entry in entries}
-    if changed:  # else the page shows the last change
+    if before is not None and grades_text(before) != text:
         write_grades_file(out / PREVIOUS, grades_text(before))
-        write_grades_file(out / "changes.html", changes_page(before, grades, names))
     _write_or_remove(out / "drives.html", _drives_page(learners, store, names))
     _write_review(out, page_grades, pages.parts, {shown: name for name, shown in names.items()})
     files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
@@ -103,6 +103,7 @@ def write_grades(out, grades, learners, pages, store):
         _remove_others(out / "exports", pattern, files)
     other_pages = {name: title for name, title in _OTHER_PAGES.items() if (out / name).exists()}
     write_grades_file(out / "summary.html", summary_page(page_grades, pages.failed, other_pages))
+    return changed_points(before, grades) if before else []
 
 
 def _drives_page(learners, store, names):

@@ -12,7 +12,7 @@ import pytest
 from click.testing import CliRunner
 from submissions import answers_of, cell_of, notebook, write
 
-from imgproc_course.classroom.gradebook.changes import changes_between
+from imgproc_course.classroom.gradebook.changes import changed_points
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.summary import _concerns, summary_page
 from imgproc_course.cli import main
@@ -236,92 +236,43 @@ def test_a_learner_of_no_platform_has_a_zip_alone(graded):
             assert [archive.read(name) for name in archive.namelist()] == [pages[stem].read_bytes()]
 
 
-def test_an_excused_lesson_is_a_change_by_that_word():
-    lesson = {"lesson": "light", "status": "graded", "points": 4, "max_points": 6, "exercises": []}
+CHANGES = {  # what a lesson has in two runs, and how the terminal says it
+    "3 of 6 → 4 of 6": ({"points": 3}, {"points": 4}),
+    "3 of 6 → 2 of 6, 1 deducted because late": ({"points": 3}, {"points": 2, "late_deduction": 1}),
+    "4 of 6 → excused": ({"points": 4}, {"points": 0, "decision": {"excused": True}}),
+    "3 of 6, decided by hand; the autograder gives 0 → 3 of 6, decided by hand; the autograder gives 5": [
+        {"points": 3, "decision": {"excused": False}, "autograded_points": points} for points in (0, 5)
+    ],
+    "4 of 6 → not graded: it is empty": ({"points": 4}, {"status": "not graded", "reason": "it is empty"}),
+    "": ({"points": 4, "version": "1"}, {"points": 4, "version": "2"}),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_change_of_points_is_named(change):
+    lesson = {"lesson": "light", "status": "graded", "max_points": 6}
     before, after = (
-        {"learners": [{"name": "Bob", "page": "", "lessons": [lesson | more]}]}
-        for more in ({}, {"points": 0, "max_points": 0, "decision": {"excused": True}})
+        {"learners": [{"name": "Bob", "lessons": [lesson | entry]}]} for entry in CHANGES[change]
     )
-    (change,) = changes_between(before, after)
-    assert (change["before"], change["after"]) == ("4 of 6", "excused")
+    assert changed_points(before, after)[1:] == ([f"  Bob: light: {change}"] if change else [])
 
 
-def test_a_newer_file_of_a_decided_lesson_is_a_change():
-    lesson = {"lesson": "light", "status": "graded", "points": 3, "max_points": 6, "exercises": []}
-    lesson["decision"] = {"excused": False, "points": 3}
-    before, after = (
-        {"learners": [{"name": "Bob", "page": "", "lessons": [lesson | {"autograded_points": points}]}]}
-        for points in (0, 5)
-    )
-    (change,) = changes_between(before, after)
-    assert change["before"] == "3 of 6, decided by hand; the autograder gives 0"
-    assert change["after"] == "3 of 6, decided by hand; the autograder gives 5"
-
-
-def test_every_change_is_named(light, submissions, key_path, tmp_path):
-    out, options = tmp_path / "out", {"workers": 1, "quiet": True}
-    early, late = datetime(2026, 11, 1), datetime(2026, 11, 3)
-    right = answers_of(light, "right")
-    write(submissions / "ada" / "20_light.ipynb", notebook(light, right), late)
-    write(submissions / "bob" / "20_light.ipynb", notebook(light, right), early)
-    grade_submissions(submissions, [key_path], out, deadline=datetime(2026, 11, 2), **options)
-    wrong = {"light-double": "def double(pixels):\n    return pixels"}
-    write(submissions / "bob" / "20_light.ipynb", notebook(light, right | wrong), early)
-    write(submissions / "cy" / "20_light.ipynb", notebook(light, right), early)
-    (out / "decisions.csv").write_text("learner,lesson,exercise,points,comment\nbob,light,light-double,3,so")
-    grade_submissions(submissions, [key_path], out, **options)
-    before, after = (json.loads((out / name).read_text()) for name in ("grades.previous.json", "grades.json"))
-    rows = {
-        (row["learner"], row["exercise"] or row["lesson"], row["aspect"]): (row["before"], row["after"])
-        for row in changes_between(before, after)
-    }
-    assert rows.pop(("", "the whole run", "deadline")) == ("2026-11-02T00:00:00", "none")
-    assert rows.pop(("ada", "light", "lateness")) == ("1 day late", "in time")
-    assert rows.pop(("bob", "light-double", "")) == (
-        "3 of 3",
-        "3 of 3, decided by hand; the autograder gives 0",
-    )
-    assert rows.pop(("bob", "light-double", "comment")) == ("", "so")
-    assert rows.pop(("bob", "light", "file"))[1].startswith("bob/20_light.ipynb (")
-    was, now = rows.pop(("bob", "light-double", "checks"))
-    assert was == "An image: passed; Any image: passed" and now.startswith("An image: wrong 4")
-    assert rows.pop(("cy", "light", "")) == ("not there", "6 of 6")
-    assert rows.pop(("cy", "light-halves", "")) == ("not there", "3 of 3")
-    assert rows.pop(("cy", "light-double", "")) == ("not there", "3 of 3")
-    assert rows == {}
-    words = re.sub(r"<.*?>", " ", (out / "changes.html").read_text()).split()
-    assert "light: lateness 1 day late in time" in " ".join(words)
-    assert "everybody the whole run: deadline 2026-11-02T00:00:00 none" in " ".join(words)
-
-
-def test_a_change_without_words_of_its_own_names_its_fields():
-    lesson = {"lesson": "light", "status": "graded", "points": 4, "max_points": 6, "exercises": []}
-    before, after = (
-        {"learners": [{"name": "Bob", "page": "", "lessons": [lesson | {"version": version}]}]}
-        for version in ("1", "2")
-    )
-    (change,) = changes_between(before, after)
-    assert (change["aspect"], change["after"]) == ("details", "changed: version")
-
-
-def test_the_changes_since_the_run_before(light, submissions, key_path, tmp_path):
+def test_the_terminal_says_whose_points_changed(light, submissions, key_path, tmp_path):
     options = {"workers": 1, "quiet": True}
-    write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
     write(submissions / "bob.ipynb", notebook(light, answers_of(light, "right")))
     out = tmp_path / "out"
     first = grade_submissions(submissions, [key_path], out, **options)
-    assert not (out / "changes.html").exists() and "changes.html" not in first.text
+    assert "the run before" not in first.text
     (out / "decisions.csv").write_text("learner,lesson,points\nbob,light,2\n")
+    write(submissions / "cy.ipynb", notebook(light, answers_of(light, "right")))
     second = grade_submissions(submissions, [key_path], out, **options)
-    assert second.text.endswith(f"   What changed last: {out}/changes.html")
-    text = (out / "changes.html").read_text()
-    row = re.sub(r"<.*?>", " ", text.partition("<tbody>")[2].partition("</tbody>")[0]).split()
-    decided = "2 of 6, decided by hand; the autograder gives 6"
-    assert row == ["bob", "light", "6", "of", "6", *decided.split()]
-    grade_submissions(submissions, [key_path], out, **options)
-    assert (out / "changes.html").read_text() == text  # nothing changed: the last change stays
+    assert second.text.splitlines()[1:4] == [
+        "2 lessons with other points than in the run before (grades.previous.json):",
+        "  bob: light: 6 of 6 → 2 of 6, decided by hand; the autograder gives 6",
+        "  cy: light: not there → 6 of 6",
+    ]
     before = json.loads((out / "grades.previous.json").read_text())
-    assert [learner["points"] for learner in before["learners"]] == [6, 6]
+    assert [learner["points"] for learner in before["learners"]] == [6]
 
 
 def test_anonymous_pages_show_no_name(class_folder, graded, key_path, tmp_path):

@@ -99,7 +99,6 @@ def test_right_answers_pass_in_every_variant_and_grades_json_names_it(
         len([*(tmp_path / "grades" / "results").glob("*.answers.json")]) == 3
     )  # equal answers: once a variant
     assert graded() == lessons
-    assert not (tmp_path / "grades" / "changes.html").exists()
 
 
 def test_the_values_on_a_friends_page_gain_nothing_in_another_variant(
