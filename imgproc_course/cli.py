@@ -298,53 +298,29 @@ def _local_time(ctx, param, value):
     help="Secret seed of the inputs, 32 random hexadecimal digits or more.  [default: a new one, saved beside"
     " the key]",
 )
-@option("--redraw", is_flag=True, help="Make new inputs for a regrade; the old key is kept beside it.")
-@option(
-    "--variants",
-    type=click.IntRange(1, 100),
-    help="Number of sets of inputs; each learner is graded with one of them.  [default: 1; with --redraw, as"
-    " many as the old key has]",
-)
 @option("--out", type=_FOLDER, default="key", help="Folder for the key.")
 @_masters_option
 @option("--force", "--replace", "replace", is_flag=True, help="Replace an existing key.")
 @option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
-def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
+def key(lessons, seed, out, masters, replace, unsafe):
     """Make the answer key: run the solutions on inputs drawn from a secret seed.
 
-    LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons; with
-    --redraw, those of the old key. All lessons of the course take about ten minutes on two quiet cores. After
-    Ctrl-C, the same command goes on where it stopped.
+    LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons, which
+    take about ten minutes on two quiet cores. After Ctrl-C, the same command goes on where it stopped.
     """
     from imgproc_course.classroom.autograder import key_seed
-    from imgproc_course.classroom.autograder.answer_key import KeyFolderError, load_key
+    from imgproc_course.classroom.autograder.answer_key import KeyFolderError
     from imgproc_course.classroom.autograder.make_answer_key import make_key
     from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
     from imgproc_course.classroom.exercises.declaration import MasterError
 
-    if redraw and seed is not None:
-        raise click.UsageError("--redraw draws a new seed: leave --seed out")
     seed_file, is_seed_saved = key_seed.seed_file_of(out), seed is None
-
-    def make(seed, folder):
-        key_seed.require_unguessable(seed)
-        old_key = load_key(out) if redraw else None
-        names = lessons or (list(old_key.lessons) if redraw else ())
-        count = variants or (len(old_key.variants) if redraw else 1)
-        options = {"variants": count, "unsafe": unsafe, "replace": replace, "say": click.echo}
-        return make_key(masters, seed, folder, names, **options)
-
-    remedy = "; --masters takes the folder that the old key was made from" if redraw and not lessons else ""
     stopped = "Stopped. Finished exercises are kept: run the same command again to continue."
-    with _until_ctrl_c(stopped), _in_one_line(KeyFolderError, SandboxError, written="the key"):
-        try:
-            if redraw:
-                click.echo(f"The old key is in {key_seed.redraw(out, make)}/, for the grades that it gave.")
-                answer_key = load_key(out)
-            else:
-                answer_key = make(key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed, out)
-        except MasterError as error:
-            raise click.ClickException(f"{error}{remedy}") from error
+    with _until_ctrl_c(stopped), _in_one_line(KeyFolderError, SandboxError, MasterError, written="the key"):
+        seed = key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed
+        key_seed.require_unguessable(seed)
+        options = {"unsafe": unsafe, "replace": replace, "say": click.echo}
+        answer_key = make_key(masters, seed, out, lessons, **options)
     click.echo("\n".join(_lines_about_key(answer_key, out)))
     if is_seed_saved:
         click.echo(f"Its secret seed is saved in {seed_file}: you need it to make the same key again.")
@@ -359,8 +335,7 @@ def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
 def _lines_about_key(answer_key, folder):
     lessons = answer_key.lessons.values()
     count = sum(not exercise.practice for lesson in lessons for exercise in lesson.exercises)
-    of_each = f", variants {len(answer_key.variants)}" if len(answer_key.variants) > 1 else ""
-    yield f"Key in {folder}/: lessons {len(lessons)}, exercises with points {count}{of_each}."
+    yield f"Key in {folder}/: lessons {len(lessons)}, exercises with points {count}."
     without_points = [lesson.name for lesson in lessons if not lesson.points]
     if without_points:
         yield f"Lessons without points: {', '.join(without_points)}."

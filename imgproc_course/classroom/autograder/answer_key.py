@@ -9,18 +9,15 @@ A key is a folder that learners must not get:
     <lesson>/<exercise>.mistakes.json   what each known mistake does with them
     handed_out.json                     the ids of each lesson's cells, the source of check and given cells
     solutions.json                      {exercise id: source}: an answer that equals it is reported
-    variants/2, variants/3, ...         more keys, of the same lessons with other inputs, if it has variants
 
-A key with variants assigns one to each learner, by a hash of the name that only the key's owner can compute.
 The seed is in none of these files. Public cases get inputs from this seed too, so that nothing in the
 course's repository gives an answer away. A key contains no pickle; an altered key can at most grade wrongly.
 """
 
 import contextlib
 import hashlib
-import hmac
 import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
@@ -36,7 +33,6 @@ from .sandbox.inside.answer_mime import MIME
 FORMAT = 4
 HANDED_OUT = "handed_out.json"
 SOLUTIONS = "solutions.json"
-VARIANTS = "variants"
 
 
 class KeyFolderError(ValueError):
@@ -127,19 +123,6 @@ class Key:
     path: Path
     digest: str  # identifies it
     lessons: dict  # {name: KeyLesson}
-    variant: int = 1  # its number
-    others: tuple = ()  # of the first one: the Keys of the other variants
-    secret: str = ""  # assigns the variants to learners; "" if there is only one
-
-    @property
-    def variants(self):
-        """All variants, as a tuple of Key."""
-        return (self, *self.others)
-
-    def variant_for(self, learner):
-        """The Key that grades a learner: always the same for a name."""
-        digest = hmac.digest(self.secret.encode(), learner.encode("utf-8", "surrogatepass"), "sha256")
-        return self.variants[int.from_bytes(digest) % len(self.variants)]
 
     def find(self, exercise_id):
         """The KeyLesson and the KeyExercise of an exercise, or None and None."""
@@ -210,32 +193,8 @@ def reading(path):
 
 
 def load_key(path):
-    """Read the Key in a folder, with its variants; KeyFolderError: there is none that grading can use."""
-    key, count = _load_one(Path(path).resolve())
-    numbers = range(2, count + 1) if key.variant == 1 else ()
-    return replace(key, others=tuple(_load_variant(key, number) for number in numbers))
-
-
-def _load_variant(key, number):
-    path = key.path / VARIANTS / str(number)
-    variant, _ = _load_one(path)
-    if variant.variant != number or variant.lessons.keys() != key.lessons.keys():
-        raise KeyFolderError(f"{path}: it is not variant {number} of this key; make the key again")
-    return variant
-
-
-@dataclass(frozen=True)
-class _KeyFile:
-    """What key.json holds; the number of variants, and what assigns them, only if there are several."""
-
-    lessons: tuple[KeyLesson, ...]
-    variant: int = 1
-    variants: int = 1
-    secret: str = ""
-
-
-def _load_one(path):
-    """A Key without its other variants, and how many variants there are."""
+    """Read the Key in a folder; KeyFolderError: there is none that grading can use."""
+    path = Path(path).resolve()
     with reading(path / "key.json"):
         if not (path / "key.json").exists():
             raise KeyFolderError(f"{path}: there is no key; make one: imgproc-course key --out {path.name}")
@@ -243,14 +202,13 @@ def _load_one(path):
         content = msgspec.json.decode(data)
         if (found := content["format"]) != FORMAT:
             raise KeyFolderError(f"{path}: a key of format {found}, expected {FORMAT}; make it again")
-        file = msgspec.convert(content, _KeyFile)
+        key_lessons = msgspec.convert(content["lessons"], tuple[KeyLesson, ...])
     digest = hashlib.sha256(data)
-    for lesson in file.lessons:
+    for lesson in key_lessons:
         for exercise in lesson.exercises:
             if not exercise.practice:
                 digest.update(_read_checked(path / lesson.name / f"{exercise.id}.ipynb"))
-    lessons = {lesson.name: lesson for lesson in file.lessons}
-    return Key(path, digest.hexdigest(), lessons, file.variant, secret=file.secret), file.variants
+    return Key(path, digest.hexdigest(), {lesson.name: lesson for lesson in key_lessons})
 
 
 def _read_checked(path):

@@ -3,7 +3,6 @@
 Somebody who guesses the seed can compute every hidden input, so a seed has at least 128 bits drawn by chance.
 """
 
-import itertools
 import re
 import secrets
 
@@ -64,22 +63,3 @@ def read_or_make_seed(path):
     path.touch(mode=0o600)
     path.write_text(f"{seed}\n", encoding="utf-8")
     return seed
-
-
-def redraw(key, make):
-    """Replace a key by one that `make(seed, folder)` makes from a new seed; returns where the old one is."""
-    if not (key / "key.json").is_file():
-        raise KeyFolderError(f"{key}: there is no key to redraw; make one without --redraw")
-    new_key = key.with_name(f"{key.name}.redrawn")
-    seed_file, new_seed_file = seed_file_of(key), seed_file_of(new_key)
-    seed = read_or_make_seed(new_seed_file)
-    if not (new_key / "key.json").exists():  # it does after an interruption
-        make(seed, new_key)
-    numbers = (number for number in itertools.count(1) if not key.with_name(f"{key.name}-{number}").exists())
-    old_key = key.with_name(f"{key.name}-{next(numbers)}")
-    key.rename(old_key)
-    if seed_file.exists():
-        seed_file.rename(seed_file_of(old_key))
-    new_seed_file.rename(seed_file)
-    new_key.rename(key)
-    return old_key

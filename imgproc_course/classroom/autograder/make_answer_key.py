@@ -37,14 +37,13 @@ _PLACEHOLDER = "# the learner's answer"
 _SECONDS_PER_EXERCISE, _SECONDS_PER_DRIVE = 2.5, 2.2  # fitted to the course's own lessons
 
 
-def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, replace=False, say=str):
+def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, say=str):
     """Make a Key: run each solution on inputs drawn from the seed, in the sandbox that grades.
 
     The folder is written whole at the end: an error or Ctrl-C leaves the old key unchanged, and the next call
     with the same seed goes on after the exercises that are finished. The key does not contain the seed.
-    `names` are lessons, as `find_masters` takes them, all if empty; each learner gets one of so many
-    `variants` of inputs; `unsafe` runs without a sandbox; `replace` replaces an existing key; `say` takes a
-    line that tells how long it takes.
+    `names` are lessons, as `find_masters` takes them, all if empty; `unsafe` runs without a sandbox;
+    `replace` replaces an existing key; `say` takes a line that tells how long it takes.
 
     MasterError: a solution fails, or inputs cannot be sent to a kernel as data; names lesson and case.
     KeyFolderError: there is a key already, or the folder cannot be written. SandboxError: no sandbox here.
@@ -63,18 +62,13 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
         answer_key.SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
     }
     unfinished = out.with_name(f"{out.name}.unfinished")
-    jobs = {number: _jobs(masters, seed, number, unfinished, unsafe) for number in range(1, variants + 1)}
-    exercises = {path: job[1] for own_jobs in jobs.values() for path, job in own_jobs.values()}
-    seconds = [_seconds_of(exercise) for path, exercise in exercises.items() if not path.exists()]
+    jobs = _jobs(masters, seed, unfinished, unsafe)
+    seconds = [_seconds_of(exercise) for path, (_, exercise, _) in jobs.values() if not path.exists()]
     minutes = max(1, round(sum(seconds) / 60))
-    say(f"{len(seconds)} of {len(exercises)} exercises to run, about {minutes} min on two quiet cores.")
+    say(f"{len(seconds)} of {len(jobs)} exercises to run, about {minutes} min on two quiet cores.")
     unfinished.mkdir(mode=0o700, parents=True, exist_ok=True)
     with KernelFactory(unsafe=unsafe) as kernel_factory:
-        for number, own_jobs in jobs.items():
-            about = _about_variant(seed, number, variants)
-            variant_files = _variant_files(masters, own_jobs, about, kernel_factory)
-            prefix = f"{answer_key.VARIANTS}/{number}/" if number > 1 else ""
-            files |= {f"{prefix}{name}": text for name, text in variant_files.items()}
+        files |= _key_files(masters, jobs, kernel_factory)
     try:
         write_folder(out, files, permissions=0o700)
     except OSError as error:
@@ -83,20 +77,12 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
     return answer_key.load_key(out)
 
 
-def _about_variant(seed, number, count):
-    """What key.json says of the variants: nothing if there is only one."""
-    secret = hashlib.sha256(f"imgproc-course variants {seed}".encode()).hexdigest()
-    return {"variant": number, "variants": count, "secret": secret} if count > 1 else {}
-
-
-def _jobs(masters, seed, variant, folder, unsafe):
+def _jobs(masters, seed, folder, unsafe):
     """{exercise id: (the file that keeps its part of the key, the arguments of what makes it)}."""
-    jobs = {}
+    jobs, own_seed = {}, _numpy_seed(seed)
     for master in masters:
         text = master.path.read_text(encoding="utf-8")
         for exercise in master.exercises:
-            # All variants use the first one's scenarios, since scenarios differ in how hard they are.
-            own_seed = _numpy_seed(seed, 1 if exercise.subject == "drive" else variant)
             about = repr([text, exercise.id, exercise.mistakes, own_seed, unsafe, version("imgproc-course")])
             path = folder / f"{hashlib.sha256(about.encode()).hexdigest()}.json"
             jobs[exercise.id] = path, (master, exercise, own_seed)
@@ -109,29 +95,27 @@ def _seconds_of(exercise):
     return 0 if exercise.practice else _SECONDS_PER_EXERCISE + _SECONDS_PER_DRIVE * drives
 
 
-def _variant_files(masters, jobs, about, kernel_factory):
-    """{relative name: text} of one variant of a key."""
-    label = f"key, variant {about['variant']} of {about['variants']}" if about else "key"
+def _key_files(masters, jobs, kernel_factory):
+    """{relative name: text} of the exercises, and of key.json."""
     missing = [job for job in jobs.values() if not job[0].exists()]
     # Each one as often as it takes seconds: so the bar knows how much time is left.
     seconds = [job for job in missing for _ in range(1 + round(_seconds_of(job[1][1])))]
-    for path, job in tqdm(seconds, desc=label, unit=" s", smoothing=0, delay=2, leave=False):
+    for path, job in tqdm(seconds, desc="key", unit=" s", smoothing=0, delay=2, leave=False):
         if not path.exists():
             write_file(path, json.dumps(_ExerciseKeyMaker(*job, kernel_factory).part()), permissions=0o600)
     parts = {id: json.loads(path.read_text(encoding="utf-8")) for id, (path, _) in jobs.items()}
     files = {name: text for part in parts.values() for name, text in part["files"].items()}
     lessons = [_lesson_entry(master, parts) for master in masters]
-    return files | {"key.json": _dumps({"format": answer_key.FORMAT, "lessons": lessons} | about)}
+    return files | {"key.json": _dumps({"format": answer_key.FORMAT, "lessons": lessons})}
 
 
 def _dumps(content):
     return json.dumps(content, indent=1, sort_keys=True) + "\n"
 
 
-def _numpy_seed(seed, variant=1):
+def _numpy_seed(seed):
     """A seed for NumPy: a phrase is as good as a number, and harder to guess."""
-    text = f"imgproc-course {seed}" if variant == 1 else f"imgproc-course {seed} variant {variant}"
-    return int.from_bytes(hashlib.sha256(text.encode()).digest()[:16])
+    return int.from_bytes(hashlib.sha256(f"imgproc-course {seed}".encode()).digest()[:16])
 
 
 def _lesson_entry(master, parts):

@@ -11,7 +11,7 @@ class AnswerKeys:
     """The keys that a folder of submissions is graded with.
 
     One key per version of a lesson; the first that has a lesson is the default for it, and `lessons` is
-    {name: KeyLesson of the default key}. Each may have variants.
+    {name: KeyLesson of the default key}.
     """
 
     def __init__(self, keys):
@@ -50,8 +50,8 @@ class AnswerKeys:
         }
 
     def key_of(self, digest):
-        """The key or variant with this digest."""
-        return next(variant for key in self.keys for variant in key.variants if variant.digest == digest)
+        """The key with this digest."""
+        return next(key for key in self.keys if key.digest == digest)
 
 
 def load_keys(folders):

@@ -75,8 +75,7 @@ def _key_entry(key):
         | {"version": lesson.version, "max_points": lesson.points}
         for lesson in sorted(key.lessons.values(), key=_place)
     ]
-    variants = [variant.digest for variant in key.variants]
-    return {"digest": key.digest, "variants": variants, "lessons": lessons}
+    return {"digest": key.digest, "lessons": lessons}
 
 
 def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
@@ -162,7 +161,6 @@ def _lesson_entry(learner, submission, answer_keys, store, deadlines):
         "max_points": lesson.points if lesson else 0,
         "version": content.version,
         "key": submission.key.digest if submission.key else None,
-        "variant": submission.key.variant if submission.key else None,
         **_file_entry(learner, submission, deadlines),
         "findings": [asdict(finding) for finding in findings],
         "exercises": _exercise_entries(result) if result else [],

@@ -105,8 +105,7 @@ class _SubmissionReader:
         content = submission.content
         if content.reason:
             return submission
-        key = self._answer_keys.key_for(content.lesson, content.version)
-        submission.key = key.variant_for(file.learner)
+        submission.key = self._answer_keys.key_for(content.lesson, content.version)
         submission.answers_digest = self._store.keep_answers(submission.key, content.lesson, content.answers)
         untouched = (AnswerState.NOT_ATTEMPTED, AnswerState.MISSING)
         submission.answered = frozenset(id for id in content.answers if content.states[id] not in untouched)

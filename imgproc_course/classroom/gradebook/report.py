@@ -135,7 +135,6 @@ def _lesson_view(lesson, result, answer_keys):
         "exercises": views,
         "notes": [finding_text(finding) for finding in findings if finding["exercise"] not in ids],
         "file": lesson["file"].rpartition("/")[2],
-        "input_set": key.variant if key and key.secret else None,
         "before_late": plain_number(lesson["points"] + lesson["late_deduction"]),
     }
 

@@ -1,6 +1,5 @@
 """Graded drives: what ends them, whose fault it is, what attacks gain, and the scenarios of a key."""
 
-import json
 import time
 
 import pytest
@@ -263,15 +262,9 @@ def test_a_key_names_the_case_that_no_draw_fits(key_of):
         key_of(hidden=near)
 
 
-def test_all_variants_have_the_same_scenarios_as_data(key_of):
-    key = key_of(variants=2)
-    inputs = [(variant.path / "plane/plane-drive.inputs.json").read_text() for variant in key.variants]
-    assert inputs[0] == inputs[1]
-    assert (
-        json.loads(inputs[0])["hidden-plane-drive-1"]
-        == key.content("plane-drive").inputs["hidden-plane-drive-1"]
-    )
-    assert [case.calls for case in key.exercise("plane-drive").cases] == [80, 80]  # looks
+def test_a_key_has_the_number_of_steps_of_each_drive(key_of):
+    key = key_of()
+    assert [case.calls for case in key.exercise("plane-drive").cases] == [80, 80]
 
 
 # ---------------------------------------------------------------- nbval, and the room

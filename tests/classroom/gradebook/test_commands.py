@@ -87,32 +87,6 @@ def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_pa
     assert handed_out["sound"]["answer-sound-mean"] is None
 
 
-def test_a_redrawn_key_has_other_inputs_and_the_old_one_still_grades(run, light, key_path, tmp_path):
-    words = ("key", "20", "--masters", MASTERS, "--out", "k")
-    refused = run(*words, "--redraw")
-    assert refused.exit_code == 1 and "no key to redraw" in refused.output
-    assert run(*words).exit_code == 0
-    old, old_seed = load_key(tmp_path / "k").digest, (tmp_path / "k.seed").read_text()
-    write(tmp_path / "in" / "ada.ipynb", notebook(light, answers_of(light, "right")))
-    assert run("grade", "in", "--key", "k", "--out", "first").exit_code == 0
-    redrawn = run(*words, "--redraw")
-    assert redrawn.exit_code == 0 and "The old key is in k-1/" in redrawn.output
-    assert load_key(tmp_path / "k-1").digest == old != load_key(tmp_path / "k").digest
-    assert (tmp_path / "k-1.seed").read_text() == old_seed != (tmp_path / "k.seed").read_text()
-    public = f"{light.name}/{light.exercises[0].id}.inputs.json"
-    assert (tmp_path / "k" / public).read_text() != (tmp_path / "k-1" / public).read_text()
-    assert run("grade", "in", "--key", "k-1", "--out", "again").exit_code == 0
-    grades = [(tmp_path / name / "grades.json").read_bytes() for name in ("first", "again")]
-    assert grades[0] == grades[1]
-    # Without the lesson's number: the lessons of the old key, and no others.
-    assert run("key", "--masters", MASTERS, "--out", "k", "--redraw").exit_code == 0
-    assert (tmp_path / "k-2").is_dir() and list(load_key(tmp_path / "k").lessons) == [light.name]
-    refused = run("key", "--out", "k", "--redraw")  # the course has no such lesson
-    assert refused.exit_code == 1 and "'light' names no lesson" in refused.output
-    assert "--masters takes the folder that the old key was made from" in refused.output
-    assert list(load_key(tmp_path / "k").lessons) == [light.name]
-
-
 MIRRORED = "5eed90ab1c7f32d8"
 
 
@@ -130,8 +104,6 @@ def test_a_seed_that_can_be_guessed_is_refused(run, tmp_path):
     refused = run("key", "21", "--masters", MASTERS, "--out", "k")
     assert refused.exit_code == 1 and "can be guessed" in refused.output
     assert not (tmp_path / "k").exists()
-    both = run("key", "21", "--masters", MASTERS, "--out", "k", "--seed", "1", "--redraw")
-    assert both.exit_code == 2 and "leave --seed out" in both.output
 
 
 def test_a_key_in_a_checkout_that_does_not_ignore_it_is_a_warning(run, tmp_path):
