@@ -10,7 +10,7 @@ from collections import Counter
 from pathlib import Path
 
 # Ceilings to stay under, not records of today.
-BUDGET = {"raw lines": 37_600, "code lines": 25_650, "worst complexity": 19}
+BUDGET = {"raw lines": 37_292, "code lines": 25_450, "worst complexity": 19}
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 HAVE_DOCSTRINGS = (*FUNCTIONS, ast.ClassDef, ast.Module)

@@ -13,7 +13,7 @@ from ..autograder.sanitize import sanitize_line
 from .anonymity import learner_without_name, without_names
 from .changes import PREVIOUS, changed_points, read_grades
 from .grades_json import grades_text, learner_entry
-from .lms_export import checks_csv, exports, feedback_zips, grades_csv
+from .lms_export import checks_csv, feedback_zips, grades_csv
 from .report import label_of, learner_page, map_of, render_page
 from .result_store import write_grades_file
 from .review import FOLDER, AnswerParts, review_pages
@@ -96,7 +96,7 @@ def write_grades(out, grades, learners, pages, store):
         write_grades_file(out / PREVIOUS, grades_text(before))
     _write_or_remove(out / "drives.html", _drives_page(learners, store, names))
     _write_review(out, page_grades, pages.parts, {shown: name for name, shown in names.items()})
-    files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
+    files = feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         write_grades_file(out / "exports" / name, data)
     for pattern in ("*.csv", "*.zip"):

@@ -1,25 +1,10 @@
-"""What is exported: tables of points, for a spreadsheet, Moodle, Canvas and nbgrader, and pages as zips.
+"""What is exported: tables of points for a spreadsheet, and pages as zips.
 
 grades.csv
     one row per learner and lesson: the final points, the autograder's, and what makes the difference; UTF-8
     with a byte order mark, by which spreadsheets recognize it
 checks.csv
     one row per learner and check, in the same form
-exports/moodle-<lesson>.csv, for submissions from Moodle
-    the offline grading worksheet of one assignment, for "Upload grading worksheet": Identifier
-    ("Participant 123"), Full name, Grade, Last modified (grade), Feedback comments. Moodle finds the columns
-    by their English names and a learner by the Identifier. It ignores a grade above the assignment's maximum.
-    It also ignores a grade that replaces another one, because this table has no dates, unless "Allow updating
-    records that have been modified more recently" is ticked
-exports/canvas.csv, for submissions from Canvas
-    the gradebook: Student, ID, SIS User ID, SIS Login ID, Section, one column per submitted lesson; the row
-    Points Possible. Canvas finds a learner by the ID, and an assignment by the name of its column: a column
-    with an unknown name is offered as a new assignment. The row of points changes the assignment's own
-    points, and an empty cell removes a grade
-exports/nbgrader.csv
-    the columns of `nbgrader export`: assignment, duedate, timestamp, student_id, last_name, first_name,
-    email, raw_score, late_submission_penalty, score, max_score
-
 exports/moodle-feedback-<lesson>.zip
     for "Upload multiple feedback files in a zip". Moodle reads the participant's number and the kind of file
     from the folder's name, Ada Lovelace_12345_assignsubmission_file
@@ -29,9 +14,8 @@ exports/canvas-feedback-<lesson>.zip
 exports/feedback-<learner>.zip
     of a learner who submitted through no platform: nobody else's page is in it
 
-If no table fits, fill the one that the platform exports (`grade --platform-table`).
-
-A platform has one maximum per assignment: if an exercise is excused, the others' points are scaled to it.
+`grade --platform-table` fills the table of points that a platform exports. A platform has one maximum per
+assignment: if an exercise is excused, the others' points are scaled to it.
 
 No cell begins like a formula: an apostrophe is put before one that would.
 """
@@ -44,7 +28,7 @@ from pathlib import PurePosixPath
 from ..autograder.sanitize import spreadsheet_text
 from .csv_table import csv_text
 from .grades_json import lesson_names
-from .report import count_of, finding_text
+from .report import finding_text
 from .teacher_tables import plain_number
 
 COLUMNS = (
@@ -119,78 +103,11 @@ def platform_points(lesson, excused=""):
     return plain_number(lesson["points"] * maximum / lesson["max_points"]) if left_out else lesson["points"]
 
 
-def exports(grades):
-    """The tables for other programs, {file name: text}."""
-    lessons = lessons_of(grades)
-    files = {"nbgrader.csv": _nbgrader(grades, lessons)}
-    for name in lessons:
-        rows = list(_moodle_rows(grades, name))
-        if rows:
-            columns = ("Identifier", "Full name", "Grade", "Last modified (grade)", "Feedback comments")
-            files[f"moodle-{name}.csv"] = _text(columns, rows)
-    learners = [learner for learner in grades["learners"] if _lesson_from(learner, "canvas")]
-    if learners:
-        files["canvas.csv"] = _canvas(learners, lessons)
-    return files
-
-
 def lessons_of(grades):
     """{name: entry in `keys`} of the lessons with points, as the first key that has them describes them."""
     lessons = [lesson for key in reversed(grades["keys"]) for lesson in key["lessons"]]
     lessons = {lesson["lesson"]: lesson for lesson in lessons if lesson["max_points"]}
     return {name: lessons[name] for name in lesson_names(grades) if name in lessons}
-
-
-def _lesson_from(learner, platform):
-    return next((lesson for lesson in learner["lessons"] if lesson["platform"] == platform), None)
-
-
-def _moodle_rows(grades, name):
-    for learner in grades["learners"]:
-        for lesson in learner["lessons"]:
-            if lesson["lesson"] == name and lesson["platform"] == "moodle":
-                number = f"Participant {lesson['platform_id']}"
-                yield number, learner["name"], platform_points(lesson), "", _comment(lesson)
-
-
-def _comment(lesson):
-    """The feedback comment: the points, what lateness cost, what the teacher decided."""
-    parts = [f"{lesson['points']} of {lesson['max_points']} points"]
-    if lesson["late_deduction"]:
-        parts.append(f"{lesson['late_deduction']} deducted, {count_of(lesson['days_late'], 'day')} late")
-    parts += [f"not graded: {lesson['reason']}"] if lesson["status"] != "graded" else []
-    return "; ".join([*parts, *_decision_texts(lesson)])
-
-
-def _canvas(learners, lessons):
-    # An empty column would create a new assignment, or remove the grades of an old one.
-    submitted = {lesson["lesson"] for learner in learners for lesson in learner["lessons"]}
-    lessons = {name: lesson for name, lesson in lessons.items() if name in submitted}
-    columns = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section", *lessons)
-    maxima = (lesson["max_points"] for lesson in lessons.values())
-    rows = [("    Points Possible", "", "", "", "", *maxima)]
-    for learner in learners:
-        points = {lesson["lesson"]: platform_points(lesson, EXCUSED) for lesson in learner["lessons"]}
-        number = int(_lesson_from(learner, "canvas")["platform_id"])
-        rows.append((learner["name"], number, "", "", "", *(points.get(name, "") for name in lessons)))
-    return _text(columns, rows)
-
-
-def _nbgrader(grades, lessons):
-    columns = ["assignment", "duedate", "timestamp", "student_id", "last_name", "first_name", "email"]
-    columns += ["raw_score", "late_submission_penalty", "score", "max_score"]
-    due = (grades["deadline"] or "").replace("T", " ")
-    rows = []
-    for name, lesson in lessons.items():
-        maximum = float(lesson["max_points"])
-        for learner in grades["learners"]:
-            score, penalty, timestamp = 0.0, 0.0, ""
-            for entry in (entry for entry in learner["lessons"] if entry["lesson"] == name):
-                score, penalty = float(platform_points(entry) or 0), float(entry["late_deduction"])
-                timestamp = (entry["submitted_at"] or "").replace("T", " ")
-            about = (name, due, timestamp, learner["name"], "", "", "")
-            rows.append((*about, score + penalty, penalty, score, maximum))
-    return _text(columns, rows)
 
 
 def _text(columns, rows):
