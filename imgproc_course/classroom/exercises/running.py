@@ -9,6 +9,7 @@ import contextlib
 import copy
 import ctypes
 import difflib
+import functools
 import inspect
 import io
 import keyword
@@ -20,11 +21,11 @@ import sys
 import textwrap
 import threading
 import time
+import tokenize
 import traceback
 import types
 import warnings
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 
@@ -99,7 +100,7 @@ def call(function, arguments, names, time_limit, subject="function", most_bytes=
     output, texts = LimitedOutput(), []
     with warnings.catch_warnings():
         warnings.simplefilter("always")
-        warnings.showwarning = partial(_keep_warning, texts)
+        warnings.showwarning = functools.partial(_keep_warning, texts)
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
             fields = _call_fields(function, copies, time_limit, subject, most_bytes)
     if not fields.get("stuck"):
@@ -144,7 +145,7 @@ def _call_fields(function, arguments, time_limit, subject, most_bytes):
         from . import node_driver, package_driver  # here: only nodes need them
 
         drive = {"node": node_driver.drive, "package": package_driver.drive_package}[subject]
-        run = partial(drive, function)
+        run = functools.partial(drive, function)
     try:
         value = call_within(lambda: run(*arguments), time_limit)
         return {"value": canonical(value, most=most_bytes)}
@@ -351,21 +352,39 @@ def globals_of(answer):
 
 
 def source_of(answer):
-    """The source of a function or class, "" if it is not known."""
+    """The source of a function or class, "" if it is not known.
+
+    `inspect` finds no class of a notebook, reads a long literal for seconds, and from Python 3.12 on raises
+    another error for each text that it cannot read: it is asked for lambdas only.
+    """
+    own = f"{answer.__qualname__}." if isinstance(answer, type) else ""  # not a method of its bases
+    code = next((code for code in codes_of(answer).values() if code.co_qualname.startswith(own)), None)
+    text = "".join(linecache.getlines(code.co_filename)) if code else ""
     try:
-        lines = _lines_of_class(answer) if isinstance(answer, type) else inspect.getsource(answer)
-        return textwrap.dedent(lines)
-    except (OSError, TypeError, ValueError, LookupError, SyntaxError, RecursionError):
+        node = _definition_in(text, code.co_firstlineno, answer) if text else None
+        if node:
+            lines = text.split("\n")[_first_line(node) - 1 : node.end_lineno]
+            return textwrap.dedent("\n".join([*lines, ""]))
+        return "" if isinstance(answer, type) else textwrap.dedent(inspect.getsource(answer))
+    except (OSError, TypeError, ValueError, LookupError, SyntaxError, RecursionError, tokenize.TokenError):
         return ""
 
 
-def _lines_of_class(answer):
-    """The lines that define a class: `inspect` does not find a class of a notebook, but its methods."""
-    own = f"{answer.__qualname__}."
-    codes = [code for code in codes_of(answer).values() if code.co_qualname.startswith(own)]
-    lines = linecache.getlines(codes[0].co_filename) if codes else []
-    for node in ast.walk(ast.parse("".join(lines))):
-        if isinstance(node, ast.ClassDef) and node.lineno <= codes[0].co_firstlineno <= node.end_lineno:
-            start = min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
-            return "".join(lines[start - 1 : node.end_lineno])
-    return ""
+def _definition_in(text, line, answer):
+    """The definition of a function that begins on a line of a text, or of a class that contains it."""
+    kind = ast.ClassDef if isinstance(answer, type) else (ast.FunctionDef, ast.AsyncFunctionDef)
+    for node in _definitions_in(text):
+        last = node.end_lineno if isinstance(node, ast.ClassDef) else _first_line(node)
+        if isinstance(node, kind) and _first_line(node) <= line <= last:
+            return node
+    return None
+
+
+def _first_line(definition):
+    return min([definition.lineno, *(decorator.lineno for decorator in definition.decorator_list)])
+
+
+@functools.lru_cache(maxsize=4)
+def _definitions_in(text):
+    kinds = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+    return [node for node in ast.walk(ast.parse(text)) if isinstance(node, kinds)]
