@@ -8,6 +8,7 @@ change that matters becomes a finding.
 
 import difflib
 import re
+import sys
 from dataclasses import dataclass, field
 from enum import StrEnum
 
@@ -101,6 +102,11 @@ def read_submission(data, catalog, reader, name=""):
         content.states[exercise.id] = _inspect_answer(exercise, answers[exercise], content)
         _compare_given(exercise, cells, lesson, content)
         _report_other_tries(exercise, cells, content)
+    python, own = re.match(r"3\.(\d{1,2})\b", notebook["python"] or ""), sys.version_info.minor
+    is_no_python = any(NOT_PYTHON in finding.text for finding in content.findings)
+    if is_no_python and python and int(python[1]) > own:
+        text = f"it was run with Python {python[0]}, and Python 3.{own} grades it, which knows less syntax"
+        content.add(text)
     _compose_answers(answers, notebook["cells"], reader, content)
     return content
 

@@ -78,6 +78,7 @@ def read_notebook(data):
         "lesson": _text(notebook, "metadata", "imgproc_course", "lesson"),
         "version": _text(notebook, "metadata", "imgproc_course", "version"),
         "kernel": _text(notebook, "metadata", "kernelspec", "name"),
+        "python": _text(notebook, "metadata", "language_info", "version"),
         "cells": _cells(cells),
     }
 

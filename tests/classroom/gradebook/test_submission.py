@@ -207,6 +207,15 @@ def test_a_slip_that_costs_a_right_answer_is_told_to_the_learner(read, made, sou
     assert texts(content, "message") == [text] and texts(content, "answer") == []
 
 
+@pytest.mark.parametrize(("version", "is_named"), [("3.99.1", True), ("3.11.0", False), (7, False)])
+def test_syntax_of_a_newer_python_is_named(read, made, version, is_named):
+    made["metadata"]["language_info"] = {"version": version}
+    assert texts(read(made)) == []
+    cell_of(made, DOUBLE)["source"] = "def double(pixels):\n    return pixels ?? 3"
+    findings = texts(read(made))
+    assert any(text.startswith("it was run with Python 3.99, and Python 3.") for text in findings) == is_named
+
+
 def test_a_split_answer_cell(read, made):
     cell = cell_of(made, DOUBLE)
     position = made["cells"].index(cell)
