@@ -384,12 +384,6 @@ def _would_be_committed(path):
     type=_FILE,
     help="CSV of your decisions by hand.  [default: decisions.csv in the folder of grades]",
 )
-@option(
-    "--regrade",
-    multiple=True,
-    metavar="NAME",
-    help="Grade a learner, a lesson or an exercise again; repeat the option for more.",
-)
 @option("--anonymous", is_flag=True, help="Show an id instead of the name on every page.")
 @_unsafe_option
 @option("--fresh", is_flag=True, help="Grade again what was graded before.")
@@ -460,7 +454,7 @@ def _grade_and_review(submissions, keys, out, rules, review, options):
             if review:
                 click.echo(report.text)
                 serve_review(out, keys, options["decisions"], say=click.echo)
-                options |= {"fresh": False, "regrade": ()}
+                options["fresh"] = False
                 report = grade_submissions(submissions, keys, out, **options)
     return report
 

@@ -41,7 +41,6 @@ def grade_submissions(
     late=None,
     extensions=None,
     decisions=None,
-    regrade=(),
     anonymous=False,
     fresh=False,
     scheduler=None,
@@ -84,13 +83,12 @@ def grade_submissions(
             learners, answer_keys.lessons, names_in_roster(roster or (), learners).values()
         )
         rules.assign(learners, roster or ())
-        again = result_store.answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         stack.callback(pages.parts.close)
         copies = stack.enter_context(ThreadPoolExecutor(1)).submit(find_copies, learners, answer_keys, store)
         threading.Thread(target=prepare_templates, daemon=True).start()
-        options |= {"quiet": quiet, "on_result": pages.result_stored}
-        graded_now = result_store.grade_missing(learners, answer_keys, store, again, **options)
+        options |= {"fresh": fresh, "quiet": quiet, "on_result": pages.result_stored}
+        graded_now = result_store.grade_missing(learners, answer_keys, store, **options)
         if deadline:
             collection.findings += unproven_dates(collection.files, deadline)
         grades = grades_of(

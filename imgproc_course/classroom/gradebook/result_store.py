@@ -6,13 +6,11 @@ import hashlib
 import json
 import threading
 import time
-from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 
 from tqdm import tqdm
 
-from ..authoring.lesson_names import lesson_name
 from ..autograder.outcomes import Outcome
 from ..autograder.pool import autograde
 from ..autograder.results import from_json, to_json
@@ -90,55 +88,15 @@ class ResultStore:
             return None
 
 
-def answers_to_regrade(targets, learners, names, answer_keys, *, fresh=False):
-    """What is graded again though it has a result: {digest of answers: exercise ids, or None for all}.
-
-    `targets` are names or anonymous ids of learners, lessons, ids of exercises; ValueError: one is none of
-    them. `names` are {name or anonymous id: the learner's name}; `fresh`: everything is graded again.
-    """
-    lessons = {exercise.id: name for name, exercise in _graded_exercises(answer_keys)}
-    again = {}
-    for target in targets:
-        lesson = lessons.get(target) or lesson_name(target)
-        if target not in names and lesson not in answer_keys.lessons:
-            text = f"--regrade {target[:60]!r}: no learner, lesson or exercise has this name"
-            raise ValueError(f"{text}; the lessons are {', '.join(answer_keys.lessons)}")
-        for digest in _digests(learners, names.get(target), lesson):
-            everything = target not in lessons or again.get(digest, set()) is None
-            again[digest] = None if everything else again.get(digest, set()) | {target}
-    return dict.fromkeys(_digests(learners)) if fresh else again
-
-
-def _graded_exercises(answer_keys):
-    for key in answer_keys.keys:
-        for name, lesson in key.lessons.items():
-            yield from ((name, exercise) for exercise in lesson.exercises if not exercise.practice)
-
-
-def _digests(learners, name=None, lesson=None):
-    """The digests of all answers; of one learner, or else of one lesson."""
-    digests = {
-        digest
-        for learner in learners
-        for graded_lesson, digest in learner.digests.items()
-        if (learner.name == name if name else lesson in (None, graded_lesson))
-    }
-    return sorted(digests)
-
-
-def grade_missing(learners, answer_keys, store, again, *, quiet, on_result, **options):
-    """Grade what has no result, and `again`, equal answers once; how many submissions were graded now."""
-    digests = _digests(learners)
-    stored = {digest: store.result(digest) for digest in digests}
-    missing = [digest for digest in digests if digest in again or stored[digest] is None]
+def grade_missing(learners, answer_keys, store, *, fresh, quiet, on_result, **options):
+    """Grade what has no result, or all if `fresh`, equal answers once; the number of those graded now."""
+    digests = sorted({digest for learner in learners for digest in learner.digests.values()})
+    missing = [digest for digest in digests if fresh or store.result(digest) is None]
     done, about = len(digests) - len(missing), {"desc": "grading", "unit": " submissions"}
     with tqdm(total=len(digests), initial=done, disable=quiet, **about) as bar:
         threading.Thread(target=show_time, args=(bar,), daemon=True).start()
-        exercises = {digest: again.get(digest) if stored[digest] else None for digest in missing}
         keys = {digest: answer_keys.key_of(store.answers(digest)[0]) for digest in missing}
-        for result in autograde(_submissions(exercises, store), keys, **options):
-            if exercises[result.name]:
-                result = _with_old_exercises(result, stored[result.name], exercises[result.name])
+        for result in autograde(_submissions(missing, store), keys, **options):
             store.keep_result(result.name, result)
             bar.update()
             on_result(result.name)
@@ -152,14 +110,8 @@ def show_time(bar):
         bar.refresh()
 
 
-def _submissions(exercises, store):
+def _submissions(digests, store):
     """(digest, lesson, answers) of the answers that are to be graded."""
-    for digest, ids in exercises.items():
+    for digest in digests:
         _, lesson, answers = store.answers(digest)
-        yield digest, lesson, {id: source for id, source in answers.items() if not ids or id in ids}
-
-
-def _with_old_exercises(result, stored, ids):
-    """A new result, with the stored results of the exercises that were not graded again."""
-    exercises = zip(result.exercises, stored.exercises, strict=True)
-    return replace(result, exercises=tuple(new if new.id in ids else old for new, old in exercises))
+        yield digest, lesson, answers

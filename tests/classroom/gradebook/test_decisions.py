@@ -1,4 +1,4 @@
-"""What a teacher adds to the autograder's points: decisions by hand, a late policy, extensions, a regrade."""
+"""What a teacher adds to the autograder's points: decisions by hand, a late policy, extensions."""
 
 import json
 import re
@@ -9,7 +9,6 @@ from submissions import answers_of, notebook, write
 
 from imgproc_course.classroom.gradebook.csv_table import TableError
 from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.result_store import ResultStore
 from imgproc_course.classroom.gradebook.teacher_tables import read_late_policy
 
 pytestmark = pytest.mark.sandbox
@@ -192,41 +191,3 @@ def test_another_late_policy_is_refused(text):
 def test_late_without_a_deadline_is_refused(grade):
     with pytest.raises(ValueError, match="--late needs the deadline"):
         grade(late="10% a day")
-
-
-# ---------------------------------------------------------------- regrade
-
-
-def test_a_regrade_takes_one_learner_lesson_or_exercise(class_folder, grade, monkeypatch):
-    kept, keep = [], ResultStore.keep_result
-
-    def remember(store, digest, result):
-        kept.append((result.lesson, [exercise.message for exercise in result.exercises]))
-        keep(store, digest, result)
-
-    monkeypatch.setattr(ResultStore, "keep_result", remember)
-    expected = grade()[0]
-    assert kept == []
-    assert grade(regrade=["21_sound"])[0] == expected
-    assert [lesson for lesson, _ in kept] == ["sound"]
-    kept.clear()
-    assert grade(regrade=["Bob"])[0] == expected
-    assert sorted(lesson for lesson, _ in kept) == ["light", "sound"]
-    with pytest.raises(ValueError, match="'Boob': no learner, lesson or exercise has this name"):
-        grade(regrade=["Boob"])
-
-
-def test_the_regrade_of_an_exercise_keeps_the_results_of_the_others(class_folder, grade):
-    expected = grade()[0]
-    for path in (class_folder / "out" / "results").glob("*.json"):
-        content = json.loads(path.read_text())
-        if isinstance(content, dict) and content["lesson"] == "light":
-            for exercise in content["exercises"]:
-                exercise["message"] = "of the run before"
-            path.write_text(json.dumps(content))
-    lessons = grade(regrade=["light-halves"])[0]
-    for name in ("Ada", "Bob", "=Eve"):
-        double, halves = lessons[name]["light"]["exercises"]
-        assert (double["id"], double["message"]) == ("light-double", "of the run before")
-        assert halves == expected[name]["light"]["exercises"][1]
-    assert grade(regrade=["light"])[0] == expected
