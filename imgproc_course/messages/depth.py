@@ -37,6 +37,11 @@ def decode_depth(format, data):
     values = decode(data[_HEADER.size :])
     if info.dtype == np.uint16:
         return values, info
+    if not (0 < a < np.inf and np.isfinite(b)):
+        raise ConversionError(
+            f"no depth follows from A = {a:g} and B = {b:g} in the header of compressedDepth; set the "
+            "publisher's parameters depth_quantization and depth_max above 0, or subscribe to the raw topic"
+        )
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         metres = np.float32(a) / (values - np.float32(b))
     metres[values == 0] = np.nan

@@ -377,6 +377,14 @@ def test_the_formula_of_inverse_depth():
     assert compressed_to_array(old_name)[0, 0] == 2.0
 
 
+@pytest.mark.parametrize(("a", "b"), [(0, 1), (0, -np.inf), (np.nan, 1), (np.inf, 1), (-1, 1), (1, np.nan)])
+def test_a_header_without_a_quantization_is_refused(a, b):
+    """As depth_quantization 0 writes it: every stored value is 1, and every depth would be NaN."""
+    body = png(np.ones((2, 3), np.uint16))
+    with pytest.raises(ConversionError, match="depth_quantization and depth_max above 0"):
+        compressed_to_array(message("32FC1; compressedDepth png", struct.pack("<iff", 0, a, b) + body))
+
+
 def test_an_rvl_stream_calculated_by_hand():
     """Pixels 0 0 0 500 502 501 0: [3 zeros] [3 not] +500 +2 -1, [1 zero] [0 not].
 
