@@ -142,11 +142,15 @@ _CASTS = {
 
 
 _OTHER_WORDS = re.compile("gr[ae]y(scale)?|luma|^[yl](?=8|16)")
+_OTHER_LAYOUTS = re.compile("i420|iyuv|yv12|yuv4(20|44)|yuv422p|nv(16|42|61)|[rb]g[br]565")
 
 
 def _nearest(name):
     names = {name.casefold(): name for name in ENCODINGS}
     normalized = _OTHER_WORDS.sub("mono", name[:40].casefold().strip().removesuffix("c"))
+    normalized = re.sub("(?<=yuyv|uyvy)422", "", normalized)  # FFmpeg's names
+    if _OTHER_LAYOUTS.search(normalized):
+        return "ROS has no name for this layout of bytes; set the camera's driver to 'bgr8', 'yuyv' or 'nv21'"
     matches = difflib.get_close_matches(normalized, names, n=3, cutoff=0.6)
     if matches:
         return f"did you mean {' or '.join(repr(names[match]) for match in matches)}?"
