@@ -25,6 +25,7 @@ from .sqlite import SqliteFile
 
 FILE_CLASSES = {".mcap": McapFile, ".db3": SqliteFile}
 ZSTD_MAGIC = b"\x28\xb5\x2f\xfd"
+TIMED_PART = re.compile(r"(\d+)_(.+)_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d(\.\w+)")
 
 
 def find_bag(path):
@@ -63,6 +64,13 @@ def _stated(folder):
         return [], 0
 
 
+def _part(name):
+    """(recording, part of it) by a file's name: name_number, or number_name_time as rosbag2 writes it now."""
+    if timed := TIMED_PART.fullmatch(name):
+        return timed[2] + timed[3], timed[1]
+    return re.sub(r"_\d+(?=\.\w+$)", "", name), name
+
+
 def _files_of(folder, names):
     """(the files of a folder, the names of missing ones), as metadata.yaml names them, or else by number."""
     files = {path.name.removesuffix(".zstd"): path for path in sorted(folder.iterdir(), reverse=True)}
@@ -75,7 +83,8 @@ def _files_of(folder, names):
         if names:
             reason = f"lacks {', '.join(names)}, which its metadata.yaml names; copy the whole folder again"
         raise RecordingError(f"{folder} {reason}")
-    if len({re.sub(r"_\d+(?=\.\w+$)", "", name) for name in files}) > 1:
+    parts = {_part(name) for name in files}
+    if len(parts) < len(files) or len({recording for recording, _ in parts}) > 1:
         listed = ", ".join(sorted(files))
         raise RecordingError(f"{folder} holds several recordings; give the path of one of them: {listed}")
     return [files[name] for name in sorted(files, key=lambda name: (len(name), name))], []

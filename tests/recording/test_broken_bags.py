@@ -38,11 +38,22 @@ def test_an_empty_folder(tmp_path):
     assert "holds no recording: no metadata.yaml, no .mcap, no .db3" in error_of(tmp_path)
 
 
-def test_a_folder_of_several_files_without_metadata(tmp_path):
-    for name in ("a.mcap", "b.mcap"):
+TIME = "2026_05_22-09_30_07.mcap"
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("a.mcap", "b.mcap"),
+        (f"0_run_1_{TIME}", f"1_run_2_{TIME}"),
+        (f"0_run_{TIME}", "0_run_2026_05_23-08_00_00.mcap"),
+    ],
+)
+def test_a_folder_of_several_files_without_metadata(tmp_path, names):
+    for name in names:
         (tmp_path / name).write_bytes(b"\x89MCAP0\r\n")
     assert error_of(tmp_path) == (
-        f"{tmp_path} holds several recordings; give the path of one of them: a.mcap, b.mcap"
+        f"{tmp_path} holds several recordings; give the path of one of them: {', '.join(names)}"
     )
 
 

@@ -123,7 +123,7 @@ def test_metadata_that_differ_from_the_file_cost_nothing(raw_bag, old, new):
         assert len(list(recording)) == 6
 
 
-def write_split_bag(folder, storage, packed=False):
+def write_split_bag(folder, storage, packed=False, name="mine_{k}"):
     """Twelve images in as many files, as rosbag2 numbers them."""
     folder.mkdir()
     for k in range(12):
@@ -131,14 +131,15 @@ def write_split_bag(folder, storage, packed=False):
             bag.write("/cam", raw_image(k, START + k), START + k)
         file = bag_file(folder / "part")
         data = zstd.compress(file.read_bytes()) if packed else file.read_bytes()
-        (folder / f"mine_{k}{file.suffix}{'.zstd' * packed}").write_bytes(data)
+        (folder / f"{name.format(k=k)}{file.suffix}{'.zstd' * packed}").write_bytes(data)
         shutil.rmtree(folder / "part")
     return folder
 
 
 @pytest.mark.parametrize("packed", [False, True])
-def test_a_split_bag_without_metadata_is_read_in_the_order_of_its_numbers(tmp_path, storage, packed):
-    folder = write_split_bag(tmp_path / "mine", storage, packed)
+@pytest.mark.parametrize("name", ["mine_{k}", "{k}_mine_2026_05_22-09_{k:02}_07"])
+def test_a_split_bag_without_metadata_is_read_in_the_order_of_its_numbers(tmp_path, storage, packed, name):
+    folder = write_split_bag(tmp_path / "mine", storage, packed, name)
     with open_recording(folder) as recording:
         assert recording.stamps.tolist() == [START + k for k in range(12)]
         assert [topic for topic, _ in recording] == ["/cam"] * 12
