@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
-from .channels import READ_ERRORS, Channel, typestores_of, zstd
+from .channels import READ_ERRORS, Channel, deserialized, typestores_of, zstd
 from .errors import FrameIndexError, NotRecordedError, RecordingError
 from .mcap import McapFile
 from .sqlite import SqliteFile
@@ -295,7 +295,7 @@ class Bag:
         typestores, reason = typestores_of(channel)
         for types in typestores:
             try:
-                return types.deserialize_cdr(raw, channel.kind)
+                return deserialized(types, raw, channel.kind)
             except READ_ERRORS as error:
                 reason = f"a message is damaged ({_reason(error)}); read the others"
         raise RecordingError(f"{channel.topic} of {self.path.name} cannot be read: {reason}")

@@ -85,3 +85,18 @@ def _definitions(channel):
     for text in filter(str.strip, IDL_HEADING.split(channel.definition)):
         types.update(get_types_from_idl(text))
     return types
+
+
+def deserialized(types, raw, kind):
+    """A message by a typestore. Zeros may follow it: some recorders store the whole buffer that held it."""
+    try:
+        return types.deserialize_cdr(raw, kind)
+    except SerdeError as error:
+        if "size mismatch" not in str(error):
+            raise
+        definition = types.get_msgdef(kind)
+        read = definition.deserialize_cdr_le if raw[1] else definition.deserialize_cdr_be
+        message, end = read(raw[4:], 0, definition.cls, types)
+        if any(raw[4 + end :]):
+            raise
+        return message

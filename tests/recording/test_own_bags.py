@@ -13,7 +13,7 @@ from backports import zstd
 from rosbags.rosbag2 import CompressionFormat, CompressionMode
 
 from imgproc_course.messages.message_classes import installed_class
-from imgproc_course.recording import NotRecordedError, open_recording
+from imgproc_course.recording import NotRecordedError, RecordingError, open_recording
 
 from .conftest import (
     START,
@@ -233,6 +233,26 @@ def test_a_definition_that_is_missing_wrong_or_incomplete_costs_nothing(tmp_path
     with open_recording(write_mcap(tmp_path / "a.mcap", messages)) as recording:
         assert [int(recording.frame(k, "mono8")[0, 0]) for k in range(3)] == [0, 40, 80]
         assert [topic for topic, _ in recording] == ["/log", "/cam", "/cam", "/cam"]
+
+
+def write_images_and(tmp_path, tail):
+    """Two images, each followed by other bytes."""
+    images = [bytes(TYPES.serialize_cdr(raw_image(k, START), "sensor_msgs/msg/Image")) for k in range(2)]
+    messages = [(image_channel(), START + k, image + tail) for k, image in enumerate(images)]
+    return write_mcap(tmp_path / "a.mcap", messages)
+
+
+@pytest.mark.parametrize("zeros", [3, 4, 100])
+def test_zeros_after_a_message_cost_nothing(tmp_path, zeros):
+    """Some recorders store the whole buffer that held the message."""
+    with open_recording(write_images_and(tmp_path, bytes(zeros))) as recording:
+        assert [int(recording.frame(k, "mono8")[0, 0]) for k in range(2)] == [0, 40]
+
+
+def test_other_bytes_after_a_message_are_damage(tmp_path):
+    path = write_images_and(tmp_path, b"\0\0\0\1")
+    with open_recording(path) as recording, pytest.raises(RecordingError, match="a message is damaged"):
+        recording.frame(1)
 
 
 @pytest.mark.parametrize("profile", ["ros2", ""])
