@@ -79,10 +79,11 @@ def _own_typestore(channel):
 
 
 def _definitions(channel):
+    definition = channel.definition.replace("\r\n", "\n")
     if channel.language == "ros2msg":
-        return get_types_from_msg(channel.definition, channel.kind)
+        return get_types_from_msg(definition, channel.kind)
     types = {}
-    for text in filter(str.strip, IDL_HEADING.split(channel.definition)):
+    for text in filter(str.strip, IDL_HEADING.split(definition)):
         types.update(get_types_from_idl(text))
     return types
 

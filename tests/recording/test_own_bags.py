@@ -3,6 +3,7 @@
 import gc
 import shutil
 import sqlite3
+import struct
 import sys
 import warnings
 
@@ -233,6 +234,16 @@ def test_a_definition_that_is_missing_wrong_or_incomplete_costs_nothing(tmp_path
     with open_recording(write_mcap(tmp_path / "a.mcap", messages)) as recording:
         assert [int(recording.frame(k, "mono8")[0, 0]) for k in range(3)] == [0, 40, 80]
         assert [topic for topic, _ in recording] == ["/log", "/cam", "/cam", "/cam"]
+
+
+def test_a_definition_with_line_ends_of_windows_is_read(tmp_path):
+    part = "=" * 80 + "\r\nMSG: a/Point\r\nfloat64 x\r\n"
+    own = ("/own", "a/msg/Own", "cdr", "ros2msg", f"a/Point at\r\nint32 k\r\n{part}")
+    raw = b"\0\1\0\0" + struct.pack("<di", 2.5, 7)
+    messages = [(image_channel(), START, raw_image(0, START)), (own, START + 1, raw)]
+    with open_recording(write_mcap(tmp_path / "a.mcap", messages)) as recording:
+        message = dict(recording)["/own"]
+    assert (message.at.x, message.k) == (2.5, 7)
 
 
 def write_images_and(tmp_path, tail):
