@@ -64,7 +64,7 @@ def _decoded(msg, desired_encoding):
     frame, source = decode(format, data)
     if isinstance(desired_encoding, str) and desired_encoding in ("passthrough", ""):
         desired_encoding = source.name.replace("rgb", "bgr")
-    convert = _conversion(source, encoding_info(desired_encoding))
+    convert = _conversion(source, encoding_info(desired_encoding), "the encoding in msg.format")
     return convert(frame) if convert else frame
 
 

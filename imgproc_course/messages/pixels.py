@@ -18,12 +18,12 @@ _PACKED_YUV = {"uyvy": "UYVY", "yuyv": "YUY2"}  # two pixels share one pair of U
 _PLANAR_420 = {"nv12": "NV12", "nv21": "NV21"}  # 2 × 2 pixels share one
 
 
-def converter(source, desired):
+def converter(source, desired, field="msg.encoding"):
     """The function that makes a fresh frame of one EncodingInfo from one of another; None if no byte changes.
 
     The colors change at the depth of `source`. Then the depth changes: from 8 to 16 bits × 257, from 16 to 8
     bits / 257 and rounded; every other pair saturates without scaling. Float to integer rounds half to even,
-    and NaN becomes the lowest value.
+    and NaN becomes the lowest value. An error calls the encoding of the message `field`.
     """
     if source[1:] == desired[1:]:
         return None
@@ -34,7 +34,7 @@ def converter(source, desired):
     elif source.color and desired.color:
         recolor = _recolor(source, desired)
     else:
-        raise ConversionError(_why_not(source, desired))
+        raise ConversionError(_why_not(source, desired, field))
     rescale = _rescale(source.dtype, desired.dtype)
 
     def convert(frame):
@@ -159,11 +159,11 @@ def _saturate(frame, dtype):
     return np.clip(frame, lowest, highest).astype(dtype)
 
 
-def _why_not(source, desired):
+def _why_not(source, desired, field=""):
     """Why a pair of encodings has no conversion, and the remedy."""
     problem = f"no conversion from {source.name!r} to {desired.name!r}: "
     if source.color is None and desired.color:
-        return problem + _meaning_missing(source)
+        return problem + _meaning_missing(source, field)
     if desired.color is None:
         return problem + (
             f"{desired.name!r} keeps the values as they are, so it needs {source.channels} channel(s) like "
@@ -176,16 +176,14 @@ def _why_not(source, desired):
     return problem + f"a Bayer mosaic has no alpha; ask for 'bgr{bits}', 'rgb{bits}' or 'mono{bits}'"
 
 
-def _meaning_missing(source):
+def _meaning_missing(source, field):
     problem = f"{source.name!r} says how values are stored, not what they mean; "
     candidates = [
         name for name, info in ENCODINGS.items() if info.color in _CHANNEL_ORDERS and info[1:3] == source[1:3]
     ]
     relabel = ""
     if candidates:
-        relabel = (
-            f"if you know what they mean, set msg.encoding to {' or '.join(map(repr, candidates))} first"
-        )
+        relabel = f"if you know what they mean, set {field} to {' or '.join(map(repr, candidates))} first"
     if source.channels == 1 and source.name not in {"8U", "8UC1"}:
         # Unmeasured depth in metres is NaN or infinite: scaled by that maximum, every pixel would be black.
         largest = "a[np.isfinite(a)].max()" if source.dtype.kind == "f" else "a.max()"

@@ -341,6 +341,14 @@ def test_arguments_that_are_not_compressed_images():
         compressed_to_array(message("png", WHOLE), "BGR8")
 
 
+def test_the_remedy_for_values_without_a_meaning_names_a_field_of_the_message():
+    msg = message("16UC1; png compressed ", png(np.full((2, 3), 25700, np.uint16)))
+    with pytest.raises(ConversionError, match=r"set the encoding in msg\.format to 'mono16' first"):
+        compressed_to_array(msg, "mono8")
+    msg.format = msg.format.replace("16UC1", "mono16")
+    assert compressed_to_array(msg, "mono8").tolist() == [[100] * 3] * 2
+
+
 # --- compressedDepth
 
 DEPTH = np.array([[0, 0, 500], [501, 499, 65535], [0, 1, 0]], np.uint16)
