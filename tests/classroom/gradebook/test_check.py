@@ -2,6 +2,7 @@
 
 import io
 import json
+import subprocess
 import sys
 
 import nbformat
@@ -380,6 +381,18 @@ def test_the_exit_code_is_1_while_the_lesson_is_not_ready(lesson):
     assert done.exit_code == 1 and "template-double: not attempted" in done.output
     done = CliRunner().invoke(check, ["nothing.ipynb"])
     assert done.exit_code == 1 and "Error: nothing.ipynb: no such file" in done.output
+
+
+def test_an_answer_that_ends_python_is_named(lesson):
+    """Not in silence, and with exit code 0: that looks like a lesson that is ready."""
+    source = "import os\n\ndef double(pixels):\n    os._exit(0)\n"
+    program = [sys.executable, "-c", "from imgproc_course.cli import check; check()", "--run"]
+    path = lesson(edit(ANSWER, source=source))
+    done = subprocess.run([*program, path], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 1
+    assert done.stderr == (
+        "Error: template-double: the answer ends Python, and gets no points; leave out os._exit()\n"
+    )
 
 
 def test_of_several_lessons_a_missing_one_does_not_hide_the_others(lesson):
