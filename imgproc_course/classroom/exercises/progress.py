@@ -13,6 +13,7 @@ import itertools
 import json
 import linecache
 import os
+import re
 import types
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -137,10 +138,8 @@ def digest_of(answer):
     files = dict.fromkeys(code.co_filename for code in codes.values())
     source = "\n".join("".join(linecache.getlines(file)) for file in files)
     with contextlib.suppress(SyntaxError, ValueError, RecursionError):
-        source = source and ast.dump(ast.parse(source))
-    # Python 3.13 compiles an expression on two lines otherwise than on one: code counts only without source.
-    parts = (code.co_qualname if source else content_of(code) for code in codes.values())
-    content = "\n".join([source, *parts])
+        source = ast.dump(ast.parse(source))
+    content = "\n".join([source, *(f"{name} {content_of(code)}" for name, code in codes.items())])
     return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
@@ -155,5 +154,13 @@ def content_of(code):
         except ValueError:  # an integer of more digits than Python writes
             return str(hash(code))
     steps = (step for step in dis.get_instructions(code) if step.opname not in ("PUSH_NULL", "EXTENDED_ARG"))
-    operands = ((step, "" if step.opcode in _JUMPS else content_of(step.argval)) for step in steps)
-    return repr([(step.opname.replace("LOAD_METHOD", "LOAD_ATTR"), operand) for step, operand in operands])
+    parts = (part for step in steps for part in _parts_of(step))
+    return repr([(name.replace("LOAD_METHOD", "LOAD_ATTR"), operand) for name, operand in parts])
+
+
+def _parts_of(step):
+    """(name, operand) of an instruction; of one that Python 3.13 makes of two that are on one line, both."""
+    names = re.findall("LOAD_FAST|STORE_FAST", step.opname)
+    if len(names) == 2:
+        return [*zip(names, map(content_of, step.argval), strict=True)]
+    return [(step.opname, "" if step.opcode in _JUMPS else content_of(step.argval))]
