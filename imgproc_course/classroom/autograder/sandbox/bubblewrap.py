@@ -26,7 +26,7 @@ INSIDE = Path(__file__).resolve().parent / "inside"
 # Modules of `exercises` that check cells need; none of them knows an answer.
 EXERCISES_MODULES = (
     *("canonical", "comparison", "drive", "input_encoding", "running"),
-    *("node_driver", "package_driver", "recording_node", "ros_double"),
+    *("cell_syntax", "node_driver", "package_driver", "recording_node", "ros_double"),
 )
 SITE, COURSE, PYTHON = "/course/site", "/course/packages", "/python"  # paths inside the sandbox
 _CLASSROOM = f"{COURSE}/{course.NAME}/classroom"
