@@ -80,7 +80,8 @@ def test_a_call_that_a_busy_machine_stops_is_named_by_the_time(write_master, mon
         exercise, calls = read_exercises(write_master(("Doubling", f"Doubling {late}")))[0], itertools.count()
 
         def call_within(function, _seconds):
-            if next(calls) == late:
+            is_remark = function.__module__ != running.__name__  # which is left out, and not late
+            if not is_remark and next(calls) == late:
                 raise running.TimeUp
             return function()
 
