@@ -45,7 +45,7 @@ _CHANGING_METHODS += ("put", "remove", "resize", "reverse", "setdefault", "sort"
 # process, and those that wait for a person.
 _ENDLESS_CALLS = re.compile(r"(\w{1,9}\.){0,2}(spin\w{0,22}|(rclpy\.)(init|ok|shutdown|try_shutdown)|ok)")
 _WAITING_CALLS = re.compile(
-    rf"{_ENDLESS_CALLS.pattern}|main|input|(plt|pyplot)\.show|(cv2\.)?(imshow|waitKey\w{0,9})"
+    rf"{_ENDLESS_CALLS.pattern}|main|input|(plt|pyplot)\.show|(cv2\.)?(imshow|waitKey\w{{0,9}})"
 )
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 

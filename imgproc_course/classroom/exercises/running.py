@@ -112,10 +112,14 @@ def call(function, arguments, names, time_limit, subject="function", most_bytes=
 
 
 def _keep_warning(texts, message, *_place):
-    """Keep the first one, or the first of an overflow, which explains most: a loop may warn often."""
-    if not texts or "overflow" not in texts[0]:
-        text = str(message)[:_MOST_OUTPUT]
-        texts[:] = [text] if not texts or "overflow" in text else texts
+    """Keep the first one, or the first of an overflow, which explains most: a loop may warn very often."""
+    text = str(message)[:_MOST_OUTPUT]
+    if "overflow" in text:
+        texts[:] = [text]
+        warnings.simplefilter("ignore")
+    elif not texts:
+        texts[:] = [text]
+        warnings.filterwarnings("ignore", re.escape(text))
 
 
 @contextlib.contextmanager

@@ -93,6 +93,7 @@ def main(args=None):
         ("rclpy.init()", "rclpy.init()", True),
         ("import matplotlib.pyplot as plt\nplt.show()", "plt.show()", False),
         ("size = int(input('size?'))", "size = int(input('size?'))", False),
+        ("cv2.waitKeyEx(0)", "cv2.waitKeyEx(0)", False),
         (
             "while True:\n    cv2.imshow('a', b)\n    if cv2.waitKey(1) == 27:\n        break",
             "while True:",
