@@ -11,7 +11,9 @@ from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))  # for accessibility.py
+sys.path.insert(0, str(Path(__file__).parent))  # for the modules beside this one
+from progress import Progress
+from selection import ONLY_IN_ALL, is_left_out, is_of_lesson, place_of, scope_of
 
 
 def _take_domain():
@@ -57,42 +59,30 @@ def pytest_runtest_setup(item):
             pytest.skip(reason)
 
 
-# Long tests start first: if they started last, the other workers would wait for them without work.
-LONGEST_FIRST = ("ros_packages", "browser", "classroom/gradebook/test_teach", "classroom", "notebooks", "ros")
-# A worker takes one file at a time. Of WHOLE_FOLDERS it takes all files, because what they share (a colcon
-# workspace, a JupyterLab with its browser) takes long to make. Of SINGLE_TESTS it takes one test, a lesson.
-WHOLE_FOLDERS = ("ros_packages", "browser")
-SINGLE_TESTS = ("notebooks",)
+LEFT_OUT = pytest.StashKey[bool]()
 
 
-def _folder(nodeid):
-    """The folder below tests/, or the file if it is in none."""
-    return nodeid.partition("::")[0].removeprefix("tests/").partition("/")[0]
+def pytest_configure(config):
+    """Without a path and without --all: the tests of a newcomer."""
+    has_paths = config.args_source != pytest.Config.ArgsSource.TESTPATHS
+    config.stash[LEFT_OUT] = not (has_paths or config.getoption("--all"))
+    is_whole = config.stash[LEFT_OUT] or config.getoption("--all")
+    reporter = config.pluginmanager.get_plugin("terminalreporter")
+    if is_whole and config.get_verbosity() <= 0 and not hasattr(config, "workerinput"):
+        config.pluginmanager.register(Progress(reporter))
 
 
 def pytest_collection_modifyitems(config, items):
+    chosen = items
+    if config.stash[LEFT_OUT]:
+        chosen = [item for item in chosen if not is_left_out(item.nodeid)]
+    if lessons := config.getoption("--lesson"):
+        chosen = [item for item in chosen if any(is_of_lesson(item.nodeid, number) for number in lessons)]
     if config.getoption("--first-of-each-file"):
-        firsts = {item.nodeid.partition("::")[0]: item for item in reversed(items)}.values()
-        config.hook.pytest_deselected(items=[item for item in items if item not in firsts])
-        items[:] = [item for item in items if item in firsts]
-    if config.getoption("--once-more"):
-        for item in items:
-            if item.get_closest_marker("ros") or item.get_closest_marker("browser"):
-                item.add_marker(pytest.mark.flaky(reruns=1))
-    items.sort(key=lambda item: _place_of(item.nodeid))
-
-
-def _place_of(nodeid):
-    """The place in LONGEST_FIRST of the first name with which its path below tests/ begins."""
-    begins = (nodeid.removeprefix("tests/").startswith(name) for name in LONGEST_FIRST)
-    return next((place for place, is_it in enumerate(begins) if is_it), len(LONGEST_FIRST))
-
-
-def scope_of(nodeid):
-    """A name; one worker runs all tests of one name, one after another."""
-    if (folder := _folder(nodeid)) in SINGLE_TESTS:
-        return nodeid
-    return folder if folder in WHOLE_FOLDERS else nodeid.partition("::")[0]
+        firsts = {item.nodeid.partition("::")[0]: item for item in reversed(chosen)}.values()
+        chosen = [item for item in chosen if item in firsts]
+    config.hook.pytest_deselected(items=[item for item in items if item not in set(chosen)])
+    items[:] = sorted(chosen, key=lambda item: place_of(item.nodeid))
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -109,25 +99,17 @@ def pytest_xdist_make_scheduler(config, log):
 
 
 def pytest_addoption(parser):
+    parser.addoption("--all", action="store_true", help="run every test, not only those of a newcomer")
+    parser.addoption("--lesson", action="append", help="of the paths, what belongs to a lesson, as 04")
     parser.addoption(
         "--no-skips", action="store_true", help="count a skipped test as a failure (as in .ci/run)"
     )
     parser.addoption(
         "--first-of-each-file", action="store_true", help="run one test of each kind, the first of each file"
     )
-    # DDS and JupyterLab have races of their own on a busy machine. The summary lists every such test: what
-    # it lists is looked into, it is no habit.
-    parser.addoption(
-        "--once-more",
-        action="store_true",
-        help="run a failed test of ROS or of the browser once more, and list it (as in .ci/run)",
-    )
 
 
 def pytest_terminal_summary(terminalreporter, config):
-    for report in terminalreporter.stats.get("rerun", ()):
-        terminalreporter.section(f"first run of {report.nodeid}")
-        terminalreporter.write_line(report.longreprtext)
     if config.getoption("--no-skips") and terminalreporter.stats.get("skipped"):
         terminalreporter.write_line("--no-skips: skipped tests count as failures here", red=True)
 
@@ -136,3 +118,10 @@ def pytest_sessionfinish(session):
     reporter = session.config.pluginmanager.get_plugin("terminalreporter")
     if session.config.getoption("--no-skips") and reporter and reporter.stats.get("skipped"):
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+
+def pytest_unconfigure(config):
+    """The last line of a newcomer's run."""
+    reporter = config.pluginmanager.get_plugin("terminalreporter")
+    if config.stash.get(LEFT_OUT, False) and reporter and not hasattr(config, "workerinput"):
+        reporter.write_line(f"Left out: {'; '.join(ONLY_IN_ALL.values())}. environment/test --all runs them.")

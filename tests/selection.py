@@ -1,0 +1,66 @@
+"""Which tests run: a newcomer's, those of a lesson, or all; and in which order the workers take them."""
+
+import re
+from pathlib import Path
+
+MASTERS = Path(__file__).parents[1] / "notebooks" / "masters"
+
+# What only `environment/test --all` runs: paths below tests/, and what they are.
+ONLY_IN_ALL = {
+    "browser": "the pages in a browser",
+    "notebooks": "lessons from 11 on, and all solutions",
+    "ros_packages": "the ROS packages, built and started",
+    "site": "the site",
+    "environment/test_class": "the machine of a class",
+    "classroom/autograder/test_attacks": "attacks on grading",
+    "classroom/gradebook/test_teach": "a term of a class",
+}
+# Of these, the lessons 00 to 10 as shipped, and one in a browser, run always.
+IN_EVERY_RUN = re.compile(r"test_nbval_finds_the_lesson.*\[(0\d|10)_|^browser/test_lessons.py::.*\[00_")
+
+# Long tests start first: if they started last, the other workers would wait for them without work.
+LONGEST_FIRST = ("ros_packages", "browser", "classroom/gradebook/test_teach", "classroom", "notebooks", "ros")
+# A worker takes one file at a time. Of WHOLE_FOLDERS it takes all files, because what they share (a colcon
+# workspace, a JupyterLab with its browser) takes long to make. Of SINGLE_TESTS it takes one test, a lesson.
+WHOLE_FOLDERS = ("ros_packages", "browser")
+SINGLE_TESTS = ("notebooks",)
+
+
+def path_of(nodeid):
+    """The path of a test below tests/, with its name."""
+    return nodeid.removeprefix("tests/")
+
+
+def group_of(nodeid):
+    """The folder of a test below tests/, of the classroom's the one below it; a file that is in none."""
+    parts = path_of(nodeid).partition("::")[0].split("/")
+    return parts[1] if parts[0] == "classroom" else parts[0]
+
+
+def is_left_out(nodeid):
+    """Whether only `environment/test --all` runs a test."""
+    path = path_of(nodeid)
+    return path.startswith(tuple(ONLY_IN_ALL)) and not IN_EVERY_RUN.search(path)
+
+
+def is_of_lesson(nodeid, number):
+    """Whether a test is about a lesson, as "04": the whole, one of its exercises, or by the file's name."""
+    (master,) = (path for path in MASTERS.glob(f"{number}_*.py") if path.suffixes == [".py"])
+    exercises = re.findall(r'\bexercise\(\s*"([\w-]+)"', master.read_text(encoding="utf-8"))
+    test, _, parameter = path_of(nodeid).partition("[")
+    names_lesson = test.startswith(f"notebooks/test_{master.stem[3:]}.py")
+    return names_lesson or parameter.rstrip("]") in [master.stem, *exercises]
+
+
+def place_of(nodeid):
+    """The place in LONGEST_FIRST of the first name with which the path of a test begins."""
+    begins = (path_of(nodeid).startswith(name) for name in LONGEST_FIRST)
+    return next((place for place, is_it in enumerate(begins) if is_it), len(LONGEST_FIRST))
+
+
+def scope_of(nodeid):
+    """A name; one worker runs all tests of one name, one after another."""
+    folder = path_of(nodeid).partition("::")[0].partition("/")[0]
+    if folder in SINGLE_TESTS:
+        return nodeid
+    return folder if folder in WHOLE_FOLDERS else nodeid.partition("::")[0]
