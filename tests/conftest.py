@@ -72,6 +72,12 @@ def pytest_configure(config):
         config.pluginmanager.register(Progress(reporter))
 
 
+def pytest_ignore_collect(collection_path, config):
+    """A file of which no test will run is not even read."""
+    path = collection_path.relative_to(Path(__file__).parent) if collection_path.suffix == ".py" else ""
+    return (config.stash[LEFT_OUT] and is_left_out(str(path))) or None
+
+
 def pytest_collection_modifyitems(config, items):
     chosen = items
     if config.stash[LEFT_OUT]:

@@ -16,7 +16,10 @@ ONLY_IN_ALL = {
     "classroom/gradebook/test_teach": "a term of a class",
 }
 # Of these, the lessons 00 to 10 as shipped, and one in a browser, run always.
-IN_EVERY_RUN = re.compile(r"test_nbval_finds_the_lesson.*\[(0\d|10)_|^browser/test_lessons.py::.*\[00_")
+IN_EVERY_RUN = {
+    "notebooks/test_lessons.py": r"test_nbval_finds_the_lesson.*\[(0\d|10)_",
+    "browser/test_lessons.py": r"\[00_",
+}
 
 # Long tests start first: if they started last, the other workers would wait for them without work.
 LONGEST_FIRST = ("ros_packages", "browser", "classroom/gradebook/test_teach", "classroom", "notebooks", "ros")
@@ -38,9 +41,13 @@ def group_of(nodeid):
 
 
 def is_left_out(nodeid):
-    """Whether only `environment/test --all` runs a test."""
-    path = path_of(nodeid)
-    return path.startswith(tuple(ONLY_IN_ALL)) and not IN_EVERY_RUN.search(path)
+    """Whether only `environment/test --all` runs a test, or any test of a file or folder."""
+    path, _, test = path_of(nodeid).partition("::")
+    if not path.startswith(tuple(ONLY_IN_ALL)):
+        return False
+    if test:
+        return not re.search(IN_EVERY_RUN.get(path, "(?!)"), test)
+    return path.endswith(".py") and path not in IN_EVERY_RUN
 
 
 def is_of_lesson(nodeid, number):
@@ -49,7 +56,7 @@ def is_of_lesson(nodeid, number):
     exercises = re.findall(r'\bexercise\(\s*"([\w-]+)"', master.read_text(encoding="utf-8"))
     test, _, parameter = path_of(nodeid).partition("[")
     names_lesson = test.startswith(f"notebooks/test_{master.stem[3:]}.py")
-    return names_lesson or parameter.rstrip("]") in [master.stem, *exercises]
+    return names_lesson or parameter.rstrip("]") in [master.stem, master.stem[3:], *exercises]
 
 
 def place_of(nodeid):

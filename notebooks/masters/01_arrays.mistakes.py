@@ -1,10 +1,6 @@
 # %% [markdown]
 # # arrays-crop
 
-# %% role="mistake" name="columns first" says="Rows and columns are exchanged. Rows come first: image[top:bottom, left:right]."
-def crop(image, top, bottom, left, right):
-    return image[left:right, top:bottom]
-
 # %% role="mistake" name="two pairs of brackets" says="The second pair of brackets cuts the rows again, so the rows were cut twice. Write both slices in one pair, with a comma: image[top:bottom, left:right]."
 def crop(image, top, bottom, left, right):
     return image[top:bottom][left:right]
@@ -30,10 +26,6 @@ def crop(image, top, bottom, left, right):
 # %% [markdown]
 # # arrays-mirror
 
-# %% role="mistake" name="both reversed" says="Rows and columns are both reversed, which turns the image by 180 degrees. Keep the rows: a colon alone."
-def mirror(image):
-    return image[::-1, ::-1]
-
 # %% role="mistake" name="last axis reversed" says="[..., ::-1] reverses the last axis, and in a colour image this axis holds the channels. The columns are the second axis: [:, ::-1]."
 def mirror(image):
     return image[..., ::-1]
@@ -42,22 +34,6 @@ def mirror(image):
 def mirror(image):
     return image[:, 0:-1:-1]
 
-# %% role="mistake" name="last column lost" says="The last column is missing. Leave the start of the slice out: ::-1 begins at the last column."
-def mirror(image):
-    return image[:, -2::-1]
-
-# %% role="mistake" name="every second column" says="Only every second column is left. The step must be -1."
-def mirror(image):
-    return image[:, ::-2]
-
-# %% role="mistake" name="half of the columns read after they were overwritten" says="One half of the image is right, and the other half repeats it: these columns were read after they had been overwritten. Read from image, and write to the copy."
-def mirror(image):
-    result = image.copy()
-    width = image.shape[1]
-    for column in range(width):
-        result[:, column] = result[:, width - 1 - column]
-    return result
-
 # %% role="mistake" name="transposed" says="The axes are exchanged: rows became columns (this is called transposed). Keep the axes, and reverse the order of the columns: [:, ::-1]."
 def mirror(image):
     return image.T
@@ -65,21 +41,9 @@ def mirror(image):
 # %% [markdown]
 # # arrays-red
 
-# %% role="mistake" name="blue" says="This is the blue channel. The order is blue, green, red, so red has the number 2."
-def red_channel(bgr):
-    return bgr[..., 0]
-
-# %% role="mistake" name="green" says="This is the green channel. The order is blue, green, red, so red has the number 2."
-def red_channel(bgr):
-    return bgr[..., 1]
-
 # %% role="mistake" name="column 2" says="This is column 2 of the image: the second index is for columns. The channel is the third index: bgr[:, :, 2]."
 def red_channel(bgr):
     return bgr[:, 2]
-
-# %% role="mistake" name="the axis is kept" says="The slice 2:3 keeps a third axis of length 1, so the shape is (height, width, 1). Use the index 2 alone: bgr[..., 2]."
-def red_channel(bgr):
-    return bgr[..., 2:3]
 
 # %% role="mistake" name="mean of the channels" says="This is the mean (average) of the three channels. The task asks for the red one: bgr[..., 2]."
 def red_channel(bgr):
@@ -92,33 +56,13 @@ def red_channel(bgr):
 def bright_percent(gray, level):
     return int((gray > level).sum())
 
-# %% role="mistake" name="equal pixels counted" says="Pixels that are equal to level are counted too (>=). Brighter than level means > level."
-def bright_percent(gray, level):
-    return float((gray >= level).mean() * 100)
-
-# %% role="mistake" name="dark instead of bright" says="These are the pixels that are darker than level. Turn the comparison: gray > level."
-def bright_percent(gray, level):
-    return float((gray < level).mean() * 100)
-
 # %% role="mistake" name="all that are not bright" says="These are the pixels that are not brighter than level: the opposite. Compare with gray > level."
 def bright_percent(gray, level):
     return float((gray <= level).mean() * 100)
 
-# %% role="mistake" name="mean of the gray levels" says="This is the mean gray level of the bright pixels. Take the mean of the mask itself, gray > level, to get their share."
-def bright_percent(gray, level):
-    return float(gray[gray > level].mean())
-
 # %% role="mistake" name="divided by the rows" says="The number of bright pixels was divided by the number of rows only. Divide by the number of all pixels, gray.size (rows times columns)."
 def bright_percent(gray, level):
     return float((gray > level).sum() / len(gray) * 100)
-
-# %% role="mistake" name="rounded" says="The percentage is rounded to a whole number. Return it with its decimals."
-def bright_percent(gray, level):
-    return round((gray > level).mean() * 100)
-
-# %% role="mistake" name="integer division" says="The result is 0: // drops the fraction, and a share is less than 1. Divide with /."
-def bright_percent(gray, level):
-    return int((gray > level).sum() // gray.size * 100)
 
 # %% role="mistake" name="the mask" says="This is the mask, an array with True or False for each pixel. Return one number: its mean times 100."
 def bright_percent(gray, level):
@@ -128,24 +72,12 @@ def bright_percent(gray, level):
 def bright_percent(gray, level):
     return (gray > level).mean(axis=0) * 100
 
-# %% role="mistake" name="always 128" says="128 is fixed in your comparison. Compare with the parameter level."
-def bright_percent(gray, level):
-    return float((gray > 128).mean() * 100)
-
 # %% [markdown]
 # # arrays-two-levels
-
-# %% role="mistake" name="equal pixels white" says="Pixels that are equal to level became white (>=). Brighter than level means > level."
-def two_levels(gray, level):
-    return np.where(gray >= level, 255, 0).astype(np.uint8)
 
 # %% role="mistake" name="always 128" says="128 is fixed in your comparison. Compare with the parameter level."
 def two_levels(gray, level):
     return np.where(gray > 128, 255, 0).astype(np.uint8)
-
-# %% role="mistake" name="all black" says="Every pixel is 0. White is 255; the number 256 does not fit into uint8 and becomes 0."
-def two_levels(gray, level):
-    return np.where(gray > level, 256, 0).astype(np.uint8)
 
 # %% role="mistake" name="all white" says="Every pixel became 255. If you change a copy twice, the second mask also selects the pixels that became 0 before: make both masks from gray first, or use np.where."
 def two_levels(gray, level):
@@ -157,12 +89,6 @@ def two_levels(gray, level):
 
 # %% [markdown]
 # # arrays-paint
-
-# %% role="mistake" name="the other pixels" says="You painted the pixels outside the mask, where it is False. Leave the ~ out: result[mask] = 255."
-def paint_white(gray, mask):
-    result = gray.copy()
-    result[~mask] = 255
-    return result
 
 # %% role="mistake" name="only the selected pixels" says="result[mask] is only the selected pixels, in one row. Return the whole image: result."
 def paint_white(gray, mask):
@@ -191,26 +117,6 @@ def paint_white(gray, mask):
 # %% [markdown]
 # # arrays-row-means
 
-# %% role="mistake" name="one mean" says="This is one number for the whole image. With axis=1 you get an array with one mean for each row."
-def row_means(gray):
-    return float(gray.mean())
-
-# %% role="mistake" name="the sum" says="This is the sum of each row. Divide it by the number of columns, or use mean."
-def row_means(gray):
-    return gray.sum(axis=1).astype(float)
-
-# %% role="mistake" name="divided by the rows" says="The sums were divided by the number of rows, shape[0]. A row has as many pixels as the image has columns: shape[1]."
-def row_means(gray):
-    return gray.sum(axis=1) / gray.shape[0]
-
-# %% role="mistake" name="sum in uint8" says="The sum overflowed, because uint8 ends at 255. Use mean, which widens by itself, or widen first with astype."
-def row_means(gray):
-    return gray.sum(axis=1, dtype=np.uint8) / gray.shape[1]
-
-# %% role="mistake" name="Python's sum in uint8" says="sum(row) adds uint8 numbers, and wraps around after 255: the means are too small. Use row.mean(), which widens by itself, or gray.mean(axis=1) for all rows at once."
-def row_means(gray):
-    return [np.add.reduce(row, dtype=np.uint8) / len(row) for row in gray]
-
 # %% role="mistake" name="an axis of length 1 is kept" says="Your result has the shape (rows, 1). One axis must remain: the shape is (rows,), so leave keepdims out."
 def row_means(gray):
     return gray.mean(axis=1, keepdims=True)
@@ -234,30 +140,11 @@ def row_means(gray):
 # %% [markdown]
 # # arrays-differences
 
-# %% role="mistake" name="uint8 overflow" says="A negative difference does not fit into uint8 and wraps around. Widen with astype(np.int16) before you subtract, not after."
-def differences(gray):
-    return (gray[:, 1:] - gray[:, :-1]).astype(np.int16)
-
 # %% role="mistake" name="subtracted in uint8" says="Your result is uint8, which has no negative numbers. Widen with astype(np.int16) before you subtract."
 def differences(gray):
     return gray[:, 1:] - gray[:, :-1]
-
-# %% role="mistake" name="rows" says="These are the differences between a row and the row below it. The right neighbour is in the next column: shift the second index."
-def differences(gray):
-    wide = gray.astype(np.int16)
-    return wide[1:] - wide[:-1]
 
 # %% role="mistake" name="rolled" says="Your result has one column too many. np.roll puts the first column behind the last one, which has no right neighbour. Use two slices."
 def differences(gray):
     wide = gray.astype(np.int16)
     return np.roll(wide, -1, axis=1) - wide
-
-# %% role="mistake" name="two columns apart" says="These pixels are two columns apart, so the shape is one column too small. The direct neighbour is one column away: 1: and :-1."
-def differences(gray):
-    wide = gray.astype(np.int16)
-    return wide[:, 2:] - wide[:, :-2]
-
-# %% role="mistake" name="a column of zeros" says="Your result has one column too many: the last one is 0. The last column has no right neighbour, so the result has one column less than the image."
-def differences(gray):
-    wide = gray.astype(np.int16)
-    return np.pad(wide[:, 1:] - wide[:, :-1], ((0, 0), (0, 1)))

@@ -16,20 +16,8 @@ def name_operation(before, after):
     operation = solution(before, after)
     return "binarization" if operation == "edges" else operation
 
-# %% role="mistake" name="lines and areas swapped" says="The two names are swapped. In an edge image the lines are thin, so less than a fifth of the pixels are white. A binary image has larger white areas."
-def name_operation(before, after):
-    operation = solution(before, after)
-    return {"edges": "binarization", "binarization": "edges"}.get(operation, operation)
-
 # %% role="mistake" name="three channels not recognised" says="The colour image was not recognised by its three dimensions. after.shape is a tuple such as (45, 60, 3): it never equals the number 3, and other images have another size than the lesson's frame. Compare after.ndim, the number of dimensions, with 3."
 def name_operation(before, after):
-    operation = solution(before, after)
-    return "grayscale" if operation == "noise removal" else operation
-
-# %% role="mistake" name="three rows taken for three channels" says="len(after) and after.shape[0] are the number of rows, not the number of dimensions. Compare after.ndim or len(after.shape) with 3."
-def name_operation(before, after):
-    if len(after) == 3:
-        return "noise removal"
     operation = solution(before, after)
     return "grayscale" if operation == "noise removal" else operation
 
@@ -40,32 +28,9 @@ def name_operation(before, after):
     operation = solution(before, after)
     return "grayscale" if operation == "noise removal" else operation
 
-# %% role="mistake" name="the same name for every image" says="An image without colours was named \"noise removal\". Do you look at before? It is a colour image every time. Look at after: its dimensions, its values and its share of white pixels."
-def name_operation(before, after):
-    return "noise removal"
-
 # %% role="mistake" name="two values taken for gray" says="An image with only two different values was named \"grayscale\". Count the different values: np.unique(after).size."
 def name_operation(before, after):
     return "noise removal" if after.ndim == 3 else "grayscale"
-
-# %% role="mistake" name="image returned" says="For a colour image your function returns the image itself. Return the name of the operation as text, \"noise removal\"."
-def name_operation(before, after):
-    return after if after.ndim == 3 else "grayscale"
-
-# %% role="mistake" name="number of gray levels fixed" says="A gray image was named \"edges\". How many gray levels an image has differs from image to image (one frame of the lesson has 246). More than two different values means grayscale."
-def name_operation(before, after):
-    operation = solution(before, after)
-    return "edges" if operation == "grayscale" else operation
-
-# %% role="mistake" name="white pixels in a gray image" says="A gray image with white pixels (255) was not recognised. A gray image can have every value from 0 to 255: count the different values of after. More than two means grayscale."
-def name_operation(before, after):
-    operation = solution(before, after)
-    return "edges" if operation == "grayscale" and after.max() == 255 else operation
-
-# %% role="mistake" name="only the first row counted" says="A gray image whose first row has only one value was not recognised. after[0] is only the first row: count the different values of the whole array, np.unique(after)."
-def name_operation(before, after):
-    operation = solution(before, after)
-    return "edges" if operation == "grayscale" and np.unique(after[0]).size <= 2 else operation
 
 # %% role="mistake" name="a later name replaces an earlier one" says="All images with few white pixels are named \"edges\", the gray and the colour image, too. If your ifs stand one after the other, a later one replaces the name of an earlier one: use elif, or return the name at once."
 def name_operation(before, after):

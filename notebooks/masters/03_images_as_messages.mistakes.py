@@ -1,10 +1,6 @@
 # %% [markdown]
 # # messages-mono8
 
-# %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width), and height comes first."
-def decode_mono8(message):
-    return solution(message).reshape(message.width, message.height)
-
 # %% role="mistake" name="not cut into rows" says="The array has only one dimension, all rows one after the other. Cut it into rows with reshape(height, width)."
 def decode_mono8(message):
     return solution(message).ravel()
@@ -13,11 +9,6 @@ def decode_mono8(message):
 def decode_mono8(message):
     return solution(message).ravel().reshape((message.height, message.width), order="F")
 
-# %% role="mistake" name="rows of height bytes" says="Row r begins at the wrong position. A row takes width bytes, so it begins at byte r * width, not at r * height."
-def decode_mono8(message):
-    rows = [message.data[row * message.height :][: message.width] for row in range(message.height)]
-    return np.array([list(row) for row in rows], dtype=np.uint8)
-
 # %% role="mistake" name="values from 0 to 1" says="The values were divided by 255. Return the gray levels as they are in data, uint8 from 0 to 255."
 def decode_mono8(message):
     return solution(message) / 255
@@ -25,21 +16,9 @@ def decode_mono8(message):
 # %% [markdown]
 # # messages-rgb8
 
-# %% role="mistake" name="one colour after the other" says="data was read as if it held one image for each channel, one after the other. The three bytes of a pixel are side by side: reshape(height, width, 3) is enough, without transpose."
-def decode_rgb8(message):
-    return solution(message).reshape(3, message.height, message.width).transpose(1, 2, 0)
-
 # %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width, 3), and height comes first."
 def decode_rgb8(message):
     return solution(message).reshape(message.width, message.height, 3)
-
-# %% role="mistake" name="bgr8 reordered" says="For bgr8, red and blue are swapped. Keep the channels in the order of data, for both encodings."
-def decode_rgb8(message):
-    return solution(message)[..., ::-1] if message.encoding == "bgr8" else solution(message)
-
-# %% role="mistake" name="rgb8 reordered" says="For rgb8, red and blue are swapped. Keep the channels in the order of data, for both encodings."
-def decode_rgb8(message):
-    return solution(message)[..., ::-1] if message.encoding == "rgb8" else solution(message)
 
 # %% role="mistake" name="one pixel per row" says="The array has one pixel in each row. Its shape must have the rows and columns of the image, too: reshape(height, width, 3)."
 def decode_rgb8(message):
@@ -57,11 +36,6 @@ def decode_rgb8(message):
 def decode_rgb8(message):
     return solution(message).mean(axis=-1).astype(np.uint8)
 
-# %% role="mistake" name="pixels one byte apart" says="Neighbouring pixels were read one byte apart. A pixel takes three bytes: column c begins at byte 3 * c of its row."
-def decode_rgb8(message):
-    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
-    return np.stack([rows[:, k : k + message.width] for k in range(3)], axis=-1)
-
 # %% [markdown]
 # # messages-padding
 
@@ -69,10 +43,6 @@ def decode_rgb8(message):
 def decode_padded(message):
     flat = np.frombuffer(message.data, dtype=np.uint8)
     return flat[: message.height * message.width * 3].reshape(message.height, message.width, 3)
-
-# %% role="mistake" name="only width bytes kept" says="Your function keeps only width bytes of each row, and no axis for the channels. A pixel has three bytes: crop at width * 3, then reshape to (height, width, 3)."
-def decode_padded(message):
-    return solution(message).reshape(message.height, -1)[:, : message.width]
 
 # %% role="mistake" name="padding kept" says="The padding is still in the array, at the end of each row. Keep only the first width * 3 columns, then reshape to (height, width, 3)."
 def decode_padded(message):
@@ -89,11 +59,6 @@ def decode_padded(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
     return rows[:, message.step - message.width * 3 :].reshape(message.height, message.width, 3)
 
-# %% role="mistake" name="one byte too late" says="Every row begins one byte too late: its first byte is missing. Positions are counted from 0, so the slice is rows[:, : width * 3]."
-def decode_padded(message):
-    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
-    return rows[:, 1 : message.width * 3 + 1].reshape(message.height, message.width, 3)
-
 # %% role="mistake" name="always three bytes of padding" says="Only a padding of three bytes is removed correctly. Other messages have other paddings: step tells the length of a row. Keep the first width * 3 bytes of it."
 def decode_padded(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
@@ -109,11 +74,6 @@ def decode_padded(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, -1, 3)
     return rows[:, : message.width]
 
-# %% role="mistake" name="padding found by its value" says="It works only where the padding is 99 and no pixel is. A pixel may have the value 99, and padding may have any value. Remove the padding by its place: the end of each row."
-def decode_padded(message):
-    flat = np.frombuffer(message.data, dtype=np.uint8)
-    return flat[flat != 99].reshape(message.height, message.width, 3)
-
 # %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width, 3), and height comes first."
 def decode_padded(message):
     return solution(message).reshape(message.width, message.height, 3)
@@ -121,21 +81,9 @@ def decode_padded(message):
 # %% [markdown]
 # # messages-mono16
 
-# %% role="mistake" name="always little-endian" says="The little-endian message is right, the big-endian one is not: its bytes were read in the wrong order. The field is_bigendian is a number: 1 means that the more significant byte comes first."
-def decode_mono16(message):
-    return solution(message).byteswap() if message.is_bigendian else solution(message)
-
-# %% role="mistake" name="always big-endian" says="The big-endian message is right, the little-endian one is not: its bytes were read in the wrong order. The field is_bigendian is a number: 0 means that the less significant byte comes first."
-def decode_mono16(message):
-    return solution(message) if message.is_bigendian else solution(message).byteswap()
-
 # %% role="mistake" name="byte orders swapped" says="The two byte orders are swapped. If is_bigendian is 1, the more significant byte comes first (in a dtype: >u2). If it is 0, the less significant byte comes first (<u2)."
 def decode_mono16(message):
     return solution(message).byteswap()
-
-# %% role="mistake" name="a pixel for every byte" says="Every byte became a pixel. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."
-def decode_mono16(message):
-    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
 
 # %% role="mistake" name="a pixel for every byte, as uint16" says="Every byte became a pixel. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."
 def decode_mono16(message):
@@ -169,17 +117,9 @@ def decode_mono16(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
     return rows[:, 0:2].reshape(message.height, message.width)
 
-# %% role="mistake" name="only the more significant byte" says="Only the more significant byte is left. A pixel is this byte × 256 plus the other byte."
-def decode_mono16(message):
-    return solution(message) >> 8
-
 # %% role="mistake" name="not cut into rows" says="The array has only one dimension. Cut it into rows: reshape(height, width)."
 def decode_mono16(message):
     return solution(message).ravel()
-
-# %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width), and height comes first."
-def decode_mono16(message):
-    return solution(message).reshape(message.width, message.height)
 
 # %% [markdown]
 # # messages-decode
@@ -188,35 +128,13 @@ def decode_mono16(message):
 def rows_of(message):
     return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
 
-# %% role="mistake" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. Cut data into rows of step bytes, then crop the padding."
-def decode(message):
-    flat = np.frombuffer(message.data, np.uint8)
-    row_bytes = solution(message).nbytes // message.height
-    cut = SimpleNamespace(**{**vars(message), "step": row_bytes})
-    cut.data = flat[: message.height * row_bytes].tobytes()
-    return solution(cut)
-
 # %% role="mistake" name="channels swapped" says="Red and blue are swapped. The channels must be in the same order as in data."
 def decode(message):
     return solution(message)[..., ::-1] if message.encoding in ("rgb8", "bgr8") else solution(message)
 
-# %% role="mistake" name="rgb8 reordered" says="For rgb8, red and blue are swapped. Keep the channels in the order of data, for rgb8 and for bgr8."
-def decode(message):
-    return solution(message)[..., ::-1] if message.encoding == "rgb8" else solution(message)
-
 # %% role="mistake" name="bgr8 reordered" says="For bgr8, red and blue are swapped. Keep the channels in the order of data, for rgb8 and for bgr8."
 def decode(message):
     return solution(message)[..., ::-1] if message.encoding == "bgr8" else solution(message)
-
-# %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape begins with height."
-def decode(message):
-    pixels = solution(message)
-    return pixels.reshape((message.width, message.height, *pixels.shape[2:]))
-
-# %% role="mistake" name="one condition is always true" says='The colour images are right, mono8 and mono16 raise an error. Are they taken for colour images? The condition message.encoding == "rgb8" or "bgr8" is always true: write message.encoding in ("rgb8", "bgr8").'
-def decode(message):
-    pixels = rows_of(message)[:, : message.width * 3]
-    return pixels.reshape(message.height, message.width, 3)
 
 # %% role="mistake" name="every message decoded as mono8" says="Every message was decoded like mono8, with one byte per pixel. Look at message.encoding: rgb8 and bgr8 take three bytes per pixel, mono16 takes two."
 def decode(message):

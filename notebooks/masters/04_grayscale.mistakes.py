@@ -27,10 +27,6 @@ def luma(bgr):
 def luma(bgr):
     return bgr.mean(axis=-1)
 
-# %% role="mistake" name="uint16 overflows" says="uint16 ends at 65535, and a product such as 255 * 19235 is larger: it overflows. Widen with astype(np.uint32) instead."
-def luma(bgr):
-    return luma_of(bgr, dtype=np.uint16)
-
 # %% role="mistake" name="uint16 overflows, and no rounding" says="uint16 ends at 65535, and a product such as 255 * 19235 is larger: it overflows. Widen with astype(np.uint32) instead."
 def luma(bgr):
     return luma_of(bgr, half=0, dtype=np.uint16)
@@ -77,10 +73,6 @@ def luma(bgr):
 def luma(bgr):
     return luma_of(bgr, half=2**15)
 
-# %% role="mistake" name="weights that add up to 32769" says="The weights 3736, 19235 and 9798 add up to 32769, one too many. The weight of blue is 3735."
-def luma(bgr):
-    return luma_of(bgr, (3736, 19235, 9798))
-
 # %% role="mistake" name="the weights of red and blue are swapped" says="Blue got the weight of red, as if the channels were red, green, blue. In a frame they are blue, green, red: the weights are 3735, 19235, 9798 in this order."
 def luma(bgr):
     return luma_of(bgr, (9798, 19235, 3735))
@@ -96,10 +88,6 @@ def luma(bgr):
 # %% role="mistake" name="swapped decimal weights, truncated" says="Blue got the weight of red, as if the channels were red, green, blue. In a frame they are blue, green, red: the weights are 3735, 19235, 9798 in this order. Also round: add 2**14 before >> 15."
 def luma(bgr):
     return weighted(bgr, 0.299, 0.587, 0.114).astype(np.uint8)
-
-# %% role="mistake" name="swapped, in 16 bits, as Pillow computes" says="Blue got the weight of red, as if the channels were red, green, blue. In a frame they are blue, green, red: the weights are 3735, 19235, 9798 in this order."
-def luma(bgr):
-    return ((weighted(bgr.astype(np.uint32), 19595, 38470, 7471) + 2**15) >> 16).astype(np.uint8)
 
 # %% role="mistake" name="the weights of green and red are swapped" says="Green and red got each other's weight. The channels are blue, green, red: the weights are 3735, 19235, 9798 in this order."
 def luma(bgr):
@@ -124,14 +112,6 @@ def luma(bgr):
 # %% role="mistake" name="every value is 0" says="Every value is 0. If you compute with the uint8 values themselves, the sum overflows, and a shift leaves nothing of it: widen first with astype(np.uint32). If you narrow to uint8 before the shift, shift first and narrow last. If you write >> 15 + 2**14, put the sum in parentheses: + is computed before >>, so the shift is too far."
 def luma(bgr):
     return np.zeros(bgr.shape[:2], np.uint8)
-
-# %% role="mistake" name="summed over the columns" says="Your sum goes over axis 1, along the columns of the image. The three channels are on the last axis: use axis=-1 in sum."
-def luma(bgr):
-    return ((bgr * np.array([3735, 19235, 9798])).sum(axis=1) + 2**14 >> 15).astype(np.uint8)
-
-# %% role="mistake" name="the pixel of section 1" says="You return one number, 104, for every image: the luma of the single pixel of section 1. Use the channels of the argument bgr: bgr[..., 0], bgr[..., 1] and bgr[..., 2]."
-def luma(bgr):
-    return 104
 
 # %% role="mistake" name="the largest channel" says="This is the largest channel of each pixel, not luma. Luma is a weighted sum of the three channels."
 def luma(bgr):

@@ -8,10 +8,6 @@ def gray_of(frame):
 def weighted(frame, blue, green, red):
     return blue * frame[..., 0] + green * frame[..., 1] + red * frame[..., 2]
 
-# %% role="mistake" name="red and blue exchanged" says="The weights of red and blue are exchanged: the frame is BGR (blue first), not RGB. Use COLOR_BGR2GRAY."
-def process(frame):
-    return {"gray": cv2.cvtColor(frame, cv2.COLOR_RGB2GRAY)}
-
 # %% role="mistake" name="decimal weights of red and blue exchanged" says="The weights of red and blue are exchanged: the frame is BGR (blue first), not RGB. Use COLOR_BGR2GRAY."
 def process(frame):
     return {"gray": np.round(weighted(frame, 0.299, 0.587, 0.114)).astype(np.uint8)}
@@ -31,10 +27,6 @@ def process(frame):
 # %% role="mistake" name="the key Gray" says="Your image is right, but its key is \"Gray\" and not \"gray\", so it would go to a topic without subscribers. Keys are compared letter by letter: no capital letter."
 def process(frame):
     return {"Gray": gray_of(frame)}
-
-# %% role="mistake" name="the average" says="This is the average of the three channels. Luma is a weighted sum: green counts most. Use cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), which computes luma."
-def process(frame):
-    return {"gray": frame.mean(axis=2).astype(np.uint8)}
 
 # %% role="mistake" name="the average, rounded" says="This is the average of the three channels. Luma is a weighted sum: green counts most. Use cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), which computes luma."
 def process(frame):

@@ -64,10 +64,6 @@ def median3(gray):
 def median3(gray):
     return medians_of_windows(gray, lambda window: np.sort(window, axis=None)[window.size // 2])
 
-# %% role="mistake" name="not sorted" says="The result is the image itself. If you take the fifth of the nine neighbours, you must sort them first: before sorting, the fifth is the pixel itself."
-def median3(gray):
-    return gray.copy()
-
 # %% role="mistake" name="read from the array that is written" says="Some neighbours were already replaced by their medians before they were used: you read from the same array that you write to. Write the medians into a new array."
 def median3(gray):
     padded = np.pad(gray, 1, mode="edge")
@@ -88,14 +84,6 @@ def median3(gray):
     result = np.zeros_like(gray)
     result[-1, -1] = solution(gray)[-1, -1]
     return result
-
-# %% role="mistake" name="the sixth value" says="This is the sixth of the nine sorted values, which has the index 5. The middle one is the fifth, and its index is 4, because Python counts the first value as 0."
-def median3(gray):
-    return np.sort(nine_neighbours(gray), axis=0)[5]
-
-# %% role="mistake" name="the fourth value" says="This is the fourth of the nine sorted values. The middle one is the fifth, and its index is 4."
-def median3(gray):
-    return np.sort(nine_neighbours(gray), axis=0)[3]
 
 # %% role="mistake" name="the largest value" says="This is the largest of the nine values. The median is the fifth of the nine values when they are sorted."
 def median3(gray):
@@ -153,30 +141,9 @@ def median3(gray):
         result[row, col] = np.median(padded[row + 1 : min(row + 4, height + 2), col + 1 : min(col + 4, width + 2)])
     return result
 
-# %% role="mistake" name="the window too far up and left" says="The window lies one row and one column too far up and left. If the image is padded by 1, the window of the pixel (row, col) is padded[row : row + 3, col : col + 3]."
-def median3(gray):
-    height, width = gray.shape
-    padded = np.pad(gray, 2, mode="edge")
-    shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-    return np.median(shifted, axis=0).astype(np.uint8)
-
-# %% role="mistake" name="center left out" says="This is the median of eight values: the pixel itself is missing. The neighbourhood has nine values, and the pixel in the middle is one of them."
-def median3(gray):
-    return np.median(np.delete(nine_neighbours(gray), 4, axis=0), axis=0).astype(np.uint8)
-
 # %% role="mistake" name="center left out, upper middle" says="This is a middle value of eight: the pixel itself is missing. The neighbourhood has nine values, and the pixel in the middle is one of them."
 def median3(gray):
     return np.sort(np.delete(nine_neighbours(gray), 4, axis=0), axis=0)[4]
-
-# %% role="mistake" name="only black and white pixels replaced" says="Only the pixels with 0 and 255 have their median. The task asks for the median at every pixel."
-def median3(gray):
-    return np.where((gray == 0) | (gray == 255), solution(gray), gray)
-
-# %% role="mistake" name="number of rows used for the columns" says="The last columns stay 0: the loop over the columns ends at the number of rows, gray.shape[0]. The number of columns (the width) is gray.shape[1]."
-def median3(gray):
-    result = solution(gray)
-    result[:, gray.shape[0] :] = 0
-    return result
 
 # %% role="mistake" name="a flat array" says="You return all medians in one long row. Give the result the shape of the image: reshape(gray.shape), or write each median to result[row, col]."
 def median3(gray):
@@ -192,10 +159,6 @@ def median3(gray):
     medians = [np.median(padded[row : row + 3]) for row in range(gray.shape[0])]
     return np.repeat(np.array(medians).astype(np.uint8), gray.shape[1]).reshape(gray.shape)
 
-# %% role="mistake" name="median along the rows" says="axis=1 takes the median along the rows of the image. The nine shifted images lie one behind the other along axis 0: use axis=0."
-def median3(gray):
-    return np.median(nine_neighbours(gray), axis=1).astype(np.uint8)
-
 # %% role="mistake" name="median along the columns" says="axis=2 takes the median along the columns of the image. The nine shifted images lie one behind the other along axis 0: use axis=0."
 def median3(gray):
     return np.median(nine_neighbours(gray), axis=2).astype(np.uint8)
@@ -210,32 +173,13 @@ def mse_of(clean, other):
 def psnr_with(mse, peak=255**2):
     return float("inf") if mse == 0 else float(10 * np.log10(peak / mse))
 
-# %% role="mistake" name="subtracted in uint8" says="The difference was computed in uint8, before you widened, and wrapped around: 100 - 110 gave 246. Convert both images first, with astype(float), or one pixel with int(...), then subtract."
-def my_psnr(clean, other):
-    return psnr_with(np.mean((clean - other).astype(float) ** 2))
-
 # %% role="mistake" name="subtracted and squared in uint8" says="The squares are uint8 values and wrapped around: uint8 ends at 255, but 20 * 20 is 400. Convert both images with astype(float) before you subtract."
 def my_psnr(clean, other):
     return psnr_with(np.mean((clean - other) ** 2))
 
-# %% role="mistake" name="widened to int8" says="Differences above 127 came out wrong: int8 ends at 127. Convert to a larger type before you subtract, such as float."
-def my_psnr(clean, other):
-    difference = clean.astype(np.int8) - other.astype(np.int8)
-    return psnr_with(np.mean(difference.astype(float) ** 2))
-
-# %% role="mistake" name="squared in int16" says="Squares above 32767 came out wrong: int16 ends at 32767, and a square can be 65025. Convert to float (or int32) before you square."
-def my_psnr(clean, other):
-    difference = clean.astype(np.int16) - other.astype(np.int16)
-    return psnr_with(np.mean(difference**2))
-
 # %% role="mistake" name="subtracted in uint16" says="uint16 has no negative numbers: 100 - 110 gave 65526. Convert both images with astype(float) before you subtract."
 def my_psnr(clean, other):
     return psnr_with(np.mean((clean.astype(np.uint16) - other).astype(float) ** 2))
-
-# %% role="mistake" name="the natural logarithm" says="np.log is the natural logarithm. Decibels use the logarithm to base 10: np.log10."
-def my_psnr(clean, other):
-    mse = mse_of(clean, other)
-    return psnr_with(mse) if mse == 0 else float(10 * np.log(255**2 / mse))
 
 # %% role="mistake" name="the logarithm to base 2" says="np.log2 is the logarithm to base 2. Decibels use the logarithm to base 10: np.log10."
 def my_psnr(clean, other):
@@ -245,10 +189,6 @@ def my_psnr(clean, other):
 # %% role="mistake" name="not times 10" says="The factor 10 in front of the logarithm is missing: a decibel is a tenth of a bel."
 def my_psnr(clean, other):
     return psnr_with(mse_of(clean, other)) / 10
-
-# %% role="mistake" name="the peak is not squared" says="The peak, 255, must be squared like the differences: 255**2 / MSE."
-def my_psnr(clean, other):
-    return psnr_with(mse_of(clean, other), 255)
 
 # %% role="mistake" name="a peak of 256" says="The largest gray level is 255, not 256: the formula needs 255**2 / MSE."
 def my_psnr(clean, other):
@@ -293,11 +233,6 @@ def my_psnr(clean, other):
 def my_psnr(clean, other):
     return psnr_with(mse_of(clean, other) ** 0.5)
 
-# %% role="mistake" name="fraction upside down" says="The result has the wrong sign: the fraction is upside down. The formula needs 255**2 / MSE, not MSE / 255**2."
-def my_psnr(clean, other):
-    mse = mse_of(clean, other)
-    return psnr_with(mse) if mse == 0 else -psnr_with(mse)
-
 # %% role="mistake" name="the largest value of the clean image" says="Your peak is the largest gray level of this image, clean.max(). In the formula it is always 255, the largest value that a pixel can have."
 def my_psnr(clean, other):
     return psnr_with(mse_of(clean, other), float(clean.max()) ** 2)
@@ -330,10 +265,6 @@ def my_psnr(clean, other):
 def my_psnr(clean, other):
     return psnr_with(np.var(clean.astype(float) - other))
 
-# %% role="mistake" name="sum instead of mean" says="You use the sum of the squared differences. It must be divided by the number of pixels: take the mean."
-def my_psnr(clean, other):
-    return psnr_with(mse_of(clean, other) * clean.size)
-
 # %% role="mistake" name="size of the lesson's frame" says="You divide by 720 * 1280, the size of the lesson's frame. Divide by the number of pixels of this image, or use np.mean."
 def my_psnr(clean, other):
     return psnr_with(mse_of(clean, other) * clean.size / (720 * 1280))
@@ -360,32 +291,14 @@ def my_psnr(clean, other):
     mse = mse_of(clean, other)
     return psnr_with(mse) if mse == 0 else 255**2 / mse
 
-# %% role="mistake" name="rounded to one digit" says="The result is rounded to one digit after the point. Return the number with all its digits: leave round() out; rounding is for printing."
-def my_psnr(clean, other):
-    return round(psnr_with(mse_of(clean, other)), 1)
-
-# %% role="mistake" name="rounded to two digits" says="The result is rounded to two digits after the point. Return the number with all its digits: leave round() out; rounding is for printing."
-def my_psnr(clean, other):
-    return round(psnr_with(mse_of(clean, other)), 2)
-
 # %% role="mistake" name="rounded to a whole number" says="The result has no digits after the point: round() or int() dropped them. Return the float itself."
 def my_psnr(clean, other):
     mse = mse_of(clean, other)
     return psnr_with(mse) if mse == 0 else round(psnr_with(mse))
 
-# %% role="mistake" name="integer division" says="The fraction of 255**2 / MSE was dropped: // (integer division) and int() do this. Divide with a single / and keep the float."
-def my_psnr(clean, other):
-    mse = mse_of(clean, other)
-    return psnr_with(mse) if mse == 0 else float(10 * np.log10(255**2 // mse))
-
 # %% role="mistake" name="the mean as a whole number" says="The fraction of the MSE was dropped: // (integer division) and int() do this. Take np.mean and keep the float."
 def my_psnr(clean, other):
     return psnr_with(int(mse_of(clean, other)))
-
-# %% role="mistake" name="infinity as text" says="For equal images you return a text in quotes. The number infinity is float(\"inf\")."
-def my_psnr(clean, other):
-    mse = mse_of(clean, other)
-    return "inf" if mse == 0 else psnr_with(mse)
 
 # %% role="mistake" name="minus infinity" says="For equal images you return minus infinity. No noise means the best value, so it is plus infinity: float(\"inf\")."
 def my_psnr(clean, other):
@@ -401,15 +314,6 @@ def my_psnr(clean, other):
 def my_psnr(clean, other):
     mse = mse_of(clean, other)
     return 255.0 if mse == 0 else psnr_with(mse)
-
-# %% role="mistake" name="divided by an MSE of 0" says="For equal images the MSE is 0, and you divide by it. Return float(\"inf\") in this case first, before you divide."
-def my_psnr(clean, other):
-    return float(10 * np.log10(255**2 / mse_of(clean, other)))
-
-# %% role="mistake" name="a small error taken for none" says="One pixel differs by 1, so the MSE is small but not 0, and you return infinity. Only equal images have an infinite PSNR: compare the MSE with 0."
-def my_psnr(clean, other):
-    mse = mse_of(clean, other)
-    return float("inf") if mse < 1 else psnr_with(mse)
 
 # %% role="mistake" name="one value for each row" says="You return one value for each row, because the mean was taken with axis=1. Leave axis out to get one mean of all pixels."
 def my_psnr(clean, other):
@@ -453,33 +357,9 @@ def best_filter(clean, noisy, filters):
 def best_filter(clean, noisy, filters):
     return max(filters, key=lambda name: psnr_of(clean, filters[name](clean)))
 
-# %% role="mistake" name="compared with the noisy image" says="This filter changes the noisy image least. Measure the PSNR of the result compared with clean, not with noisy."
-def best_filter(clean, noisy, filters):
-    return max(filters, key=lambda name: psnr_of(noisy, filters[name](noisy)))
-
 # %% role="mistake" name="always the last" says="This is the last filter in the dictionary. A loop gives it if the best value is never updated: store the new best value together with the name."
 def best_filter(clean, noisy, filters):
     return list(filters)[-1]
-
-# %% role="mistake" name="always the first" says="This is the first filter in the dictionary. If return is inside the loop, only the first filter is tried: move return to the left, below the loop."
-def best_filter(clean, noisy, filters):
-    return next(iter(filters))
-
-# %% role="mistake" name="squared in uint8" says="This filter wins if the MSE is computed in uint8, where differences and squares wrap around. Widen clean with astype(float) before you subtract, or import psnr."
-def best_filter(clean, noisy, filters):
-    return min(filters, key=lambda name: np.mean((clean - filters[name](noisy)) ** 2))
-
-# %% role="mistake" name="subtracted in uint8" says="This filter wins if the difference is computed in uint8, where it wraps around below 0. Widen clean with astype(float) before you subtract, or import psnr."
-def best_filter(clean, noisy, filters):
-    return min(filters, key=lambda name: np.mean((clean - filters[name](noisy)).astype(float) ** 2))
-
-# %% role="mistake" name="mean absolute error" says="This filter has the smallest mean absolute error. The task asks for the highest PSNR, so the differences are squared."
-def best_filter(clean, noisy, filters):
-    return min(filters, key=lambda name: np.abs(clean.astype(int) - filters[name](noisy)).mean())
-
-# %% role="mistake" name="another measure" says="This filter wins if you choose by SSIM, or by the largest error of a single pixel. The task asks for the highest PSNR."
-def best_filter(clean, noisy, filters):
-    return min(filters, key=lambda name: np.abs(clean.astype(int) - filters[name](noisy)).max())
 
 # %% role="mistake" name="the last above 30 dB" says="This is the last filter with more than 30 dB. A fixed number does not find the best one: keep the highest PSNR of all."
 def best_filter(clean, noisy, filters):

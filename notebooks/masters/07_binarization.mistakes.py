@@ -23,10 +23,6 @@ def counts_of(gray):
 def otsu(gray):
     return best_of(gray, lambda below, above: -variance_of(below, above))
 
-# %% role="mistake" name="shares left out" says="Your threshold ignores the shares of the two classes. The formula multiplies the squared difference of the means by both shares: w0 * w1 * (mean0 - mean1) ** 2."
-def otsu(gray):
-    return best_of(gray, lambda below, above: (below.mean() - above.mean()) ** 2)
-
 # %% role="mistake" name="only the share of class 0" says="Only the share of class 0 is used. The formula multiplies by the shares of both classes: w0 * w1 * (mean0 - mean1) ** 2."
 def otsu(gray):
     return best_of(gray, lambda below, above: below.size * (below.mean() - above.mean()) ** 2)
@@ -34,14 +30,6 @@ def otsu(gray):
 # %% role="mistake" name="only the share of class 1" says="Only the share of class 1 is used. The formula multiplies by the shares of both classes: w0 * w1 * (mean0 - mean1) ** 2."
 def otsu(gray):
     return best_of(gray, lambda below, above: above.size * (below.mean() - above.mean()) ** 2)
-
-# %% role="mistake" name="difference not squared" says="The difference of the means is not squared. Without ** 2 it is negative for every t, because class 0 is the darker one."
-def otsu(gray):
-    return best_of(gray, lambda below, above: below.size * above.size * (below.mean() - above.mean()))
-
-# %% role="mistake" name="the wrong square" says="Only the difference of the means must be squared. You use it without a square (abs), or you square the whole product. The formula is w0 * w1 * (mean0 - mean1) ** 2."
-def otsu(gray):
-    return best_of(gray, lambda below, above: below.size * above.size * abs(below.mean() - above.mean()))
 
 # %% role="mistake" name="means in whole numbers" says="The means are whole numbers: // and int() drop the fraction. Divide with /, or use .mean(), and keep the float."
 def otsu(gray):

@@ -18,20 +18,10 @@ def my_sobel(gray):
 def my_sobel(gray):
     return gradients(gray)
 
-# %% role="mistake" name="rows and columns swapped" says="The two gradients are swapped. grad_row, the change down a column, comes first; grad_col, the change along a row, comes second."
-def my_sobel(gray):
-    grad_row, grad_col = solution(gray)
-    return grad_col, grad_row
-
 # %% role="mistake" name="a convolution instead of a correlation" says="All signs are flipped, as in a convolution. Compute right minus left, and below minus above."
 def my_sobel(gray):
     grad_row, grad_col = solution(gray)
     return -grad_row, -grad_col
-
-# %% role="mistake" name="the sign of grad_row" says="grad_row has the wrong sign: it is the row below minus the row above."
-def my_sobel(gray):
-    grad_row, grad_col = solution(gray)
-    return -grad_row, grad_col
 
 # %% role="mistake" name="the sign of grad_col" says="grad_col has the wrong sign: it is the right column minus the left column."
 def my_sobel(gray):
@@ -127,22 +117,6 @@ def peaks_of(magnitude, compare, mode="constant"):
     p = np.pad(magnitude, 1, mode=mode)
     return np.where(compare(p[:-2], p[1:-1], p[2:]), magnitude, 0).astype(np.int32)
 
-# %% role="mistake" name=">= on both sides" says="Two equal neighbours were both kept. A pixel must be greater than its left neighbour, not only equal to it: use > for the left one."
-def keep_peaks(magnitude):
-    return peaks_of(magnitude, lambda left, value, right: (value >= left) & (value >= right))
-
-# %% role="mistake" name="> on both sides" says="Of two equal neighbours neither was kept. A pixel may be equal to its right neighbour: use >= for the right one."
-def keep_peaks(magnitude):
-    return peaks_of(magnitude, lambda left, value, right: (value > left) & (value > right))
-
-# %% role="mistake" name="> and >= swapped" says="The two comparisons are swapped: use > for the left neighbour, and >= for the right one."
-def keep_peaks(magnitude):
-    return peaks_of(magnitude, lambda left, value, right: (value >= left) & (value > right))
-
-# %% role="mistake" name="or for and" says="One smaller neighbour was enough to keep a pixel, as with or. Both comparisons must be true: use and."
-def keep_peaks(magnitude):
-    return peaks_of(magnitude, lambda left, value, right: (value > left) | (value >= right))
-
 # %% role="mistake" name="the left neighbour alone" says="Each pixel was compared with its left neighbour only. It must also be greater than or equal to its right neighbour."
 def keep_peaks(magnitude):
     return peaks_of(magnitude, lambda left, value, right: value > left)
@@ -158,10 +132,6 @@ def keep_peaks(magnitude):
 # %% role="mistake" name="the row repeated at its ends" says="The magnitude was repeated at the ends of the row (mode='edge'). Outside the row it must be 0: pad with np.pad(magnitude, 1)."
 def keep_peaks(magnitude):
     return peaks_of(magnitude, lambda left, value, right: (value > left) & (value >= right), "edge")
-
-# %% role="mistake" name="np.roll" says="The first and the last pixel were compared with the opposite end of the row, as np.roll does. Outside the row the magnitude is 0: pad with np.pad(magnitude, 1)."
-def keep_peaks(magnitude):
-    return peaks_of(magnitude, lambda left, value, right: (value > left) & (value >= right), "wrap")
 
 # %% role="mistake" name="the shift of the padding" says="The neighbours are one pixel off. After np.pad(magnitude, 1), pixel col is at padded[col + 1]."
 def keep_peaks(magnitude):
@@ -201,14 +171,6 @@ def keep_peaks(magnitude):
 def keep_peaks(magnitude):
     return solution(magnitude)[solution(magnitude) > 0]
 
-# %% role="mistake" name="always 8 pixels" says="You typed 8, the length of the example. Another row has another length: use magnitude.size, and np.zeros_like(magnitude)."
-def keep_peaks(magnitude):
-    padded, peaks = np.pad(magnitude, 1), np.zeros(8, np.int32)
-    for col in range(8):
-        if padded[col] < magnitude[col] >= padded[col + 2]:
-            peaks[col] = magnitude[col]
-    return peaks
-
 # %% role="mistake" name="the pixels 1 to 6 alone" says="You typed 7, and your loop visits the pixels 1 to 6 of every row. Another row has another length: use magnitude.size. And visit both ends, too: outside the row the magnitude is 0, so pad with np.pad(magnitude, 1)."
 def keep_peaks(magnitude):
     peaks = np.zeros_like(magnitude)
@@ -245,16 +207,6 @@ def is_kept(value, first, second, sector):
 
 def thin(magnitude, keep):
     return np.where(keep, magnitude, 0).astype(np.int32)
-
-# %% role="mistake" name=">= for >" says="Two equal neighbours were both kept, so the edge is two pixels thick. A pixel must be greater than the first neighbour, not only equal to it."
-def suppress(magnitude, sector):
-    first, second = neighbours(magnitude, sector)
-    return thin(magnitude, (magnitude >= first) & (magnitude >= second))
-
-# %% role="mistake" name="> on both sides" says="Of two equal neighbours neither was kept, so the edge has a gap. In sectors 0 and 2 a pixel may be equal to the second neighbour."
-def suppress(magnitude, sector):
-    first, second = neighbours(magnitude, sector)
-    return thin(magnitude, (magnitude > first) & (magnitude > second))
 
 # %% role="mistake" name="> and >= swapped" says="The two comparisons are swapped: a pixel must be greater than the first neighbour (left or above), and greater than or equal to the second."
 def suppress(magnitude, sector):
@@ -294,10 +246,6 @@ def suppress(magnitude, sector):
     height, width = magnitude.shape
     around = [p[r : r + height, c : c + width] for r in range(3) for c in range(3) if (r, c) != (1, 1)]
     return thin(magnitude, magnitude > np.max(around, axis=0))
-
-# %% role="mistake" name="left and right in every sector" says="Every pixel was compared with left and right. Which two neighbours to compare with depends on the sector of the pixel."
-def suppress(magnitude, sector):
-    return solution(magnitude, np.zeros_like(sector))
 
 # %% role="mistake" name="above and below in every sector" says="Every pixel was compared with above and below. Which two neighbours to compare with depends on the sector of the pixel."
 def suppress(magnitude, sector):
@@ -420,29 +368,9 @@ def suppress(magnitude, sector):
 # %% [markdown]
 # # canny-thresholds
 
-# %% role="mistake" name=">= for low" says="A value equal to low is not above it, so it is not weak: use > for low."
-def double_threshold(thinned, low, high):
-    return (thinned >= low) & (thinned <= high), thinned > high
-
-# %% role="mistake" name="a value equal to high is both" says="A value equal to high is weak and strong in your masks. It is not above high, so it is only weak."
-def double_threshold(thinned, low, high):
-    return (thinned > low) & (thinned <= high), thinned >= high
-
-# %% role="mistake" name="a value equal to high is neither" says="A value equal to high is neither weak nor strong in your masks. It is not above high, so it is weak."
-def double_threshold(thinned, low, high):
-    return (thinned > low) & (thinned < high), thinned > high
-
 # %% role="mistake" name=">= for low, and a value equal to high is neither" says="A value equal to low is not above it, so it is not weak. A value equal to high is not above it, so it is weak."
 def double_threshold(thinned, low, high):
     return (thinned >= low) & (thinned < high), thinned > high
-
-# %% role="mistake" name="weak and strong swapped" says="The two masks are swapped: weak comes first, strong second."
-def double_threshold(thinned, low, high):
-    return thinned > high, (thinned > low) & (thinned <= high)
-
-# %% role="mistake" name="weak contains the strong pixels too" says="Your weak pixels contain the strong ones too. A weak pixel is above low, but not above high."
-def double_threshold(thinned, low, high):
-    return thinned > low, thinned > high
 
 # %% role="mistake" name="below low" says="Your weak pixels are those below low. Turn the comparison around: a weak pixel is above low, but not above high."
 def double_threshold(thinned, low, high):
@@ -559,10 +487,6 @@ def grow(weak, strong):
 # %% role="mistake" name="the strong pixels alone" says="You returned only the strong pixels. Let them grow along the weak pixels that touch them."
 def grow(weak, strong):
     return as_image(strong)
-
-# %% role="mistake" name="the strong pixels are lost" says="The strong pixels are missing in your edges. An edge stays an edge: in each step, combine the edges so far and the new ones with |."
-def grow(weak, strong):
-    return np.where(weak, solution(weak, strong), 0).astype(np.uint8)
 
 # %% role="mistake" name="weak and strong exchanged" says="The edges started from the weak pixels and grew into the strong ones. Start from strong, and grow into weak."
 def grow(weak, strong):

@@ -25,10 +25,6 @@ def near(mask, tolerance):
 def near(mask, tolerance):
     return combined(mask, 2)
 
-# %% role="mistake" name="less than the tolerance" says="Only pixels less than tolerance away were accepted. A pixel at most tolerance away is near: use <=."
-def near(mask, tolerance):
-    return combined(mask, tolerance - 1) if tolerance else np.zeros_like(mask)
-
 # %% role="mistake" name="a cross" says="Only the pixels of a cross were accepted, those in the same row or column. Use the whole square, corners included."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: row == 0 or col == 0)
@@ -40,15 +36,6 @@ def near(mask, tolerance):
 # %% role="mistake" name="the sum of rows and columns" says="The corners of the square are missing, as if the distances in rows and in columns were added. Use the whole square: at most tolerance rows and at most tolerance columns."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: abs(row) + abs(col) <= tolerance)
-
-# %% role="mistake" name="rows or columns" says="A pixel near in the rows or in the columns was accepted. It must be near in both: use and."
-def near(mask, tolerance):
-    rows, cols = mask.any(axis=1, keepdims=True), mask.any(axis=0, keepdims=True)
-    return combined(rows | np.zeros_like(mask), tolerance) | combined(cols | np.zeros_like(mask), tolerance)
-
-# %% role="mistake" name="range(tolerance)" says="Your square has only tolerance rows and columns, as with range(tolerance). It needs 2 * tolerance + 1 of each: tolerance on both sides of the pixel, and the pixel itself."
-def near(mask, tolerance):
-    return combined(mask, tolerance, lambda row, col: row < 0 and col < 0)
 
 # %% role="mistake" name="range(3)" says="Your square always has 3 rows and columns, as with range(3); this is right for tolerance 1 alone. It needs 2 * tolerance + 1 of each: tolerance on both sides of the pixel, and the pixel itself."
 def near(mask, tolerance):
@@ -66,10 +53,6 @@ def near(mask, tolerance):
         result |= padded[row : row + height, col : col + width]
     return result
 
-# %% role="mistake" name="range one too short" says="The square is one row and one column too small, as with range(2 * tolerance). It has 2 * tolerance + 1 rows and columns."
-def near(mask, tolerance):
-    return combined(mask, tolerance, lambda row, col: row < tolerance and col < tolerance) | mask
-
 # %% role="mistake" name="range one too short, nothing for 0" says="The square is one row and one column too small, as with range(2 * tolerance). It has 2 * tolerance + 1 rows and columns."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: row < tolerance and col < tolerance)
@@ -77,10 +60,6 @@ def near(mask, tolerance):
 # %% role="mistake" name="the pixel itself left out" says="A True pixel itself was not counted. It is near, too: at most tolerance rows and columns away means 0 as well."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: (row, col) != (0, 0))
-
-# %% role="mistake" name="all instead of any" says="A pixel became True only if all pixels of its neighbourhood are True. One True pixel is enough: combine with | or np.any."
-def near(mask, tolerance):
-    return ~combined(~np.pad(mask, tolerance), tolerance)[tolerance:, tolerance:][: mask.shape[0], : mask.shape[1]]
 
 # %% role="mistake" name="np.roll across the border" says="Pixels at one border counted as near the opposite border, as with np.roll. Pad with False and take shifted slices instead."
 def near(mask, tolerance):
@@ -117,10 +96,6 @@ def near(mask, tolerance):
         top, left = max(row - tolerance, 0), max(col - tolerance, 0)
         result[row, col] = result[top : row + tolerance + 1, left : col + tolerance + 1].any()
     return result
-
-# %% role="mistake" name="an empty slice for tolerance 0" says="With tolerance 0 the slice [tolerance:-tolerance] is empty. Cut with tolerance : tolerance + height instead."
-def near(mask, tolerance):
-    return combined(mask, tolerance) if tolerance else mask[:0, :0]
 
 # %% role="mistake" name="the last slice alone" says="Your result is only the last shifted slice. Combine all slices: result = result | slice."
 def near(mask, tolerance):
@@ -162,9 +137,6 @@ def share(part, whole):
     with np.errstate(invalid="ignore"):
         return np.float64(part) / np.float64(whole)
 
-def unguarded_f1(hits, edge_count, detected, outline_count):
-    precision, recall = share(hits, edge_count), share(detected, outline_count)
-    return float(share(2 * precision * recall, precision + recall))
 
 # %% role="mistake" name="precision alone" says="That is the precision. F1 also needs the recall: it is the harmonic mean of both."
 def f1_score(edges, outlines, tolerance):
@@ -175,10 +147,6 @@ def f1_score(edges, outlines, tolerance):
 def f1_score(edges, outlines, tolerance):
     _, _, detected, outline_count = counts(edges, outlines, tolerance)
     return detected / outline_count if outline_count else 0.0
-
-# %% role="mistake" name="no tolerance" says="You counted only edge pixels exactly on an outline. An edge up to `tolerance` pixels away counts too."
-def f1_score(edges, outlines, tolerance):
-    return solution(edges, outlines, 0)
 
 # %% role="mistake" name="always 2 pixels" says="Your function always uses 2 pixels. Use the argument tolerance: another call has another tolerance."
 def f1_score(edges, outlines, tolerance):
@@ -255,11 +223,6 @@ def f1_score(edges, outlines, tolerance):
     hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
     return f1_of(hits, outline_count, detected, edge_count)
 
-# %% role="mistake" name="the hits of precision for recall" says="Recall was computed from the edge pixels near an outline. It needs the outline pixels near an edge, which is another number, too."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, _, outline_count = counts(edges, outlines, tolerance)
-    return f1_of(hits, edge_count, hits, outline_count)
-
 # %% role="mistake" name="the hits of precision for recall, at most 1" says="Recall was computed from the edge pixels near an outline. It needs the outline pixels near an edge, which is also another number."
 def f1_score(edges, outlines, tolerance):
     hits, edge_count, _, outline_count = counts(edges, outlines, tolerance)
@@ -312,23 +275,12 @@ def f1_score(edges, outlines, tolerance):
 
     return f1_of(*counts(edges, outlines, tolerance, cross))
 
-# %% role="mistake" name="a circle" says="Pixels in the corners of the square are missing, as if the distance was measured in a circle. Use the whole square: at most tolerance rows and at most tolerance columns."
-def f1_score(edges, outlines, tolerance):
-    def circle(mask, tolerance):
-        return window(mask, tolerance, lambda row, col: row**2 + col**2 <= tolerance**2)
-
-    return f1_of(*counts(edges, outlines, tolerance, circle))
-
 # %% role="mistake" name="the sum of rows and columns" says="The corners of the square are missing, as if the distances in rows and in columns were added. Use the whole square: at most tolerance rows and at most tolerance columns."
 def f1_score(edges, outlines, tolerance):
     def diamond(mask, tolerance):
         return window(mask, tolerance, lambda row, col: abs(row) + abs(col) <= tolerance)
 
     return f1_of(*counts(edges, outlines, tolerance, diamond))
-
-# %% role="mistake" name="less than the tolerance" says="Only pixels less than tolerance away were accepted. A pixel at most tolerance away counts: use <=."
-def f1_score(edges, outlines, tolerance):
-    return solution(edges, outlines, tolerance - 1) if tolerance else 0.0
 
 # %% role="mistake" name="rows or columns" says="A pixel near in the rows or in the columns was accepted. It must be near in both: use and."
 def f1_score(edges, outlines, tolerance):

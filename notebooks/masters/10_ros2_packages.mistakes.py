@@ -17,10 +17,6 @@ def executable_of(install, package):
 def executable_of(install, package):
     return f"{install}/{package}/bin/{package}/{package}"
 
-# %% role="mistake" name="share instead of lib" says="share holds package.xml and other data of a package. The executables are in lib."
-def executable_of(install, package):
-    return f"{install}/{package}/share/{package}/{package}"
-
 # %% role="mistake" name="src instead of lib" says="src is the folder of the source code in a workspace. The installed executables are in lib."
 def executable_of(install, package):
     return f"{install}/{package}/src/{package}/{package}"
@@ -49,17 +45,9 @@ def executable_of(install, package):
 def executable_of(install, package):
     return f"{install}/{package}/lib/{package}/{package}_node"
 
-# %% role="mistake" name="a fixed package" says="You typed image_gray_processor. Use the argument package, so that the function works for other packages too."
-def executable_of(install, package):
-    return f"{install}/image_gray_processor/lib/image_gray_processor/image_gray_processor"
-
 # %% role="mistake" name="a fixed package: the edge node" says="You typed image_edge_detection. Use the argument package, so that the function works for other packages too."
 def executable_of(install, package):
     return f"{install}/image_edge_detection/lib/image_edge_detection/image_edge_detection"
-
-# %% role="mistake" name="the workspace of the lesson typed" says="You typed the folder of the lesson, ros2_ws/install. Use the argument install: it is the whole path of that folder, and another workspace has another one."
-def executable_of(install, package):
-    return f"ros2_ws/install/{package}/lib/{package}/{package}"
 
 # %% role="mistake" name="no f before the quotes" says="The names in braces are not replaced, because the f before the quotes is missing: f\"...\"."
 def executable_of(install, package):
@@ -96,10 +84,6 @@ def executable_of(install, package):
 # %% role="mistake" name="a tuple of the parts" says="You return a tuple of the parts. Join them to one string: \"/\".join(parts)."
 def executable_of(install, package):
     return install, package, "lib", package, package
-
-# %% role="mistake" name="the arguments exchanged" says="install and package are exchanged: the path must begin with install, and the name of the package follows."
-def executable_of(install, package):
-    return f"{package}/{install}/lib/{install}/{install}"
 
 # %% role="mistake" name="install twice" says="The argument install is already the folder install: do not add /install once more."
 def executable_of(install, package):

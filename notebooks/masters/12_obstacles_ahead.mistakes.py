@@ -12,42 +12,9 @@ def steps_of(col, row, f, center, k1, k2, factor_of=None, count=20):
         x, y = px / factor, py / factor
     return x, y
 
-# %% role="mistake" name="pinhole" says="This is the ray of a pinhole camera: the distortion (k1 and k2) is not used. Divide by the factor 1 + k1 * r2 + k2 * r2 * r2, 20 times."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, k2, count=0)
-
-# %% role="mistake" name="one repetition" says="This is the result after one repetition. Repeat 20 times, and compute r2 and the factor again in each repetition, from the newest x and y."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, k2, count=1)
-
-# %% role="mistake" name="four repetitions" says="This is the result after four repetitions, as in the example. The task asks for 20: range(20)."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, k2, count=4)
-
-# %% role="mistake" name="multiplied by the factor" says="You multiplied by the factor, as the lens does. Here the way is the other one: divide by the factor."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 / (1 + k1 * r2 + k2 * r2 * r2))
-
 # %% role="mistake" name="multiplied once" says="You multiplied the pinhole ray by the factor once: this is what the lens does to a ray. Here the way is the other one: divide by the factor, and repeat this 20 times."
 def pixel_ray(col, row, f, center, k1, k2):
     return steps_of(col, row, f, center, k1, k2, lambda r2: 1 / (1 + k1 * r2 + k2 * r2 * r2), 1)
-
-# %% role="mistake" name="the guess divided again" says="You divided the last guess by the factor (x = x / factor), so all factors come together. In each repetition, divide the pinhole ray."
-def pixel_ray(col, row, f, center, k1, k2):
-    x, y = steps_of(col, row, f, center, k1, k2, count=0)
-    for _ in range(20):
-        r2 = x * x + y * y
-        factor = 1 + k1 * r2 + k2 * r2 * r2
-        x, y = x / factor, y / factor
-    return x, y
-
-# %% role="mistake" name="r instead of r squared" says="You used r, the square root, in place of r2. The formula has r squared: r2 = x * x + y * y, without a root."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 + k1 * r2**0.5 + k2 * r2)
-
-# %% role="mistake" name="k2 with r squared" says="k2 belongs to r to the power of 4, which is r2 * r2. You multiplied it by r2 only."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 + k1 * r2 + k2 * r2)
 
 # %% role="mistake" name="r to the power of 8" says="r2 is r squared already: r to the power of 4 is r2 ** 2, and k1 belongs to r2 itself."
 def pixel_ray(col, row, f, center, k1, k2):
@@ -77,14 +44,6 @@ def pixel_ray(col, row, f, center, k1, k2):
 def pixel_ray(col, row, f, center, k1, k2):
     return solution(col, row, f, center[::-1], k1, k2)
 
-# %% role="mistake" name="without the center" says="The principal point is not subtracted: columns and rows are counted from the corner, and rays from the principal point. Begin with (col - center[0]) / f."
-def pixel_ray(col, row, f, center, k1, k2):
-    return solution(col, row, f, (0, 0), k1, k2)
-
-# %% role="mistake" name="not divided by f" says="The focal length f is not used: your ray is in pixels. Divide by f, so that x and y are metres at a depth of 1 m."
-def pixel_ray(col, row, f, center, k1, k2):
-    return solution(col, row, 1.0, center, k1, k2)
-
 # %% role="mistake" name="only the center divided by f" says="Parentheses are missing: col - center[0] / f divides only the center by f. Subtract first: (col - center[0]) / f, and the same for the row."
 def pixel_ray(col, row, f, center, k1, k2):
     return solution(col - center[0] / f, row - center[1] / f, 1.0, (0.0, 0.0), k1, k2)
@@ -106,15 +65,6 @@ def pixel_ray(col, row, f, center, k1, k2):
     y = steps_of(center[0], row, f, center, k1, k2)[1]
     return px * y / py if py else px, y
 
-# %% role="mistake" name="y not divided" says="Your y is still that of the pinhole ray. In each repetition, divide y by the factor too."
-def pixel_ray(col, row, f, center, k1, k2):
-    px, y = (col - center[0]) / f, (row - center[1]) / f
-    x = px
-    for _ in range(20):
-        r2 = x * x + y * y
-        x = px / (1 + k1 * r2 + k2 * r2 * r2)
-    return x, y
-
 # %% [markdown]
 # # obstacles-plane
 
@@ -123,32 +73,9 @@ def normal_of(a, b, c):
     normal = np.cross(b - a, c - a)
     return normal / np.linalg.norm(normal)
 
-# %% role="mistake" name="not 1 long" says="Your normal is not 1 long. Divide the cross product by its length, np.linalg.norm(normal); otherwise heights are not in metres."
-def plane_of(a, b, c):
-    normal = np.cross(b - a, c - a)
-    normal = -normal if normal[1] > 0 else normal
-    return normal, float(-(normal @ a))
-
-# %% role="mistake" name="turned down" says="Your normal points down: y grows downward, so the y of a vector that points up is negative. Turn it if normal[1] > 0."
-def plane_of(a, b, c):
-    normal, offset = solution(a, b, c)
-    return -normal, -offset
-
-# %% role="mistake" name="offset without minus" says="The normal is right, but the offset has the wrong sign: a must get the height 0, so the offset is -(normal @ a)."
-def plane_of(a, b, c):
-    normal, offset = solution(a, b, c)
-    return normal, -offset
-
 # %% role="mistake" name="cross product of the points" says="You took the cross product of points. Take it of two directions in the plane: b - a and c - a."
 def plane_of(a, b, c):
     normal = np.cross(b, c)
-    normal = normal / np.linalg.norm(normal)
-    normal = -normal if normal[1] > 0 else normal
-    return normal, float(-(normal @ a))
-
-# %% role="mistake" name="cross product of two points" says="You took the cross product of points. Take it of two directions in the plane: b - a and c - a."
-def plane_of(a, b, c):
-    normal = np.cross(a, b)
     normal = normal / np.linalg.norm(normal)
     normal = -normal if normal[1] > 0 else normal
     return normal, float(-(normal @ a))
@@ -181,13 +108,6 @@ def plane_of(a, b, c):
     normal = -normal if normal[1] > 0 else normal
     return normal, float(-(normal @ a))
 
-# %% role="mistake" name="length without the root" says="You divided by the sum of the squares. The length is its square root: np.linalg.norm(normal)."
-def plane_of(a, b, c):
-    normal = np.cross(b - a, c - a)
-    normal = normal / (normal @ normal)
-    normal = -normal if normal[1] > 0 else normal
-    return normal, float(-(normal @ a))
-
 # %% role="mistake" name="offset 0" says="Your offset is 0. It must give the point a the height 0: -(normal @ a)."
 def plane_of(a, b, c):
     return solution(a, b, c)[0], 0.0
@@ -211,20 +131,11 @@ def plane_of(a, b, c):
     normal[1] = -abs(normal[1])
     return normal, float(-(normal @ a))
 
-# %% role="mistake" name="offset of three numbers" says="Your offset has three numbers: normal * a is element-wise. The offset is one number, minus the dot product: -(normal @ a)."
-def plane_of(a, b, c):
-    normal = solution(a, b, c)[0]
-    return normal, -(normal * a)
-
 # %% role="mistake" name="dot product of the directions" says="np.dot (or @) gives one number. The vector that is perpendicular to both directions is their cross product: np.cross(b - a, c - a)."
 def plane_of(a, b, c):
     normal = np.dot(b - a, c - a)
     normal = normal / np.linalg.norm(normal)
     return normal if normal[1] < 0 else -normal
-
-# %% role="mistake" name="offset first" says="The two values are in the wrong order: return the normal first, then the offset."
-def plane_of(a, b, c):
-    return solution(a, b, c)[::-1]
 
 # %% role="mistake" name="rounded to two digits" says="The numbers are rounded. Return the exact numbers, and leave round out."
 def plane_of(a, b, c):
@@ -244,30 +155,10 @@ def plane_of(a, b, c):
 def heights_of(points, normal, offset):
     return points @ normal + offset
 
-# %% role="mistake" name="without abs" says="Points far below the plane count as near: their heights are negative, and so less than the tolerance. Use np.abs."
-def inliers(points, normal, offset, tolerance):
-    return heights_of(points, normal, offset) < tolerance
-
 # %% role="mistake" name="only above" says="Points below the plane are missing. A point is near on either side: use np.abs of the height."
 def inliers(points, normal, offset, tolerance):
     heights = heights_of(points, normal, offset)
     return (heights >= 0) & (heights < tolerance)
-
-# %% role="mistake" name="without the offset" says="The offset is missing: the height is points @ normal + offset."
-def inliers(points, normal, offset, tolerance):
-    return solution(points, normal, 0, tolerance)
-
-# %% role="mistake" name="absolute value before the offset" says="You took the absolute value before you added the offset. Add first, then take np.abs of the whole height: np.abs(points @ normal + offset)."
-def inliers(points, normal, offset, tolerance):
-    return np.abs(points @ normal) + offset < tolerance
-
-# %% role="mistake" name="offset subtracted" says="You subtracted the offset. The height is points @ normal + offset."
-def inliers(points, normal, offset, tolerance):
-    return solution(points, normal, -offset, tolerance)
-
-# %% role="mistake" name="a fixed tolerance" says="You typed 0.02. Use the argument tolerance."
-def inliers(points, normal, offset, tolerance):
-    return solution(points, normal, offset, 0.02)
 
 # %% role="mistake" name="half the tolerance" says="You used half of the tolerance. A point may be up to tolerance away on each side."
 def inliers(points, normal, offset, tolerance):
@@ -276,10 +167,6 @@ def inliers(points, normal, offset, tolerance):
 # %% role="mistake" name="the heights" says="You return the heights of the points. Compare their absolute values with the tolerance: np.abs(heights) < tolerance."
 def inliers(points, normal, offset, tolerance):
     return heights_of(points, normal, offset)
-
-# %% role="mistake" name="the distances" says="You return the distances of the points from the plane. Compare them with the tolerance: distances < tolerance."
-def inliers(points, normal, offset, tolerance):
-    return np.abs(heights_of(points, normal, offset))
 
 # %% role="mistake" name="the points" says="You return the points that are near. Return the mask that selects them, True or False for each point."
 def inliers(points, normal, offset, tolerance):
@@ -297,10 +184,6 @@ def inliers(points, normal, offset, tolerance):
 def inliers(points, normal, offset, tolerance):
     return np.linalg.norm(points, axis=1) < tolerance
 
-# %% role="mistake" name="each coordinate" says="Your result has three columns. The height adds up the products of all three: points @ normal, or (points * normal).sum(axis=1)."
-def inliers(points, normal, offset, tolerance):
-    return np.abs(points * normal + offset) < tolerance
-
 # %% [markdown]
 # # obstacles-nearest
 
@@ -311,14 +194,6 @@ def smallest(forward, mask):
 def standing(height):
     return (height > 0.03) & (height < 0.40)
 
-# %% role="mistake" name="the whole width on each side" says="Your corridor is twice as wide: width is the whole width, so it reaches only width / 2 to each side."
-def nearest_obstacle(forward, left, height, width):
-    return solution(forward, left, height, 2 * width)
-
-# %% role="mistake" name="without abs" says="Points far on the right count, because their left is negative. Use np.abs(left) <= width / 2."
-def nearest_obstacle(forward, left, height, width):
-    return smallest(forward, (left <= width / 2) & standing(height))
-
 # %% role="mistake" name="only the left half" says="Only the left half of the corridor counts. Use np.abs(left) <= width / 2, for both sides."
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, (left >= 0) & (left <= width / 2) & standing(height))
@@ -327,34 +202,13 @@ def nearest_obstacle(forward, left, height, width):
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, (left >= 0) & (left <= width) & standing(height))
 
-# %% role="mistake" name="no corridor" says="Points beside the corridor count too. Use only those with np.abs(left) <= width / 2."
-def nearest_obstacle(forward, left, height, width):
-    return smallest(forward, standing(height))
-
-# %% role="mistake" name="the floor counts" says="The floor counts as an obstacle. Use only points with height > 0.03."
-def nearest_obstacle(forward, left, height, width):
-    return smallest(forward, (np.abs(left) <= width / 2) & (height < 0.40))
-
 # %% role="mistake" name="above 0" says="You used height > 0. Points up to 3 cm are no obstacles: height > 0.03."
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, (np.abs(left) <= width / 2) & (height > 0) & (height < 0.40))
 
-# %% role="mistake" name="high things count" says="Things above the robot count. Use only points with height < 0.40."
-def nearest_obstacle(forward, left, height, width):
-    return smallest(forward, (np.abs(left) <= width / 2) & (height > 0.03))
-
 # %% role="mistake" name="no height" says="The height is not used: floor and high things count too. Add height > 0.03 and height < 0.40."
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, np.abs(left) <= width / 2)
-
-# %% role="mistake" name="or instead of and" says="Points count that fulfil only one condition. All must hold: combine them by &, not by |."
-def nearest_obstacle(forward, left, height, width):
-    return smallest(forward, (np.abs(left) <= width / 2) | standing(height))
-
-# %% role="mistake" name="the farthest" says="You return the farthest obstacle. The nearest one has the smallest forward: min."
-def nearest_obstacle(forward, left, height, width):
-    mask = (np.abs(left) <= width / 2) & standing(height)
-    return float(forward[mask].max()) if mask.any() else math.inf
 
 # %% role="mistake" name="the farthest, 0 for a free corridor" says="You return the farthest obstacle. The nearest one has the smallest forward: begin with best = math.inf, and keep what is smaller."
 def nearest_obstacle(forward, left, height, width):
@@ -376,10 +230,6 @@ def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & standing(height)
     return float(forward[mask][0]) if mask.any() else math.inf
 
-# %% role="mistake" name="times the mask" says="Your smallest distance is 0, and no obstacle is there. Did you multiply forward by the mask, so that points outside the corridor get 0? Or does your search begin with 0? Select the points in the corridor: forward[mask].min()."
-def nearest_obstacle(forward, left, height, width):
-    return float((forward * ((np.abs(left) <= width / 2) & standing(height))).min())
-
 # %% role="mistake" name="the index" says="You return the index of a point, as argmin gives it. Return the distance: min."
 def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & standing(height)
@@ -388,16 +238,6 @@ def nearest_obstacle(forward, left, height, width):
 # %% role="mistake" name="the straight distance" says="You return the straight distance, with the sideways part. The task asks for how far ahead: the smallest forward."
 def nearest_obstacle(forward, left, height, width):
     return smallest(np.hypot(forward, left), (np.abs(left) <= width / 2) & standing(height))
-
-# %% role="mistake" name="0 for a free corridor" says="You return 0 for a free corridor, so the robot would always brake. Return math.inf."
-def nearest_obstacle(forward, left, height, width):
-    distance = solution(forward, left, height, width)
-    return 0.0 if distance == math.inf else distance
-
-# %% role="mistake" name="None for a free corridor" says="You return None for a free corridor. A robot compares the distance with a number, so return math.inf."
-def nearest_obstacle(forward, left, height, width):
-    distance = solution(forward, left, height, width)
-    return None if distance == math.inf else distance
 
 # %% role="mistake" name="-1 for a free corridor" says="You return -1 for a free corridor, and a robot would take it for something very near. Return math.inf."
 def nearest_obstacle(forward, left, height, width):
@@ -409,10 +249,6 @@ def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & standing(height)
     return float(forward[mask].min())
 
-# %% role="mistake" name="a fixed width" says="You typed 0.40, or half of it. Use the argument width, so that the function works for other robots too."
-def nearest_obstacle(forward, left, height, width):
-    return solution(forward, left, height, 0.40)
-
 # %% [markdown]
 # # obstacles-ttc
 
@@ -420,65 +256,17 @@ def nearest_obstacle(forward, left, height, width):
 def unless_it_grows(value, before, now, time):
     return time if now > before else value
 
-# %% role="mistake" name="now above the line" says="You used the width now above the fraction line: this is the time counted from before. Use before there: dt * before / (now - before)."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else dt * now / (now - before)
-
-# %% role="mistake" name="without dt" says="dt is missing: the growth happened in dt seconds. Multiply by dt."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else before / (now - before)
-
-# %% role="mistake" name="divided by dt" says="You divided by dt. Multiply by it: if the same growth takes longer, there is more time."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else before / (now - before) / dt
-
-# %% role="mistake" name="upside down" says="The fraction is upside down: a large growth means little time. It is before / (now - before)."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else dt * (now - before) / before
-
-# %% role="mistake" name="parentheses missing" says="Parentheses are missing: dt * before / now - before divides first. Write dt * before / (now - before)."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else dt * before / now - before
-
-# %% role="mistake" name="the other difference" says="Your times are negative: the difference is the other way round. It is now - before."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else dt * before / (before - now)
-
 # %% role="mistake" name="the ratio" says="You used the ratio of the widths as it is. The robot has come nearer by the growth: divide by now - before."
 def time_to_collision(before, now, dt):
     return math.inf if now <= before else dt * before / now
-
-# %% role="mistake" name="only the growth" says="Your time does not depend on the width itself. It is the width before, divided by the growth: dt * before / (now - before)."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else dt / (now - before)
 
 # %% role="mistake" name="divides by zero" says="If both widths are equal, the function divides by 0. Return math.inf before you divide, if now <= before."
 def time_to_collision(before, now, dt):
     return dt * before / (now - before)
 
-# %% role="mistake" name="None without growth" says="You return None if the object does not grow. A robot compares the time with a number: return math.inf."
-def time_to_collision(before, now, dt):
-    return unless_it_grows(None, before, now, solution(before, now, dt))
-
 # %% role="mistake" name="-1 without growth" says="You return -1 if the object does not grow, and a robot would take it for a very short time. Return math.inf."
 def time_to_collision(before, now, dt):
     return unless_it_grows(-1.0, before, now, solution(before, now, dt))
-
-# %% role="mistake" name="whole seconds" says="Your result is a whole number of seconds. Divide with /, not with //, and leave int and round out."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else dt * before // (now - before)
-
-# %% role="mistake" name="rounded to one digit" says="The result is rounded. Return the exact number, and leave round out."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else round(dt * before / (now - before), 1)
-
-# %% role="mistake" name="rounded to two digits" says="The result is rounded. Return the exact number, and leave round out."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else round(dt * before / (now - before), 2)
-
-# %% role="mistake" name="a fixed dt" says="You typed 0.5 s. Use the argument dt."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else 0.5 * before / (now - before)
 
 # %% role="mistake" name="infinity as a text" says="You return a text if the object does not grow. The number infinity is math.inf, without quotes."
 def time_to_collision(before, now, dt):

@@ -1,11 +1,6 @@
 # %% [markdown]
 # # doubt-covariance
 
-# %% role="mistake" name="divided by N - 1" says="You divided by the number of samples minus 1, as np.cov does by itself. Here divide by their number: len(samples), or bias=True in np.cov."
-def covariance(samples):
-    d = samples - samples.mean(axis=0)
-    return d.T @ d / (len(samples) - 1)
-
 # %% role="mistake" name="not divided" says="The products are added up, but not divided: the covariance is their mean. Divide by len(samples)."
 def covariance(samples):
     d = samples - samples.mean(axis=0)
@@ -15,20 +10,10 @@ def covariance(samples):
 def covariance(samples):
     return samples.T @ samples / len(samples)
 
-# %% role="mistake" name="one mean for all" says="You subtracted one mean of all numbers. Each column has its own mean: samples.mean(axis=0)."
-def covariance(samples):
-    d = samples - samples.mean()
-    return d.T @ d / len(samples)
-
 # %% role="mistake" name="mean of the rows" says="You subtracted the mean of each row. The numbers of one kind stand in a column: mean(axis=0)."
 def covariance(samples):
     d = samples - samples.mean(axis=1)[:, np.newaxis]
     return d.T @ d / len(samples)
-
-# %% role="mistake" name="rows with rows" says="d @ d.T multiplies the measurements with each other, so the matrix has a row for each measurement. d.T @ d has a row for each number."
-def covariance(samples):
-    d = samples - samples.mean(axis=0)
-    return d @ d.T / len(samples)
 
 # %% role="mistake" name="variances only" says="These are the variances alone. The covariances belong to the result too: the products of different columns, in an (n, n) matrix."
 def covariance(samples):
@@ -37,11 +22,6 @@ def covariance(samples):
 # %% role="mistake" name="variances on the diagonal" says="Beside the diagonal all numbers are 0 in your matrix. There belong the covariances: the means of the products of different columns."
 def covariance(samples):
     return np.diag(samples.var(axis=0))
-
-# %% role="mistake" name="divided by the number of columns" says="You divided by the number of columns. Divide by the number of measurements, which is the number of rows: len(samples)."
-def covariance(samples):
-    d = samples - samples.mean(axis=0)
-    return d.T @ d / samples.shape[1]
 
 # %% role="mistake" name="absolute products" says="You took absolute values. A covariance keeps its sign: it is negative if one number falls when the other grows."
 def covariance(samples):
@@ -62,18 +42,6 @@ def covariance(samples):
 
 # %% [markdown]
 # # doubt-line
-
-# %% role="mistake" name="without the doubts" says="sigmas are not used: an uncertain point counts as much as an exact one. Divide its row and its y by its sigma."
-def fit_line(x, y, sigmas):
-    return solution(x, y, np.ones(len(x)))
-
-# %% role="mistake" name="multiplied by sigma" says="You multiplied by sigma, so the uncertain points count most. Divide by it: an exact point, with a small sigma, counts more."
-def fit_line(x, y, sigmas):
-    return solution(x, y, 1 / sigmas)
-
-# %% role="mistake" name="divided by the square" says="You divided the rows by sigma squared, so each point counts with 1 / sigma to the power of 4. Divide by sigma once; least squares squares it."
-def fit_line(x, y, sigmas):
-    return solution(x, y, sigmas**2)
 
 # %% role="mistake" name="weight 1 / sigma" says="Each point counts with 1 / sigma in your sum. The weight is 1 / sigma squared: divide the row by sigma itself, not by its root."
 def fit_line(x, y, sigmas):
@@ -120,12 +88,6 @@ def fit_line(x, y, sigmas):
     slope, offset = solution(x, y, sigmas)
     return round(slope, 2), round(offset, 2)
 
-# %% role="mistake" name="around the plain means" says="The slope has its weights, but the means of x and y have none. Weigh them too: (w * x).sum() / w.sum()."
-def fit_line(x, y, sigmas):
-    w = 1 / sigmas**2
-    slope = (w * (x - x.mean()) * (y - y.mean())).sum() / (w * (x - x.mean()) ** 2).sum()
-    return float(slope), float(y.mean() - slope * x.mean())
-
 # %% role="mistake" name="the offset afterwards" says="Your slope is that of a line through 0, and the offset comes afterwards. Compute both together: the matrix needs a column of ones."
 def fit_line(x, y, sigmas):
     w = 1 / sigmas**2
@@ -143,10 +105,6 @@ def any_step(x, ahead, aside, distances, sigmas, sign=-1, of_errors=2, of_slopes
     numerator = (J * errors / sigmas**of_errors).sum()
     return float(x + sign * numerator / (J * J / sigmas**of_slopes).sum())
 
-# %% role="mistake" name="up in place of down" says="A sign is wrong: your step goes the wrong way, and the sum of squares becomes larger. Are your errors computed minus measured, and is the minus there in J and in the step: x - sum(w * J * errors) / sum(w * J * J)?"
-def place_step(x, ahead, aside, distances, sigmas):
-    return any_step(x, ahead, aside, distances, sigmas, sign=1)
-
 # %% role="mistake" name="without the weights" says="sigmas are not used. With w = 1 / sigmas**2, each term of both sums is multiplied by its own w."
 def place_step(x, ahead, aside, distances, sigmas):
     return solution(x, ahead, aside, distances, np.ones(len(ahead)))
@@ -163,10 +121,6 @@ def place_step(x, ahead, aside, distances, sigmas):
 def place_step(x, ahead, aside, distances, sigmas):
     return solution(x, ahead, aside, distances, 1 / np.sqrt(sigmas))
 
-# %% role="mistake" name="weights above only" says="The weights are missing in the sum below the fraction line: sum(w * J * J)."
-def place_step(x, ahead, aside, distances, sigmas):
-    return any_step(x, ahead, aside, distances, sigmas, of_slopes=0)
-
 # %% role="mistake" name="weights below only" says="The weights are missing in the sum above the fraction line: sum(w * J * errors)."
 def place_step(x, ahead, aside, distances, sigmas):
     return any_step(x, ahead, aside, distances, sigmas, of_errors=0)
@@ -174,12 +128,6 @@ def place_step(x, ahead, aside, distances, sigmas):
 # %% role="mistake" name="the step alone" says="This is the step alone. Add it to x: the function returns the new place."
 def place_step(x, ahead, aside, distances, sigmas):
     return solution(x, ahead, aside, distances, sigmas) - x
-
-# %% role="mistake" name="many steps" says="You repeated the step. The task asks for x after one step."
-def place_step(x, ahead, aside, distances, sigmas):
-    for _ in range(20):
-        x = solution(x, ahead, aside, distances, sigmas)
-    return x
 
 # %% role="mistake" name="two steps" says="This is x after two steps. The task asks for one step."
 def place_step(x, ahead, aside, distances, sigmas):
@@ -223,12 +171,6 @@ def place_step(x, ahead, aside, distances, sigmas):
 def place_step(x, ahead, aside, distances, sigmas):
     return -solution(-x, ahead, aside, distances, sigmas)
 
-# %% role="mistake" name="J without its square" says="Below the fraction line stands the sum of w * J * J: one J is missing there."
-def place_step(x, ahead, aside, distances, sigmas):
-    expected = np.hypot(ahead - x, aside)
-    J, w = -(ahead - x) / expected, 1 / sigmas**2
-    return float(x - (w * J * (expected - distances)).sum() / (w * J).sum())
-
 # %% role="mistake" name="mean of the steps" says="You computed a step for each look and took their mean. The step of least squares has two sums: sum(w * J * errors) / sum(w * J * J)."
 def place_step(x, ahead, aside, distances, sigmas):
     expected = np.hypot(ahead - x, aside)
@@ -249,28 +191,9 @@ def place_step(x, ahead, aside, distances, sigmas):
 # %% [markdown]
 # # doubt-rotation
 
-# %% role="mistake" name="the mean alone" says="This is the mean of the matrices, or its SVD with s. It is no rotation, because s makes everything shorter: leave s out, and return U @ V."
-def mean_rotation(rotations):
-    return rotations.mean(axis=0)
-
-# %% role="mistake" name="V @ U" says="U and V are exchanged: V rotates first, so it stands on the right. Write U @ V."
-def mean_rotation(rotations):
-    U, _, V = np.linalg.svd(rotations.mean(axis=0))
-    return V @ U
-
-# %% role="mistake" name="V transposed" says="NumPy returns the third part already transposed. Write U @ V, without .T."
-def mean_rotation(rotations):
-    U, _, V = np.linalg.svd(rotations.mean(axis=0))
-    return U @ V.T
-
 # %% role="mistake" name="transposed" says="This is the transposed matrix, the rotation in the other direction. Return U @ V."
 def mean_rotation(rotations):
     return solution(rotations).T
-
-# %% role="mistake" name="element by element" says="U * V multiplies value by value. Matrices are multiplied with @: U @ V."
-def mean_rotation(rotations):
-    U, _, V = np.linalg.svd(rotations.mean(axis=0))
-    return U * V
 
 # %% role="mistake" name="only the first" says="This is the first rotation. Take the mean of all of them: rotations.mean(axis=0)."
 def mean_rotation(rotations):
@@ -297,11 +220,6 @@ def mean_rotation(rotations):
 def mean_rotation(rotations):
     mean = rotations.mean(axis=0)
     return mean / np.sqrt(np.abs(np.linalg.det(mean)))
-
-# %% role="mistake" name="mean of every rotation" says="You took the mean over another axis. The rotations stand along axis 0: rotations.mean(axis=0)."
-def mean_rotation(rotations):
-    U, _, V = np.linalg.svd(rotations.mean(axis=1))
-    return U @ V[: U.shape[1]] if U.shape[1] <= len(V) else V
 
 # %% role="mistake" name="rounded" says="The numbers are rounded. Return the exact numbers, and leave round out."
 def mean_rotation(rotations):

@@ -23,11 +23,6 @@ def find_homography(points, pixels):
     H = solution(points, pixels)
     return -H / np.linalg.norm(H)
 
-# %% role="mistake" name="divided by the first number" says="You divided by H[0, 0]. Divide by the last number, H[2, 2]."
-def find_homography(points, pixels):
-    H = solution(points, pixels)
-    return H / H[0, 0]
-
 # %% role="mistake" name="divided by the sum" says="You divided by the sum. Divide by the last number, H[2, 2]."
 def find_homography(points, pixels):
     H = solution(points, pixels)
@@ -37,19 +32,6 @@ def find_homography(points, pixels):
 def find_homography(points, pixels):
     H = solution(points, pixels)
     return H / np.abs(H).max()
-
-# %% role="mistake" name="nine numbers in a line" says="You return nine numbers in a line. Give them the shape (3, 3): reshape(3, 3)."
-def find_homography(points, pixels):
-    return solution(points, pixels).ravel()
-
-# %% role="mistake" name="the first vector" says="You took the first row of the third result. The vector that gives 0 with all rows is the last one: vectors[-1]."
-def find_homography(points, pixels):
-    matrix = np.linalg.svd(rows_of(points, pixels))[2][0].reshape(3, 3)
-    return matrix / matrix[2, 2]
-
-# %% role="mistake" name="points and pixels exchanged" says="This is the homography from the pixels to the points. Exchange them: (x, y) is from points, (u, v) from pixels."
-def find_homography(points, pixels):
-    return solution(pixels, points)
 
 # %% role="mistake" name="plus in place of minus" says="A sign is wrong: the products with u and v have a minus. -u * x, -u * y, -u, and the same with v."
 def find_homography(points, pixels):
@@ -64,19 +46,6 @@ def find_homography(points, pixels):
     rows = rows_of(points, pixels)
     rows[1::2, 6:] *= -1
     return null_matrix(rows)
-
-# %% role="mistake" name="u and v exchanged" says="u and v are exchanged: the row with x, y, 1 in front has the products with u, and u is the first number of a pixel."
-def find_homography(points, pixels):
-    return solution(points, pixels[:, ::-1])
-
-# %% role="mistake" name="x and y exchanged" says="x and y are exchanged: x is the first number of a point."
-def find_homography(points, pixels):
-    return solution(points[:, ::-1], pixels)
-
-# %% role="mistake" name="without perspective" says="The last row of your matrix is 0, 0, 1: without the division by c, far things do not look smaller. Compute all nine numbers."
-def find_homography(points, pixels):
-    unknowns = np.column_stack([points, np.ones(len(points))])
-    return np.vstack([np.linalg.lstsq(unknowns, pixels)[0].T, [0.0, 0.0, 1.0]])
 
 # %% role="mistake" name="rounded" says="The numbers are rounded. Return the exact numbers, and leave round out."
 def find_homography(points, pixels):
@@ -102,37 +71,14 @@ def search(inside, words, turned):
 def border_is_black(cells):
     return cells.sum() == cells[1:5, 1:5].sum()
 
-# %% role="mistake" name="border not looked at" says="The border of a marker is black. If one of its cells is white, this is not a marker: return (-1, 0)."
-def decode(cells, words):
-    return search(cells[1:5, 1:5], words, np.rot90)
-
 # %% role="mistake" name="turned to the other side" says="You turned to the other side: the task counts the turns of the read cells with np.rot90(inside, turns), to the left."
 def decode(cells, words):
     return search(cells[1:5, 1:5], words, lambda cut, turns: np.rot90(cut, -turns)) if border_is_black(cells) else (-1, 0)
-
-# %% role="mistake" name="never turned" says="You compared the cells only as they are. A marker can also be turned by one, two or three quarters: try np.rot90(inside, turns) for all four."
-def decode(cells, words):
-    number, turns = solution(cells, words)
-    return (number, 0) if turns == 0 else (-1, 0)
-
-# %% role="mistake" name="three turns only" says="One turn is missing: turns is 0, 1, 2 or 3, so use range(4)."
-def decode(cells, words):
-    number, turns = solution(cells, words)
-    return (number, turns) if turns < 3 else (-1, 0)
 
 # %% role="mistake" name="without the upright marker" says="You began with one turn. The marker can also hang upright: turns is 0, 1, 2 or 3, so use range(4)."
 def decode(cells, words):
     number, turns = solution(cells, words)
     return (number, turns) if number < 0 or turns else (-1, 0)
-
-# %% role="mistake" name="four turns in place of none" says="You count the turns from 1 to 4. An upright marker has 0 turns: use range(4)."
-def decode(cells, words):
-    number, turns = solution(cells, words)
-    return (number, turns or 4) if number >= 0 else (-1, 0)
-
-# %% role="mistake" name="always 0 turns" says="The number is right, but you always return 0 turns. Return how many times you turned the cells."
-def decode(cells, words):
-    return solution(cells, words)[0], 0
 
 # %% role="mistake" name="degrees" says="You return degrees. Return the number of quarter turns, 0 to 3."
 def decode(cells, words):
@@ -164,23 +110,6 @@ def decode(cells, words):
     _, turns, number = min(equal)
     return number, turns
 
-# %% role="mistake" name="one equal cell" says="One equal cell is enough for you. All 16 cells must be equal: use .all(), not .any()."
-def decode(cells, words):
-    fits = search(cells[1:5, 1:5], words, lambda cut, turns: words[0] if (np.rot90(cut, turns) == words[0]).any() else cut)
-    return fits if border_is_black(cells) else (-1, 0)
-
-# %% role="mistake" name="equally many white cells" says="You compared how many cells are white. All 16 cells must be equal, each at its place: (turned == word).all()."
-def decode(cells, words):
-    counts = [int(word.sum()) for word in words]
-    count = int(cells[1:5, 1:5].sum())
-    return (counts.index(count), 0) if border_is_black(cells) and count in counts else (-1, 0)
-
-# %% role="mistake" name="upper and lower border only" says="A white cell in the left or right column of the border is missed. The border has four sides: rows 0 and 5, columns 0 and 5."
-def decode(cells, words):
-    if cells[0].any() or cells[5].any():
-        return -1, 0
-    return search(cells[1:5, 1:5], words, np.rot90)
-
 # %% role="mistake" name="left and right border only" says="A white cell in the first or last row of the border is missed. The border has four sides: rows 0 and 5, columns 0 and 5."
 def decode(cells, words):
     if cells[:, 0].any() or cells[:, 5].any():
@@ -192,10 +121,6 @@ def decode(cells, words):
     if cells[[0, 0, 5, 5], [0, 5, 0, 5]].any():
         return -1, 0
     return search(cells[1:5, 1:5], words, np.rot90)
-
-# %% role="mistake" name="nothing ever fits" says="You return (-1, 0) for every input: nothing ever fits. Is a return inside the loop after the first word? Is the border black (0), the word in rows and columns 1 to 4 (1:5), and turned with np.rot90?"
-def decode(cells, words):
-    return -1, 0
 
 # %% role="mistake" name="the most similar word" says="You take the word with the most equal cells. All 16 must be equal: if no word fits, return (-1, 0)."
 def decode(cells, words):
@@ -230,20 +155,10 @@ def find_motion(before, after):
     U, V = decomposed(before, after)
     return with_shift(U @ np.diag([np.linalg.det(U @ V), 1, 1]) @ V, before, after)
 
-# %% role="mistake" name="value by value" says="You multiplied U, the diagonal matrix and V with *, value by value. Matrices are multiplied with @: U @ np.diag(...) @ V."
-def find_motion(before, after):
-    U, V = decomposed(before, after)
-    return with_shift(U * np.diag([1, 1, np.linalg.det(U @ V)]) * V, before, after)
-
 # %% role="mistake" name="always -1" says="You always change the sign of the last column. Change it only for a mirror: multiply by the determinant of U @ V, not by -1."
 def find_motion(before, after):
     U, V = decomposed(before, after)
     return with_shift(U @ np.diag([1, 1, -1]) @ V, before, after)
-
-# %% role="mistake" name="V transposed" says="NumPy's third result is already the transposed one: write U @ ... @ V, without V.T."
-def find_motion(before, after):
-    U, V = decomposed(before, after)
-    return with_shift(U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V.T, before, after)
 
 # %% role="mistake" name="the rotation back" says="This is the rotation from after to before. The order of the product is (after - its mean).T @ (before - its mean)."
 def find_motion(before, after):
@@ -258,15 +173,6 @@ def find_motion(before, after):
     R, t = solution(before, after)
     return R.T, t
 
-# %% role="mistake" name="shift without rotation" says="The rotation is right. The shift must also turn the mean of before: t = after_mean - R @ before_mean."
-def find_motion(before, after):
-    return solution(before, after)[0], after.mean(axis=0) - before.mean(axis=0)
-
-# %% role="mistake" name="the shift's sign" says="The sign of the shift is wrong: t = after_mean - R @ before_mean."
-def find_motion(before, after):
-    R, t = solution(before, after)
-    return R, -t
-
 # %% role="mistake" name="the turned mean of after" says="You turned the mean of after. R turns what was before: t = after_mean - R @ before_mean."
 def find_motion(before, after):
     R, _ = solution(before, after)
@@ -277,23 +183,9 @@ def find_motion(before, after):
     R, _ = solution(before, after)
     return R, after.mean(axis=0) + R @ before.mean(axis=0)
 
-# %% role="mistake" name="turned from the other side" says="before_mean @ R turns with the transposed rotation. Write R @ before_mean."
-def find_motion(before, after):
-    R, _ = solution(before, after)
-    return R, after.mean(axis=0) - before.mean(axis=0) @ R
-
-# %% role="mistake" name="shift of the mean alone" says="Your shift is the mean of after. Subtract the turned mean of before: t = after_mean - R @ before_mean."
-def find_motion(before, after):
-    return solution(before, after)[0], after.mean(axis=0)
-
 # %% role="mistake" name="shift 0" says="Your shift is 0. After the rotation, the means must meet: t = after_mean - R @ before_mean."
 def find_motion(before, after):
     return solution(before, after)[0], np.zeros(3)
-
-# %% role="mistake" name="the means not subtracted" says="The clouds still have their means in the decomposition. First subtract from each cloud its own mean, over axis 0."
-def find_motion(before, after):
-    U, _, V = np.linalg.svd(after.T @ before)
-    return with_shift(U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V, before, after)
 
 # %% role="mistake" name="only one mean subtracted twice" says="You subtracted the mean of before from both clouds. Subtract from each cloud its own mean."
 def find_motion(before, after):
@@ -314,10 +206,6 @@ def find_motion(before, after):
 # %% role="mistake" name="the first three pairs" says="You used the first three points only. All pairs count: the others make the noise smaller."
 def find_motion(before, after):
     return solution(before[:3], after[:3])
-
-# %% role="mistake" name="the shift first" says="The order is wrong: return the rotation first, then the shift."
-def find_motion(before, after):
-    return solution(before, after)[::-1]
 
 # %% role="mistake" name="only the rotation" says="You return one array. Return two: the rotation and the shift."
 def find_motion(before, after):
@@ -350,14 +238,6 @@ def best_inliers(before, after, rotations, shifts, limit):
     masks = masks_of(before, after, rotations, shifts, limit)
     return masks[np.argmin(masks.sum(axis=1))]
 
-# %% role="mistake" name="the last motion" says="You return the inliers of the last motion. Compare: keep a mask only if its sum is larger than that of the best one."
-def best_inliers(before, after, rotations, shifts, limit):
-    return masks_of(before, after, rotations, shifts, limit)[-1]
-
-# %% role="mistake" name="the first motion" says="You return the inliers of the first motion. Look at all of them (is return inside the loop?)."
-def best_inliers(before, after, rotations, shifts, limit):
-    return masks_of(before, after, rotations, shifts, limit)[0]
-
 # %% role="mistake" name="of any motion" says="Your mask holds the inliers of all motions together. Only those of the best motion count."
 def best_inliers(before, after, rotations, shifts, limit):
     return masks_of(before, after, rotations, shifts, limit).any(axis=0)
@@ -375,30 +255,9 @@ def best_inliers(before, after, rotations, shifts, limit):
 def best_inliers(before, after, rotations, shifts, limit):
     return int(solution(before, after, rotations, shifts, limit).sum())
 
-# %% role="mistake" name="numbers of the pairs" says="You return the numbers of the inliers. Return the mask: one True or False for each pair."
-def best_inliers(before, after, rotations, shifts, limit):
-    return np.flatnonzero(solution(before, after, rotations, shifts, limit))
-
 # %% role="mistake" name="number of the motion" says="You return the number of the best motion. Return the mask of its inliers."
 def best_inliers(before, after, rotations, shifts, limit):
     return int(np.argmax(masks_of(before, after, rotations, shifts, limit).sum(axis=1)))
-
-# %% role="mistake" name="turned back" says="before @ R turns the points back. Each row is turned by before @ R.T."
-def best_inliers(before, after, rotations, shifts, limit):
-    return most(masks_of(before, after, rotations.transpose(0, 2, 1), shifts, limit))
-
-# %% role="mistake" name="without the shift" says="The shift is missing: the moved points are before @ R.T + t."
-def best_inliers(before, after, rotations, shifts, limit):
-    return most(masks_of(before, after, rotations, 0 * shifts, limit))
-
-# %% role="mistake" name="minus the shift" says="You subtracted the shift. The moved points are before @ R.T + t."
-def best_inliers(before, after, rotations, shifts, limit):
-    return most(masks_of(before, after, rotations, -shifts, limit))
-
-# %% role="mistake" name="shifted first" says="You shifted the points before you turned them. First turn, then shift: before @ R.T + t."
-def best_inliers(before, after, rotations, shifts, limit):
-    turned = np.array([R @ t for R, t in zip(rotations, shifts, strict=True)])
-    return most(masks_of(before, after, rotations, turned, limit))
 
 # %% role="mistake" name="not turned" says="The rotation is missing: the moved points are before @ R.T + t."
 def best_inliers(before, after, rotations, shifts, limit):
@@ -412,23 +271,9 @@ def best_inliers(before, after, rotations, shifts, limit):
 def best_inliers(before, after, rotations, shifts, limit):
     return most(masks_of(before, after, rotations, shifts, limit**0.5))
 
-# %% role="mistake" name="distance in x, y and z added" says="You added the distances in x, y and z. The distance is the root of the sum of squares: np.linalg.norm with axis=1."
-def best_inliers(before, after, rotations, shifts, limit):
-    masks = [np.abs(before @ R.T + t - after).sum(axis=1) < limit for R, t in zip(rotations, shifts, strict=True)]
-    return most(np.array(masks))
-
 # %% role="mistake" name="each coordinate alone" says="You compare the distances in x, y and z with the limit one by one. A pair can be too far in all three together: take the length of the difference, np.linalg.norm with axis=1."
 def best_inliers(before, after, rotations, shifts, limit):
     masks = [(np.abs(before @ R.T + t - after) < limit).all(axis=1) for R, t in zip(rotations, shifts, strict=True)]
-    return most(np.array(masks))
-
-# %% role="mistake" name="False everywhere" says="Your mask is False for every pair, so no mask was kept. np.linalg.norm needs axis=1: without it you get one number for the whole cloud, and not one for each pair. If it has axis=1, look whether best gets the new mask."
-def best_inliers(before, after, rotations, shifts, limit):
-    return np.zeros(len(before), bool)
-
-# %% role="mistake" name="without abs" says="You looked at the sign of the sum: a difference can be negative. Take its length, np.linalg.norm with axis=1."
-def best_inliers(before, after, rotations, shifts, limit):
-    masks = [(before @ R.T + t - after).sum(axis=1) < limit for R, t in zip(rotations, shifts, strict=True)]
     return most(np.array(masks))
 
 # %% [markdown]
@@ -459,10 +304,6 @@ def keyframes(places, distance, angle):
     first = places[0]
     return [0] + [k for k in range(1, len(places)) if moved(places[k], first) >= distance or turned(places[k], first) >= angle]
 
-# %% role="mistake" name="and in place of or" says="You ask for both, distance and angle. One of them is enough: use or."
-def keyframes(places, distance, angle):
-    return chosen(places, lambda a, b: moved(a, b) >= distance and turned(a, b) >= angle)
-
 # %% role="mistake" name="the way added up" says="You add up the steps since the last keyframe. A robot that drives forth and back is near it again: compare the two places, with math.dist."
 def keyframes(places, distance, angle):
     numbers, way = [0], 0.0
@@ -476,10 +317,6 @@ def keyframes(places, distance, angle):
 # %% role="mistake" name="the near frames" says="You keep the frames that are near the last keyframe. A keyframe is far enough from it, by at least distance or angle: >=, not <."
 def keyframes(places, distance, angle):
     return chosen(places, lambda a, b: moved(a, b) < distance or turned(a, b) < angle)
-
-# %% role="mistake" name="only the distance" says="You look at the distance only. A turn by at least angle also makes a keyframe."
-def keyframes(places, distance, angle):
-    return chosen(places, lambda a, b: moved(a, b) >= distance)
 
 # %% role="mistake" name="only the angle" says="You look at the angle only. A way of at least distance also makes a keyframe."
 def keyframes(places, distance, angle):
@@ -505,10 +342,6 @@ def keyframes(places, distance, angle):
 def keyframes(places, distance, angle):
     return chosen(places, lambda a, b: moved(a, b) >= distance or abs(math.remainder(a[2] - b[2], math.pi)) >= angle)
 
-# %% role="mistake" name="> in place of >=" says="A frame that is exactly at the limit is a keyframe too: at least means >=."
-def keyframes(places, distance, angle):
-    return chosen(places, lambda a, b: moved(a, b) > distance or turned(a, b) > angle)
-
 # %% role="mistake" name="without frame 0" says="Frame 0 is missing: it is the first keyframe. Begin with the list [0]."
 def keyframes(places, distance, angle):
     return solution(places, distance, angle)[1:]
@@ -525,18 +358,10 @@ def keyframes(places, distance, angle):
 def keyframes(places, distance, angle):
     return [0] + [k - 1 for k in solution(places, distance, angle)[1:]]
 
-# %% role="mistake" name="places of the keyframes" says="You return the places of the keyframes. Return the numbers of the frames."
-def keyframes(places, distance, angle):
-    return [places[k] for k in solution(places, distance, angle)]
-
 # %% role="mistake" name="True and False" says="You return True or False for each frame. Return the list of the numbers of the keyframes."
 def keyframes(places, distance, angle):
     numbers = solution(places, distance, angle)
     return [k in numbers for k in range(len(places))]
-
-# %% role="mistake" name="degrees" says="You compare degrees with angle, which is in radians, so nearly every turn is large enough. Leave math.degrees out."
-def keyframes(places, distance, angle):
-    return chosen(places, lambda a, b: moved(a, b) >= distance or math.degrees(turned(a, b)) >= angle)
 
 # %% role="mistake" name="begins at the origin" says="Your list begins empty, and your last keyframe is (0, 0, 0). Frame 0 is the first keyframe, wherever the robot stands: begin with numbers = [0] and compare with places[0]."
 def keyframes(places, distance, angle):

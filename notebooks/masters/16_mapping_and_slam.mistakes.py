@@ -45,10 +45,6 @@ def ray_cells(start, end):
 def ray_cells(start, end):
     return line_of(start, end, length_of(start, end), lambda a, b, k, n: a - (-2 * k * abs(b - a) + n) // (2 * n) * (1 if b > a else -1))
 
-# %% role="mistake" name="halves always up" says="The sign is inside of //, and // rounds down: in a negative direction a half goes to the wrong side. Compute with abs(way), and multiply by the sign afterwards."
-def ray_cells(start, end):
-    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + (2 * k * (b - a) + n) // (2 * n))
-
 # %% role="mistake" name="steps are the columns" says="Your ray takes one step for each column, so a steep ray has gaps, or is missing. The number of steps is the larger of both ways: max(abs(row_way), abs(col_way))."
 def ray_cells(start, end):
     steps = abs(end[1] - start[1])
@@ -76,18 +72,6 @@ def ray_cells(start, end):
         cells.append((row, col))
     return cells
 
-# %% role="mistake" name="signs forgotten" says="The ray goes down and to the right only. If a way is negative, multiply the steps by -1."
-def ray_cells(start, end):
-    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + (2 * k * abs(b - a) + n) // (2 * n))
-
-# %% role="mistake" name="from zero" says="Your ray begins at (0, 0). Add the start: start[0] + ..., start[1] + ..."
-def ray_cells(start, end):
-    return [(row - start[0], col - start[1]) for row, col in solution(start, end)]
-
-# %% role="mistake" name="column first" says="Each cell is (row, column); you return (column, row)."
-def ray_cells(start, end):
-    return [(col, row) for row, col in solution(start, end)]
-
 # %% role="mistake" name="from the end" says="The cells are in the wrong order: begin with start."
 def ray_cells(start, end):
     return solution(start, end)[::-1]
@@ -99,10 +83,6 @@ def ray_cells(start, end):
 # %% role="mistake" name="only both ends" says="Only the first and the last cell are there. Append a cell in each step of the loop."
 def ray_cells(start, end):
     return [start, end]
-
-# %% role="mistake" name="only the first" says="Only the first cell is there: the return is inside the loop. Move it to the left, behind the loop."
-def ray_cells(start, end):
-    return [start]
 
 # %% role="mistake" name="numbers with a point" says="You did not round: a cell has whole numbers. Use the formula with // and whole numbers."
 def ray_cells(start, end):
@@ -153,10 +133,6 @@ def add_scan(grid, rays, hit, passed):
         change[ray[-1][0], ray[-1][1]] = odds_log(hit)
     return np.clip(grid + change, -6, 6)
 
-# %% role="mistake" name="not clipped" says="Some cells are beyond the limits. Stop them with np.clip(..., -6, 6)."
-def add_scan(grid, rays, hit, passed):
-    return grid + changes(grid.shape, rays, odds_log(hit), odds_log(passed))
-
 # %% role="mistake" name="clipped at 6 only" says="Cells also stop at -6: np.clip(..., -6, 6)."
 def add_scan(grid, rays, hit, passed):
     return np.minimum(grid + changes(grid.shape, rays, odds_log(hit), odds_log(passed)), 6)
@@ -169,55 +145,17 @@ def add_scan(grid, rays, hit, passed):
 def add_scan(grid, rays, hit, passed):
     return grid + np.clip(changes(grid.shape, rays, odds_log(hit), odds_log(passed)), -0.5, 0.5)
 
-# %% role="mistake" name="probabilities added" says="You added the probabilities. Add their log-odds: math.log(p / (1 - p))."
-def add_scan(grid, rays, hit, passed):
-    return np.clip(grid + changes(grid.shape, rays, hit, passed), -6, 6)
-
 # %% role="mistake" name="probability subtracted" says="You use the probabilities as they are. Add their log-odds, math.log(p / (1 - p)): those of passed are negative by themselves."
 def add_scan(grid, rays, hit, passed):
     return np.clip(grid + changes(grid.shape, rays, hit, -passed), -6, 6)
-
-# %% role="mistake" name="odds without logarithm" says="You added the odds. Take the logarithm of them: math.log(p / (1 - p))."
-def add_scan(grid, rays, hit, passed):
-    return np.clip(grid + changes(grid.shape, rays, hit / (1 - hit), passed / (1 - passed)), -6, 6)
-
-# %% role="mistake" name="logarithm of the probability" says="You added the logarithm of the probability. Log-odds are the logarithm of p / (1 - p)."
-def add_scan(grid, rays, hit, passed):
-    return np.clip(grid + changes(grid.shape, rays, math.log(hit), math.log(passed)), -6, 6)
-
-# %% role="mistake" name="logarithm to base 10" says="You use the logarithm to base 10. Use the natural one: math.log or np.log."
-def add_scan(grid, rays, hit, passed):
-    return np.clip(grid + changes(grid.shape, rays, odds_log(hit) / math.log(10), odds_log(passed) / math.log(10)), -6, 6)
 
 # %% role="mistake" name="logarithm to base 2" says="You use the logarithm to base 2. Use the natural one: math.log or np.log."
 def add_scan(grid, rays, hit, passed):
     return np.clip(grid + changes(grid.shape, rays, odds_log(hit) / math.log(2), odds_log(passed) / math.log(2)), -6, 6)
 
-# %% role="mistake" name="passed subtracted" says="The log-odds of passed are negative already (0.4 is less likely than not). Add them; you subtracted them."
-def add_scan(grid, rays, hit, passed):
-    return np.clip(grid + changes(grid.shape, rays, odds_log(hit), -odds_log(passed)), -6, 6)
-
 # %% role="mistake" name="hit and passed exchanged" says="Hit and passed are exchanged: hit belongs to the last cell of a ray, passed to all others."
 def add_scan(grid, rays, hit, passed):
     return np.clip(grid + changes(grid.shape, rays, odds_log(passed), odds_log(hit)), -6, 6)
-
-# %% role="mistake" name="fixed numbers" says="You wrote 0.85 and -0.4. Compute the log-odds of hit and passed, which can be other probabilities: math.log(p / (1 - p))."
-def add_scan(grid, rays, hit, passed):
-    return np.clip(grid + changes(grid.shape, rays, 0.85, -0.4), -6, 6)
-
-# %% role="mistake" name="old map forgotten" says="The old map is lost: you return the change alone. Add it to the grid."
-def add_scan(grid, rays, hit, passed):
-    return changes(grid.shape, rays, odds_log(hit), odds_log(passed))
-
-# %% role="mistake" name="set in place of added" says="You write the log-odds into the map, so that the old value is lost. Add them to it."
-def add_scan(grid, rays, hit, passed):
-    change = changes(grid.shape, rays, odds_log(hit), odds_log(passed))
-    return np.clip(np.where(change == 0, grid, change), -6, 6)
-
-# %% role="mistake" name="only the ends" says="The cells on the way are unchanged. Add the log-odds of passed there."
-def add_scan(grid, rays, hit, passed):
-    change = changes(grid.shape, rays, odds_log(hit), 0.0)
-    return np.clip(grid + change, -6, 6)
 
 # %% role="mistake" name="only the way" says="The ends of the rays are not hits. Add the log-odds of hit in the last cell of each ray."
 def add_scan(grid, rays, hit, passed):
@@ -226,14 +164,6 @@ def add_scan(grid, rays, hit, passed):
 # %% role="mistake" name="the end also passed" says="You treat the last cell as if the ray passed it. It is a hit: ray[:-1] are the others."
 def add_scan(grid, rays, hit, passed):
     return np.clip(grid + changes(grid.shape, [[*ray, ray[-1]] for ray in rays], odds_log(passed), odds_log(passed)), -6, 6)
-
-# %% role="mistake" name="the first ray only" says="Only the first ray is in the map. Is a return inside the loop?"
-def add_scan(grid, rays, hit, passed):
-    return solution(grid, rays[:1], hit, passed)
-
-# %% role="mistake" name="without the cell of the robot" says="The first cell of a ray, where the robot stands, is free too: the ray passes it."
-def add_scan(grid, rays, hit, passed):
-    return np.clip(grid + changes(grid.shape, [ray[1:] for ray in rays], odds_log(hit), odds_log(passed)), -6, 6)
 
 # %% role="mistake" name="probabilities returned" says="You return probabilities. Return the log-odds."
 def add_scan(grid, rays, hit, passed):
@@ -263,17 +193,9 @@ def edge_error(first, second, measured):
     ahead, left, turn = edge_parts(first, second)
     return np.array([ahead - measured[0], left - measured[1], wrapped(turn) - measured[2]])
 
-# %% role="mistake" name="% in place of remainder" says="% gives an angle from 0 to 2π, so a small negative angle becomes almost a full turn. Use math.remainder, which gives -π to π."
-def edge_error(first, second, measured):
-    return error_with(first, second, measured, angle=lambda angle: angle % (2 * math.pi))
-
 # %% role="mistake" name="remainder by half a turn" says="You took the remainder by π, which is half a turn. Use 2 * math.pi."
 def edge_error(first, second, measured):
     return error_with(first, second, measured, angle=lambda angle: math.remainder(angle, math.pi))
-
-# %% role="mistake" name="not turned" says="You take dx and dy of the room. The first pose sees them turned: ahead = c * dx + s * dy, left = c * dy - s * dx."
-def edge_error(first, second, measured):
-    return error_with(first, second, measured, yaw=0.0)
 
 # %% role="mistake" name="turned to the wrong side" says="You turn to the wrong side; a sign of s is wrong: ahead = c * dx + s * dy, left = c * dy - s * dx."
 def edge_error(first, second, measured):
@@ -287,33 +209,10 @@ def edge_error(first, second, measured):
 def edge_error(first, second, measured):
     return error_with(first, second, measured, yaw=measured[2])
 
-# %% role="mistake" name="sine and cosine exchanged" says="Sine and cosine are exchanged: ahead = c * dx + s * dy, with c the cosine."
-def edge_error(first, second, measured):
-    c, s = math.sin(first[2]), math.cos(first[2])
-    dx, dy = second[0] - first[0], second[1] - first[1]
-    return np.array([c * dx + s * dy - measured[0], c * dy - s * dx - measured[1], solution(first, second, measured)[2]])
-
 # %% role="mistake" name="ahead and left exchanged" says="Ahead and left are exchanged: the first number is ahead."
 def edge_error(first, second, measured):
     ahead, left, turn = edge_parts(first, second)
     return np.array([left - measured[0], ahead - measured[1], wrapped(turn - measured[2])])
-
-# %% role="mistake" name="left has the wrong sign" says="The sign of left is wrong: left = c * dy - s * dx."
-def edge_error(first, second, measured):
-    ahead, left, turn = edge_parts(first, second)
-    return np.array([ahead - measured[0], -left - measured[1], wrapped(turn - measured[2])])
-
-# %% role="mistake" name="measured added" says="You added the measured motion. Subtract it."
-def edge_error(first, second, measured):
-    return error_with(first, second, tuple(-v for v in measured))
-
-# %% role="mistake" name="without the measured motion" says="This is the motion that the poses say. Subtract the measured one."
-def edge_error(first, second, measured):
-    return error_with(first, second, (0.0, 0.0, 0.0))
-
-# %% role="mistake" name="measured angle forgotten" says="The measured angle is missing: subtract measured[2] as well."
-def edge_error(first, second, measured):
-    return error_with(first, second, (measured[0], measured[1], 0.0))
 
 # %% role="mistake" name="from the second to the first" says="This is the motion from the second pose to the first. Compute second minus first."
 def edge_error(first, second, measured):
@@ -349,10 +248,6 @@ def edge_error(first, second, measured):
 def edge_error(first, second, measured):
     return solution(first, second, measured).round(2)
 
-# %% role="mistake" name="only the places" says="The angle is missing: return three numbers."
-def edge_error(first, second, measured):
-    return solution(first, second, measured)[:2]
-
 # %% [markdown]
 # # mapping-loops
 
@@ -365,14 +260,6 @@ def all_loops(places, is_one):
 def apart(places, i, j):
     return math.dist(places[i], places[j])
 
-# %% role="mistake" name="without the gap" says="Your pairs contain neighbours, which always look alike. j must be at least gap poses after i: j - i >= gap."
-def find_loops(places, shares, radius, gap, least):
-    return all_loops(places, lambda i, j: apart(places, i, j) <= radius and shares[i, j] >= least)
-
-# %% role="mistake" name="more than the gap" says="A pair that is exactly gap poses apart counts too: j begins at i + gap."
-def find_loops(places, shares, radius, gap, least):
-    return all_loops(places, lambda i, j: j - i > gap and apart(places, i, j) <= radius and shares[i, j] >= least)
-
 # %% role="mistake" name="at most the gap" says="You keep pairs of poses that follow soon after each other. j must be at least gap poses after i."
 def find_loops(places, shares, radius, gap, least):
     return all_loops(places, lambda i, j: j - i <= gap and apart(places, i, j) <= radius and shares[i, j] >= least)
@@ -381,45 +268,17 @@ def find_loops(places, shares, radius, gap, least):
 def find_loops(places, shares, radius, gap, least):
     return all_loops(places, lambda i, j: j - i == gap and apart(places, i, j) <= radius and shares[i, j] >= least)
 
-# %% role="mistake" name="only the place" says="You look at the places only. The wheels drift, so most points of the scans must fit as well: shares[i, j] >= least."
-def find_loops(places, shares, radius, gap, least):
-    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) <= radius)
-
 # %% role="mistake" name="only the share" says="You look at the shares only. Two places can look alike, so they must also be near each other: math.dist(...) <= radius."
 def find_loops(places, shares, radius, gap, least):
     return all_loops(places, lambda i, j: j - i >= gap and shares[i, j] >= least)
-
-# %% role="mistake" name="or in place of and" says="One sign is enough for you. Both must be true, the place and the share: use and."
-def find_loops(places, shares, radius, gap, least):
-    return all_loops(places, lambda i, j: j - i >= gap and (apart(places, i, j) <= radius or shares[i, j] >= least))
-
-# %% role="mistake" name="far places" says="You keep the places that are far apart. At most radius means <=."
-def find_loops(places, shares, radius, gap, least):
-    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) >= radius and shares[i, j] >= least)
 
 # %% role="mistake" name="low shares" says="You keep the pairs of which few points fit. At least means >=."
 def find_loops(places, shares, radius, gap, least):
     return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) <= radius and shares[i, j] <= least)
 
-# %% role="mistake" name="< in place of <=" says="Two places that are exactly radius apart count too: at most means <=."
-def find_loops(places, shares, radius, gap, least):
-    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) < radius and shares[i, j] >= least)
-
-# %% role="mistake" name="> in place of >=" says="A share that is exactly least counts too: at least means >=."
-def find_loops(places, shares, radius, gap, least):
-    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) <= radius and shares[i, j] > least)
-
 # %% role="mistake" name="both limits without =" says="Values that are exactly at the limit count too: <= radius and >= least."
 def find_loops(places, shares, radius, gap, least):
     return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) < radius and shares[i, j] > least)
-
-# %% role="mistake" name="j and i exchanged in the shares" says="The share of the pair is shares[i, j], with i first, the earlier pose."
-def find_loops(places, shares, radius, gap, least):
-    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) <= radius and shares[j, i] >= least)
-
-# %% role="mistake" name="later pose first" says="Each pair is (i, j), the earlier pose first."
-def find_loops(places, shares, radius, gap, least):
-    return [(j, i) for i, j in solution(places, shares, radius, gap, least)]
 
 # %% role="mistake" name="each pair twice" says="Each pair is there twice, as (i, j) and as (j, i). Begin the inner loop at i + gap."
 def find_loops(places, shares, radius, gap, least):
@@ -448,23 +307,10 @@ def find_loops(places, shares, radius, gap, least):
 def find_loops(places, shares, radius, gap, least):
     return [(i, j) for i, j in solution(places, shares, radius, gap, least) if j == len(places) - 1]
 
-# %% role="mistake" name="one of each i" says="You stop after the first j of each i. Leave break out: all pairs count."
-def find_loops(places, shares, radius, gap, least):
-    pairs = solution(places, shares, radius, gap, least)
-    return [(i, j) for k, (i, j) in enumerate(pairs) if k == 0 or pairs[k - 1][0] != i]
-
-# %% role="mistake" name="only the first loop" says="You return at the first loop. Collect all pairs in a list, and return it after both loops."
-def find_loops(places, shares, radius, gap, least):
-    return solution(places, shares, radius, gap, least)[:1]
-
 # %% role="mistake" name="one pair without a list" says="You return one pair. Return a list of all pairs."
 def find_loops(places, shares, radius, gap, least):
     pairs = solution(places, shares, radius, gap, least)
     return pairs[0] if pairs else None
-
-# %% role="mistake" name="only x" says="You look at x only. The distance has two parts, x and y: math.dist."
-def find_loops(places, shares, radius, gap, least):
-    return all_loops(places, lambda i, j: j - i >= gap and abs(places[i][0] - places[j][0]) <= radius and shares[i, j] >= least)
 
 # %% role="mistake" name="x and y added" says="You added the ways in x and y. The distance is the root of the sum of squares: math.dist."
 def find_loops(places, shares, radius, gap, least):
@@ -515,15 +361,6 @@ def weighted_step(J, errors, weights):
     """Of a J that lost its first columns; lstsq also where there is no single solution."""
     return np.linalg.lstsq(J.T @ (weights[:, np.newaxis] * J), -J.T @ (weights * errors))[0]
 
-# %% role="mistake" name="the wrong direction" says="Your step goes in the wrong direction. A minus is missing: solve(J.T @ W @ J, -J.T @ W @ errors), and add the step."
-def graph_step(poses, edges):
-    return 2 * poses - solution(poses, edges)
-
-# %% role="mistake" name="without weights" says="All edges count alike. Use the weights: J.T @ W @ J and J.T @ W @ errors, with W = np.diag(weights)."
-def graph_step(poses, edges):
-    J, errors, weights = graph_parts(poses, edges)
-    return moved_by(poses, weighted_step(J[:, 3:], errors, np.ones_like(weights)))
-
 # %% role="mistake" name="weights on the left only" says="W is missing on the right: -J.T @ W @ errors."
 def graph_step(poses, edges):
     J, errors, weights = graph_parts(poses, edges)
@@ -550,11 +387,6 @@ def graph_step(poses, edges):
 def graph_step(poses, edges):
     J, errors, weights = graph_parts(poses, edges)
     return moved_by(poses, weighted_step(J[:, 3:], errors, 1 / weights))
-
-# %% role="mistake" name="weights exchanged" says="The weights are exchanged: the first one belongs to ahead and left, the second one to the angle, so [place, place, angle]."
-def graph_step(poses, edges):
-    exchanged = [(i, j, motion, weights[::-1]) for i, j, motion, weights in edges]
-    return solution(poses, exchanged)
 
 # %% role="mistake" name="place, angle, angle" says="The first weight belongs to two numbers, ahead and left: [place, place, angle]."
 def graph_step(poses, edges):

@@ -3,7 +3,6 @@
 
 # %%
 EIGHT = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
-FOUR = [(-1, 0), (1, 0), (0, -1), (0, 1)]
 
 def filled(mask, steps, starts=None, tested=True, first=0, columns=None):
     """The label image by flood fill over the given steps; first: the lowest row and column that is allowed."""
@@ -29,17 +28,9 @@ def one_pass(mask, choose=min, before=((-1, -1), (-1, 0), (-1, 1), (0, -1))):
         labels[row, col] = choose(near) if near else count
     return labels
 
-# %% role="mistake" name="4-connectivity" says="You use 4-connectivity. Pixels that touch at a corner belong together too: visit all eight neighbours."
-def label(mask):
-    return filled(mask, FOUR)
-
 # %% role="mistake" name="diagonals only" says="You visit only the neighbours at the corners. The four beside, above and below belong to a component too."
 def label(mask):
     return filled(mask, [(i, j) for i, j in EIGHT if i and j])
-
-# %% role="mistake" name="along the rows only" says="You visit only the neighbours to the left and right. A component also continues above, below and at the corners: eight neighbours."
-def label(mask):
-    return filled(mask, [(0, -1), (0, 1)])
 
 # %% role="mistake" name="along the columns only" says="You visit only the neighbours above and below. A component also continues to the left, to the right and at the corners: eight neighbours."
 def label(mask):
@@ -61,10 +52,6 @@ def label(mask):
 def label(mask):
     return one_pass(mask, lambda near: near[0])
 
-# %% role="mistake" name="negative indices" says="At the border, the index -1 is the other side of the image, so components wrap around. Test that row and col are at least 0 and inside the image."
-def label(mask):
-    return filled(mask, EIGHT, tested=False)
-
 # %% role="mistake" name="negative indices, upper limits tested" says="At the border, the index -1 is the other side of the image, so components wrap around. Test also that row and col are at least 0."
 def label(mask):
     return filled(mask, EIGHT, first=-min(mask.shape))
@@ -72,21 +59,6 @@ def label(mask):
 # %% role="mistake" name="the number of rows for the columns" says="Columns on the right have no number: you compare col with the number of rows. mask.shape[0] is the number of rows, mask.shape[1] the number of columns."
 def label(mask):
     return filled(mask, EIGHT, columns=min(mask.shape))
-
-# %% role="mistake" name="rows and columns exchanged" says="Rows and columns are exchanged in the test for the border: mask.shape is (rows, columns). A row is compared with mask.shape[0], a column with mask.shape[1]."
-def label(mask):
-    columns, rows = mask.shape
-    labels, count = np.zeros(mask.shape, int), 0
-    for start in np.argwhere(mask):
-        if labels[tuple(start)] == 0:
-            count += 1
-            stack = [tuple(start)]
-            while stack:
-                row, col = stack.pop()
-                if 0 <= row < rows and 0 <= col < columns and mask[row, col] and labels[row, col] == 0:
-                    labels[row, col] = count
-                    stack += [(row + i, col + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
-    return labels
 
 # %% role="mistake" name="column by column" says="Your numbers are in the order of the columns. Meet the components row by row, from left to right, as np.argwhere(mask) does."
 def label(mask):
@@ -108,17 +80,9 @@ def label(mask):
 def label(mask):
     return solution(mask) + 1
 
-# %% role="mistake" name="the paper labelled" says="You labelled the paper in place of the ink: True is ink."
-def label(mask):
-    return filled(~mask, EIGHT)
-
 # %% role="mistake" name="the mask" says="All ink has the number 1. Each component needs a number of its own: add 1 to the count for each new component."
 def label(mask):
     return mask.astype(int)
-
-# %% role="mistake" name="a number for each pixel" says="Each pixel has a number of its own. All pixels of a component share one: give it to the neighbours too, with the stack. (range(row - 1, row + 1) ends before row + 1.)"
-def label(mask):
-    return np.where(mask, mask.cumsum().reshape(mask.shape), 0)
 
 # %% role="mistake" name="first component only" says="Only the first component has a number. Go on with the next pixel of ink that has none: return belongs after the loop."
 def label(mask):
@@ -176,10 +140,6 @@ def quotient(products, squares, without_form=0.0):
 def norm2(a):
     return float((a * a).sum())
 
-# %% role="mistake" name="means not subtracted" says="Subtract from each image its own mean first; without this, two bright images always look alike."
-def ncc(a, b):
-    return quotient((a * b).sum(), norm2(a) * norm2(b))
-
 # %% role="mistake" name="means not subtracted, 0 / 0" says="Subtract from each image its own mean first; without this, two bright images always look alike. And test for an image without form: 0 / 0 is nan."
 def ncc(a, b):
     return quotient((a * b).sum(), norm2(a) * norm2(b), float("nan"))
@@ -198,10 +158,6 @@ def ncc(a, b):
     a, b = a - a.mean(axis=0), b - b.mean(axis=0)
     return quotient((a * b).sum(), norm2(a) * norm2(b))
 
-# %% role="mistake" name="mean of a only" says="You subtracted the mean of a only. Subtract the mean of b from b as well."
-def ncc(a, b):
-    return quotient((centered(a) * b).sum(), norm2(centered(a)) * norm2(b))
-
 # %% role="mistake" name="mean of b only" says="You subtracted the mean of b only. Subtract the mean of a from a as well."
 def ncc(a, b):
     return quotient((a * centered(b)).sum(), norm2(a) * norm2(centered(b)))
@@ -214,19 +170,6 @@ def ncc(a, b):
 def ncc(a, b):
     mean = (a.mean() + b.mean()) / 2
     return quotient(((a - mean) * (b - mean)).sum(), norm2(a - mean) * norm2(b - mean))
-
-# %% role="mistake" name="not divided" says="Your sum of products is not normalized: divide it by the square root of both sums of squares."
-def ncc(a, b):
-    return float((centered(a) * centered(b)).sum())
-
-# %% role="mistake" name="the mean of the products" says="You divided by the number of pixels. Divide the sum of products by the square root of both sums of squares."
-def ncc(a, b):
-    return float((centered(a) * centered(b)).mean())
-
-# %% role="mistake" name="without the root" says="The square root is missing: divide by the root of both sums of squares."
-def ncc(a, b):
-    squares = norm2(centered(a)) * norm2(centered(b))
-    return float((centered(a) * centered(b)).sum() / squares) if squares else 0.0
 
 # %% role="mistake" name="without the root, 0 / 0" says="The square root is missing: divide by the root of both sums of squares. And test for an image without form: 0 / 0 is nan."
 def ncc(a, b):
@@ -246,11 +189,6 @@ def ncc(a, b):
 def ncc(a, b):
     return solution(a, b) * a.size if np.ptp(a) and np.ptp(b) else float("nan")
 
-# %% role="mistake" name="squares of a only" says="You divided by the sum of squares of a. The root contains both: the sum of squares of a, times the sum of squares of b."
-def ncc(a, b):
-    squares = norm2(centered(a))
-    return float((centered(a) * centered(b)).sum() / squares) if squares else 0.0
-
 # %% role="mistake" name="squares of b only" says="You divided by the sum of squares of b. The root contains both: the sum of squares of a, times the sum of squares of b."
 def ncc(a, b):
     squares = norm2(centered(b))
@@ -264,10 +202,6 @@ def ncc(a, b):
 def ncc(a, b):
     return quotient((centered(a) * centered(b)).sum(), norm2(a) * norm2(b))
 
-# %% role="mistake" name="absolute value" says="The NCC of an image and its negative is -1. Leave abs out."
-def ncc(a, b):
-    return abs(solution(a, b))
-
 # %% role="mistake" name="never below 0" says="The NCC can be negative. Leave max(0, ...) out."
 def ncc(a, b):
     return max(0.0, solution(a, b))
@@ -276,17 +210,9 @@ def ncc(a, b):
 def ncc(a, b):
     return solution(a, b) ** 2
 
-# %% role="mistake" name="means with ddof" says="Your result is a little too small: np.std(ddof=1) divides by N - 1, and the mean of the products by N. Take the sums, as in the formula."
-def ncc(a, b):
-    return solution(a, b) * (a.size - 1) / a.size
-
 # %% role="mistake" name="a distance" says="You return 1 minus the NCC. Return the NCC itself: 1 for images of the same form."
 def ncc(a, b):
     return 1 - solution(a, b)
-
-# %% role="mistake" name="squared differences" says="You added the squared differences. The NCC adds the products: (a - a.mean()) * (b - b.mean())."
-def ncc(a, b):
-    return norm2(a - b)
 
 # %% role="mistake" name="flipped" says="You flipped one image, as a convolution does. A correlation multiplies the pixels at the same place."
 def ncc(a, b):
@@ -321,22 +247,6 @@ def distance(a, b, insert=1, delete=1, replace=1, keep=0, top=None, left=None, c
             table[i, j] = choose(table[i - 1, j] + delete, table[i, j - 1] + insert, table[i - 1, j - 1] + change)
     return table
 
-def table_7_8(a, b):
-    """The example's code with its own numbers, 7 and 8, which end in an IndexError for short texts."""
-    table = np.zeros((7, 8), int)
-    table[:, 0], table[0, :] = range(7), range(8)
-    for i in range(1, 7):
-        for j in range(1, 8):
-            table[i, j] = min(table[i - 1, j] + 1, table[i, j - 1] + 1, table[i - 1, j - 1] + (a[i - 1] != b[j - 1]))
-    return int(table[6, 7])
-
-# %% role="mistake" name="the size of the example" says="The numbers 6, 7 and 8 belong to the example. Write len(a) + 1 and len(b) + 1, and return table[len(a), len(b)]."
-def edit_distance(a, b):
-    return table_7_8(a, b)
-
-# %% role="mistake" name="one character too far" says="Row i belongs to the character a[i - 1], and column j to b[j - 1]: Python counts from 0."
-def edit_distance(a, b):
-    return b[len(b)] if a and b else len(a + b)
 
 # %% role="mistake" name="sizes exchanged" says="The table has len(a) + 1 rows and len(b) + 1 columns, in this order: rows belong to a, columns to b."
 def edit_distance(a, b):
@@ -350,10 +260,6 @@ def edit_distance(a, b):
 # %% role="mistake" name="place by place" says="You compare the texts place by place. After one inserted letter all others are moved by one: fill the table with the three kinds of steps."
 def edit_distance(a, b):
     return sum(x != y for x, y in zip(a, b, strict=False)) + abs(len(a) - len(b))
-
-# %% role="mistake" name="place by place, lengths ignored" says="You compare the texts place by place, and ignore what is left of the longer one. Fill the table with the three kinds of steps."
-def edit_distance(a, b):
-    return sum(x != y for x, y in zip(a, b, strict=False))
 
 # %% role="mistake" name="without replacing" says="Replacing is missing, or costs 2: a replaced character is one step, from the number to the upper left, plus 1."
 def edit_distance(a, b):
@@ -375,29 +281,13 @@ def edit_distance(a, b):
 def edit_distance(a, b):
     return int(distance(a, b, replace=0)[-1, -1])
 
-# %% role="mistake" name="equal costs 1, others 0" says="It is the other way round: characters that differ cost 1, equal ones 0. Use !=, not ==."
-def edit_distance(a, b):
-    return int(distance(a, b, replace=0, keep=1)[-1, -1])
-
 # %% role="mistake" name="insert and delete are free" says="Inserting and deleting cost 1 each: add 1 to the number above, and to the number to the left."
 def edit_distance(a, b):
     return int(distance(a, b, insert=0, delete=0)[-1, -1])
 
-# %% role="mistake" name="first row and column are 0" says="Your first row and first column are zeros. They count up, 0, 1, 2 and so on: from an empty text, each character must be inserted."
-def edit_distance(a, b):
-    return int(distance(a, b, top=0, left=0)[-1, -1])
-
-# %% role="mistake" name="first row is 0" says="Your first row is full of zeros. It counts up, 0, 1, 2 and so on: from an empty text, each character must be inserted."
-def edit_distance(a, b):
-    return int(distance(a, b, top=0)[-1, -1])
-
 # %% role="mistake" name="first column is 0" says="Your first column is full of zeros. It counts up, 0, 1, 2 and so on: each character of a must be deleted."
 def edit_distance(a, b):
     return int(distance(a, b, left=0)[-1, -1])
-
-# %% role="mistake" name="last character left out" says="The last characters are not compared: the loops end too early, or you return the wrong number of the table. range(1, len(a) + 1) also contains len(a)."
-def edit_distance(a, b):
-    return solution(a[:-1], b[:-1])
 
 # %% role="mistake" name="first character left out" says="The first characters are not compared. Row i belongs to the character a[i - 1], and column j to b[j - 1]."
 def edit_distance(a, b):
@@ -424,10 +314,6 @@ def edit_distance(a, b):
 def edit_distance(a, b):
     return max(len(a), len(b)) - solution(a, b)
 
-# %% role="mistake" name="the table" says="You return the whole table. Return its last number, as int: table[len(a), len(b)]."
-def edit_distance(a, b):
-    return distance(a, b)
-
 # %% role="mistake" name="one step too many" says="Your result is one too high. Two equal texts have the distance 0: the table begins with 0."
 def edit_distance(a, b):
     return solution(a, b) + 1
@@ -435,10 +321,6 @@ def edit_distance(a, b):
 # %% role="mistake" name="always 0" says="You return 0 for every input. Does the loop write into table[i, j], and do you return the last number of the table?"
 def edit_distance(a, b):
     return 0
-
-# %% role="mistake" name="last row and column not filled" says="The loops end too early, so the last number of the table is still 0: range(1, len(a)) ends before len(a). Use range(1, len(a) + 1), and the same for b."
-def edit_distance(a, b):
-    return 0 if a and b else len(a + b)
 
 # %% role="mistake" name="the largest of three" says="You took the largest of the three numbers. Take the smallest one: min."
 def edit_distance(a, b):
@@ -465,10 +347,6 @@ def decode(scores, characters):
     path = [i for i in scores.argmax(axis=1) if i]
     return text_of(path, characters)
 
-# %% role="mistake" name="runs kept" says="A letter that fills several columns is one letter. Take it only if it differs from the one before."
-def decode(scores, characters):
-    return "".join(characters[i] for i in scores.argmax(axis=1) if i)
-
 # %% role="mistake" name="blanks kept" says="The blanks are still in your text. Leave out position 0."
 def decode(scores, characters):
     path = scores.argmax(axis=1).tolist()
@@ -483,44 +361,19 @@ def decode(scores, characters):
     path = scores.argmax(axis=1).tolist()
     return "".join(characters[i] if i else " " for k, i in enumerate(path) if k == 0 or i != path[k - 1])
 
-# %% role="mistake" name="each letter once" says="Each letter occurs only once in your text. Leave out a letter only if it is equal to the one directly before."
-def decode(scores, characters):
-    return "".join(dict.fromkeys(solution(scores, characters)))
-
 # %% role="mistake" name="the last blank" says="You took the last character for the blank. The blank is the first one: position 0."
 def decode(scores, characters):
     path, last = scores.argmax(axis=1).tolist(), len(characters) - 1
     return "".join(characters[i] for k, i in enumerate(path) if i != last and (k == 0 or i != path[k - 1]))
 
-# %% role="mistake" name="axis 0" says="You took the best row of each character. Take the best character of each row: argmax(axis=1)."
-def decode(scores, characters):
-    return text_of(scores.argmax(axis=0).tolist(), characters)
-
-# %% role="mistake" name="no axis, a loop" says="argmax() without axis gives one position in all. Take one for each row: argmax(axis=1)."
-def decode(scores, characters):
-    return text_of(scores.argmax(), characters)
-
 # %% role="mistake" name="no axis, a length" says="argmax() without axis gives one position in all, and it has no length. Take one for each row: argmax(axis=1)."
 def decode(scores, characters):
     return text_of(range(len(scores.argmax())), characters)
-
-# %% role="mistake" name="the smallest score" says="You took the smallest score of each row. The best character has the largest one: argmax."
-def decode(scores, characters):
-    return text_of(scores.argmin(axis=1).tolist(), characters)
-
-# %% role="mistake" name="one character before" says="Your characters are moved by one. The position in the row is the position in characters: characters[i], without - 1."
-def decode(scores, characters):
-    shifted = characters[-1] + characters[:-1]
-    return text_of(scores.argmax(axis=1).tolist(), shifted)
 
 # %% role="mistake" name="one character after" says="Your characters are moved by one. The position in the row is the position in characters: characters[i], without + 1."
 def decode(scores, characters):
     shifted = characters[1:] + characters[0]
     return text_of(scores.argmax(axis=1).tolist(), shifted)
-
-# %% role="mistake" name="a list" says="You return a list of characters. Join them to one text: \"\".join(...)."
-def decode(scores, characters):
-    return list(solution(scores, characters))
 
 # %% role="mistake" name="positions" says="You return positions. Return their characters, as one text."
 def decode(scores, characters):
@@ -529,12 +382,6 @@ def decode(scores, characters):
 # %% role="mistake" name="backwards" says="Your text is backwards. Add each new character at the end: text + character."
 def decode(scores, characters):
     return solution(scores, characters)[::-1]
-
-# %% role="mistake" name="ends at the first blank" says="Your text ends at the first blank after a letter. A blank is left out, and then the text goes on: use continue in place of break."
-def decode(scores, characters):
-    path = scores.argmax(axis=1).tolist()
-    start = next(k for k, i in enumerate(path) if i)
-    return text_of(path[start:path.index(0, start)], characters)
 
 # %% role="mistake" name="first letter missing" says="The first letter is missing. The loop over k begins with a letter that has no row before: it is new."
 def decode(scores, characters):
@@ -563,18 +410,9 @@ def decode(scores, characters):
 def decode(scores, characters):
     return text_of(scores.argmax(axis=1).tolist()[:7], characters)
 
-# %% role="mistake" name="the minus as the blank" says='You compare with "-". The blank is the character at position 0, and can be written in another way: compare the position with 0.'
-def decode(scores, characters):
-    path = scores.argmax(axis=1).tolist()
-    return "".join(characters[i] for k, i in enumerate(path) if characters[i] != "-" and (k == 0 or i != path[k - 1]))
-
 # %% role="mistake" name="last letter missing" says="The last letter is missing. Go through all rows to the end."
 def decode(scores, characters):
     return solution(scores, characters)[:-1]
-
-# %% role="mistake" name="the last character only" says="You return one character only. Is return inside the loop, or do you write text = in place of text +=?"
-def decode(scores, characters):
-    return solution(scores, characters)[-1]
 
 # %% role="mistake" name="the first character only" says="You return one character only. Is return inside the loop? Return the text after the loop."
 def decode(scores, characters):

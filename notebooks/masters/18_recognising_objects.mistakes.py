@@ -12,29 +12,9 @@ def histogram_of(angles, magnitudes, width=20.0, count=9):
     bins = np.floor(angles / width).astype(int) % count
     return np.bincount(bins.ravel(), weights=magnitudes.ravel(), minlength=count) / angles.size
 
-# %% role="mistake" name="pixels counted" says="You count the pixels of each bin. Add the magnitude of each pixel, so that a strong edge counts more than a weak one."
-def cell_histogram(grad_row, grad_col):
-    return histogram_of(orientations(grad_row, grad_col), np.ones_like(grad_row))
-
-# %% role="mistake" name="row and column exchanged" says="The gradients are exchanged: arctan2 takes the gradient along the row axis first, np.arctan2(grad_row, grad_col)."
-def cell_histogram(grad_row, grad_col):
-    return solution(grad_col, grad_row)
-
-# %% role="mistake" name="not divided" says="Divide the sums by the number of pixels of the cell: grad_row.size."
-def cell_histogram(grad_row, grad_col):
-    return solution(grad_row, grad_col) * grad_row.size
-
 # %% role="mistake" name="L1 norm" says="You added the L1 norm, |grad_row| + |grad_col|. The magnitude is the L2 norm here: np.hypot(grad_row, grad_col)."
 def cell_histogram(grad_row, grad_col):
     return histogram_of(orientations(grad_row, grad_col), abs(grad_row) + abs(grad_col))
-
-# %% role="mistake" name="squared magnitude" says="You added the square of the magnitude. Take the square root of the sum of squares: np.hypot."
-def cell_histogram(grad_row, grad_col):
-    return histogram_of(orientations(grad_row, grad_col), grad_row**2 + grad_col**2)
-
-# %% role="mistake" name="radians" says="Your angles are in radians, so all are in the first or the last bin. Make degrees of them, np.degrees(...), and then use % 180."
-def cell_histogram(grad_row, grad_col):
-    return histogram_of(np.arctan2(grad_row, grad_col) % 180, np.hypot(grad_row, grad_col))
 
 # %% role="mistake" name="absolute angle" says="You took the absolute value of the angle, so -30 became 30. Its orientation is 150: use % 180."
 def cell_histogram(grad_row, grad_col):
@@ -49,11 +29,6 @@ def cell_histogram(grad_row, grad_col):
         histogram[i] += magnitude
     return histogram / grad_row.size
 
-# %% role="mistake" name="all the way round" says="Your bins go from 0 to 360 degrees, with 40 degrees each. An orientation is from 0 to 180: use % 180, and bins of 20 degrees."
-def cell_histogram(grad_row, grad_col):
-    angles = np.degrees(np.arctan2(grad_row, grad_col)) % 360
-    return histogram_of(angles, np.hypot(grad_row, grad_col), width=40.0)
-
 # %% role="mistake" name="180 degrees" says="An angle of exactly 180 degrees gets bin 9, which does not exist. Its orientation is 0: use % 180 for all angles."
 def cell_histogram(grad_row, grad_col):
     bins = (np.degrees(np.arctan2(grad_row, grad_col)) // 20).astype(int)
@@ -66,11 +41,6 @@ def cell_histogram(grad_row, grad_col):
 def cell_histogram(grad_row, grad_col):
     angles = np.degrees(np.arctan2(grad_row, grad_col))
     return histogram_of(np.abs(angles), np.where((angles >= 0) & (angles < 180), np.hypot(grad_row, grad_col), 0.0))
-
-# %% role="mistake" name="nearest bin" says="You rounded to the nearest bin. Bin 0 is from 0 up to 20 degrees: use // 20, which rounds down."
-def cell_histogram(grad_row, grad_col):
-    angles = orientations(grad_row, grad_col)
-    return histogram_of(np.round(angles / 20) * 20.0, np.hypot(grad_row, grad_col))
 
 # %% role="mistake" name="eight bins" says="You have eight bins. Nine bins of 20 degrees make 180."
 def cell_histogram(grad_row, grad_col):
@@ -88,11 +58,6 @@ def cell_histogram(grad_row, grad_col):
 def cell_histogram(grad_row, grad_col):
     counts = np.round(histogram_of(orientations(grad_row, grad_col), np.ones_like(grad_row)) * grad_row.size)
     return solution(grad_row, grad_col) * grad_row.size / np.maximum(counts, 1)
-
-# %% role="mistake" name="sum is 1" says="You divided by the sum of the histogram. Divide by the number of pixels: the light is removed later, for a whole block."
-def cell_histogram(grad_row, grad_col):
-    histogram = solution(grad_row, grad_col)
-    return histogram / histogram.sum()
 
 # %% role="mistake" name="length 1" says="You divided by the L2 norm of the histogram. Divide by the number of pixels: the light is removed later, for a whole block."
 def cell_histogram(grad_row, grad_col):
@@ -165,38 +130,10 @@ def cell_histogram(grad_row, grad_col):
 def nearest(numbers, means, new, power=2):
     return numbers[(abs(new[:, None] - means) ** power).sum(axis=2).argmin(axis=1)]
 
-# %% role="mistake" name="nearest neighbour" says="You take the class of the nearest single vector. Take the mean of each class first, and then the nearest mean."
-def nearest_mean(vectors, classes, new):
-    return nearest(classes, vectors, new)
-
-# %% role="mistake" name="the farthest" says="You take the mean that is farthest away. Take the smallest distance: argmin."
-def nearest_mean(vectors, classes, new):
-    numbers, means = means_of(vectors, classes)
-    return numbers[((new[:, None] - means) ** 2).sum(axis=2).argmax(axis=1)]
-
-# %% role="mistake" name="positions" says="You return positions among the classes. Return the classes at these positions: numbers[positions]."
-def nearest_mean(vectors, classes, new):
-    numbers, means = means_of(vectors, classes)
-    return nearest(np.arange(len(numbers)), means, new)
-
-# %% role="mistake" name="classes at these positions" says="The positions belong to np.unique(classes), and not to classes: numbers[positions]."
-def nearest_mean(vectors, classes, new):
-    _, means = means_of(vectors, classes)
-    return classes[nearest(np.arange(len(means)), means, new)]
-
 # %% role="mistake" name="classes that do not occur" says="A class that does not occur has the mean nan, and argmin takes it. Compute means only for the numbers in np.unique(classes)."
 def nearest_mean(vectors, classes, new):
     missing = next(number for number in range(classes.max()) if number not in classes)
     return np.full(len(new), missing)
-
-# %% role="mistake" name="best distance kept" says="The best distance is kept from one new vector to the next. Begin with a large number again for each new vector."
-def nearest_mean(vectors, classes, new):
-    numbers, means = means_of(vectors, classes)
-    best, result = np.inf, np.zeros(len(new), int)
-    for i, distances in enumerate(((new[:, None] - means) ** 2).sum(axis=2)):
-        if distances.min() < best:
-            best, result[i] = distances.min(), numbers[distances.argmin()]
-    return result
 
 # %% role="mistake" name="best distance and class kept" says="The best distance and its class are kept from one new vector to the next. Begin with a large distance again for each new vector."
 def nearest_mean(vectors, classes, new):
@@ -207,14 +144,6 @@ def nearest_mean(vectors, classes, new):
             best, number = distances.min(), numbers[distances.argmin()]
         result.append(number)
     return np.array(result)
-
-# %% role="mistake" name="sums" says="You compare with the sum of the vectors of each class. Divide it by their number: .mean(axis=0)."
-def nearest_mean(vectors, classes, new):
-    return nearest(*means_of(vectors, classes, np.sum), new)
-
-# %% role="mistake" name="medians" says="You compare with the median of each class. Take the mean: .mean(axis=0)."
-def nearest_mean(vectors, classes, new):
-    return nearest(*means_of(vectors, classes, np.median), new)
 
 # %% role="mistake" name="absolute differences" says="You added the absolute differences. The Euclidean distance adds their squares."
 def nearest_mean(vectors, classes, new):
@@ -235,21 +164,11 @@ def nearest_mean(vectors, classes, new):
     numbers, means = means_of(vectors, classes)
     return nearest(numbers, means[:, :1], new[:, :1])
 
-# %% role="mistake" name="products" says="You take the largest sum of products. Here it is the smallest distance between the vector and the mean."
-def nearest_mean(vectors, classes, new):
-    numbers, means = means_of(vectors, classes)
-    return numbers[(new[:, None] * means).sum(axis=2).argmax(axis=1)]
-
 # %% role="mistake" name="one number for each class" says="The mean of a class is one number, or you compare one number alone. Has each mean as many numbers as a vector, .mean(axis=0)? And do you square the differences before you add them?"
 def nearest_mean(vectors, classes, new):
     numbers = np.unique(classes)
     means = np.array([vectors[classes == number].mean() for number in numbers])
     return nearest(numbers, means[:, None], new.mean(axis=1)[:, None])
-
-# %% role="mistake" name="first vector of a class" says="You compare with the first vector of each class. Take the mean of all its vectors."
-def nearest_mean(vectors, classes, new):
-    numbers = np.unique(classes)
-    return nearest(numbers, np.array([vectors[classes == number][0] for number in numbers]), new)
 
 # %% role="mistake" name="last vector of a class" says="You compare with the last vector of each class. Take the mean of all its vectors."
 def nearest_mean(vectors, classes, new):
@@ -275,11 +194,6 @@ def nearest_mean(vectors, classes, new):
     numbers, means = means_of(vectors, classes)
     return nearest(numbers[1:], means[1:], new)
 
-# %% role="mistake" name="distances" says="You return the smallest distances. Return the class of each new vector."
-def nearest_mean(vectors, classes, new):
-    _, means = means_of(vectors, classes)
-    return np.sqrt(((new[:, None] - means) ** 2).sum(axis=2).min(axis=1))
-
 # %% role="mistake" name="all distances" says="You return all distances. Take the position of the smallest one in each row, and the class at this position."
 def nearest_mean(vectors, classes, new):
     _, means = means_of(vectors, classes)
@@ -288,10 +202,6 @@ def nearest_mean(vectors, classes, new):
 # %% role="mistake" name="means" says="You return the means. Return the class of each new vector."
 def nearest_mean(vectors, classes, new):
     return means_of(vectors, classes)[1]
-
-# %% role="mistake" name="one class for all" says="You return the class that is most frequent, for each new vector. Compare each new vector with the means."
-def nearest_mean(vectors, classes, new):
-    return np.full(len(new), np.bincount(classes).argmax())
 
 # %% role="mistake" name="argmin over the new vectors" says="argmin went over the new vectors. Take the smallest distance of each new vector: with distances of shape (M, classes) this is argmin(axis=1)."
 def nearest_mean(vectors, classes, new):
@@ -308,15 +218,6 @@ def counted(truth, predicted, count):
 # %% role="mistake" name="each pair once" says="Each pair counts only once. In a loop write += 1, not = 1. Without a loop, matrix[truth, predicted] += 1 adds only 1 at each place: use a loop."
 def confusion(truth, predicted, count):
     return np.minimum(counted(truth, predicted, count), 1)
-
-# %% role="mistake" name="only the right ones" says="Only the right ones are counted. The errors belong into the matrix too, beside the diagonal."
-def confusion(truth, predicted, count):
-    return np.diag(np.diag(counted(truth, predicted, count)))
-
-# %% role="mistake" name="only the errors" says="Only the errors are counted. The right ones belong into the matrix too, on the diagonal."
-def confusion(truth, predicted, count):
-    matrix = counted(truth, predicted, count)
-    return matrix - np.diag(np.diag(matrix))
 
 # %% role="mistake" name="shares of a row" says="You divided each row by its sum. Return the counts, as whole numbers."
 def confusion(truth, predicted, count):
@@ -356,16 +257,6 @@ def confusion(truth, predicted, count):
 def confusion(truth, predicted, count):
     return np.diag(counted(truth, predicted, count)).copy()
 
-# %% role="mistake" name="symmetric" says="You add each pair at both places. Add 1 only in the row of the true class and the column of the predicted one."
-def confusion(truth, predicted, count):
-    matrix = counted(truth, predicted, count)
-    return matrix + matrix.T
-
-# %% role="mistake" name="errors at both places" says="You add each error at both places. Add 1 only in the row of the true class and the column of the predicted one."
-def confusion(truth, predicted, count):
-    matrix = counted(truth, predicted, count)
-    return matrix + matrix.T - np.diag(np.diag(matrix))
-
 # %% role="mistake" name="loop in a loop" says="You go through all predictions for each true class. Go through both together: zip(truth, predicted)."
 def confusion(truth, predicted, count):
     return np.outer(np.bincount(truth, minlength=count), np.bincount(predicted, minlength=count))
@@ -374,54 +265,21 @@ def confusion(truth, predicted, count):
 def confusion(truth, predicted, count):
     return counted(truth[:count], predicted[:count], count)
 
-# %% role="mistake" name="one list for all rows" says="All rows of your matrix are one and the same list. Make a new one for each row, or np.zeros((count, count), int)."
-def confusion(truth, predicted, count):
-    return np.tile(np.bincount(predicted, minlength=count), (count, 1))
-
 # %% role="mistake" name="percent" says="You computed percent. Return the counts, as whole numbers."
 def confusion(truth, predicted, count):
     return counted(truth, predicted, count) * 100 / len(truth)
-
-# %% role="mistake" name="the truth alone" says="You count only how often each true class occurs. The column is the predicted class: matrix[row, col] += 1."
-def confusion(truth, predicted, count):
-    return counted(truth, truth, count)
 
 # %% role="mistake" name="the predictions alone" says="You count only how often each class was predicted. The row is the true class: matrix[row, col] += 1."
 def confusion(truth, predicted, count):
     return counted(predicted, predicted, count)
 
-# %% role="mistake" name="only classes that occur" says="Your matrix is too small: classes that do not occur have no row. Its size is count."
-def confusion(truth, predicted, count):
-    size = max(truth.max(), predicted.max()) + 1
-    return counted(truth, predicted, count)[:size, :size]
-
-# %% role="mistake" name="one too large" says="Your matrix is too large: classes begin with 0, so count rows and columns are enough."
-def confusion(truth, predicted, count):
-    return np.pad(counted(truth, predicted, count), (0, 1))
-
 # %% role="mistake" name="moved by one" says="Your counts are one row and one column too far: class 0 has row 0 and column 0. Leave out + 1."
 def confusion(truth, predicted, count):
     return np.roll(counted(truth, predicted, count), (1, 1), (0, 1))
 
-# %% role="mistake" name="moved back by one" says="Your counts are one row and one column too early: class 0 has row 0 and column 0. Leave out - 1."
-def confusion(truth, predicted, count):
-    return np.roll(counted(truth, predicted, count), (-1, -1), (0, 1))
-
 # %% role="mistake" name="first pair missing" says="The first pair is missing. Go through all pairs, from position 0."
 def confusion(truth, predicted, count):
     return counted(truth[1:], predicted[1:], count)
-
-# %% role="mistake" name="last pair missing" says="The last pair is missing. Go through all pairs to the end: range(len(truth))."
-def confusion(truth, predicted, count):
-    return counted(truth[:-1], predicted[:-1], count)
-
-# %% role="mistake" name="first pair only" says="Only the first pair is counted. Is return inside the loop? Return the matrix after it."
-def confusion(truth, predicted, count):
-    return counted(truth[:1], predicted[:1], count)
-
-# %% role="mistake" name="starts with ones" says="Each number is one too high. Begin with zeros: np.zeros((count, count), int)."
-def confusion(truth, predicted, count):
-    return counted(truth, predicted, count) + 1
 
 # %% role="mistake" name="zeros" says="Your matrix is full of zeros. Does the loop add 1 for each pair? (matrix[truth][predicted] with arrays changes only a copy.)"
 def confusion(truth, predicted, count):
@@ -444,10 +302,6 @@ def distance(H, points, pixels):
 def most(masks):
     return masks[np.argmax(masks.sum(axis=1))]
 
-# %% role="mistake" name="not divided" says="You did not divide by the third number: moved[:, :2] / moved[:, 2:]."
-def find_inliers(points, pixels, samples, limit):
-    return most(masks_of(points, pixels, samples, lambda H, a, b: np.linalg.norm(moved_by(H, a, False) - b, axis=1) < limit))
-
 # %% role="mistake" name="the fewest" says="You kept the sample with the fewest inliers. Keep the one with the most."
 def find_inliers(points, pixels, samples, limit):
     masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
@@ -465,14 +319,6 @@ def find_inliers(points, pixels, samples, limit):
 def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) ** 2 < limit))
 
-# %% role="mistake" name="sum of the differences" says="You added the absolute differences of both columns. The distance is the root of the sum of their squares: np.linalg.norm(..., axis=1)."
-def find_inliers(points, pixels, samples, limit):
-    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b).sum(axis=1) < limit))
-
-# %% role="mistake" name="each difference alone" says="You compare the two differences each with the limit. Compare the distance: np.linalg.norm(..., axis=1)."
-def find_inliers(points, pixels, samples, limit):
-    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b).max(axis=1) < limit))
-
 # %% role="mistake" name="first coordinate only" says="You compare only the first coordinate. The distance contains both: np.linalg.norm(..., axis=1)."
 def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b)[:, 0] < limit))
@@ -488,14 +334,6 @@ def find_inliers(points, pixels, samples, limit):
 # %% role="mistake" name="pixels moved" says="You moved the pixels. Move the points, and compare them with the pixels."
 def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, b, a) < limit))
-
-# %% role="mistake" name="the inverse" says="Your homography goes from the pixels to the points. Exchange its arguments: homography(points[sample], pixels[sample])."
-def find_inliers(points, pixels, samples, limit):
-    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(np.linalg.inv(H), a, b) < limit))
-
-# %% role="mistake" name="transposed" says="Your moved points all lie near (0, 0): the matrix is transposed, or the division is by a wrong number. Compute with_one @ H.T, and divide by the third number, moved[:, 2:]."
-def find_inliers(points, pixels, samples, limit):
-    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H.T, a, b) < limit))
 
 # %% role="mistake" name="one homography of all" says="Your mask is False everywhere, or nearly. Print the distances: is there one for each match (axis=1)? Is the homography computed from the four matches of the sample, and not from all? And do you keep the mask with the most inliers (near.sum(), not len)?"
 def find_inliers(points, pixels, samples, limit):
@@ -513,15 +351,6 @@ def find_inliers(points, pixels, samples, limit):
 # %% role="mistake" name="how many" says="You return how many inliers there are. Return the mask: True or False for each match."
 def find_inliers(points, pixels, samples, limit):
     return int(solution(points, pixels, samples, limit).sum())
-
-# %% role="mistake" name="positions" says="You return the positions of the inliers. Return the mask: True or False for each match."
-def find_inliers(points, pixels, samples, limit):
-    return np.flatnonzero(solution(points, pixels, samples, limit))
-
-# %% role="mistake" name="the matrix" says="You return the homography. Return the mask of its inliers."
-def find_inliers(points, pixels, samples, limit):
-    best = np.argmax(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit).sum(axis=1))
-    return homography(points[samples[best]], pixels[samples[best]])
 
 # %% role="mistake" name="computed again" says="You computed the homography again, from all inliers of the best sample. On a robot this is good, but here return the inliers of the sample's own homography."
 def find_inliers(points, pixels, samples, limit):

@@ -20,17 +20,9 @@ def integral_image(gray):
 def integral_image(gray):
     return running(gray)[:-1, :-1].copy()
 
-# %% role="mistake" name="zeros behind" says="The zeros stand below and on the right. They belong above and on the left: ((1, 0), (1, 0))."
-def integral_image(gray):
-    return running(gray, pad=((0, 1), (0, 1)))
-
 # %% role="mistake" name="zeros all round" says="There are zeros on all four sides. One row above and one column on the left are enough: ((1, 0), (1, 0))."
 def integral_image(gray):
     return running(gray, pad=1)
-
-# %% role="mistake" name="zeros above only" says="The column of zeros on the left is missing: pad both axes, ((1, 0), (1, 0))."
-def integral_image(gray):
-    return running(gray, pad=((1, 0), (0, 0)))
 
 # %% role="mistake" name="zeros on the left only" says="The row of zeros above is missing: pad both axes, ((1, 0), (1, 0))."
 def integral_image(gray):
@@ -39,14 +31,6 @@ def integral_image(gray):
 # %% role="mistake" name="zeros before the image as one number" says="Your zeros stand on all sides or only before one axis. np.pad needs two pairs: ((1, 0), (1, 0))."
 def integral_image(gray):
     return np.pad(running(gray, pad=0), ((2, 0), (2, 0)))
-
-# %% role="mistake" name="down the columns only" says="You added down the columns only. Then add along the rows too: .cumsum(axis=1)."
-def integral_image(gray):
-    return running(gray, axes=(0,))
-
-# %% role="mistake" name="along the rows only" says="You added along the rows only. Add down the columns too: .cumsum(axis=0)."
-def integral_image(gray):
-    return running(gray, axes=(1,))
 
 # %% role="mistake" name="down the columns only, no zeros" says="You added down the columns only. Then add along the rows too, and put zeros above and on the left."
 def integral_image(gray):
@@ -60,41 +44,15 @@ def integral_image(gray):
 def integral_image(gray):
     return running(gray, axes=(0, 0))
 
-# %% role="mistake" name="twice along the rows" says="You added along the rows twice. One of the two running sums goes down the columns: axis=0."
-def integral_image(gray):
-    return running(gray, axes=(1, 1))
-
-# %% role="mistake" name="both sums added" says="You added the sums down the columns and the sums along the rows. Use the second cumsum on the result of the first one."
-def integral_image(gray):
-    return running(gray, axes=(0,)) + running(gray, axes=(1,))
-
-# %% role="mistake" name="without an axis" says="cumsum without an axis makes one long row of the image. Say axis=0, and then axis=1."
-def integral_image(gray):
-    return gray.cumsum().astype(np.int64)
-
-# %% role="mistake" name="without an axis, in the shape of the image" says="cumsum without an axis goes on from the end of a row into the next row. Use cumsum(axis=0), and then cumsum(axis=1)."
-def integral_image(gray):
-    return np.pad(gray.astype(np.int64).cumsum().reshape(gray.shape), ((1, 0), (1, 0)))
-
 # %% role="mistake" name="wraps round at 256" says="Your sums wrap round at 256, because they are uint8. Make int64 of the image first: gray.astype(np.int64)."
 def integral_image(gray):
     return running(gray, dtype=np.uint8).astype(np.int64)
-
-# %% role="mistake" name="zeros of uint8" says="Your sums wrap round at 256: the array that you fill is uint8, like gray. Begin with np.zeros((H + 1, W + 1), np.int64)."
-def integral_image(gray):
-    return running(gray, dtype=np.uint8)
 
 # %% role="mistake" name="counted twice" says="The part above and on the left is counted twice: subtract sums[r, c] once."
 def integral_image(gray):
     sums = np.zeros((gray.shape[0] + 1, gray.shape[1] + 1), np.int64)
     for r, c in np.ndindex(gray.shape):
         sums[r + 1, c + 1] = int(gray[r, c]) + sums[r, c + 1] + sums[r + 1, c]
-    return sums
-
-# %% role="mistake" name="without the pixel itself" says="Each sum stops one row or one column too early. In row r, column c all rows before r and all columns before c count: gray[:r, :c]."
-def integral_image(gray):
-    sums = running(gray)
-    sums[1:, 1:] = sums[:-1, :-1].copy()
     return sums
 
 # %% role="mistake" name="rows and columns added" says="You add all rows above and all columns on the left. Only pixels that are above and on the left at once belong to the sum: gray[:r, :c]."
@@ -116,29 +74,9 @@ def feature(sums, boxes, row, col, total=box_sum):
         for left, top, width, height, weight in boxes
     )
 
-# %% role="mistake" name="row and column exchanged" says="Row and column of the window are exchanged: row belongs to top, col to left."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, boxes, col, row)
-
-# %% role="mistake" name="left and top exchanged" says="left and top of a box are exchanged: row + top, and col + left."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, [(top, left, width, height, weight) for left, top, width, height, weight in boxes], row, col)
-
-# %% role="mistake" name="width and height exchanged" says="Width and height of a box are exchanged: height counts rows, width counts columns."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, [(left, top, height, width, weight) for left, top, width, height, weight in boxes], row, col)
-
 # %% role="mistake" name="both exchanged" says="Rows and columns of the boxes are exchanged: top and height belong to rows, left and width to columns."
 def haar_feature(sums, boxes, row, col):
     return feature(sums, [(top, left, height, width, weight) for left, top, width, height, weight in boxes], row, col)
-
-# %% role="mistake" name="columns first" says="You index sums with the column first. It is sums[row, column]."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums.T, boxes, row, col)
-
-# %% role="mistake" name="window forgotten" says="Your boxes lie at the upper left corner of the image. Add row and col of the window to their corners."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, boxes, 0, 0)
 
 # %% role="mistake" name="column of the window forgotten" says="You did not add col to the columns of the boxes."
 def haar_feature(sums, boxes, row, col):
@@ -148,33 +86,9 @@ def haar_feature(sums, boxes, row, col):
 def haar_feature(sums, boxes, row, col):
     return feature(sums, boxes, 0, col)
 
-# %% role="mistake" name="no weights" says="The weights are missing: multiply the sum of each box by its weight."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, [(*box[:4], 1) for box in boxes], row, col)
-
-# %% role="mistake" name="white minus black" says="You subtract the sums as in a drawing of white and black boxes. Use the weight of each box, here for example -1 and 3."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, [(*box[:4], 1 if box[4] > 0 else -1) for box in boxes], row, col)
-
 # %% role="mistake" name="absolute weights" says="You use the weights without their signs. A box with the weight -1 is subtracted."
 def haar_feature(sums, boxes, row, col):
     return feature(sums, [(*box[:4], abs(box[4])) for box in boxes], row, col)
-
-# %% role="mistake" name="corner not added" says="The fourth corner is missing: what is above and left of the box is subtracted twice, so add it once."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, boxes, row, col, lambda *box: box_sum(*box, signs=(1, -1, -1, 0)))
-
-# %% role="mistake" name="corner subtracted" says="Add the corner above and left of the box: it was subtracted twice before."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, boxes, row, col, lambda *box: box_sum(*box, signs=(1, -1, -1, -1)))
-
-# %% role="mistake" name="last corner minus first corner" says="Two corners are not enough. Subtract the part above the box and the part left of it, and add the corner."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, boxes, row, col, lambda *box: box_sum(*box, signs=(1, 0, 0, -1)))
-
-# %% role="mistake" name="last row and column left out" says="Your boxes are one row and one column too small. The integral image begins with zeros, so the corner is at first_row + height, without - 1."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, [(left, top, w - 1, h - 1, weight) for left, top, w, h, weight in boxes], row, col)
 
 # %% role="mistake" name="one row and column too many" says="Your boxes are one row and one column too large. The integral image begins with zeros, so the corner is at first_row + height, without + 1."
 def haar_feature(sums, boxes, row, col):
@@ -192,13 +106,6 @@ def haar_feature(sums, boxes, row, col):
 def haar_feature(sums, boxes, row, col):
     return feature(sums, boxes, row - 1, col - 1)
 
-# %% role="mistake" name="window in the first corner only" says="You added row and col to the first corner only. The last row is first_row + height, the last column first_col + width."
-def haar_feature(sums, boxes, row, col):
-    return sum(
-        weight * box_sum(sums, row + top, col + left, top + height, left + width)
-        for left, top, width, height, weight in boxes
-    )
-
 # %% role="mistake" name="width is the last column" says="You took width and height for the last column and row. Add them to the first ones."
 def haar_feature(sums, boxes, row, col):
     return feature(sums, [(left, top, w - left, h - top, weight) for left, top, w, h, weight in boxes], row, col)
@@ -207,21 +114,9 @@ def haar_feature(sums, boxes, row, col):
 def haar_feature(sums, boxes, row, col):
     return feature(sums, boxes, row, col, lambda *box: box_sum(*box, signs=(1, 0, 0, 0)))
 
-# %% role="mistake" name="slices of the integral image" says="You add up a part of the integral image. It already has the sums: take only the four numbers at the corners."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, boxes, row, col, lambda sums, top, left, bottom, right: int(sums[top:bottom, left:right].sum()))
-
-# %% role="mistake" name="first box only" says="Only the first box counts. Go through all boxes with a loop, and return after it."
-def haar_feature(sums, boxes, row, col):
-    return feature(sums, boxes[:1], row, col)
-
 # %% role="mistake" name="last box only" says="Only the last box counts: your loop overwrites the value. Add with +=."
 def haar_feature(sums, boxes, row, col):
     return feature(sums, boxes[-1:], row, col)
-
-# %% role="mistake" name="means" says="You take the mean of each box. A Haar feature uses the sum of its pixels."
-def haar_feature(sums, boxes, row, col):
-    return float(sum(feature(sums, [box], row, col) / (box[2] * box[3]) for box in boxes))
 
 # %% role="mistake" name="weight of the last box" says="All boxes get the weight of the last one. Multiply inside the loop."
 def haar_feature(sums, boxes, row, col):
@@ -234,10 +129,6 @@ def haar_feature(sums, boxes, row, col):
         + (weight - 1) * int(sums[row + top, col + left])
         for left, top, width, height, weight in boxes
     )
-
-# %% role="mistake" name="list of values" says="You return one value for each box. Add them up."
-def haar_feature(sums, boxes, row, col):
-    return [feature(sums, [box], row, col) for box in boxes]
 
 # %% [markdown]
 # # faces-residue
@@ -258,14 +149,6 @@ def residue(vector, mean, directions):
 def residue(vector, mean, directions):
     return length_of(vector - (directions @ (vector - mean)) @ directions)
 
-# %% role="mistake" name="without the mean" says="The mean is missing. Subtract it before you compute the weights, and add it when you rebuild the vector."
-def residue(vector, mean, directions):
-    return length_of(left_over(vector, np.zeros_like(mean), directions))
-
-# %% role="mistake" name="mean of the vector" says="You subtracted the mean of the vector's own numbers. Subtract the mean that is given, number by number."
-def residue(vector, mean, directions):
-    return length_of(left_over(vector, np.full_like(mean, vector.mean()), directions))
-
 # %% role="mistake" name="no root" says="You return the square of the length. Take the square root."
 def residue(vector, mean, directions):
     return length_of(left_over(vector, mean, directions)) ** 2
@@ -274,25 +157,9 @@ def residue(vector, mean, directions):
 def residue(vector, mean, directions):
     return length_of(left_over(vector, mean, directions)) ** 2 / len(vector)
 
-# %% role="mistake" name="root of the mean" says="You took the root of the mean of the squares. The residue is the root of their sum: .sum() instead of .mean()."
-def residue(vector, mean, directions):
-    return length_of(left_over(vector, mean, directions)) / float(np.sqrt(len(vector)))
-
-# %% role="mistake" name="L1 norm" says="You added the absolute values (L1 norm). The residue is the L2 norm: the root of the sum of the squares."
-def residue(vector, mean, directions):
-    return float(abs(left_over(vector, mean, directions)).sum())
-
 # %% role="mistake" name="largest difference" says="You return the largest difference. The residue is the root of the sum of all squares."
 def residue(vector, mean, directions):
     return float(abs(left_over(vector, mean, directions)).max())
-
-# %% role="mistake" name="length of the weights" says="You return the length of the weights. The residue is the length of what is left over: vector - rebuilt."
-def residue(vector, mean, directions):
-    return length_of(directions @ (vector - mean))
-
-# %% role="mistake" name="length of the difference" says="You return the distance between the vector and the mean. Compare the vector with the rebuilt one."
-def residue(vector, mean, directions):
-    return length_of(vector - mean)
 
 # %% role="mistake" name="distance from the mean to the rebuilt vector without the mean" says="You compare the wrong two vectors: it is vector - rebuilt, and rebuilt has the mean in it."
 def residue(vector, mean, directions):
@@ -305,14 +172,6 @@ def residue(vector, mean, directions):
 # %% role="mistake" name="mean subtracted again" says="Add the mean when you rebuild the vector; you subtracted it."
 def residue(vector, mean, directions):
     return length_of(vector - ((directions @ (vector - mean)) @ directions - mean))
-
-# %% role="mistake" name="mean minus vector" says="The weights have the opposite sign: it is vector - mean, not mean - vector."
-def residue(vector, mean, directions):
-    return length_of(vector - mean + (directions @ (vector - mean)) @ directions)
-
-# %% role="mistake" name="first direction only" says="You used only the first direction. Add up all directions, each times its weight: weights @ directions."
-def residue(vector, mean, directions):
-    return length_of(left_over(vector, mean, directions[:1]))
 
 # %% role="mistake" name="last direction only" says="Only the last direction is used: your loop overwrites what it rebuilt before. Add with +=."
 def residue(vector, mean, directions):
@@ -329,15 +188,6 @@ def residue(vector, mean, directions):
 # %% role="mistake" name="size of the sum" says="You squared the sum. Square each difference first, then add, then take the root."
 def residue(vector, mean, directions):
     return abs(float(left_over(vector, mean, directions).sum()))
-
-# %% role="mistake" name="rounded" says="You rounded the length. Return it as it is."
-def residue(vector, mean, directions):
-    return round(length_of(left_over(vector, mean, directions)), 2)
-
-# %% role="mistake" name="value by value" says="You multiplied value by value with *. The weights need the product @, which multiplies and adds up: directions @ (vector - mean)."
-def residue(vector, mean, directions):
-    difference = vector - mean
-    return length_of(difference - directions * difference * directions)
 
 # %% role="mistake" name="the vector that is left over" says="You return the vector that is left over. Return its length, one number."
 def residue(vector, mean, directions):
@@ -374,25 +224,13 @@ def codes_of(gray, neighbours=CLOCKWISE, answer=np.greater_equal, weights=(1, 2,
         codes += weight * answer(gray[1 + down : rows - 1 + down, 1 + right : cols - 1 + right], pixels).astype(int)
     return codes.astype(np.uint8)
 
-# %% role="mistake" name="brighter only" says="A neighbour that is equal to the pixel counts too: >= instead of >."
-def lbp_codes(gray):
-    return codes_of(gray, answer=np.greater)
-
 # %% role="mistake" name="darker neighbours" says="You ask whether the neighbour is darker. Ask whether it is at least as bright: neighbour >= pixel."
 def lbp_codes(gray):
     return codes_of(gray, answer=np.less)
 
-# %% role="mistake" name="pixel against neighbour" says="You compare the other way round: it is neighbour >= pixel, not pixel >= neighbour."
-def lbp_codes(gray):
-    return codes_of(gray, answer=np.less_equal)
-
 # %% role="mistake" name="row by row" says="You number the neighbours row by row. They go clockwise: 1, 2, 4 above, then 8 on the right, 16, 32, 64 below from right to left, and 128 on the left."
 def lbp_codes(gray):
     return codes_of(gray, [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)])
-
-# %% role="mistake" name="counter-clockwise" says="Your neighbours go round counter-clockwise, or rows and columns are exchanged. From the upper left they go right: 1, 2 and 4 are in the row above, gray[:-2]."
-def lbp_codes(gray):
-    return codes_of(gray, CLOCKWISE[:1] + CLOCKWISE[:0:-1])
 
 # %% role="mistake" name="from the right" says="You begin on the right. The number 1 belongs to the upper left neighbour."
 def lbp_codes(gray):
@@ -405,10 +243,6 @@ def lbp_codes(gray):
 # %% role="mistake" name="from above" says="You begin above the pixel. The number 1 belongs to the upper left neighbour."
 def lbp_codes(gray):
     return codes_of(gray, CLOCKWISE[1:] + CLOCKWISE[:1])
-
-# %% role="mistake" name="128 first" says="Your numbers go from 128 down to 1. The upper left neighbour adds 1, the next one 2, and so on."
-def lbp_codes(gray):
-    return codes_of(gray, weights=(128, 64, 32, 16, 8, 4, 2, 1))
 
 # %% role="mistake" name="upside down" says="Above and below are exchanged: 1, 2 and 4 are the neighbours in the row above, gray[:-2]."
 def lbp_codes(gray):
@@ -426,17 +260,9 @@ def lbp_codes(gray):
 def lbp_codes(gray):
     return codes_of(gray, weights=(1, 2, 4, 8, 64, 32, 16, 128))
 
-# %% role="mistake" name="opposite neighbours" says="Each number belongs to the neighbour on the opposite side. 1 is the upper left neighbour, gray[:-2, :-2]. (np.roll moves the image, so it needs the opposite signs.)"
-def lbp_codes(gray):
-    return codes_of(gray, [(-down, -right) for down, right in CLOCKWISE])
-
 # %% role="mistake" name="subtracted in uint8" says="All your codes are 255: a difference of uint8 is never negative. Compare without subtracting: neighbour >= pixel."
 def lbp_codes(gray):
     return np.full((gray.shape[0] - 2, gray.shape[1] - 2), 255, np.uint8)
-
-# %% role="mistake" name="counted" says="You count the neighbours. Each of them adds its own number: 1, 2, 4, 8, 16, 32, 64, 128."
-def lbp_codes(gray):
-    return codes_of(gray, weights=(1,) * 8)
 
 # %% role="mistake" name="eight, not two to the power" says="Your numbers are 1, 2, 3 and so on up to 8. They are powers of two: 1, 2, 4, 8, 16, 32, 64, 128."
 def lbp_codes(gray):
@@ -485,10 +311,6 @@ def lbp_codes(gray):
     mean = sum(slices) / 9
     return codes_of(gray, answer=lambda neighbour, _: neighbour >= mean)
 
-# %% role="mistake" name="one code" says="You return only the first code. Return one code for each pixel that has eight neighbours."
-def lbp_codes(gray):
-    return int(codes_of(gray)[0, 0])
-
 # %% role="mistake" name="zeros" says="All your codes are 0. Do you add something where the neighbour is at least as bright?"
 def lbp_codes(gray):
     return np.zeros((gray.shape[0] - 2, gray.shape[1] - 2), np.uint8)
@@ -534,10 +356,6 @@ def hide_boxes(frame, boxes, size):
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, [b for b in boxes if b[0] >= 0 and b[1] >= 0], size)
 
-# %% role="mistake" name="moved into the image" says="You moved a box that begins outside into the image, with its whole width and height. Cut it off instead: it ends at left + width, also if left is negative."
-def hide_boxes(frame, boxes, size):
-    return mosaic(frame, [(max(left, 0), max(top, 0), width, height) for left, top, width, height in boxes], size)
-
 # %% role="mistake" name="blocks begin outside" says="Your blocks begin at the corner outside the image. Cut the box to the image first; its blocks begin there."
 def hide_boxes(frame, boxes, size):
     result = frame.copy()
@@ -572,17 +390,6 @@ def hide_boxes(frame, boxes, size):
             result[block] = whole[block]
     return result
 
-# %% role="mistake" name="blocks from the corner of the image" says="Your blocks begin at the corner of the image. They begin at the upper left corner of each box."
-def hide_boxes(frame, boxes, size):
-    result = frame.copy()
-    for left, top, width, height in boxes:
-        for row in range(max(top, 0) // size * size, min(top + height, frame.shape[0]), size):
-            for col in range(max(left, 0) // size * size, min(left + width, frame.shape[1]), size):
-                rows = slice(max(row, top), min(row + size, top + height))
-                cols = slice(max(col, left), min(col + size, left + width))
-                result[rows, cols] = np.round(frame[rows, cols].mean(axis=(0, 1)))
-    return result
-
 # %% role="mistake" name="the whole image" says="The whole image is a mosaic. Only the boxes are hidden; all other pixels stay as they are."
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, [(0, 0, frame.shape[1], frame.shape[0])], size)
@@ -597,10 +404,6 @@ def hide_boxes(frame, boxes, size):
                 if block.size:
                     result[row : row + size, col : col + size] = np.round(block.mean(axis=(0, 1)))
     return result
-
-# %% role="mistake" name="mean of each column" says="Each column of a block gets its own colour. Take the mean over rows and columns: .mean(axis=(0, 1))."
-def hide_boxes(frame, boxes, size):
-    return mosaic(frame, boxes, size, lambda block: block.mean(axis=0))
 
 # %% role="mistake" name="divided by size squared" says="Smaller blocks at the border are too dark. Divide by the number of their own pixels, or use .mean(axis=(0, 1))."
 def hide_boxes(frame, boxes, size):
@@ -631,33 +434,9 @@ def hide_boxes(frame, boxes, size):
                 result[part] = np.round(frame[part].mean(axis=(0, 1)))
     return result
 
-# %% role="mistake" name="last row and column of the image left out" says="The last row and column of the image stay visible. A slice ends before its second number: cut at the height and the width, without - 1."
-def hide_boxes(frame, boxes, size):
-    inner = frame[:-1, :-1]
-    result = frame.copy()
-    result[:-1, :-1] = mosaic(inner, boxes, size)
-    return result
-
 # %% role="mistake" name="plain gray" says="Your boxes are plain gray. Each block gets the mean of its pixels, for each channel."
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, boxes, size, lambda block: np.full(3, 120.0))
-
-# %% role="mistake" name="black outside" says="Everything outside the boxes is black. Begin with frame.copy(), so that all other pixels stay as they are."
-def hide_boxes(frame, boxes, size):
-    hidden = mosaic(frame, boxes, size)
-    result = np.zeros_like(frame)
-    for box in boxes:
-        for block in blocks_of(frame.shape, box, 1):
-            result[block] = hidden[block]
-    return result
-
-# %% role="mistake" name="gray blocks" says="All three channels get the same mean, so the blocks are gray. Take the mean over rows and columns only: .mean(axis=(0, 1))."
-def hide_boxes(frame, boxes, size):
-    return mosaic(frame, boxes, size, lambda block: block.mean())
-
-# %% role="mistake" name="one colour for the box" says="The whole box gets one colour. Divide it into blocks of size × size pixels."
-def hide_boxes(frame, boxes, size):
-    return mosaic(frame, boxes, 1000)
 
 # %% role="mistake" name="first pixel" says="Each block gets the colour of its first pixel. Take the mean of its pixels."
 def hide_boxes(frame, boxes, size):
@@ -666,14 +445,6 @@ def hide_boxes(frame, boxes, size):
 # %% role="mistake" name="median" says="Each block gets the median of its pixels. Take the mean."
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, boxes, size, lambda block: np.median(block, axis=(0, 1)))
-
-# %% role="mistake" name="only the first box" says="Only the first box is hidden. Is return inside the loop? Return after it."
-def hide_boxes(frame, boxes, size):
-    return mosaic(frame, boxes[:1], size)
-
-# %% role="mistake" name="only the last box" says="Only the last box is hidden. Make the copy once, before the loop over the boxes."
-def hide_boxes(frame, boxes, size):
-    return mosaic(frame, boxes[-1:], size)
 
 # %% role="mistake" name="only the first block" says="Only the first block of each box is hidden. Go through all of them with range(first, last, size), for rows and for columns."
 def hide_boxes(frame, boxes, size):
@@ -688,10 +459,6 @@ def hide_boxes(frame, boxes, size):
             if block[0].start - top == block[1].start - left:
                 result[block] = np.round(frame[block].mean(axis=(0, 1)))
     return result
-
-# %% role="mistake" name="black" says="Your boxes are black. Each block gets the mean of its pixels."
-def hide_boxes(frame, boxes, size):
-    return mosaic(frame, boxes, size, lambda block: np.zeros(3))
 
 # %% role="mistake" name="one pixel larger" says="Your boxes are one row and one column too large: they end before top + height and left + width."
 def hide_boxes(frame, boxes, size):

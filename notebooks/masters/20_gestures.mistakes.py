@@ -15,22 +15,6 @@ def hull_of(points, is_wrong=lambda value: value <= 0, key=None):
     upper, lower = chain_of(ordered, is_wrong), chain_of(ordered[::-1], is_wrong)
     return np.array(upper[:-1] + lower[:-1])
 
-def one_pop(points):
-    chain = []
-    for point in points:
-        if len(chain) >= 2 and turn(chain[-2], chain[-1], point) <= 0:
-            chain.pop()
-        chain.append(point)
-    return chain
-
-# %% role="mistake" name="points on a side kept" says="Points in the middle of a straight side are no corners. Remove the last point also if turn is 0: the path goes straight on there."
-def convex_hull(points):
-    return hull_of(points, lambda value: value < 0)
-
-# %% role="mistake" name="looked once" says="After you have removed a point, look again at the last two points of the chain: one more may have to go. Use while in place of if."
-def convex_hull(points):
-    ordered = sorted(points.tolist())
-    return np.array(one_pop(ordered)[:-1] + one_pop(ordered[::-1])[:-1])
 
 # %% role="mistake" name="upper side only" says="These are only the corners of the upper side. Go over the points a second time, in reverse order, for the lower side."
 def convex_hull(points):
@@ -40,44 +24,15 @@ def convex_hull(points):
 def convex_hull(points):
     return np.array(chain_of(sorted(points.tolist()), lambda value: value <= 0)[:-1])
 
-# %% role="mistake" name="ends twice" says="The first and the last point are in both chains. Leave out the last point of each chain: chain[:-1]."
-def convex_hull(points):
-    ordered = sorted(points.tolist())
-    upper, lower = (chain_of(side, lambda value: value <= 0) for side in (ordered, ordered[::-1]))
-    return np.array(upper + lower)
-
-# %% role="mistake" name="closed" says="Your last corner is the first one again. Leave out the last point of the lower chain too."
-def convex_hull(points):
-    hull = solution(points)
-    return np.concatenate([hull, hull[:1]])
-
-# %% role="mistake" name="the other way round" says="Your corners go round in the other direction. Clockwise on the screen, the path turns to the right: turn is positive, because y points down."
-def convex_hull(points):
-    return hull_of(points, lambda value: value >= 0)
-
 # %% role="mistake" name="the other way round, from the right" says="Your corners go round in the other direction: you turned the list round. Return the corners in the order in which you found them."
 def convex_hull(points):
     return solution(points)[::-1]
-
-# %% role="mistake" name="sorted corners" says="The corners are right, but not their order. Go along the hull, from corner to corner; do not sort them at the end."
-def convex_hull(points):
-    return np.array(sorted(solution(points).tolist()))
 
 # %% role="mistake" name="lower side first" says="You begin with the lower side, at the right end. Begin with the points from left to right."
 def convex_hull(points):
     ordered = sorted(points.tolist())
     upper, lower = (chain_of(side, lambda value: value <= 0)[:-1] for side in (ordered, ordered[::-1]))
     return np.array(lower + upper)
-
-# %% role="mistake" name="begins at the top" says="Your first corner is the highest point, the one with the smallest y. Sort by x, from left to right: sorted(points.tolist()) does that."
-def convex_hull(points):
-    hull = solution(points)
-    return np.roll(hull, -np.lexsort((hull[:, 0], hull[:, 1]))[0], axis=0)
-
-# %% role="mistake" name="chain not started again" says="The lower side needs a new, empty chain. Yours goes on with the points of the upper side."
-def convex_hull(points):
-    ordered = sorted(points.tolist())
-    return np.array(chain_of(ordered + ordered[::-1], lambda value: value <= 0))
 
 # %% role="mistake" name="bounding box" says="These are the corners of the bounding box. The corners of the hull are points of the input."
 def convex_hull(points):
@@ -88,12 +43,6 @@ def convex_hull(points):
 def convex_hull(points):
     x, y = points[:, 0], points[:, 1]
     return points[[x.argmin(), y.argmin(), x.argmax(), y.argmax()]]
-
-# %% role="mistake" name="not sorted" says="You go over the points in the order in which they came. Sort them from left to right first."
-def convex_hull(points):
-    ordered = points.tolist()
-    upper, lower = (chain_of(side, lambda value: value <= 0)[:-1] for side in (ordered, ordered[::-1]))
-    return np.array(upper + lower)
 
 # %% role="mistake" name="sorted by x alone" says="You sort by x alone. Of points with the same x, the one with the smaller y comes first: sorted(points.tolist()) does that."
 def convex_hull(points):
@@ -112,58 +61,11 @@ def convex_hull(points):
     ordered = sorted(points.tolist())
     return np.array(ordered[:-1] + ordered[::-1][:-1])
 
-# %% role="mistake" name="no length test" says="A chain of one point has no turn: look only as long as the chain has at least two points, len(chain) >= 2."
-def convex_hull(points):
-    chain = []
-    return turn(chain[-2], chain[-1], points[0])
-
-# %% role="mistake" name="by angle" says="You sort all points by their angle, but points inside the band are still in your result. Remove the last point of the chain while the path over it does not turn to the right."
-def convex_hull(points):
-    x, y = (points - points.mean(axis=0)).T
-    return points[np.argsort(np.arctan2(y, x))]
-
-# %% role="mistake" name="second side not reversed" says="You go over the points twice in the same order. For the lower side, go over them in reverse order: ordered[::-1]."
-def convex_hull(points):
-    upper = chain_of(sorted(points.tolist()), lambda value: value <= 0)
-    return np.array(2 * upper[:-1])
-
 # %% role="mistake" name="lower side with left turns" says="The lower side also turns only to the right, if you go over the points in reverse order. Go from right to left there: ordered[::-1]."
 def convex_hull(points):
     ordered = sorted(points.tolist())
     upper, lower = chain_of(ordered, lambda value: value <= 0), chain_of(ordered, lambda value: value >= 0)
     return np.array(upper[:-1] + lower[:-1])
-
-# %% role="mistake" name="lower side reversed, with left turns" says="Your upper side is right. The lower side also turns only to the right, because you go over it from right to left: remove the last point with <= 0 there too."
-def convex_hull(points):
-    ordered = sorted(points.tolist())
-    upper, lower = chain_of(ordered, lambda value: value <= 0), chain_of(ordered[::-1], lambda value: value >= 0)
-    return np.array(upper[:-1] + lower[:-1])
-
-# %% role="mistake" name="one chain for both sides" says="The lower side needs a new, empty chain. Otherwise it removes points of the upper side."
-def convex_hull(points):
-    ordered = sorted(points.tolist())
-    return np.array(chain_of(ordered + ordered[-2::-1], lambda value: value <= 0)[:-1])
-
-# %% role="mistake" name="neighbours in the sorted list" says="You look at three neighbours of the sorted list. Look at the last two points of the chain, which changes while you remove points, and at the new point."
-def convex_hull(points):
-    chains = []
-    for side in (sorted(points.tolist()), sorted(points.tolist())[::-1]):
-        inner = [b for a, b, c in zip(side, side[1:], side[2:], strict=False) if turn(a, b, c) > 0]
-        chains.append([side[0], *inner])
-    return np.array([*chains[0], *chains[1]])
-
-# %% role="mistake" name="first two points kept" says="The second point of each chain is never removed: look at the turn if the chain has at least two points, len(chain) >= 2."
-def convex_hull(points):
-    ordered = sorted(points.tolist())
-    chains = []
-    for side in (ordered, ordered[::-1]):
-        chain = []
-        for point in side:
-            while len(chain) > 2 and turn(chain[-2], chain[-1], point) <= 0:
-                chain.pop()
-            chain.append(point)
-        chains += chain[:-1]
-    return np.array(chains)
 
 # %% role="mistake" name="the new point compared with itself" says="The new point is in the chain already when you look at the turn. Look first, remove, and add it after that."
 def convex_hull(points):
@@ -194,32 +96,10 @@ def length_of(contour, start, end):
 def deepest_of(way, depths):
     return int(way[np.argmax(depths)]), float(max(depths))
 
-# %% role="mistake" name="not divided" says="You did not divide by the length of the line. turn is an area: divide it by the length from one corner to the other."
-def deepest_point(contour, start, end):
-    way = way_of(contour, start, end)
-    return deepest_of(way, abs(areas_of(contour, start, end, way)))
-
 # %% role="mistake" name="with sign" says="turn has a sign. It is negative if the points lie on the other side of the line: take abs(...)."
 def deepest_point(contour, start, end):
     way = way_of(contour, start, end)
     return deepest_of(way, areas_of(contour, start, end, way) / length_of(contour, start, end))
-
-# %% role="mistake" name="with sign, from -1" says="turn has a sign. It is negative if the points lie on the other side of the line: take abs(...)."
-def deepest_point(contour, start, end):
-    way = way_of(contour, start, end)
-    depths = areas_of(contour, start, end, way) / length_of(contour, start, end)
-    return deepest_of(way, depths) if depths.max() > -1 else (start, -1.0)
-
-# %% role="mistake" name="with sign, from 0" says="turn has a sign. It is negative if the points lie on the other side of the line: take abs(...)."
-def deepest_point(contour, start, end):
-    way = way_of(contour, start, end)
-    depths = areas_of(contour, start, end, way) / length_of(contour, start, end)
-    return deepest_of(way, depths) if depths.max() > 0 else (start, 0.0)
-
-# %% role="mistake" name="the last of equals" says="If several points are equally far, the first on the way counts. Use > in place of >=."
-def deepest_point(contour, start, end):
-    way = way_of(contour, start, end)[::-1]
-    return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
 
 # %% role="mistake" name="the whole contour" says="You look at all points of the contour. Look only at those after start and before end."
 def deepest_point(contour, start, end):
@@ -260,10 +140,6 @@ def deepest_point(contour, start, end):
     place, depth = solution(contour, start, end)
     return place, depth * length_of(contour, start, end) / float(abs(contour[end] - contour[start]).sum())
 
-# %% role="mistake" name="exchanged" says="Position and depth are exchanged: return the position first."
-def deepest_point(contour, start, end):
-    return solution(contour, start, end)[::-1]
-
 # %% role="mistake" name="only the depth" says="You return only the depth. Return both, position and depth."
 def deepest_point(contour, start, end):
     return solution(contour, start, end)[1]
@@ -284,11 +160,6 @@ def deepest_point(contour, start, end):
     depths = abs(areas_of(contour, start, end, way)) / length_of(contour, start, end)
     return int(way[np.argmin(depths)]), float(min(depths))
 
-# %% role="mistake" name="first point only" says="You look only at the first point. Is return inside the loop? Return after it."
-def deepest_point(contour, start, end):
-    way = way_of(contour, start, end)[:1]
-    return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
-
 # %% role="mistake" name="first point missing" says="The first point after start is missing. Begin at start + 1."
 def deepest_point(contour, start, end):
     way = way_of(contour, start, end)[1:]
@@ -299,12 +170,6 @@ def deepest_point(contour, start, end):
     way = way_of(contour, start, end)[:-1]
     return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
 
-# %% role="mistake" name="over the end without remainder" says="The position runs over the end of the contour. After the last point comes the first one: (position + 1) % len(contour)."
-def deepest_point(contour, start, end):
-    if start > end:
-        contour[len(contour)]
-    return solution(contour, start, end)
-
 # %% role="mistake" name="start + 1 without remainder" says="If start is the last position, start + 1 is too large. Take the remainder there as well: (start + 1) % len(contour)."
 def deepest_point(contour, start, end):
     contour[start + 1]
@@ -313,20 +178,6 @@ def deepest_point(contour, start, end):
 # %% role="mistake" name="not over the end, 0 and 0" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
 def deepest_point(contour, start, end):
     return solution(contour, start, end) if start < end else (0, 0)
-
-# %% role="mistake" name="beginning of the contour first" says="If several points are equally far, the first one on the way from start counts. Your way begins at position 0: go from start + 1 to the end of the contour, and then from 0."
-def deepest_point(contour, start, end):
-    way = np.sort(way_of(contour, start, end))
-    return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
-
-# %% role="mistake" name="straight down" says="You measure the distance straight up or down. Measure it at a right angle to the line: divide turn by the length of the line."
-def deepest_point(contour, start, end):
-    way = way_of(contour, start, end)
-    return deepest_of(way, abs(areas_of(contour, start, end, way) / (contour[end] - contour[start])[0]))
-
-# %% role="mistake" name="start and end exchanged" says="If start is larger than end, you exchanged the two, so you look at the other points. Go on over the end: count with % len(contour)."
-def deepest_point(contour, start, end):
-    return solution(contour, min(start, end), max(start, end))
 
 # %% [markdown]
 # # gestures-runs
@@ -343,26 +194,14 @@ def count_runs(mask, rows, cols):
 def count_runs(mask, rows, cols):
     return 2 * runs_in(values_on(mask, rows, cols))
 
-# %% role="mistake" name="minus the arm" says="You took 1 off for the arm. Here return the number of runs; the arm comes later."
-def count_runs(mask, rows, cols):
-    return runs_in(values_on(mask, rows, cols)) - 1
-
 # %% role="mistake" name="left out" says="You left out the pixels outside the mask, so the runs before and after them are joined. Such a pixel counts as 0."
 def count_runs(mask, rows, cols):
     return runs_in(values_on(mask, rows, cols)[~is_outside(mask, rows, cols)])
-
-# %% role="mistake" name="outside not tested" says="Some pixels are outside the mask. Test the row and the column before you index; a negative index counts from the end, and does not raise an error."
-def count_runs(mask, rows, cols):
-    return runs_in(mask[rows, cols])
 
 # %% role="mistake" name="negative rows not tested" says="A negative row is outside too. NumPy counts it from the end, without an error: test row < 0 as well."
 def count_runs(mask, rows, cols):
     outside = (cols < 0) | (rows >= mask.shape[0]) | (cols >= mask.shape[1])
     return runs_in(np.array([0 if out else mask[r, c] for r, c, out in zip(rows, cols, outside, strict=True)]))
-
-# %% role="mistake" name="exchanged" says="Rows and columns are exchanged: mask[row, col]."
-def count_runs(mask, rows, cols):
-    return runs_in(values_on(mask, cols, rows))
 
 # %% role="mistake" name="columns not tested" says="A pixel can also be outside because of its column. Test both, the row and the column."
 def count_runs(mask, rows, cols):
@@ -372,11 +211,6 @@ def count_runs(mask, rows, cols):
 # %% role="mistake" name="rows not tested" says="A pixel can also be outside because of its row. Test both, the row and the column."
 def count_runs(mask, rows, cols):
     outside = (cols < 0) | (cols >= mask.shape[1])
-    return runs_in(np.array([0 if out else mask[r, c] for r, c, out in zip(rows, cols, outside, strict=True)]))
-
-# %% role="mistake" name="one too far" says="The last row is the height - 1: a row that is equal to the height is outside already. Test row < height, not <=, and the same for the column."
-def count_runs(mask, rows, cols):
-    outside = (rows < 0) | (rows > mask.shape[0]) | (cols < 0) | (cols > mask.shape[1])
     return runs_in(np.array([0 if out else mask[r, c] for r, c, out in zip(rows, cols, outside, strict=True)]))
 
 # %% role="mistake" name="ten pixels" says="You look at the first ten pixels only. The way has len(rows) pixels."
@@ -393,10 +227,6 @@ def count_runs(mask, rows, cols):
     padded = np.pad(mask.astype(int), ((0, 0), (1, 0)))
     return int((np.diff(padded, axis=1) == 1).sum())
 
-# %% role="mistake" name="one at most" says="Your result is 1 if there is any run. Is return inside the loop? Return after it."
-def count_runs(mask, rows, cols):
-    return min(1, runs_in(values_on(mask, rows, cols)))
-
 # %% role="mistake" name="longest run" says="You return the length of the longest run. Return how many runs there are."
 def count_runs(mask, rows, cols):
     values = values_on(mask, rows, cols)
@@ -405,10 +235,6 @@ def count_runs(mask, rows, cols):
         length = length + 1 if value else 0
         lengths.append(length)
     return max(lengths)
-
-# %% role="mistake" name="not closed" says="You begin with a 0 before the first pixel. The way is closed: the pixel before the first one is the last one, values[-1]."
-def count_runs(mask, rows, cols):
-    return runs_in(np.append(0, values_on(mask, rows, cols)))
 
 # %% role="mistake" name="always one less" says="You subtract 1 always. A run goes on over the end only if the first and the last pixel are both 1."
 def count_runs(mask, rows, cols):
@@ -442,11 +268,6 @@ def table_of(track, other, distance=norm_of, corner=1.0, border=np.inf, free=Fal
             costs[i + 1, j + 1] = distances[i, j] + choose(before)
     return costs
 
-# %% role="mistake" name="point by point" says="You compare only points with the same number. With time warping, a point may be paired with several points: fill the table."
-def dtw_cost(track, other):
-    count = min(len(track), len(other))
-    return float(norm_of(track[:count] - other[:count]).sum())
-
 # %% role="mistake" name="squares" says="You add the squares of the distances. Take the square root: np.linalg.norm(p - q)."
 def dtw_cost(track, other):
     return float(table_of(track, other, lambda d: (d * d).sum(axis=-1))[-1, -1])
@@ -462,18 +283,6 @@ def dtw_cost(track, other):
 # %% role="mistake" name="without the neighbour above left" says="Three neighbours come before a number: above, left, and above left. You left out the one above left."
 def dtw_cost(track, other):
     return float(table_of(track, other, corner=0.0)[-1, -1])
-
-# %% role="mistake" name="infinite" says="Your result is infinite. Is there a 0 at [0, 0]? All other numbers come from it. And is each number computed from the smallest, not the largest, of its three neighbours: above, left, and above left?"
-def dtw_cost(track, other):
-    return float("inf")
-
-# %% role="mistake" name="without the left neighbour" says="Three neighbours come before a number: above, left, and above left. You left out the one to the left, in the same row."
-def dtw_cost(track, other):
-    return float(table_of(track, other, left=False)[-1, -1])
-
-# %% role="mistake" name="without the neighbour above" says="Three neighbours come before a number: above, left, and above left. You left out the one above, in the same column."
-def dtw_cost(track, other):
-    return float(table_of(track, other, above=False)[-1, -1])
 
 # %% role="mistake" name="border of zeros" says="The first row and the first column are not added up: each number there is only its own distance. Is your border 0? Fill the table with np.inf, and write 0 only at [0, 0]."
 def dtw_cost(track, other):
@@ -499,14 +308,6 @@ def dtw_cost(track, other):
 def dtw_cost(track, other):
     return solution(track, other) / max(len(track), len(other))
 
-# %% role="mistake" name="smallest of the last row" says="You return the smallest number of the last row, so points at the end are left out. Return the last number: costs[-1, -1]."
-def dtw_cost(track, other):
-    return float(table_of(track, other)[-1].min())
-
-# %% role="mistake" name="before the last" says="Your result is one row and one column too early: the last number is costs[-1, -1], or costs[N, M]."
-def dtw_cost(track, other):
-    return float(table_of(track, other)[-2, -2])
-
 # %% role="mistake" name="the table" says="You return the whole table. Return its last number, costs[-1, -1]."
 def dtw_cost(track, other):
     return table_of(track, other)
@@ -515,66 +316,9 @@ def dtw_cost(track, other):
 def dtw_cost(track, other):
     return solution(track, other) / len(track)
 
-# %% role="mistake" name="a stretch costs 1" says="You add 1 to the neighbours above and to the left. A stretch costs nothing by itself: only the distance is added."
-def dtw_cost(track, other):
-    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
-    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
-    costs[0, 0] = 0
-    for i, j in np.ndindex(distances.shape):
-        costs[i + 1, j + 1] = distances[i, j] + min(costs[i, j], costs[i, j + 1] + 1, costs[i + 1, j] + 1)
-    return float(costs[-1, -1])
-
-# %% role="mistake" name="above left counts twice" says="You add the distance twice for the neighbour above left, as some books do. Here each pair counts once."
-def dtw_cost(track, other):
-    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
-    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
-    costs[0, 0] = 0
-    for i, j in np.ndindex(distances.shape):
-        before = (costs[i, j] + distances[i, j], costs[i, j + 1], costs[i + 1, j])
-        costs[i + 1, j + 1] = distances[i, j] + min(before)
-    return float(costs[-1, -1])
-
-# %% role="mistake" name="a stretch is free" says="You add the distance only to the neighbour above left. Each pair costs its distance, from whichever neighbour it comes: add it to the smallest of the three."
-def dtw_cost(track, other):
-    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
-    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
-    costs[0, 0] = 0
-    for i, j in np.ndindex(distances.shape):
-        costs[i + 1, j + 1] = min(costs[i, j] + distances[i, j], costs[i, j + 1], costs[i + 1, j])
-    return float(costs[-1, -1])
-
-# %% role="mistake" name="1 in place of the distance" says="This is the rule of the edit distance, with 1 for a step to the side. Here each pair costs its distance, from whichever neighbour it comes."
-def dtw_cost(track, other):
-    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
-    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
-    costs[0, 0] = 0
-    for i, j in np.ndindex(distances.shape):
-        costs[i + 1, j + 1] = min(costs[i, j] + distances[i, j], costs[i, j + 1] + 1, costs[i + 1, j] + 1)
-    return float(costs[-1, -1])
-
-# %% role="mistake" name="a band" says="You fill only a band of the table. One person can wait for long at the beginning, and the other one at the end: fill the whole table."
-def dtw_cost(track, other):
-    width = max(3, abs(len(track) - len(other)))
-    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
-    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
-    costs[0, 0] = 0
-    for i, j in np.ndindex(distances.shape):
-        if abs(i - j) <= width:
-            costs[i + 1, j + 1] = distances[i, j] + min(costs[i, j], costs[i, j + 1], costs[i + 1, j])
-    return float(costs[-1, -1])
-
 # %% role="mistake" name="centered first" says="Do not subtract the mean here: compare the points as they are."
 def dtw_cost(track, other):
     return solution(track - track.mean(axis=0), other - other.mean(axis=0))
-
-# %% role="mistake" name="whole numbers" says="Your table holds only whole numbers. Fill it with np.inf, which is a float."
-def dtw_cost(track, other):
-    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
-    costs = np.full((len(track) + 1, len(other) + 1), 10**9)
-    costs[0, 0] = 0
-    for i, j in np.ndindex(distances.shape):
-        costs[i + 1, j + 1] = distances[i, j] + min(costs[i, j], costs[i, j + 1], costs[i + 1, j])
-    return costs[-1, -1]
 
 # %% role="mistake" name="greedy" says="You go step by step to the cheapest next pair, and cannot correct an early choice. Fill the whole table: each number is the smallest of three, plus the distance."
 def dtw_cost(track, other):

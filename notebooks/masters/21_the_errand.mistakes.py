@@ -22,14 +22,6 @@ def seen_from(first, second):
     dx, dy = second[0] - first[0], second[1] - first[1]
     return c * dx + s * dy, c * dy - s * dx, in_circle(second[2] - first[2])
 
-# %% role="mistake" name="not turned" says="You subtract x from x and y from y. The frame odom is turned against the map: first turn the counted way by the difference of both yaws, and then subtract it."
-def map_to_odom(place, counted):
-    return frame_with(place, counted, turn=0.0)
-
-# %% role="mistake" name="differences of all three" says="You subtract number from number, and the yaw is not wrapped. The frame odom is turned against the map: first turn the counted way by the difference of both yaws, and wrap the yaw by math.remainder."
-def map_to_odom(place, counted):
-    return tuple(p - q for p, q in zip(place, counted, strict=True))
-
 # %% role="mistake" name="turned by the yaw of the place" says="You turn the counted way by the yaw of the place. Turn it by the yaw of the frame, which is the difference of both yaws."
 def map_to_odom(place, counted):
     return frame_with(place, counted, turn=place[2])
@@ -56,23 +48,9 @@ def map_to_odom(place, counted):
     yaw = place[2] - counted[2]
     return frame_with(place, counted, yaw=yaw + 2 * math.pi if yaw < -math.pi else yaw)
 
-# %% role="mistake" name="% in place of remainder" says="% gives a yaw from 0 to 2π. Use math.remainder, which gives -π to π."
-def map_to_odom(place, counted):
-    return frame_with(place, counted, yaw=(place[2] - counted[2]) % (2 * math.pi))
-
 # %% role="mistake" name="remainder by half a turn" says="You took the remainder by π, which is half a turn. Use 2 * math.pi."
 def map_to_odom(place, counted):
     yaw = math.remainder(place[2] - counted[2], math.pi)
-    return frame_with(place, counted, turn=yaw, yaw=yaw)
-
-# %% role="mistake" name="the sum of the yaws" says="You add both yaws. compose adds them; here you undo it: the yaw of the place, less the counted one."
-def map_to_odom(place, counted):
-    yaw = in_circle(place[2] + counted[2])
-    return frame_with(place, counted, turn=yaw, yaw=yaw)
-
-# %% role="mistake" name="the negative yaw" says="The sign of the yaw is wrong: subtract the counted yaw from that of the place, place[2] - counted[2]."
-def map_to_odom(place, counted):
-    yaw = in_circle(counted[2] - place[2])
     return frame_with(place, counted, turn=yaw, yaw=yaw)
 
 # %% role="mistake" name="only the yaw is negative" says="x and y are right; only the sign of the yaw is wrong: return place[2] - counted[2], wrapped."
@@ -83,17 +61,9 @@ def map_to_odom(place, counted):
 def map_to_odom(place, counted):
     return frame_with(place, counted, yaw=place[2])
 
-# %% role="mistake" name="added" says="You add the turned way to the place. compose adds it; here you undo it: subtract it."
-def map_to_odom(place, counted):
-    return frame_with(place, counted, sign=1)
-
 # %% role="mistake" name="composed" says="You compose place and counted. The marker's place is what comes out of compose, not its frame. Undo compose: turn the counted way by the difference of both yaws, and subtract it from the place."
 def map_to_odom(place, counted):
     return joined(place, counted)
-
-# %% role="mistake" name="composed the other way round" says="You compose counted and place. The marker's place is what comes out of compose. Undo compose: turn the counted way by the difference of both yaws, and subtract it from the place."
-def map_to_odom(place, counted):
-    return joined(counted, place)
 
 # %% role="mistake" name="the place as the wheels see it" says="This is the relative pose: the place, as seen from the counted pose. But both are not in one frame. Turn the counted way by the difference of both yaws, and subtract it from the place."
 def map_to_odom(place, counted):
@@ -115,33 +85,10 @@ def map_to_odom(place, counted):
 def map_to_odom(place, counted):
     return tuple(place)
 
-# %% role="mistake" name="degrees" says="Your yaw is in degrees. ROS and the task need radians: leave math.degrees out."
-def map_to_odom(place, counted):
-    x, y, yaw = solution(place, counted)
-    return x, y, math.degrees(yaw)
-
-# %% role="mistake" name="sine and cosine exchanged" says="Sine and cosine are exchanged: c is math.cos(yaw), and s is math.sin(yaw)."
-def map_to_odom(place, counted):
-    yaw = in_circle(place[2] - counted[2])
-    c, s = math.sin(yaw), math.cos(yaw)
-    return place[0] - (c * counted[0] - s * counted[1]), place[1] - (s * counted[0] + c * counted[1]), yaw
-
-# %% role="mistake" name="both signs plus" says="The turned x is c * u - s * v, with a minus."
-def map_to_odom(place, counted):
-    x, y, yaw = solution(place, counted)
-    return x - 2 * math.sin(yaw) * counted[1], y, yaw
-
 # %% role="mistake" name="parentheses missing" says="Parentheses are missing: place[0] - c * u - s * v subtracts both parts. Write place[0] - (c * u - s * v)."
 def map_to_odom(place, counted):
     x, y, yaw = solution(place, counted)
     return x - 2 * math.sin(yaw) * counted[1], y + 2 * math.cos(yaw) * counted[1], yaw
-
-# %% role="mistake" name="the new x in y" says="You overwrite x before you compute y, so y is computed from the new x. Use another name for the result."
-def map_to_odom(place, counted):
-    yaw = in_circle(place[2] - counted[2])
-    c, s = math.cos(yaw), math.sin(yaw)
-    u = c * counted[0] - s * counted[1]
-    return place[0] - u, place[1] - (s * u + c * counted[1]), yaw
 
 # %% role="mistake" name="x and y exchanged" says="x and y are exchanged."
 def map_to_odom(place, counted):
@@ -174,78 +121,18 @@ def root_of(h, q):
 def within(speed, free, limit):
     return min(speed, limit) if free > 0 else 0.0
 
-# %% role="mistake" name="without the reaction" says="Your speed is too high: the robot also drives on during its reaction. h is deceleration * reaction."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(root_of(0.0, 2 * deceleration * free), free, limit)
-
 # %% role="mistake" name="without braking" says="Your speed is too high: free / reaction leaves no way for braking. Solve the equation with both parts."
 def safe_speed(free, reaction, deceleration, limit):
     return within(free / reaction if reaction else math.inf, free, limit)
-
-# %% role="mistake" name="neither limit nor 0" says="Your equation is right. Two things are missing: if free <= 0, return 0.0 first, and at the end return the smaller one of speed and limit."
-def safe_speed(free, reaction, deceleration, limit):
-    h = deceleration * reaction
-    return -h + math.sqrt(h**2 + 2 * deceleration * free)
-
-# %% role="mistake" name="without the limit" says="The speed can be higher than limit. Return the smaller one of both: min(speed, limit)."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(root_of(deceleration * reaction, 2 * deceleration * free), free, math.inf)
-
-# %% role="mistake" name="max in place of min" says="You return the larger one of speed and limit. The speed must not be higher than limit: min(speed, limit)."
-def safe_speed(free, reaction, deceleration, limit):
-    return max(root_of(deceleration * reaction, 2 * deceleration * free), limit) if free > 0 else 0.0
-
-# %% role="mistake" name="no question about negative ways" says="With a negative free way, the number under the root can be negative, or the speed is negative. If free <= 0, return 0.0 first."
-def safe_speed(free, reaction, deceleration, limit):
-    h = deceleration * reaction
-    return min(-h + math.sqrt(h**2 + 2 * deceleration * free), limit)
-
-# %% role="mistake" name="only clipped" says="With a negative free way, the number under the root can be negative, and math.sqrt raises an error. If free <= 0, return 0.0 first."
-def safe_speed(free, reaction, deceleration, limit):
-    h = deceleration * reaction
-    return max(0.0, min(-h + math.sqrt(h**2 + 2 * deceleration * free), limit))
 
 # %% role="mistake" name="a negative speed" says="If free is negative, your speed is negative too: the robot would drive backward. Return 0.0."
 def safe_speed(free, reaction, deceleration, limit):
     return min(root_of(deceleration * reaction, 2 * deceleration * free), limit)
 
-# %% role="mistake" name="None if nothing is free" says="If nothing is free, the speed is 0.0, a number too, and not None."
-def safe_speed(free, reaction, deceleration, limit):
-    return solution(free, reaction, deceleration, limit) if free > 0 else None
-
-# %% role="mistake" name="always zero" says="Your speed is 0.0 for every free way. Did you take the solution with -√? It is negative. Take -h + math.sqrt(h ** 2 + q)."
-def safe_speed(free, reaction, deceleration, limit):
-    return 0.0
-
-# %% role="mistake" name="the negative solution" says="You take the solution with -√, which is negative. Take -h + math.sqrt(h ** 2 + q)."
-def safe_speed(free, reaction, deceleration, limit):
-    h = deceleration * reaction
-    return min(-h - math.sqrt(h**2 + 2 * deceleration * free), limit) if free > 0 else 0.0
-
 # %% role="mistake" name="plus h" says="You add h. The speed is -h + math.sqrt(h ** 2 + q)."
 def safe_speed(free, reaction, deceleration, limit):
     h = deceleration * reaction
     return within(2 * h + root_of(h, 2 * deceleration * free), free, limit)
-
-# %% role="mistake" name="the 2 of q missing" says="The way of braking is v ** 2 / (2 * deceleration). Multiply both sides by 2 * deceleration: q is 2 * deceleration * free; your 2 is missing there."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(root_of(deceleration * reaction, deceleration * free), free, limit)
-
-# %% role="mistake" name="braking without the 2" says="You solve the equation without the 2: the way of braking is v ** 2 / (2 * deceleration)."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(root_of(deceleration * reaction / 2, deceleration * free), free, limit)
-
-# %% role="mistake" name="h too large" says="Your h is twice as large as it should be: in v ** 2 + 2 * h * v, the 2 stands already beside h, so h is deceleration * reaction."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(root_of(2 * deceleration * reaction, 2 * deceleration * free), free, limit)
-
-# %% role="mistake" name="h is the reaction" says="Your h is the reaction alone. After you multiplied by 2 * deceleration, h is deceleration * reaction."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(root_of(reaction, 2 * deceleration * free), free, limit)
-
-# %% role="mistake" name="not multiplied" says="You multiplied the reaction by 2 * deceleration, but not the free way: q is 2 * deceleration * free."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(root_of(deceleration * reaction, free), free, limit)
 
 # %% role="mistake" name="not divided by 2" says="Your speed is twice as high as it should be: the formula for a * v ** 2 + b * v + c = 0 divides by 2 * a."
 def safe_speed(free, reaction, deceleration, limit):
@@ -261,11 +148,6 @@ def safe_speed(free, reaction, deceleration, limit):
     h = deceleration * reaction
     return within(-h + math.sqrt(max(2 * h + 2 * deceleration * free, 0.0)), free, limit)
 
-# %% role="mistake" name="minus under the root" says="Under the root stands a plus: h ** 2 + q."
-def safe_speed(free, reaction, deceleration, limit):
-    h = deceleration * reaction
-    return min(-h + math.sqrt(h**2 - 2 * deceleration * free), limit) if free > 0 else 0.0
-
 # %% role="mistake" name="without the root" says="The root is missing: -h + math.sqrt(h ** 2 + q)."
 def safe_speed(free, reaction, deceleration, limit):
     h = deceleration * reaction
@@ -274,10 +156,6 @@ def safe_speed(free, reaction, deceleration, limit):
 # %% role="mistake" name="parentheses missing" says="You solved v ** 2 / 2 * deceleration. The way of braking is v ** 2 / (2 * deceleration): the robot that brakes harder needs less way."
 def safe_speed(free, reaction, deceleration, limit):
     return within(root_of(reaction / deceleration, 2 * free / deceleration), free, limit)
-
-# %% role="mistake" name="the way of the limit" says="You subtract the reaction at the limit. The robot reacts at the speed that it has: this speed is the unknown v, in both parts of the equation."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(root_of(0.0, 2 * deceleration * (free - reaction * limit)), free, limit)
 
 # %% role="mistake" name="all or nothing" says="You return the limit or 0.0. Between them there is the speed at which the robot just stops in time."
 def safe_speed(free, reaction, deceleration, limit):
@@ -314,10 +192,6 @@ def safe_speed(free, reaction, deceleration, limit):
         speed += 0.01
     return speed
 
-# %% role="mistake" name="rounded" says="The result is rounded. Return the exact number, and leave round out: only the print in the lesson rounds."
-def safe_speed(free, reaction, deceleration, limit):
-    return round(solution(free, reaction, deceleration, limit), 2)
-
 # %% role="mistake" name="rounded to millimetres" says="The result is rounded to three digits. Return the exact number, and leave round out: only the print in the lesson rounds."
 def safe_speed(free, reaction, deceleration, limit):
     return round(solution(free, reaction, deceleration, limit), 3)
@@ -345,66 +219,13 @@ def nearest_of(directions, mask, goal, measure=apart, choose=min, none=None):
 def choose_direction(directions, ways, goal, need):
     return nearest_of(directions, ways >= need, goal, lambda a, b: abs(a - b))
 
-# %% role="mistake" name="wrapped only from above" says="You wrap only a difference that is larger than π. It can also be smaller than -π. Use abs(math.remainder(direction - goal, 2 * math.pi)), which does both."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, lambda a, b: abs(a - b - 2 * math.pi if a - b > math.pi else a - b))
-
 # %% role="mistake" name="wrapped only from below" says="You wrap only a difference that is smaller than -π. It can also be larger than π. Use abs(math.remainder(direction - goal, 2 * math.pi)), which does both."
 def choose_direction(directions, ways, goal, need):
     return nearest_of(directions, ways >= need, goal, lambda a, b: abs(a - b + 2 * math.pi if a - b < -math.pi else a - b))
 
-# %% role="mistake" name="wrapped after abs" says="You subtract 2π after abs, so the difference becomes negative, and seems to be the smallest one. First wrap it by math.remainder, then take abs."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, lambda a, b: abs(a - b) - (2 * math.pi if abs(a - b) > math.pi else 0))
-
-# %% role="mistake" name="% in place of remainder" says="% gives differences from 0 to 2π, so a direction a little to the right of the goal seems almost a full turn away. Use math.remainder, and then abs."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, lambda a, b: (a - b) % (2 * math.pi))
-
-# %% role="mistake" name="remainder by half a turn" says="You took the remainder by π, which is half a turn: a direction opposite to the goal would be right. Use 2 * math.pi."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, lambda a, b: abs(math.remainder(a - b, math.pi)))
-
-# %% role="mistake" name="without abs" says="You take the most negative difference, so always a direction far on the right. Take abs of the wrapped difference."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, lambda a, b: math.remainder(a - b, 2 * math.pi))
-
-# %% role="mistake" name="the farthest" says="You take the direction farthest from the goal. Take the nearest one: min, not max."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, choose=max)
-
-# %% role="mistake" name="the longest way" says="You take the direction with the longest way. Any way of at least need is enough; of these directions, take the one nearest to the goal."
-def choose_direction(directions, ways, goal, need):
-    k = int(np.argmax(ways))
-    return float(directions[k]) if ways[k] >= need else None
-
-# %% role="mistake" name="the longest way, or the wrong one" says="You take the direction with the longest way. Of the directions with at least need, take the one nearest to the goal; return None if there is none."
-def choose_direction(directions, ways, goal, need):
-    return float(directions[int(np.argmax(ways))])
-
 # %% role="mistake" name="the first with enough" says="You take the first direction with enough way. Is the return inside of the loop? Look at all directions, keep the one nearest to the goal, and return it after the loop."
 def choose_direction(directions, ways, goal, need):
     return nearest_of(directions, ways >= need, goal, lambda a, b: 0)
-
-# %% role="mistake" name="more than need" says="A way that is exactly as long as need is enough: at least means >=."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways > need, goal)
-
-# %% role="mistake" name="the short ones" says="You choose among the directions with too short a way. A direction may be chosen if ways[k] >= need."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways <= need, goal)
-
-# %% role="mistake" name="need not used" says="You do not use need: the direction nearest to the goal may end at an obstacle. Choose only among those with ways[k] >= need."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways > -1, goal)
-
-# %% role="mistake" name="the last of equals" says="Of two equally near directions, the first counts: compare with <, not with <=."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions[::-1], ways[::-1] >= need, goal)
-
-# %% role="mistake" name="the smaller of equals" says="Of two equally near directions, the first one in directions counts, not the smaller one. Do not sort the directions."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, lambda a, b: (apart(a, b), a))
 
 # %% role="mistake" name="position among the free ones" says="The position belongs to the smaller array with the free directions only: take the direction from that array, too."
 def choose_direction(directions, ways, goal, need):
@@ -416,36 +237,14 @@ def choose_direction(directions, ways, goal, need):
     right = solution(directions, ways, goal, need)
     return None if right is None else int(np.flatnonzero(directions == right)[0])
 
-# %% role="mistake" name="the way" says="You return the free way. Return the direction, in radians."
-def choose_direction(directions, ways, goal, need):
-    right = solution(directions, ways, goal, need)
-    return None if right is None else float(ways[np.flatnonzero(directions == right)[0]])
-
 # %% role="mistake" name="the difference" says="You return the difference to the goal. Return the direction itself."
 def choose_direction(directions, ways, goal, need):
     right = solution(directions, ways, goal, need)
     return None if right is None else math.remainder(right - goal, 2 * math.pi)
 
-# %% role="mistake" name="the length of the difference" says="You return how far the direction is from the goal. Return the direction itself."
-def choose_direction(directions, ways, goal, need):
-    right = solution(directions, ways, goal, need)
-    return None if right is None else apart(right, goal)
-
-# %% role="mistake" name="the goal if there is none" says="If no direction has enough way, return None. The way to the goal is not free."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, none=goal)
-
-# %% role="mistake" name="straight ahead if there is none" says="If no direction has enough way, return None. 0.0 would mean: drive straight ahead."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, none=0.0)
-
 # %% role="mistake" name="inf if there is none" says="If no direction has enough way, return None, not inf."
 def choose_direction(directions, ways, goal, need):
     return nearest_of(directions, ways >= need, goal, none=math.inf)
-
-# %% role="mistake" name="the longest if there is none" says="If no direction has enough way, return None, and not the best of the bad ones."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, goal, none=float(directions[int(np.argmax(ways))]))
 
 # %% role="mistake" name="the nearest if there is none" says="If no direction has enough way, return None, and not the one nearest to the goal."
 def choose_direction(directions, ways, goal, need):
@@ -455,31 +254,6 @@ def choose_direction(directions, ways, goal, need):
 def choose_direction(directions, ways, goal, need):
     free = directions[ways >= need]
     return float(free[np.argmin([apart(direction, goal) for direction in free])])
-
-# %% role="mistake" name="nearest to straight ahead" says="You take the direction nearest to straight ahead. Take the one nearest to the goal: use direction - goal."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, 0.0)
-
-# %% role="mistake" name="the sum" says="You add the goal to the direction. How far apart they are is their difference."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, ways >= need, -goal)
-
-# %% role="mistake" name="infinite ways left out" says="An infinite way is free: inf >= need is True. Do not leave it out."
-def choose_direction(directions, ways, goal, need):
-    return nearest_of(directions, (ways >= need) & np.isfinite(ways), goal)
-
-# %% role="mistake" name="0.0 counts as False" says="In Python, 0.0 counts as False, so you lose the direction straight ahead. Write best is None in place of not best."
-def choose_direction(directions, ways, goal, need):
-    best, nearest = None, math.inf
-    for direction, way in zip(directions, ways, strict=True):
-        off = apart(direction, goal)
-        if way >= need and (not best or off < nearest):
-            best, nearest = float(direction), off
-    return best
-
-# %% role="mistake" name="0.0 returned as None" says="In Python, 0.0 counts as False, so you return None for the direction straight ahead. Ask whether best is None; do not write best or None."
-def choose_direction(directions, ways, goal, need):
-    return solution(directions, ways, goal, need) or None
 
 # %% role="mistake" name="only the nearest direction" says="You look only at the direction nearest to the goal. If its way is too short, another direction may be free: first leave out those with less than need, then take the nearest."
 def choose_direction(directions, ways, goal, need):
@@ -495,11 +269,6 @@ def choose_direction(directions, ways, goal, need):
     degrees = np.degrees(directions).round()
     enough = degrees[ways >= need]
     return float(enough[np.argmin(np.abs(enough - round(math.degrees(goal))))])
-
-# %% role="mistake" name="degrees" says="You return degrees. The task asks for radians."
-def choose_direction(directions, ways, goal, need):
-    right = solution(directions, ways, goal, need)
-    return None if right is None else math.degrees(right)
 
 # %% role="mistake" name="all directions with enough way" says="You return all directions with enough way. Return the one nearest to the goal, as one float."
 def choose_direction(directions, ways, goal, need):
@@ -528,29 +297,9 @@ def winner(readings, names, votes, count=votes_of, enough=None):
     best = max(counts, default=0)
     return names[counts.index(best)] if counts and best >= (votes if enough is None else enough) else None
 
-# %% role="mistake" name="exact words" says="You count only texts without an error. One wrong character is allowed: edit_distance(text.upper(), name) <= 1."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: text.upper() == sign))
-
-# %% role="mistake" name="exact words, capital letters" says="You count only texts that are exactly equal to the name. Compare them by edit_distance(text.upper(), name) <= 1: small letters count, and one wrong character is allowed."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: text == sign))
-
-# %% role="mistake" name="small letters" says="Small letters are not equal to capital ones: compare text.upper()."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: steps_between(text, sign) <= 1))
-
 # %% role="mistake" name="compared in small letters" says="You return None for every call, so no text ever votes. Compare each text of a look, not the whole look (a list), and in capital letters, not in small ones: edit_distance(text.upper(), name) <= 1."
 def believe(readings, names, votes):
     return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: steps_between(text.lower(), sign) <= 1))
-
-# %% role="mistake" name="two wrong characters" says="You allow two wrong characters. The edit distance must be at most 1."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: near(text, sign, 2)))
-
-# %% role="mistake" name="exactly one wrong character" says="A text without an error must vote too: the edit distance is at most 1, so <= 1, not == 1."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: steps_between(text.upper(), sign) == 1))
 
 # %% role="mistake" name="place by place" says="You compare character by character. If one is missing, all later ones are moved: use edit_distance."
 def believe(readings, names, votes):
@@ -562,35 +311,6 @@ def believe(readings, names, votes):
 # %% role="mistake" name="a part of the name" says="A part of the name is not enough: HEN is in KITCHEN. Use edit_distance(text.upper(), name) <= 1."
 def believe(readings, names, votes):
     return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: text.upper() in sign))
-
-# %% role="mistake" name="the name in the text" says="You ask whether the name stands in the text, so a text with a wrong character does not vote. Use edit_distance(text.upper(), name) <= 1."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: sign in text.upper()))
-
-# %% role="mistake" name="a longer text" says="A longer text with the name in it does not vote, such as TO THE KITCHEN: only the edit distance counts, edit_distance(text.upper(), name) <= 1."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: sign in text.upper() or near(text, sign)))
-
-# %% role="mistake" name="KITCHEN typed" says="You count only the word KITCHEN. Count the votes for each name in names."
-def believe(readings, names, votes):
-    return "KITCHEN" if votes_of(readings, "KITCHEN") >= votes else None
-
-# %% role="mistake" name="the count goes on" says="Your count goes on from one name to the next. Set it back to 0 for each name, inside of the loop over the names."
-def believe(readings, names, votes):
-    best, most, count = None, 0, 0
-    for name in names:
-        count += votes_of(readings, name)
-        if count > most:
-            best, most = name, count
-    return best if most >= votes else None
-
-# %% role="mistake" name="only the nearest name" says="You let a look vote only for the name that is nearest to its texts. It may vote for several names, if it shows several: each with an edit distance of at most 1."
-def believe(readings, names, votes):
-    closest = []
-    for look in readings:
-        distances = [min((steps_between(text.upper(), name) for text in look), default=99) for name in names]
-        closest.append(names[distances.index(min(distances))] if min(distances) <= 1 else "")
-    return winner(readings, names, votes, lambda looks, name: closest.count(name))
 
 # %% role="mistake" name="only the nearest text" says="You let a look vote for one name only, that of its nearest text. It may vote for several names, if it shows several: each with an edit distance of at most 1."
 def believe(readings, names, votes):
@@ -610,18 +330,6 @@ def believe(readings, names, votes):
 def believe(readings, names, votes):
     return winner(readings, names, votes, enough=2)
 
-# %% role="mistake" name="each text votes" says="You count texts. One look votes at most once for a name: ask with any(...) whether one of its texts is near."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: sum(near(text, name) for look in looks for text in look))
-
-# %% role="mistake" name="only the first text" says="You look at the first text of each look only. The name may be any of its texts."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: votes_of([look[:1] for look in looks], name))
-
-# %% role="mistake" name="all texts of a look" says="You ask whether all texts of a look are near the name. One of them is enough: any, not all."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, lambda looks, name: sum(all(near(text, name) for text in look) for look in looks))
-
 # %% role="mistake" name="one text of the whole look" says="You join the texts of a look to one. Compare each text for itself."
 def believe(readings, names, votes):
     return winner(readings, names, votes, lambda looks, name: sum(near(" ".join(look), name) for look in looks))
@@ -630,22 +338,6 @@ def believe(readings, names, votes):
 def believe(readings, names, votes):
     firsts = [next((name for name in names if any(near(text, name) for text in look)), "") for look in readings]
     return winner(readings, names, votes, lambda looks, name: firsts.count(name))
-
-# %% role="mistake" name="the first name with enough" says="You return the first name with enough votes. Count the votes of all names first: the name with the most votes wins."
-def believe(readings, names, votes):
-    return next((name for name in names if votes_of(readings, name) >= votes), None)
-
-# %% role="mistake" name="the name that is first complete" says="You return the name that first reaches enough votes. Count all looks: the name with the most votes wins, and of equals the first one in names."
-def believe(readings, names, votes):
-    for k in range(len(readings)):
-        done = [name for name in names if votes_of(readings[: k + 1], name) >= votes]
-        if done:
-            return done[0]
-    return None
-
-# %% role="mistake" name="the last of equals" says="Of names with the same number of votes, the first one in names wins: compare with >, not with >=."
-def believe(readings, names, votes):
-    return winner(readings, names[::-1], votes)
 
 # %% role="mistake" name="of equals the one read first" says="Of names with the same number of votes, the first one in names wins, not the one that was read first. A Counter or a dict goes through the names in the order in which it first counted them: take max(names, key=...), which goes through names."
 def believe(readings, names, votes):
@@ -669,18 +361,10 @@ def believe(readings, names, votes):
 def believe(readings, names, votes):
     return winner(readings, names, votes, enough=0)
 
-# %% role="mistake" name="more than votes" says="votes is enough: at least means >=, not >."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, enough=votes + 1)
-
 # %% role="mistake" name="exactly votes" says="More votes are enough too: at least means >=, not ==."
 def believe(readings, names, votes):
     best = winner(readings, names, votes)
     return best if best and votes_of(readings, best) == votes else None
-
-# %% role="mistake" name="only the first name" says="You decide after the first name: the return is inside of the loop. Count the votes of all names, and return after the loop."
-def believe(readings, names, votes):
-    return names[0] if votes_of(readings, names[0]) >= votes else None
 
 # %% role="mistake" name="all looks" says="You ask whether all looks vote for the name. The number votes says how many are enough."
 def believe(readings, names, votes):
@@ -689,26 +373,6 @@ def believe(readings, names, votes):
 # %% role="mistake" name="more than half" says="You ask whether more than half of the looks vote for the name. The number votes says how many are enough."
 def believe(readings, names, votes):
     return next((name for name in names if votes_of(readings, name) > len(readings) / 2), None)
-
-# %% role="mistake" name="the newest looks only" says="You count only the newest looks. Count all of them: the sign may be hidden now."
-def believe(readings, names, votes):
-    return winner(readings[-votes:], names, votes)
-
-# %% role="mistake" name="one after the other" says="Your votes must come from looks one after the other. Other looks may be between them: count all of them, without a reset."
-def believe(readings, names, votes):
-    def longest(looks, name):
-        row = most = 0
-        for look in looks:
-            row = row + 1 if any(near(text, name) for text in look) else 0
-            most = max(most, row)
-        return most
-
-    return winner(readings, names, votes, longest)
-
-# %% role="mistake" name="the count" says="You return the number of votes. Return the name."
-def believe(readings, names, votes):
-    right = solution(readings, names, votes)
-    return right and votes_of(readings, right)
 
 # %% role="mistake" name="name and count" says="You return more than one value. Return the name alone."
 def believe(readings, names, votes):
@@ -719,19 +383,9 @@ def believe(readings, names, votes):
 def believe(readings, names, votes):
     return [name for name in names if votes_of(readings, name) >= votes]
 
-# %% role="mistake" name="the text as it was read" says="You return the text as it was read. Return the name from names, without the wrong character."
-def believe(readings, names, votes):
-    right = solution(readings, names, votes)
-    texts = [text for look in readings for text in look if right and near(text, right)]
-    return texts[-1] if texts else None
-
 # %% role="mistake" name="the text None" says="If no name has enough votes, return None without quotes; a text with the word None is a name like another."
 def believe(readings, names, votes):
     return solution(readings, names, votes) or "None"
-
-# %% role="mistake" name="an empty text for none" says="If no name has enough votes, return None, not an empty text."
-def believe(readings, names, votes):
-    return solution(readings, names, votes) or ""
 
 # %% [markdown]
 # # errand-drive

@@ -56,32 +56,10 @@ def cells_along(place, x_part, y_part, distances, rounding=np.floor):
 def not_visited(pairs, visited):
     return len(set(pairs) - {tuple(cell) for cell in visited.tolist()})
 
-# %% role="mistake" name="sine and cosine swapped" says="Sine and cosine are swapped: x gets the cosine of heading, y the sine."
-def count_new(place, heading, way, visited):
-    distances = np.arange(0.1, way, 0.1)
-    return not_visited(cells_along(place, math.sin(heading), math.cos(heading), distances), visited)
-
 # %% role="mistake" name="without the place" says="The way begins at the place: add place[0] and place[1]."
 def count_new(place, heading, way, visited):
     distances = np.arange(0.1, way, 0.1)
     return not_visited(cells_along((0.0, 0.0), math.cos(heading), math.sin(heading), distances), visited)
-
-# %% role="mistake" name="heading in degrees" says="heading is in radians already: do not convert it."
-def count_new(place, heading, way, visited):
-    heading = math.radians(heading)
-    distances = np.arange(0.1, way, 0.1)
-    return not_visited(cells_along(place, math.cos(heading), math.sin(heading), distances), visited)
-
-# %% role="mistake" name="rounded towards 0" says="You round towards 0. Cells below 0 need np.floor or math.floor: int() joins the cells on both sides of 0."
-def count_new(place, heading, way, visited):
-    distances = np.arange(0.1, way, 0.1)
-    return not_visited(cells_along(place, math.cos(heading), math.sin(heading), distances, np.trunc), visited)
-
-# %% role="mistake" name="points, not cells" says="You count points, so a cell counts several times. Make a set of the pairs first."
-def count_new(place, heading, way, visited):
-    known = {tuple(cell) for cell in visited.tolist()}
-    pairs = cells_along(place, math.cos(heading), math.sin(heading), np.arange(0.1, way, 0.1))
-    return sum(pair not in known for pair in pairs)
 
 # %% role="mistake" name="visited cells count" says="You also count the cells that were visited. Subtract their set."
 def count_new(place, heading, way, visited):

@@ -6,14 +6,12 @@ from pathlib import Path
 from textwrap import indent
 
 import pytest
+from all_masters import PATHS, all_exercises, all_masters
 from handed_out import HandedOut
 
 from imgproc_course.classroom.authoring.handout import hand_out
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
 
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
-MASTERS = {master.name: master for master in map(read_master, find_masters(NOTEBOOKS / "masters"))}
-EXERCISES = [exercise for master in MASTERS.values() for exercise in master.exercises]
 
 
 @pytest.fixture(scope="module")
@@ -23,9 +21,10 @@ def handed_out(tmp_path_factory):
     return HandedOut([*folder.rglob("*"), archive])
 
 
-@pytest.mark.parametrize("exercise", EXERCISES, ids=lambda exercise: exercise.id)
-def test_no_file_holds_a_solution_or_a_hidden_case(handed_out, exercise):
-    assert list(handed_out.leaks(exercise)) == []
+@pytest.mark.parametrize("lesson", [path.stem[3:] for path in PATHS])
+def test_no_file_holds_a_solution_or_a_hidden_case(handed_out, lesson):
+    for exercise in all_masters()[lesson].exercises:
+        assert list(handed_out.leaks(exercise)) == []
 
 
 def test_every_file_was_opened(handed_out):
@@ -33,12 +32,12 @@ def test_every_file_was_opened(handed_out):
     assert {path.name for path in NOTEBOOKS.glob("*.ipynb")} <= names
     assert {path.name for path in (NOTEBOOKS / "checks").glob("*.json")} <= names
     zipped = [name for name in handed_out.files if ".zip/" in name]
-    assert 2 * len(zipped) == len(handed_out.files) > 2 * len(MASTERS)
+    assert 2 * len(zipped) == len(handed_out.files) > 2 * len(PATHS)
 
 
 def test_a_leak_would_be_found(tmp_path):
     """The solution as it is, renamed, and without its def line; a hidden case's inputs."""
-    exercise = next(exercise for exercise in EXERCISES if exercise.id == "canny-suppression")
+    exercise = all_exercises()["canny-suppression"]
     tree = ast.parse(exercise.solution)
     renamed = ast.unparse(Renamed().visit(ast.parse(exercise.solution)))
     hidden = exercise.hidden[0]

@@ -8,16 +8,15 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from all_masters import PATHS, all_masters
 
 from imgproc_course.classroom.authoring.handout import hand_out
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
 from imgproc_course.classroom.authoring.questions import QUESTIONS, read_questions
 from imgproc_course.imaging import to_gray
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
-MASTERS = {master.name: master for master in map(read_master, find_masters(NOTEBOOKS / "masters"))}
 ENTRIES = read_questions(NOTEBOOKS / "masters" / QUESTIONS)
-ASKING = [master for master in MASTERS.values() if master.number >= "02"]
+ASKING = [path.stem[3:] for path in PATHS if path.stem >= "02"]
 # The lesson on unknown rooms may follow the route of the driving robot.
 ADDED_TO_ROUTE = ["unknown_rooms"]
 
@@ -27,7 +26,7 @@ def routes():
     index = (NOTEBOOKS / "masters" / "index.py").read_text("utf-8")
     original, driving, _ = re.findall(r"^# - \*\*.* \(about \d+ hours\): .*$", index, re.M)
     first, more = (re.findall(r"\[\[(\w+)\]\]", text) for text in (original, driving))
-    return [first, [*first, *more, *ADDED_TO_ROUTE], list(MASTERS)]
+    return [first, [*first, *more, *ADDED_TO_ROUTE], list(all_masters())]
 
 
 def earlier_lessons(lesson):
@@ -40,26 +39,26 @@ def source(name):
     return ENTRIES[name]["section"].partition("#")[0]
 
 
-@pytest.mark.parametrize("master", ASKING, ids=lambda master: master.name)
-def test_one_question_is_from_the_last_two_lessons_of_every_route_and_one_is_older(master):
-    earlier = earlier_lessons(master.name)
-    places = sorted(earlier.index(source(name)) for name in master.questions)
+@pytest.mark.parametrize("lesson", ASKING)
+def test_one_question_is_from_the_last_two_lessons_of_every_route_and_one_is_older(lesson):
+    earlier, questions = earlier_lessons(lesson), all_masters()[lesson].questions
+    places = sorted(earlier.index(source(name)) for name in questions)
     assert len(places) == 2
     oldest_recent, newest_old = len(earlier) - 2, max(0, len(earlier) - 4)
-    assert places[0] <= newest_old and places[1] >= oldest_recent, (master.questions, earlier)
+    assert places[0] <= newest_old and places[1] >= oldest_recent, (questions, earlier)
 
 
 def test_a_question_comes_at_most_twice_and_only_in_lessons_that_exist():
-    asked = Counter(name for master in ASKING for name in master.questions)
+    asked = Counter(name for lesson in ASKING for name in all_masters()[lesson].questions)
     assert set(asked) == set(ENTRIES) and max(asked.values()) <= 2
-    assert {lesson for entry in ENTRIES.values() for lesson in entry["asked"]} <= set(MASTERS)
+    assert {lesson for entry in ENTRIES.values() for lesson in entry["asked"]} <= set(all_masters())
 
 
 @pytest.mark.parametrize("name", ENTRIES)
 def test_a_question_is_from_a_section_of_the_core(name):
     lesson, _, number = ENTRIES[name]["section"].partition("#")
     heading = re.compile(rf"^#+ {number} · ", re.M)
-    (section,) = [cell for cell in MASTERS[lesson].cells if heading.search(cell.source)]
+    (section,) = [cell for cell in all_masters()[lesson].cells if heading.search(cell.source)]
     assert not section.deeper
 
 
@@ -90,5 +89,5 @@ def test_the_right_letter_is_not_always_the_same():
 def test_a_hand_out_has_the_answers_of_its_lessons(tmp_path):
     hand_out(tmp_path / "out", NOTEBOOKS, ["grayscale_node"])
     texts = json.loads((tmp_path / "out/texts/grayscale_node.json").read_text("utf-8"))
-    stored = MASTERS["grayscale_node"].questions
+    stored = all_masters()["grayscale_node"].questions
     assert len(stored) == 2 and {name: texts[name] for name in stored} == stored

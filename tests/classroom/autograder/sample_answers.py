@@ -15,14 +15,18 @@ from imgproc_course.classroom.exercises import read_exercises
 
 ROOT = Path(__file__).parents[3]
 FOLDERS = sorted({path.parent for path in ROOT.glob("*/**/masters/[0-9]*.py")})
-SAMPLES = [
-    (path, exercise, name)
-    for folder in FOLDERS
-    for path in find_masters(folder)
-    for exercise in read_exercises(path)
-    if not exercise.practice
-    for name in sample_answers(exercise)
-]
+
+
+def samples(folders):
+    """(path, exercise, name) of each sample answer of the masters in folders."""
+    return [
+        (path, exercise, name)
+        for folder in folders
+        for path in find_masters(folder)
+        for exercise in read_exercises(path)
+        if not exercise.practice
+        for name in sample_answers(exercise)
+    ]
 
 
 def title_of(path, declared, name):
@@ -34,7 +38,7 @@ def grade_samples(samples, scratch):
 
     Parameters
     ----------
-    samples : some of SAMPLES
+    samples : list as of `samples`
     scratch : Path of an existing folder, for the keys
     """
     graded = {}

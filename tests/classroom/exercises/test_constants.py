@@ -1,24 +1,16 @@
 """What needs no thought gains no point: constants, the input, empty images, other exercises' answers."""
 
-from pathlib import Path
+from functools import cache
 
 import numpy as np
 import pytest
+from all_masters import PATHS, all_exercises, all_masters
 
-from imgproc_course.classroom.authoring.masters import find_masters
-from imgproc_course.classroom.exercises import read_exercises, running
+from imgproc_course.classroom.exercises import running
 from imgproc_course.classroom.exercises.canonical import canonical
 from imgproc_course.classroom.exercises.comparison import compare
 
-MASTERS = Path(__file__).parents[3] / "notebooks" / "masters"
 SEEDS = (11, 12, 13)  # of keys
-# Not those that drive: no value can stand for a node, and what its texts say is in the task.
-EXERCISES = {
-    exercise.id: exercise
-    for path in find_masters(MASTERS)
-    for exercise in read_exercises(path)
-    if not exercise.practice and exercise.subject == "function"
-}
 CONSTANTS = [
     *(None, True, False, 0, 1, -1, 2, 255, 0.0, 1.0, -1.0, 0.5, 100.0, float("nan"), float("inf")),
     *(-float("inf"), "", "grayscale", (), [], {}, b"", np.uint8(0), np.zeros(0), (0, 0), (None, None)),
@@ -45,27 +37,32 @@ FUNCTIONS = {
 }
 
 
-def solution_of(exercise):
-    return exercise.function_of(exercise.solution, "solution")
+def is_graded(exercise):
+    """Not those that drive: no value can stand for a node, and what its texts say is in the task."""
+    return not exercise.practice and exercise.subject == "function"
 
 
-SOLUTIONS = {id: solution_of(exercise) for id, exercise in EXERCISES.items()}
+@cache
+def solutions():
+    graded = filter(is_graded, all_exercises().values())
+    return {exercise.id: exercise.function_of(exercise.solution, "solution") for exercise in graded}
 
 
-@pytest.fixture(scope="module", params=EXERCISES)
+@pytest.fixture(scope="module", params=PATHS, ids=lambda path: path.stem)
 def drawn(request):
-    """(exercise, {case with points: for each seed the list of (arguments, canonical form of the answer)})."""
-    exercise = EXERCISES[request.param]
-    solution = SOLUTIONS[exercise.id]
-    cases = {
-        case: [
-            [(call, canonical(solution(*call), limit=None)) for call in exercise.arguments(case, seed)]
-            for seed in SEEDS
-        ]
+    """(exercise, case with points, for each seed the list of (arguments, canonical form of the answer))."""
+    (master,) = (master for master in all_masters().values() if master.path == request.param)
+    return [
+        (exercise, case, [draw(exercise, case, seed) for seed in SEEDS])
+        for exercise in filter(is_graded, master.exercises)
         for case in exercise.cases
         if case.points
-    }
-    return exercise, cases
+    ]
+
+
+def draw(exercise, case, seed):
+    solution = solutions()[exercise.id]
+    return [(call, canonical(solution(*call), limit=None)) for call in exercise.arguments(case, seed)]
 
 
 def agree(exercise, case, expected, value):
@@ -82,8 +79,7 @@ def passes(function, calls, exercise, case):
 
 
 def test_inputs_depend_on_the_seed(drawn):
-    _, cases = drawn
-    for case, draws in cases.items():
+    for _, case, draws in drawn:
         texts = {
             repr(sorted(repr([canonical(value, limit=None) for value in call]) for call, _ in calls))
             for calls in draws
@@ -92,8 +88,7 @@ def test_inputs_depend_on_the_seed(drawn):
 
 
 def test_no_constant_gains_a_point(drawn):
-    exercise, cases = drawn
-    for case, draws in cases.items():
+    for exercise, case, draws in drawn:
         answers = [answer for calls in draws for _, answer in calls]
         for constant in [*map(canonical, CONSTANTS), *answers]:
             passed = [
@@ -105,8 +100,7 @@ def test_no_constant_gains_a_point(drawn):
 
 
 def test_no_answer_without_thought_gains_a_point(drawn):
-    exercise, cases = drawn
-    others = {id: function for id, function in SOLUTIONS.items() if id != exercise.id}
-    for case, draws in cases.items():
+    for exercise, case, draws in drawn:
+        others = {id: function for id, function in solutions().items() if id != exercise.id}
         for name, function in (FUNCTIONS | others).items():
             assert not any(passes(function, calls, exercise, case) for calls in draws), (case.id, name)

@@ -1,12 +1,8 @@
-"""The tables of learners' wrong answers: in each of two folders a file for each exercise.
-
-The answers of `wrong_answers` helped to improve the feedback. Those of `fresh_answers` were written from the
-tasks alone, and measured once before the feedback was changed after them.
+"""Learners' wrong answers: a file for each exercise, at most five answers in it, each of its own kind.
 
 Each cell of a file is one answer. Its first line describes the mistake, in fields with JSON values:
 
 - ``name``: the mistake in a few words;
-- ``origin``: ``walk`` (seen when the course was walked), ``new`` or ``fresh``;
 - ``sentence``: what a good teacher would say to it;
 - ``must_say``: patterns, each of which a right sentence about this mistake matches, in whatever case;
 - ``must_not_say``: patterns that would be false here;
@@ -21,7 +17,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 FOLDER = Path(__file__).parent / "wrong_answers"
-FRESH_FOLDER = Path(__file__).parent / "fresh_answers"
 
 _CELL = re.compile(r"^# %% ", re.MULTILINE)
 _FIELD = re.compile(r"\s*(\w+)=")
@@ -31,7 +26,6 @@ class WrongAnswer(NamedTuple):
     """A cell of the table."""
 
     name: str
-    origin: str
     sentence: str
     must_say: Sequence[str]
     kind: str
@@ -41,9 +35,12 @@ class WrongAnswer(NamedTuple):
 
     def is_named_by(self, sentence: str) -> bool:
         """Whether this sentence says what is wrong with the answer, and nothing false."""
-        return all(re.search(pattern, sentence, re.IGNORECASE) for pattern in self.must_say) and not any(
-            re.search(pattern, sentence, re.IGNORECASE) for pattern in self.must_not_say
-        )
+        says = all(re.search(pattern, sentence, re.IGNORECASE) for pattern in self.must_say)
+        return says and not self.is_misled_by(sentence)
+
+    def is_misled_by(self, sentence: str) -> bool:
+        """Whether this sentence says something false about the answer."""
+        return any(re.search(pattern, sentence, re.IGNORECASE) for pattern in self.must_not_say)
 
 
 def read_wrong_answers(path: Path) -> list[WrongAnswer]:

@@ -1,30 +1,23 @@
-# %% name="rows and columns exchanged" origin="new" sentence="The column comes from x, the row from y." must_say=["column|row|x and y"] kind="value"
+# %% name="whole numbers divided" sentence="// drops the fraction. Divide with /." must_say=["//|fraction|/"] kind="value"
+def coverage(path, cells):
+    pairs = {(math.floor(x / 0.5), math.floor(y / 0.5)) for x, y, _ in path}
+    reachable = {tuple(cell) for cell in cells.tolist()}
+    return len(pairs & reachable) // len(reachable)
+
+# %% name="rows and columns exchanged" sentence="The column comes from x, the row from y." must_say=["column|row|x and y"] kind="value"
 def coverage(path, cells):
     pairs = {(math.floor(y / 0.5), math.floor(x / 0.5)) for x, y, _ in path}
     reachable = {tuple(cell) for cell in cells.tolist()}
     return len(pairs & reachable) / len(reachable)
 
-# %% name="only the last place" origin="new" sentence="Use all places of the path, not only the last one." must_say=["all places|last"] kind="value"
-def coverage(path, cells):
-    x, y, _ = path[-1]
-    pairs = {(math.floor(x / 0.5), math.floor(y / 0.5))}
-    reachable = {tuple(cell) for cell in cells.tolist()}
-    return len(pairs & reachable) / len(reachable)
-
-# %% name="in percent" origin="new" sentence="The result is a share from 0 to 1, not in percent." must_say=["0 to 1|100|percent"] kind="value"
+# %% name="in percent" sentence="The result is a share from 0 to 1, not in percent." must_say=["0 to 1|100|percent"] kind="value"
 def coverage(path, cells):
     pairs = {(math.floor(x / 0.5), math.floor(y / 0.5)) for x, y, _ in path}
     reachable = {tuple(cell) for cell in cells.tolist()}
     return 100 * len(pairs & reachable) / len(reachable)
 
-# %% name="divided by what was entered" origin="new" sentence="Divide by the number of cells that the robot can reach." must_say=["reach|len\\(cells\\)"] kind="value"
+# %% name="divided by what was entered" sentence="Divide by the number of cells that the robot can reach." must_say=["reach|len\\(cells\\)"] kind="value"
 def coverage(path, cells):
     pairs = {(math.floor(x / 0.5), math.floor(y / 0.5)) for x, y, _ in path}
     reachable = {tuple(cell) for cell in cells.tolist()}
     return len(pairs & reachable) / max(len(pairs), 1)
-
-# %% name="the share that is left" origin="new" sentence="You return the share that was not entered." must_say=["not entered|1 -|left|& "] kind="value"
-def coverage(path, cells):
-    pairs = {(math.floor(x / 0.5), math.floor(y / 0.5)) for x, y, _ in path}
-    reachable = {tuple(cell) for cell in cells.tolist()}
-    return len(reachable - pairs) / len(reachable)

@@ -1,39 +1,33 @@
-# %% name="half a metre between the points" origin="new" sentence="The points are 0.1 m apart." must_say=["0\\.1"] kind="value"
-def count_new(place, heading, way, visited):
-    cells = set()
-    for d in np.arange(0.5, way, 0.5):
-        x, y = place[0] + d * math.cos(heading), place[1] + d * math.sin(heading)
-        cells.add((math.floor(x / 0.5), math.floor(y / 0.5)))
-    return len(cells - {tuple(cell) for cell in visited.tolist()})
-
-# %% name="the other direction" origin="new" sentence="The way goes in the direction of heading: add, do not subtract." must_say=["add|subtract|direction"] kind="value"
-def count_new(place, heading, way, visited):
-    cells = set()
-    for d in np.arange(0.1, way, 0.1):
-        x, y = place[0] - d * math.cos(heading), place[1] - d * math.sin(heading)
-        cells.add((math.floor(x / 0.5), math.floor(y / 0.5)))
-    return len(cells - {tuple(cell) for cell in visited.tolist()})
-
-# %% name="the set itself, sorted" origin="new" sentence="Return the number of cells, len(...), not the cells." must_say=["number|len"] kind="value"
-def count_new(place, heading, way, visited):
-    cells = set()
-    for d in np.arange(0.1, way, 0.1):
-        x, y = place[0] + d * math.cos(heading), place[1] + d * math.sin(heading)
-        cells.add((math.floor(x / 0.5), math.floor(y / 0.5)))
-    return sorted(cells - {tuple(cell) for cell in visited.tolist()})
-
-# %% name="visited cells on the way" origin="new" sentence="You count the cells that were visited. Subtract them." must_say=["subtract|not in|visited"] kind="value"
-def count_new(place, heading, way, visited):
-    cells = set()
-    for d in np.arange(0.1, way, 0.1):
-        x, y = place[0] + d * math.cos(heading), place[1] + d * math.sin(heading)
-        cells.add((math.floor(x / 0.5), math.floor(y / 0.5)))
-    return len(cells & {tuple(cell) for cell in visited.tolist()})
-
-# %% name="the number of points less the visited" origin="new" sentence="Count cells, not points, and subtract the set." must_say=["set|cells"] kind="value"
+# %% name="the number of points less the visited" sentence="Count cells, not points, and subtract the set." must_say=["set|cells"] kind="value"
 def count_new(place, heading, way, visited):
     cells = set()
     for d in np.arange(0.1, way, 0.1):
         x, y = place[0] + d * math.cos(heading), place[1] + d * math.sin(heading)
         cells.add((math.floor(x / 0.5), math.floor(y / 0.5)))
     return len(np.arange(0.1, way, 0.1)) - len(visited)
+
+# %% name="int for floor" sentence="int cuts towards 0, so -0.2 becomes 0; math.floor gives -1." must_say=["floor|negative|towards 0|round"] kind="value"
+def count_new(place, heading, way, visited):
+    known = set(map(tuple, visited.tolist()))
+    cells = set()
+    for d in np.arange(0.1, way, 0.1):
+        col = int((place[0] + d * math.cos(heading)) / 0.5)
+        row = int((place[1] + d * math.sin(heading)) / 0.5)
+        cells.add((col, row))
+    return len(cells - known)
+
+# %% name="heading not used" sentence="The way goes in the direction heading; you go only along x." must_say=["heading|direction"] kind="value"
+def count_new(place, heading, way, visited):
+    distances = np.arange(0.1, way, 0.1)
+    columns = np.floor((place[0] + distances) / 0.5).astype(int)
+    row = math.floor(place[1] / 0.5)
+    cells = set((int(col), row) for col in columns)
+    return len(cells - set(map(tuple, visited.tolist())))
+
+# %% name="half a metre between the points" sentence="The points are 0.1 m apart." must_say=["0\\.1"] kind="value"
+def count_new(place, heading, way, visited):
+    cells = set()
+    for d in np.arange(0.5, way, 0.5):
+        x, y = place[0] + d * math.cos(heading), place[1] + d * math.sin(heading)
+        cells.add((math.floor(x / 0.5), math.floor(y / 0.5)))
+    return len(cells - {tuple(cell) for cell in visited.tolist()})
