@@ -18,14 +18,12 @@ import re
 import sys
 from pathlib import Path
 
-import cv2
 import numpy as np
-from rich.console import Console
-from rich.table import Table
+from in_the_room import print_rows, verdict
 from tqdm import tqdm
 
-os.environ.setdefault("ROS_DOMAIN_ID", "96")
-os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+from imgproc_course.ros import open_camera
+
 sys.path.append(str(Path(__file__).parents[2] / "notebooks"))
 import the_errand
 
@@ -39,17 +37,9 @@ MOST_BUMPS, FEWEST_BACK = 2, 17
 
 def row_of(seed, lighting, result):
     """A run as the lesson's table has it."""
-    name, back, seconds, bumps, kept = result[1:6]
-    return [
-        str(seed),
-        lighting,
-        str(result.points),
-        str(name),
-        f"{back:.2f}",
-        str(seconds),
-        str(bumps),
-        f"{kept:.2f} m",
-    ]
+    points, name, back, seconds, bumps, kept = result[:6]
+    cells = (seed, lighting, points, name, f"{back:.2f}", seconds, bumps, f"{kept:.2f} m")
+    return [str(cell) for cell in cells]
 
 
 def table_of_the_lesson():
@@ -57,13 +47,6 @@ def table_of_the_lesson():
     (master,) = ROOT.glob("notebooks/masters/*_the_errand.py")
     rows = re.findall(r"^# \| (\d+ \| (?:day|evening) \| .*) \|$", master.read_text(), re.MULTILINE)
     return [[cell.strip(" *") for cell in row.split("|")] for row in rows]
-
-
-def print_rows(rows, *columns):
-    table = Table(*columns)
-    for row in rows:
-        table.add_row(*row)
-    Console(width=120).print(table)
 
 
 def print_table_of_the_lesson():
@@ -116,8 +99,6 @@ def print_planned_failure():
 
 def do_live(lighting):
     """(the row of a live errand, whether it failed)"""
-    from imgproc_course.ros import open_camera
-
     with open_camera("room", rate=5, size=(1280, 720)) as camera:
         result, errand = the_errand.run_live(camera, the_errand.course_parts, SECONDS, lighting)
     last = errand.diary[-1][0] if errand.diary else ""
@@ -133,7 +114,6 @@ def print_live():
 
 
 def main():
-    cv2.setNumThreads(1)
     failed = False
     if not ONLY_LIVE:
         failed |= print_table_of_the_lesson()
@@ -141,8 +121,7 @@ def main():
         failed |= print_planned_failure()
     if SECONDS:
         failed |= print_live()
-    print("FAILED" if failed else "as required")
-    return int(failed)
+    return verdict(failed)
 
 
 if __name__ == "__main__":

@@ -8,20 +8,13 @@ It sees published topics alone: image and odometry. At its end it prints how oft
 import sys
 
 import rapidocr
-from lesson_nodes import lesson_definitions, looked_for, run_assignments, spin
+from lesson_nodes import lesson_definitions, looked_for, spin
 
 
 def reading_text():
     one_thread = {f"EngineConfig.onnxruntime.{kind}_op_num_threads": 1 for kind in ("intra", "inter")}
     reader = rapidocr.RapidOCR(params={"Global.log_level": "error", **one_thread})
     return lesson_definitions("reading_text", reader=reader)
-
-
-def lesson_with_data():
-    """The lesson's functions and what its cells compute for them: signs, templates, network."""
-    needed = {"recording", "info", "camera", "right_m", "points", "signs", "LETTERS", "templates"}
-    needed |= {"model", "options", "network", "listed", "all_characters", "network_errors"}
-    return run_assignments("reading_text", needed, reading_text())
 
 
 if __name__ == "__main__":
