@@ -9,24 +9,13 @@ import os
 import subprocess
 import sys
 import timeit
-from pathlib import Path
-from types import SimpleNamespace
 
 import cv2
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "messages"))
-
-from compressed_depth import depth_to_compressed
 from rich.console import Console
 from side_by_side import print_ratios, time_in_turns
 
-from imgproc_course.messages import (
-    array_to_compressed,
-    array_to_image,
-    compressed_to_array,
-    image_to_array,
-)
+from imgproc_course.messages import array_to_image, image_to_array
 
 HEIGHT, WIDTH = 720, 1280
 PASSTHROUGH_BUDGET = 2.5  # times np.frombuffer(...).reshape
@@ -93,20 +82,6 @@ def conversions():
     return over
 
 
-def padded():
-    frame = frame_of(3)
-    rows = np.zeros((HEIGHT, WIDTH * 3 + 64), np.uint8)
-    rows[:, : WIDTH * 3] = frame.reshape(HEIGHT, -1)
-    msg = SimpleNamespace(
-        encoding="rgb8", height=HEIGHT, width=WIDTH, step=rows.shape[1], is_bigendian=0, data=rows.tobytes()
-    )
-    ways = {
-        "bare cv2.cvtColor, no padding": lambda: cv2.cvtColor(frame, cv2.COLOR_RGB2BGR),
-        "image_to_array": lambda: image_to_array(msg, "bgr8"),
-    }
-    print_ratios("padded rgb8 -> bgr8", time_in_turns(ways, rounds=150), "bare cv2.cvtColor, no padding")
-
-
 def to_messages():
     """Compares with the copy that every message needs: into newly allocated memory."""
     over = []
@@ -123,34 +98,11 @@ def to_messages():
     return over
 
 
-def compressed():
-    """Without a budget: the cost of the checks before decoding."""
-    frame = cv2.GaussianBlur(frame_of(3), (0, 0), 5)
-    depth = cv2.GaussianBlur(np.random.default_rng(0).integers(0, 8000, (360, 640)).astype("f4"), (0, 0), 9)
-    depth = depth.astype(np.uint16)
-    for title, msg in {
-        "JPEG, 1280×720 bgr8": array_to_compressed(frame),
-        "PNG, 1280×720 bgr8": array_to_compressed(frame, format="png"),
-        "compressedDepth PNG, 640×360": depth_to_compressed(depth),
-        "compressedDepth RVL, 640×360 (beside its PNG)": depth_to_compressed(depth, format="rvl"),
-    }.items():
-        data = np.frombuffer(msg.data, np.uint8)
-        if "Depth" in title:
-            data = np.frombuffer(depth_to_compressed(depth).data, np.uint8)[12:]
-        ways = {
-            "bare cv2.imdecode": lambda data=data: cv2.imdecode(data, cv2.IMREAD_UNCHANGED),
-            "compressed_to_array": lambda msg=msg: compressed_to_array(msg),
-        }
-        print_ratios(title, time_in_turns(ways, rounds=20), "bare cv2.imdecode")
-
-
 def main():
     if "--to-messages" in sys.argv:
         return bool(to_messages())
     cv2.setNumThreads(1)
     over = passthrough() + conversions()
-    padded()
-    compressed()
     for checks in ("0", "1"):
         environment = {**os.environ, "ROS_PYTHON_CHECK_FIELDS": checks}
         over += ["array_to_image"] * subprocess.run(
