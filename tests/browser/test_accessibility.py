@@ -100,17 +100,6 @@ def test_everybody_can_read_what_the_course_draws(index, outputs, open_notebook)
         page.close()
 
 
-def test_gray_text_is_found(lab, open_notebook):
-    gray = '<p style="color: #aaa; background: #fff">hard to read</p>'
-    write_notebook(lab[1] / "gray.ipynb", [f"from IPython.display import HTML\nHTML({gray!r})"])
-    page = open_notebook("gray.ipynb")
-    page.run_all()
-    page.page.get_by_text("hard to read").last.wait_for()
-    for only_colors in (False, True):
-        lines = page.violations(only_colors=only_colors)
-        assert [line.partition(":")[0] for line in lines] == ["color-contrast"]
-
-
 def test_images_stand_one_below_the_other_in_a_narrow_window(outputs, open_notebook):
     page = open_notebook(outputs)
     page.run_cell(0)

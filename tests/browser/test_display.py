@@ -295,10 +295,3 @@ def test_show_has_an_alternative_text_also_in_an_untrusted_notebook(notebook, la
     alts_and_sizes = images.evaluate_all("nodes => nodes.map(node => [node.alt, node.naturalWidth > 200])")
     assert alts_and_sizes == [[alt, True] for alt in alts]
     assert page.page.locator("figcaption").all_inner_texts() == ["In the red channel the bar is white."]
-
-
-@pytest.mark.parametrize("wrong_cell", ["1 / 0", "def"])
-def test_an_error_far_down_the_page_is_found(notebook, wrong_cell):
-    page = notebook(*["print('line\\n' * 60)"] * 8, wrong_cell, "'never reached'")
-    assert len(page.errors()) == 1
-    assert page.not_run() == [10]

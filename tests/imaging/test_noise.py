@@ -83,6 +83,12 @@ def test_ssim_equals_skimages_on_small_images(grays):
         assert ssim(image, noisy) == pytest.approx(truth, abs=1e-12), name
 
 
+def test_psnr_equals_opencvs_on_samples(grays):
+    for name, image in grays.items():
+        noisy = add_gaussian_noise(image, 40)
+        assert psnr(image, noisy) == pytest.approx(cv2.PSNR(image.copy(), noisy), abs=1e-9), name
+
+
 def test_psnr_and_ssim_both_rate_the_right_filter_higher(gray_frames):
     noisy = add_salt_and_pepper(gray_frames[0], 0.05)
     assert psnr(gray_frames[0], median_blur(noisy)) > psnr(gray_frames[0], noisy) + 10

@@ -263,20 +263,6 @@ def test_yuv_to_colors_and_gray(encoding, yuv):
     assert (image_to_array(msg, "bgr16") == bgr.astype(int) * 257).all()
 
 
-@pytest.mark.parametrize("encoding", ["nv12", "nv21", "nv24"])
-def test_planar_images_with_padding(encoding, yuv):
-    data, *_ = laid_out(encoding, *yuv)
-    tight = message(encoding, 6, 8, data)
-    pads = 5 if encoding != "nv24" else 10
-    rows = [data[i : i + 8] + bytes(5) for i in range(0, 48, 8)]
-    width = 8 if encoding != "nv24" else 16
-    rows += [data[i : i + width] + bytes(pads) for i in range(48, len(data), width)]
-    padded = message(encoding, 6, 8, b"".join(rows), step=13)
-    assert image_to_array(padded).shape == encoding_info(encoding).shape(6, 8)
-    assert (image_to_array(padded) == image_to_array(tight)).all()
-    assert (image_to_array(padded, "bgr8") == image_to_array(tight, "bgr8")).all()
-
-
 def test_odd_sizes_for_which_opencv_reads_beyond_the_row():
     with pytest.raises(ConversionError, match="width 3 is odd"):
         image_to_array(message("uyvy", 2, 3, bytes(12)), "bgr8")
@@ -419,10 +405,6 @@ def test_a_wrong_header_is_refused_where_rclpy_checks_fields():
     code = "import numpy as np\nfrom imgproc_course.messages import *\n"
     code += "try: array_to_image(np.zeros((1, 1), 'u1'), header=3)\nexcept ConversionError as e: print(e)"
     assert "header must be a std_msgs/Header" in run_python(code, ROS_PYTHON_CHECK_FIELDS="1")
-
-
-def test_opencv_distinguishes_the_bayer_patterns():
-    assert cv2.COLOR_BayerBG2BGR != cv2.COLOR_BayerRG2BGR
 
 
 @pytest.mark.parametrize(

@@ -1,14 +1,7 @@
-import sys
-from pathlib import Path
-
 import pytest
-
-sys.path.append(str(Path(__file__).parents[2] / "notebooks"))
-from early_uses import early_uses
 
 from imgproc_course.classroom.authoring.build import build, build_pages, compare_lessons
 from imgproc_course.classroom.authoring.glossary import read_glossary
-from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.classroom.exercises.declaration import MasterError
 
 GLOSSARY = """
@@ -102,43 +95,3 @@ def test_build_writes_the_glossary_and_reports_a_difference(glossary, tmp_path):
 
 
 # ---------------------------------------------------------------- words before their introduction
-
-EARLY = """
-# %% [markdown]
-# Rank filtering, an Edge and its view.
-# `rank filter` and $edge detector$, [lesson 02, edge detector](02_sharpen.ipynb).
-
-# %% role="texts"
-figure_texts = {"first": ("Two rank filters, and a Rank filter.", "A zoom.")}
-
-# %%
-caption = "an edge detector"
-print("NAME/first", dict(caption="A median filter."))
-
-# %% [markdown]
-# Medial median filters. [An edge detector](https://example.org) and an edge detector.
-"""
-EXPLAINED = """
-# %% [markdown]
-# A [[term:median filter|filter]], then a median filter. A [[term:edge detector]].
-# The [whole glossary](glossary.md).
-"""
-
-
-def test_words_before_their_introduction_are_found(glossary, write_master):
-    terms = read_glossary(glossary())
-    masters = [
-        read_master(write_master(add=text.replace("NAME", name[3:]), name=name))
-        for name, text in (("00_first", EARLY), ("01_blur", EXPLAINED), ("02_sharpen", EARLY))
-    ]
-    uses = early_uses(masters, terms)
-    assert [(use.lesson, use.cell, use.words) for use in uses] == [
-        ("first", "first-7", "Edge"),
-        ("first", "first-8", "Rank filter"),
-        ("first", "first-9", "edge detector"),
-    ]
-    assert str(uses[1]) == "first: cell first-8: 'Rank filter', which sharpen introduces"
-    masters[1] = read_master(
-        write_master(add=EXPLAINED.replace("[[term:edge detector]]", "edge detector"), name="01_blur")
-    )
-    assert [use.words for use in early_uses(masters[1:], terms)] == ["edge detector"]
