@@ -8,20 +8,10 @@ import pytest
 from skimage.feature import local_binary_pattern
 from sklearn.decomposition import PCA
 
-from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.imaging import to_gray
 from imgproc_course.simulation import draw_face, random_identity
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "19_faces.py"
-
-
-@pytest.fixture(scope="module")
-def solutions():
-    """The function of each exercise's solution, by its name."""
-    return {
-        exercise.function: exercise.function_of(exercise.solution, "solution")
-        for exercise in read_exercises(MASTER)
-    }
 
 
 @pytest.fixture(scope="module")

@@ -9,19 +9,9 @@ from scipy.ndimage import label
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
-from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.simulation import GESTURES, gesture_track, hand_mask, random_hand
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "20_gestures.py"
-
-
-@pytest.fixture(scope="module")
-def solutions():
-    """The function of each exercise's solution, by its name."""
-    return {
-        exercise.function: exercise.function_of(exercise.solution, "solution")
-        for exercise in read_exercises(MASTER)
-    }
 
 
 def all_points_of_outline(mask):

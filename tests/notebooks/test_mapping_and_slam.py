@@ -3,10 +3,8 @@
 from pathlib import Path
 
 import numpy as np
-import pytest
 from skimage.draw import line
 
-from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.geometry import (
     grid_ray,
     log_odds,
@@ -17,15 +15,6 @@ from imgproc_course.geometry import (
 )
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "16_mapping_and_slam.py"
-
-
-@pytest.fixture(scope="module")
-def solutions():
-    """The function of each exercise's solution, by its name."""
-    return {
-        exercise.function: exercise.function_of(exercise.solution, "solution")
-        for exercise in read_exercises(MASTER)
-    }
 
 
 def test_ray_cells_is_scikit_images_line_and_the_packages(solutions):

@@ -11,15 +11,6 @@ from imgproc_course.classroom.exercises import read_exercises, run_cases
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "14_object_tracking.py"
 
 
-@pytest.fixture(scope="module")
-def solutions():
-    """The function of each exercise's solution, by its name."""
-    return {
-        exercise.function: exercise.function_of(exercise.solution, "solution")
-        for exercise in read_exercises(MASTER)
-    }
-
-
 @pytest.mark.parametrize("bins", [4, 16, 18, 30, 32, 50, 90, 180])
 def test_backproject_is_calc_back_project(solutions, bins):
     rng = np.random.default_rng(bins)

@@ -8,18 +8,7 @@ import onnxruntime
 import pytest
 import rapidocr
 
-from imgproc_course.classroom.exercises import read_exercises
-
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "17_reading_text.py"
-
-
-@pytest.fixture(scope="module")
-def solutions():
-    """The function of each exercise's solution, by its name."""
-    return {
-        exercise.function: exercise.function_of(exercise.solution, "solution")
-        for exercise in read_exercises(MASTER)
-    }
 
 
 def test_label_is_connected_components_up_to_the_order(solutions):

@@ -4,24 +4,13 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-import pytest
 from skimage.feature import hog
 from sklearn.metrics import confusion_matrix
 from sklearn.neighbors import NearestCentroid
 
-from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.recording import open_recording
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "18_recognising_objects.py"
-
-
-@pytest.fixture(scope="module")
-def solutions():
-    """The function of each exercise's solution, by its name."""
-    return {
-        exercise.function: exercise.function_of(exercise.solution, "solution")
-        for exercise in read_exercises(MASTER)
-    }
 
 
 def test_hog_of_solved_cells_is_skimage(solutions):

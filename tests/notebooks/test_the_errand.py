@@ -26,15 +26,6 @@ MASTER = Path(the_errand.__file__).parent / "masters" / "21_the_errand.py"
 SIGNS = ("KITCHEN", "BATHROOM", "OFFICE")
 
 
-@pytest.fixture(scope="module")
-def solutions():
-    """The function of each exercise's solution, by its name."""
-    return {
-        exercise.function: exercise.function_of(exercise.solution, "solution")
-        for exercise in read_exercises(MASTER)
-    }
-
-
 def names_of_cells(*names):
     """What the master's cells that bind these names leave behind."""
     space = {"math": math, "np": np}

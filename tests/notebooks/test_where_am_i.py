@@ -6,22 +6,11 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-import pytest
 from scipy.spatial.transform import Rotation
 
-from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.geometry import CameraModel, Pose, homography, rigid_motion
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "15_where_am_i.py"
-
-
-@pytest.fixture(scope="module")
-def solutions():
-    """The function of each exercise's solution, by its name."""
-    return {
-        exercise.function: exercise.function_of(exercise.solution, "solution")
-        for exercise in read_exercises(MASTER)
-    }
 
 
 def test_find_homography_is_get_perspective_transform_and_the_packages(solutions):
