@@ -13,11 +13,16 @@ import os
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 import numpy as np
+from geometry_msgs.msg import PoseStamped
+from in_the_room import PROGRAMS, TRUTH, Topics, pose_of
 
-NODES = Path(__file__).parents[1] / "ros" / "closed_loop_nodes.py"
+from imgproc_course.ros import Robot, open_camera
+from imgproc_course.simulation.drive import clearance
+from imgproc_course.simulation.room_model import FreeSpace
+
+NODES = PROGRAMS / "closed_loop_nodes.py"
 LOOPS = os.environ.get("LOOPS", "depth scan marker").split()
 STARTS = int(os.environ.get("STARTS", "10"))
 RATE = float(os.environ.get("RATE", "30"))
@@ -27,9 +32,6 @@ MARKER, MARKER_STOP, TOLERANCE = (-0.896, 0.55), 1.0, 0.1  # metres
 
 def starts(loop):
     """(seed, (x, y, yaw), lighting): free places, from which the way ahead, or to the marker, is free."""
-    from imgproc_course.simulation.drive import clearance
-    from imgproc_course.simulation.room_model import FreeSpace
-
     free = FreeSpace.load().distance
     seed, count = 0, 0
     while count < STARTS:
@@ -52,7 +54,7 @@ def starts(loop):
             yield seed, (round(x, 3), round(y, 3), round(yaw, 3)), ("day", "evening")[count % 2]
 
 
-def run(loop, robot, camera, truth, seed, start, lighting):
+def run(loop, robot, camera, topics, seed, start, lighting):
     """Drives one loop: (bumps, metres driven, the node's distance, the true one to the marker's wall)."""
     while True:
         try:
@@ -65,46 +67,29 @@ def run(loop, robot, camera, truth, seed, start, lighting):
     node = subprocess.run(
         [sys.executable, str(NODES), loop], capture_output=True, text=True, timeout=TIMEOUT, check=True
     )
-    x, y, yaw = truth()
+    x, y, yaw = true_place(topics)
     eye = (x + 0.21 * math.cos(yaw), y + 0.21 * math.sin(yaw))
     ahead = (MARKER[0] - eye[0]) * math.cos(yaw) + (MARKER[1] - eye[1]) * math.sin(yaw)
     return camera.bumps - bumps, math.dist((x, y), start[:2]), float(node.stdout), ahead
 
 
-def true_place():
-    """A function: the robot's newest true (x, y, yaw)."""
-    from geometry_msgs.msg import PoseStamped
-    from rclpy.qos import qos_profile_sensor_data
-
-    from imgproc_course.ros import RosSession
-
-    newest = []
-    RosSession.current().node.create_subscription(
-        PoseStamped, "/truth/pose/robot", newest.append, qos_profile_sensor_data
-    )
-
-    def place():
-        newest.clear()
-        while not newest:
-            time.sleep(0.01)
-        p, q = newest[-1].pose.position, newest[-1].pose.orientation
-        return p.x, p.y, 2 * math.atan2(q.z, q.w)
-
-    return place
+def true_place(topics):
+    """The robot's newest true (x, y, yaw)."""
+    topics.messages[TRUTH].clear()
+    while not topics.messages[TRUTH]:
+        time.sleep(0.01)
+    pose = pose_of(topics.messages[TRUTH][-1])
+    return *pose.position[:2], math.atan2(pose.rotation[1, 0], pose.rotation[0, 0])
 
 
 def main():
-    os.environ.setdefault("ROS_DOMAIN_ID", "96")
-    os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
-    from imgproc_course.ros import Robot, open_camera
-
     failed = False
     with open_camera("room", rate=RATE) as camera, Robot() as robot:
-        truth = true_place()
+        topics = Topics({TRUTH: PoseStamped})
         for loop in LOOPS:
             total = 0
             for seed, start, lighting in starts(loop):
-                bumps, way, measured, ahead = run(loop, robot, camera, truth, seed, start, lighting)
+                bumps, way, measured, ahead = run(loop, robot, camera, topics, seed, start, lighting)
                 total += bumps
                 line = f"{loop} seed {seed} {lighting}, from {start}: {way:.2f} m, {bumps} bumps"
                 line += f", measured {measured:.2f} m"

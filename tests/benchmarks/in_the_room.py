@@ -1,4 +1,4 @@
-"""A lesson's node in another process, for a minute in the room: what the benchmarks of these nodes share.
+"""A node in another process, for a minute in the room: what the benchmarks of these nodes share.
 
 SECONDS_IN_THE_ROOM=20 in the environment makes the minute shorter; 0 leaves it out.
 """
