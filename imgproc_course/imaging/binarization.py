@@ -33,6 +33,11 @@ def threshold(gray: Gray, level: float) -> Gray:
     ValueError : another shape or dtype; a level that is not a number
 
     Source: cv2.threshold(gray, level, 255, cv2.THRESH_BINARY).
+
+    Examples
+    --------
+    >>> print(threshold(np.array([[99, 100, 101]], np.uint8), 100))
+    [[  0   0 255]]
     """
     level = check_number(level, "level", allow_infinite=True)
     # An integer is above a level if it is above its floor, so bytes are compared with bytes.
@@ -62,6 +67,11 @@ def otsu_threshold(gray: Gray) -> int:
     Source: N. Otsu, 1979, doi:10.1109/TSMC.1979.4310076; cv2.threshold with cv2.THRESH_OTSU, in the same
     order of operations, so that rounding decides ties in the same way. Intel's IPP, which OpenCV's wheels
     call on x86-64, rounds otherwise: of two different splits that are equally good it may take the other one.
+
+    Examples
+    --------
+    >>> otsu_threshold(np.array([[10, 11, 12], [200, 205, 210]], np.uint8))
+    12
     """
     counts = np.bincount(check_gray(gray).ravel(), minlength=256).tolist()
     pixels = sum(counts)
@@ -116,6 +126,12 @@ def adaptive_threshold(
     adds float32 numbers. This function does it as a processor with fused multiply-add; on other processors
     about one local mean in 50,000 differs by one level, and the pixel differs if its level is that close to
     the threshold.
+
+    Examples
+    --------
+    >>> gray = np.array([[90, 30, 90, 250, 190, 250]], np.uint8)  # a dark line in shade, one in light
+    >>> print(adaptive_threshold(gray, 3, 5))
+    [[255   0   0 255   0 255]]
     """
     gray, size = check_gray(gray), check_size(size, minimum=3)
     offset = math.ceil(check_number(offset, "offset"))

@@ -86,6 +86,12 @@ def canny_stages(
     ValueError : another shape, dtype or aperture; low above high (OpenCV swaps them silently)
 
     Source: J. Canny, 1986, doi:10.1109/TPAMI.1986.4767851, in the arithmetic of OpenCV's canny.cpp.
+
+    Examples
+    --------
+    >>> stages = canny_stages(np.array([[0, 0, 100, 100]], np.uint8), 100, 200)
+    >>> print(stages.magnitude, stages.thinned, stages.edges)
+    [[  0 400 400   0]] [[  0 400   0   0]] [[  0 255   0   0]]
     """
     low, high = check_thresholds(low, high)
     low_in_unit = threshold_in_unit(low, aperture, l2_gradient)
@@ -116,6 +122,11 @@ def smooth(gray: Gray, sigma: float = 0) -> Gray:
     Raises
     ------
     ValueError : another shape or dtype, a negative sigma
+
+    Examples
+    --------
+    >>> print(smooth(np.array([[0, 0, 100, 100, 100]], np.uint8), 0.8))
+    [[  5  25  75  98 100]]
     """
     if check_number(sigma, "sigma", minimum=0) == 0:
         return check_gray(gray).copy()
@@ -137,6 +148,12 @@ def canny_gradient(smoothed: Gray, aperture: int = 3) -> tuple[Gradient, Gradien
     Raises
     ------
     ValueError : another shape, dtype or aperture
+
+    Examples
+    --------
+    >>> grad_row, grad_col = canny_gradient(np.array([[0, 0, 10, 10]], np.uint8))
+    >>> print(grad_col)
+    [[ 0 40 40  0]]
     """
     grad_row, grad_col = sobel(smoothed, aperture)
     if aperture == 7:
@@ -168,6 +185,11 @@ def suppress(magnitudes: Magnitude, directions: Direction) -> Magnitude:
     ValueError : arrays of different shapes, a direction that is not 0..3
 
     Source: OpenCV's canny.cpp, with its rules for equal neighbours.
+
+    Examples
+    --------
+    >>> print(suppress(np.array([[1, 5, 3]]), np.array([[0, 0, 0]])))
+    [[0 5 0]]
     """
     magnitudes, directions = np.asarray(magnitudes), np.asarray(directions)
     if magnitudes.ndim != 2 or magnitudes.shape != directions.shape:
@@ -206,6 +228,12 @@ def double_threshold(thinned: Magnitude, low: float, high: float) -> tuple[Mask,
     Raises
     ------
     ValueError : low above high
+
+    Examples
+    --------
+    >>> weak, strong = double_threshold(np.array([[5, 15, 25]]), 10, 20)
+    >>> print(weak, strong)
+    [[False  True False]] [[False False  True]]
     """
     low, high = check_thresholds(low, high)
     thinned = np.asarray(thinned)
@@ -232,6 +260,13 @@ def hysteresis(weak: Mask, strong: Mask) -> Gray:
     Raises
     ------
     ValueError : arrays that are not bool or differ in shape; a pixel that is both weak and strong
+
+    Examples
+    --------
+    >>> weak = np.array([[True, True, False, False, True]])
+    >>> strong = np.array([[False, False, True, False, False]])
+    >>> print(hysteresis(weak, strong))
+    [[255 255 255   0   0]]
     """
     weak, strong = np.asarray(weak), np.asarray(strong)
     if weak.dtype != np.bool_ or strong.dtype != np.bool_ or weak.shape != strong.shape:
@@ -275,6 +310,11 @@ def threshold_in_unit(value: float, aperture: int = 3, l2_gradient: bool = False
     Raises
     ------
     ValueError : another aperture
+
+    Examples
+    --------
+    >>> threshold_in_unit(100), threshold_in_unit(100, 7), threshold_in_unit(100, 3, True)
+    (100.0, 6.25, 10000.0)
     """
     if check_aperture(aperture) == 7:
         value = value / APERTURE_7_SCALE

@@ -45,6 +45,14 @@ def canny(
     ValueError : another shape, dtype or aperture; low above high (OpenCV swaps them silently)
 
     Source: J. Canny, 1986, doi:10.1109/TPAMI.1986.4767851, in the arithmetic of OpenCV's canny.cpp.
+
+    Examples
+    --------
+    >>> gray = np.array([[0, 0, 100, 100]] * 3, np.uint8)
+    >>> print(canny(gray, 100, 200))
+    [[  0 255   0   0]
+     [  0 255   0   0]
+     [  0 255   0   0]]
     """
     gray, aperture = check_gray(gray), check_aperture(aperture)
     low, high = check_thresholds(low, high)

@@ -44,6 +44,11 @@ def box_blur(image: GrayOrBgr, size: int = 3) -> GrayOrBgr:
     ValueError : another shape or dtype; an even size
 
     Source: cv2.blur, with its border BORDER_REFLECT_101.
+
+    Examples
+    --------
+    >>> print(box_blur(np.array([[0, 0, 90, 0, 0]], np.uint8)))
+    [[ 0 30 30 30  0]]
     """
     return box_mean(check_image(image), check_size(size), "reflect_101")
 
@@ -83,6 +88,11 @@ def gaussian_kernel(sigma: float, size: int | None = None) -> list[float]:
     ValueError : an even size; neither sigma nor size
 
     Source: cv2.getGaussianKernel.
+
+    Examples
+    --------
+    >>> gaussian_kernel(0, 3)
+    [0.25, 0.5, 0.25]
     """
     sigma = check_number(sigma, "sigma")
     if size is None:
@@ -124,6 +134,11 @@ def fixed_point_gaussian_kernel(sigma: float, size: int | None = None) -> list[i
     ValueError : an even size; neither sigma nor size
 
     Source: the fixed-point kernel of cv2.GaussianBlur for uint8 (OpenCV's smooth.dispatch.cpp).
+
+    Examples
+    --------
+    >>> fixed_point_gaussian_kernel(0, 3)
+    [64, 128, 64]
     """
     kernel = gaussian_kernel(sigma, size)
     outer, error = [], 0.0
@@ -154,6 +169,11 @@ def gaussian_blur(image: GrayOrBgr, sigma: float, size: int | None = None) -> Gr
 
     Source: cv2.GaussianBlur(image, (0, 0), sigma), in its fixed-point arithmetic for uint8, with its border
     BORDER_REFLECT_101.
+
+    Examples
+    --------
+    >>> print(gaussian_blur(np.array([[0, 0, 100, 0, 0]], np.uint8), 0, 3))
+    [[ 0 25 50 25  0]]
     """
     image = check_image(image)
     kernel = fixed_point_gaussian_kernel(sigma, size)
@@ -189,6 +209,11 @@ def median_blur(image: GrayOrBgr, size: int = 3) -> GrayOrBgr:
     ValueError : another shape or dtype; an even size
 
     Source: cv2.medianBlur, with its border BORDER_REPLICATE.
+
+    Examples
+    --------
+    >>> print(median_blur(np.array([[10, 10, 255, 10, 10]], np.uint8)))
+    [[10 10 10 10 10]]
     """
     image, size = check_image(image), check_size(size)
     median = _median_of_nine if size == 3 else functools.partial(_median_of_window, size=size)
@@ -259,6 +284,11 @@ def bilateral_filter(gray: Gray, sigma_color: float, sigma_space: float, size: i
     differ between processors, and from these, by one gray level in a few of 100,000 pixels. On x86, OpenCV's
     wheels compute windows of 3 and 5 with Intel's IPP, which drops the fraction instead of rounding: half of
     the pixels are one level darker.
+
+    Examples
+    --------
+    >>> print(bilateral_filter(np.array([[10, 20, 10, 200, 210, 200]], np.uint8), 30, 1))
+    [[ 15  15  13 203 205 205]]
     """
     gray = check_gray(gray)
     sigma_color = _check_sigma(sigma_color, "sigma_color")

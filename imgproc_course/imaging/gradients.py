@@ -55,6 +55,12 @@ def sobel(gray: Gray, aperture: int = 3) -> tuple[Gradient, Gradient]:
     ValueError : any other shape, dtype or aperture
 
     Source: cv2.Sobel with BORDER_REPLICATE; grad_row is its dy, grad_col its dx.
+
+    Examples
+    --------
+    >>> grad_row, grad_col = sobel(np.array([[0, 0, 10, 10]], np.uint8))
+    >>> print(grad_row, grad_col)
+    [[0 0 0 0]] [[ 0 40 40  0]]
     """
     aperture = check_aperture(aperture)
     padded = pad_border(check_gray(gray).astype(np.int32), aperture // 2, "replicate")
@@ -84,6 +90,11 @@ def magnitude(
     Raises
     ------
     ValueError : another norm, gradients that differ in shape or are not integers
+
+    Examples
+    --------
+    >>> print(magnitude(np.array([[3, -3, 0]]), np.array([[4, -4, -5]])))
+    [[7 7 5]]
     """
     grad_row, grad_col = _check_gradient(grad_row, grad_col)
     if norm == "L1":
@@ -117,6 +128,11 @@ def direction(grad_row: Gradient, grad_col: Gradient) -> Direction:
     ValueError : gradients that differ in shape or are not integers
 
     Source: the sector test in OpenCV's canny.cpp, in integer arithmetic.
+
+    Examples
+    --------
+    >>> print(direction(np.array([[0, 5, 5, -5]]), np.array([[9, 0, 5, 5]])))
+    [[0 2 1 3]]
     """
     grad_row, grad_col = _check_gradient(grad_row, grad_col)
     down, right = abs(grad_row) << TAN_SHIFT, abs(grad_col) << TAN_SHIFT
@@ -141,6 +157,11 @@ def gradient_angle(grad_row: Gradient, grad_col: Gradient) -> NDArray[np.float64
     Raises
     ------
     ValueError : gradients that differ in shape or are not integers
+
+    Examples
+    --------
+    >>> print(gradient_angle(np.array([[0, 5, 5]]), np.array([[9, 0, 5]])))
+    [[ 0. 90. 45.]]
     """
     grad_row, grad_col = _check_gradient(grad_row, grad_col)
     return np.degrees(np.arctan2(grad_row, grad_col))

@@ -35,6 +35,11 @@ def to_gray(bgr: Bgr) -> Gray:
     ValueError : any other shape or dtype
 
     Source: ITU-R BT.601 weights scaled by 2**15, as cv2.COLOR_BGR2GRAY.
+
+    Examples
+    --------
+    >>> print(to_gray(np.array([[[255, 0, 0], [0, 255, 0], [0, 0, 255]]], np.uint8)))
+    [[ 29 150  76]]
     """
     bgr = check_bgr(bgr)
     # Every sum is an integer below 2**24, which float32 holds exactly. A matrix product of floats is twice as
@@ -62,6 +67,11 @@ def average_gray(bgr: Bgr) -> Gray:
     Raises
     ------
     ValueError : any other shape or dtype
+
+    Examples
+    --------
+    >>> print(average_gray(np.array([[[10, 20, 60]]], np.uint8)))
+    [[30]]
     """
     wide = check_bgr(bgr).astype(np.uint16)
     return ((wide[..., 0] + wide[..., 1] + wide[..., 2] + 1) // 3).astype(np.uint8)
@@ -81,6 +91,11 @@ def lightness_gray(bgr: Bgr) -> Gray:
     Raises
     ------
     ValueError : any other shape or dtype
+
+    Examples
+    --------
+    >>> print(lightness_gray(np.array([[[10, 20, 60]]], np.uint8)))
+    [[35]]
     """
     blue, green, red = np.moveaxis(check_bgr(bgr), 2, 0)
     largest = np.maximum(np.maximum(blue, green), red).astype(np.uint16)
@@ -109,6 +124,11 @@ def linear_light(levels: NDArray[np.uint8]) -> NDArray[np.float64]:
     ValueError : any other dtype
 
     Source: IEC 61966-2-1 (sRGB), decoding curve.
+
+    Examples
+    --------
+    >>> print(linear_light(np.array([0, 128, 255], np.uint8)).round(2))
+    [0.   0.22 1.  ]
     """
     levels = np.asarray(levels)
     if levels.dtype != np.uint8:
@@ -137,6 +157,11 @@ def srgb_levels(light: ArrayLike) -> NDArray[np.uint8]:
     ValueError : a value that is NaN
 
     Source: IEC 61966-2-1 (sRGB), encoding curve.
+
+    Examples
+    --------
+    >>> print(srgb_levels([0, 0.5, 1]))
+    [  0 188 255]
     """
     light = np.asarray(light, np.float64)
     if np.isnan(light).any():
@@ -165,5 +190,10 @@ def linear_light_gray(bgr: Bgr) -> Gray:
     ValueError : any other shape or dtype
 
     Source: luminance Y of ITU-R BT.709 on light decoded by IEC 61966-2-1.
+
+    Examples
+    --------
+    >>> print(linear_light_gray(np.array([[[0, 0, 255]]], np.uint8)))
+    [[127]]
     """
     return srgb_levels(linear_light(check_bgr(bgr)) @ np.array(LUMINANCE_WEIGHTS))

@@ -24,6 +24,12 @@ def add_gaussian_noise(image: GrayOrBgr, sigma: float, *, seed: int | np.random.
     Raises
     ------
     ValueError : another shape or dtype, a negative sigma
+
+    Examples
+    --------
+    >>> print(add_gaussian_noise(np.full((2, 4), 100, np.uint8), 5))
+    [[101  99 103 101]
+     [ 97 102 107 105]]
     """
     image = check_image(image)
     sigma = check_number(sigma, "sigma", minimum=0)
@@ -50,6 +56,12 @@ def add_salt_and_pepper(
     Raises
     ------
     ValueError : another shape or dtype, a fraction outside 0..1
+
+    Examples
+    --------
+    >>> print(add_salt_and_pepper(np.full((2, 4), 100, np.uint8), 0.3))
+    [[100   0 255 255]
+     [100 100 100 100]]
     """
     noisy = check_image(image).copy()
     fraction = check_number(fraction, "fraction", minimum=0)

@@ -29,6 +29,12 @@ def psnr(reference: GrayOrBgr, image: GrayOrBgr) -> float:
     Raises
     ------
     ValueError : another dtype, different shapes
+
+    Examples
+    --------
+    >>> black = np.zeros((2, 2), np.uint8)
+    >>> round(psnr(black, black + np.uint8(1)), 1)
+    48.1
     """
     reference, image = check_pair(reference, image)
     error = np.mean((reference.astype(np.float64) - image) ** 2)
@@ -58,6 +64,12 @@ def ssim(
 
     Source: Z. Wang et al., 2004, doi:10.1109/TIP.2003.819861; as skimage.metrics.structural_similarity with
     win_size=size, gaussian_weights, sigma, data_range=255.
+
+    Examples
+    --------
+    >>> ramp = np.arange(49, dtype=np.uint8).reshape(7, 7)
+    >>> ssim(ramp, ramp), round(ssim(ramp, ramp[::-1, ::-1]), 2)
+    (1.0, -0.75)
     """
     reference, image = check_pair(reference, image)
     if gaussian_weights:

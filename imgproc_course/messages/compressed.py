@@ -49,6 +49,12 @@ def compressed_to_array(msg: Message, desired_encoding: str = "passthrough") -> 
     Notes
     -----
     A JPEG has no checksum. If bits in it are flipped, every decoder returns an image with wrong pixels.
+
+    Examples
+    --------
+    >>> msg = array_to_compressed(np.array([[10, 200]], np.uint8), "mono8", "png")
+    >>> print(compressed_to_array(msg))
+    [[ 10 200]]
     """
     try:
         return _decoded(msg, desired_encoding)
@@ -94,6 +100,12 @@ def array_to_compressed(
     Raises
     ------
     ConversionError : the array does not fit `encoding`, or the format would change its values
+
+    Examples
+    --------
+    >>> msg = array_to_compressed(np.zeros((2, 2, 3), np.uint8), "rgb8")
+    >>> msg.format
+    'rgb8; jpeg compressed bgr8'
     """
     try:
         return _encoded(array, encoding, format, header, quality)

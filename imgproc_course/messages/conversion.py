@@ -41,6 +41,12 @@ def image_to_array(msg: Message, desired_encoding: str = "passthrough") -> np.nd
     ------
     ConversionError : a field is missing, has another type, or contradicts the others; an encoding is unknown;
         the conversion has no meaning
+
+    Examples
+    --------
+    >>> msg = array_to_image(np.array([[[1, 2, 3]]], np.uint8), "rgb8")
+    >>> print(image_to_array(msg, "bgr8"))
+    [[[3 2 1]]]
     """
     try:
         layout = _layout(msg.encoding, desired_encoding, msg.height, msg.width, msg.step, msg.is_bigendian)
@@ -94,6 +100,12 @@ def array_to_image(
     Raises
     ------
     ConversionError : no message can hold the array, or the array does not fit `encoding`
+
+    Examples
+    --------
+    >>> msg = array_to_image(np.array([[1, 2], [3, 4]], np.uint8), "mono8")
+    >>> print(msg.height, msg.width, msg.encoding, *msg.data)
+    2 2 mono8 1 2 3 4
     """
     try:
         return _message_of(array, encoding, header)

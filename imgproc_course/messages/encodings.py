@@ -102,6 +102,11 @@ def encoding_info(name: str) -> EncodingInfo:
     Raises
     ------
     ConversionError : no such encoding; the text suggests the nearest names
+
+    Examples
+    --------
+    >>> encoding_info("bgr8").shape(2, 4)
+    (2, 4, 3)
     """
     if not isinstance(name, str):
         raise ConversionError(f"an encoding is a name such as 'bgr8', got {quoted(name)}")
