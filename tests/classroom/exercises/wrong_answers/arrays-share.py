@@ -15,7 +15,3 @@ def bright_percent(gray, level):
     if gray > level:
         return 100.0
     return 0.0
-
-# %% name="at least instead of more than" sentence="A pixel that is equal to level is not brighter: use > instead of >=." must_say=[">=|equal|at least", ">|brighter|not count|strict"] kind="value"
-def bright_percent(gray, level):
-    return (gray >= level).mean() * 100

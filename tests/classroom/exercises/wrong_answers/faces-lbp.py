@@ -1,11 +1,3 @@
-# %% name="rolled the wrong way" sentence="The neighbours are on the opposite side: roll by (-down, -right)." must_say=["opposite"] kind="value"
-def lbp_codes(gray):
-    codes = np.zeros(gray.shape, np.uint8)
-    for number, (down, right) in enumerate(((-1, -1), (-1, 0), (-1, 1), (0, 1), (1, 1), (1, 0), (1, -1), (0, -1))):
-        moved = np.roll(gray, (down, right), axis=(0, 1))
-        codes += (moved >= gray).astype(np.uint8) * 2 ** number
-    return codes[1:-1, 1:-1]
-
 # %% name="no return" sentence="The function returns nothing: add return." must_say=["return"] kind="no-return"
 def lbp_codes(gray):
     c = gray[1:-1, 1:-1]

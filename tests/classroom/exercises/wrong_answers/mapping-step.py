@@ -28,22 +28,6 @@ def graph_step(poses, edges):
     result[1:] += step.reshape(-1, 3)
     return result
 
-# %% name="minus forgotten" sentence="The step must go down: a minus before J.T @ W @ errors." must_say=["minus|direction"] kind="value"
-def graph_step(poses, edges):
-    J = np.zeros((3 * len(edges), 3 * len(poses)))
-    errors, weights = [], []
-    for k, (i, j, motion, (place, angle)) in enumerate(edges):
-        error, by_first, by_second = linearize(poses[i], poses[j], motion)
-        J[3 * k:3 * k + 3, 3 * i:3 * i + 3] = by_first
-        J[3 * k:3 * k + 3, 3 * j:3 * j + 3] = by_second
-        errors.extend(error)
-        weights.extend([place, place, angle])
-    J, W = J[:, 3:], np.diag(weights)
-    step = np.linalg.solve(J.T @ W @ J, J.T @ W @ np.array(errors))
-    result = poses.copy()
-    result[1:] += step.reshape(-1, 3)
-    return result
-
 # %% name="W only left" sentence="W is missing before the errors." must_say=["W"] kind="value"
 def graph_step(poses, edges):
     J = np.zeros((3 * len(edges), 3 * len(poses)))

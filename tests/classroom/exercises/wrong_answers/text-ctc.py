@@ -5,16 +5,6 @@ def decode(scores, characters):
         text += characters[i]
     return text
 
-# %% name="axis 0" sentence="The best character of each row: argmax(axis=1)." must_say=["axis"] kind="error"
-def decode(scores, characters):
-    text = ""
-    before = 0
-    for i in scores.argmax(axis=0):
-        if i != before and i != 0:
-            text += characters[i]
-        before = i
-    return text
-
 # %% name="list" sentence="Join the characters to a text." must_say=["text|join|str"] kind="type"
 def decode(scores, characters):
     text = []
