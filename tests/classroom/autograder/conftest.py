@@ -13,11 +13,6 @@ from imgproc_course.classroom.autograder.pool import autograde
 
 
 @pytest.fixture(scope="session")
-def masters():
-    return MASTERS
-
-
-@pytest.fixture(scope="session")
 def key(tmp_path_factory):
     return make_key(MASTERS, SEED, tmp_path_factory.mktemp("key") / "key")
 

@@ -12,12 +12,9 @@ from imgproc_course.classroom.autograder.answer_key import ExerciseContent, KeyC
 from imgproc_course.classroom.autograder.drives import CHECK, environment
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.results import graded_exercise
-from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.classroom.exercises.input_encoding import encode
 
 MASTERS = Path(__file__).parent / "driving/masters"
-# Short, so that endless drives end soon; long enough for two kernels on a busy machine.
-SHORT = Limits(grace=0.5, wall_factor=4, wall_grace=2.0, memory=1 << 30, output=2 << 20)
 SCENARIO = {
     "seed": 3,
     "title": "a wall",

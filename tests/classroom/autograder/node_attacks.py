@@ -20,15 +20,10 @@ def in_callback(source):
 # (name, source, outcomes that the cases after the first one may have)
 NODE_ATTACKS = (
     ("a driver that forges the record", f"{DRIVER}node_driver.drive = lambda *a: {RECORD}\n{SUBSCRIBES}", {"wrong"}),
-    ("steps that forge their results", f"{DRIVER}node_driver.describe_answer = lambda *a: {RECORD}['steps'][0]\n{SUBSCRIBES}", {"wrong"}),
     ("the input as the output", in_callback('msg.encoding = "mono8"; self.publisher.publish(msg)'), {"wrong"}),
     ("the arguments of the drive", in_callback("import sys; f = sys._getframe(3); f.f_locals['steps'].clear()"), {"wrong", "raised", "hostile"}),
     ("a class that makes another object", SUBSCRIBES + "\nclass Meta(type):\n    def __call__(cls):\n        return object()\n\n\nclass ImageGrayProcessor(ImageGrayProcessor, metaclass=Meta):\n    pass\n", {"raised", "wrong"}),
     ("an instance that says yes to all", "class ImageGrayProcessor:\n    __mro__ = ()\n\n    def __getattr__(self, name):\n        return lambda *a, **k: True\n", {"raised"}),
     ("not graded, on purpose", in_callback("recording_node = __import__('imgproc_course.classroom.exercises.recording_node', fromlist=['x']); recording_node.refuse('this')"), {"not graded", "wrong"}),
     ("the end of the drive, swallowed", in_callback("recording_node = __import__('imgproc_course.classroom.exercises.recording_node', fromlist=['x']); recording_node.NodeStopped.is_driven = False"), {"wrong"}),
-    ("an endless loop", in_callback("while True: pass"), {"time", "wrong"}),
-    ("the end of the process", in_callback("import os; os._exit(0)"), {"crashed", "wrong"}),
-    ("time limits of its own", in_callback("import signal; signal.setitimer(signal.ITIMER_PROF, 0)"), {"wrong"}),
-    ("an emit of its own", SUBSCRIBES + "\nimport imgproc_course.classroom.autograder.sandbox.inside.check_cell as c\nc.emit = lambda *a: None\n", {"hostile", "wrong"}),
 )  # fmt: skip

@@ -1,10 +1,12 @@
 """Graded drives: what ends them, whose fault it is, what attacks gain, and the scenarios of a key."""
 
 import time
+from dataclasses import replace
 
 import pytest
+from attacks import SHORT
 from drive_attacks import DRIVE_ATTACKS
-from drive_runs import GOOD, MASTERS, PUBLIC, SHORT, on_the_plane, run_drives
+from drive_runs import GOOD, HIDDEN, MASTERS, PUBLIC, on_the_plane, run_drives
 
 from imgproc_course.classroom.autograder.answer_key import load_key
 from imgproc_course.classroom.autograder.draw_scenarios import MARGIN, with_margin
@@ -15,8 +17,17 @@ from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFac
 from imgproc_course.classroom.exercises.declaration import MasterError
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("drives"), pytest.mark.timeout(600)]
-# tests/benchmarks/bench_driving.py has the others.
-QUICK = [attack for attack in DRIVE_ATTACKS if not attack.slow]
+ATTACKED = tuple(replace(case, calls=8) for case in (PUBLIC, HIDDEN))  # a second of processor time
+BESIDE = """
+import os, time
+def control(observation, memory):
+    for _ in range(2 * (observation["time"] == 0)):
+        if os.fork() == 0:
+            while time.process_time() < 1: pass
+            os._exit(0)
+        os.wait()
+    return 0.0, 0.0
+"""
 
 
 @pytest.fixture(scope="module")
@@ -129,15 +140,23 @@ def test_what_fails_in_the_environment_is_no_fault_of_the_learner(factory):
 # ---------------------------------------------------------------- attacks
 
 
-@pytest.mark.parametrize("attack", QUICK, ids=[attack.name for attack in QUICK])
-def test_an_attack_gains_nothing_and_sees_nothing(attack, drive):
-    exercise = drive(attack.source)
+@pytest.mark.parametrize("attack", DRIVE_ATTACKS, ids=[attack.name for attack in DRIVE_ATTACKS])
+def test_an_attack_gains_nothing_sees_nothing_and_leaves_the_next_drive_alone(attack, drive):
+    exercise = drive(attack.source, cases=ATTACKED)
     public, hidden = exercise.cases
     assert exercise.points == 0
     assert {case.outcome.value for case in exercise.cases} <= attack.outcomes
     assert attack.seen in public.message
     assert not [secret for secret in attack.secrets if secret in public.message]
     assert "seen" not in hidden.message
+    assert drive(GOOD).points == 5
+
+
+def test_all_processes_of_a_look_share_its_time(drive, factory):
+    # Where this user cannot make control groups, each process has the limit for itself.
+    is_counted = factory._group.cpu_seconds() is not None
+    outcomes = {case.outcome.value for case in drive(BESIDE).cases}
+    assert outcomes == {"time" if is_counted else "wrong"}
 
 
 def test_each_drive_has_a_kernel_of_its_own(drive):
@@ -153,10 +172,6 @@ def test_nothing_is_left_for_the_next_drive(drive):
     assert drive(leaves).points == 5
     looks = f"import os\nassert not os.path.exists('/tmp/left')\n{GOOD}\n" + GOOD
     assert drive(looks).points == 5 and drive(looks).message == ""
-
-
-def test_there_are_as_many_attacks_as_were_promised():
-    assert len({attack.name for attack in DRIVE_ATTACKS}) == len(DRIVE_ATTACKS) >= 42
 
 
 # ---------------------------------------------------------------- the scenarios of a key

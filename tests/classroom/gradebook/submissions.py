@@ -4,6 +4,7 @@ import json
 import os
 import random
 import sys
+import zipfile
 from datetime import datetime
 from pathlib import Path
 
@@ -57,6 +58,16 @@ def write(path, made, when=None):
     path.write_bytes(data.encode("utf-8") if isinstance(data, str) else data)
     moment = (when or datetime(2026, 11, 30, 12, 0)).timestamp()
     os.utime(path, (moment, moment))
+    return path
+
+
+def make_zip(path, members, when=datetime(2026, 11, 30, 12), modified=datetime(2026, 12, 24, 18)):
+    """Write a zip of (name, data) members, each of the date `when`; the date of the zip is `modified`."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in members:
+            archive.writestr(zipfile.ZipInfo(name, when.timetuple()[:6]), data, zipfile.ZIP_DEFLATED)
+    os.utime(path, (modified.timestamp(), modified.timestamp()))
     return path
 
 

@@ -3,7 +3,6 @@
 import json
 
 import pytest
-from form_attacks import MALFORMED
 from submissions import answers_of, cell_of, notebook
 
 from imgproc_course.classroom.autograder.nbval_plugin import MAX_ANSWER
@@ -430,9 +429,34 @@ def test_a_notebook_that_is_no_lesson(read):
 # ---------------------------------------------------------------- damaged notebooks
 
 
+DEEP = 100_000
+MALFORMED = {  # name: (the file's bytes, the reason)
+    "blank": (b" \n", "the file is empty"),
+    "cut off": (b'{"nbformat": 4, "cells": [', "its JSON is broken (line 1)"),
+    "null bytes": (b"\x00" * 100, "its JSON is broken"),
+    "UTF-16": ('{"nbformat": 4}'.encode("utf-16"), "no list of cells"),
+    "UTF-16 cut off": ('{"nbformat": 4}'.encode("utf-16")[:-1], "it is not UTF-16"),
+    "latin-1": ('{"nbformat": 4, "ä": 1}'.encode("latin-1"), "it is not UTF-8"),
+    "a list": (b"[]", "its JSON holds something else"),
+    "format true": (b'{"nbformat": true, "cells": []}', "which notebook format"),
+    "format 2": (b'{"nbformat": 2, "worksheets": []}', "notebook format 2"),
+    "format huge": (b'{"nbformat": 1' + b"0" * 400 + b', "cells": []}', "notebook format 1000"),
+    "no cells in a worksheet": (b'{"nbformat": 3, "worksheets": [3, {"cells": {}}]}', "no list of cells"),
+    "too many worksheets": (
+        b'{"nbformat": 3, "worksheets": [' + b'{"cells": [1, 1]},' * 3_000 + b'{"cells": [1]}]}',
+        "6001 cells",
+    ),
+    "cells a dict": (b'{"nbformat": 4, "cells": {}}', "no list of cells"),
+    "deep metadata": (b'{"nbformat": 4, "metadata": ' + b"[" * DEEP, "nested too deep"),
+    "deep dicts": (b'{"a":' * DEEP + b"1" + b"}" * DEEP, "nested too deep"),
+    "a long number": (b'{"nbformat": 4, "cells": ' + b"9" * 10_000 + b"}", "its JSON is broken"),
+    "too many cells": (b'{"nbformat": 4, "cells": [' + b"1," * 6_000 + b"1]}", "6001 cells"),
+}
+
+
 @pytest.mark.parametrize("name", MALFORMED)
 def test_a_malformed_notebook_is_a_reason(read, made, light, name):
-    _, data, reason = MALFORMED[name]
+    data, reason = MALFORMED[name]
     content = read(data)
     assert reason in content.reason
     assert content.answers == {} and content.lesson is None
