@@ -7,7 +7,7 @@ import zipfile
 from datetime import datetime
 
 import pytest
-from submissions import write
+from submissions import make_zip, write
 
 from imgproc_course.classroom.gradebook import archives
 from imgproc_course.classroom.gradebook.archives import CollectError
@@ -29,39 +29,21 @@ def files_by_source():
         yield collected
 
 
-def make_zip(path, members, when=(2026, 11, 30, 12, 0, 0)):
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, data in members:
-            archive.writestr(zipfile.ZipInfo(name, when), data, zipfile.ZIP_DEFLATED)
-    moment = datetime(2026, 12, 24, 18, 0).timestamp()
-    os.utime(path, (moment, moment))
-    return path
-
-
 @pytest.mark.parametrize(
     ("name", "learner", "id", "platform", "late"),
     [
         ("ada.ipynb", "ada", "", "", False),
-        ("student-1.ipynb", "student-1", "", "", False),
         ("student (2).ipynb", "student (2)", "", "", False),
         ("20_light_student-2.ipynb", "student-2", "", "", False),
-        ("ada_20_light-1.ipynb", "ada", "", "", False),
         ("ada_20_light (2).ipynb", "ada", "", "", False),
-        ("ada_20_light.ipynb", "ada", "", "", False),
         ("20_light_ada.ipynb", "ada", "", "", False),
-        ("21_light_ada.ipynb", "ada", "", "", False),
-        ("ada light-1.ipynb", "ada", "", "", False),
         ("ada highlight-1.ipynb", "ada highlight-1", "", "", False),
         ("light/ada.ipynb", "ada", "", "", False),
         ("03_unknown/ada.ipynb", "ada", "", "", False),
-        ("ada/20_light.ipynb", "ada", "", "", False),
         ("ada/deep/er/x.ipynb", "ada", "", "", False),
-        ("20_light/ada.ipynb", "ada", "", "", False),
         ("20_light/ada/x.ipynb", "ada", "", "", False),
         ("Ada Lovelace_12345_assignsubmission_file_/x.ipynb", "Ada Lovelace", "12345", "moodle", False),
-        ("Ada Lovelace_12345_assignsubmission_file/x.ipynb", "Ada Lovelace", "12345", "moodle", False),
         ("Ada Lovelace_12345_assignsubmission_file_20_light.ipynb", "Ada Lovelace", "12345", "moodle", False),
-        ("lovelaceada_123_456_20_light.ipynb", "lovelaceada", "123", "canvas", False),
         ("lovelaceada_LATE_123_456_20_light-2.ipynb", "lovelaceada", "123", "canvas", True),
         ("ada/bob_1_2_20_light.ipynb", "ada", "", "", False),
         ("ada/Bob_1_assignsubmission_file_/x.ipynb", "ada", "", "", False),
@@ -80,16 +62,11 @@ def test_the_owner_of_a_file(files_by_source, submissions, name, learner, id, pl
     ("zip_name", "inner", "learner", "month"),
     [
         ("carol.zip", "20_light.ipynb", "carol", 12),  # her own zip: its dates are hers to write
-        ("carol.zip", "my_lessons/20_light.ipynb", "carol", 12),
-        ("all.zip", "ada.ipynb", "all", 12),
         ("all.zip", "handed-in/ada/20_light.ipynb", "all", 12),
         ("carol_20_light.zip", "20_light.ipynb", "carol", 12),
-        ("light/carol.zip", "bob/x.ipynb", "carol", 12),
         ("light/moodle.zip", "Ada Lovelace_12345_assignsubmission_file_/x.ipynb", "Ada Lovelace", 11),
-        ("moodle.zip", "Ada Lovelace_12345_assignsubmission_file_/x.ipynb", "Ada Lovelace", 11),
         ("canvas.zip", "lovelaceada_LATE_123_456_x.ipynb", "lovelaceada", 11),
         ("carol/work.zip", "bob_1_2_x.ipynb", "carol", 12),
-        ("carol/work.zip", "bob/x.ipynb", "carol", 12),
         ("carol_1_2_work.zip", "bob/x.ipynb", "carol", 12),
     ],
 )
@@ -175,8 +152,6 @@ def test_a_link_to_a_neighbours_file_is_reported_for_the_one_who_came_later(subm
     [
         ("ada/20_light.ipynb.txt", "ada"),
         ("ada/20_light.IPYNB.json", "ada"),
-        ("ada_20_light.ipynb (1).txt", "ada"),
-        ("ada.ipynb.txt", "ada"),
         ("light/ada.ipynb.json", "ada"),
         ("20_light.ipynb.txt", "20_light"),
     ],
@@ -244,7 +219,6 @@ def test_a_file_larger_than_its_zip_says_is_read_up_to_the_limit(submissions, mo
     [
         ("../../x.ipynb", "leads out of the zip"),
         ("/etc/x.ipynb", "leads out of the zip"),
-        ("C:\\x.ipynb", "leads out of the zip"),
         ("..\\x.ipynb", "leads out of the zip"),
         ("inner.zip", "a zip in a zip"),
     ],

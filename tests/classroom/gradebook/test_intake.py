@@ -9,7 +9,7 @@ from datetime import datetime
 from pathlib import Path
 
 import pytest
-from submissions import answers_of, notebook, write
+from submissions import answers_of, make_zip, notebook, write
 
 from imgproc_course.classroom.gradebook import learners as learners_module
 from imgproc_course.classroom.gradebook.archives import CollectError
@@ -38,14 +38,6 @@ def read(answer_keys, tmp_path):
     return learners_of
 
 
-def make_zip(path, names, data, *, when=(2099, 1, 1, 0, 0, 0), modified=datetime(2026, 11, 30, 12)):
-    with zipfile.ZipFile(path, "w") as archive:
-        for name in names:
-            archive.writestr(zipfile.ZipInfo(name, when), data)
-    os.utime(path, (modified.timestamp(), modified.timestamp()))
-    return path
-
-
 def counting(learner):
     return learner.submissions["light"].file.source
 
@@ -57,7 +49,8 @@ def findings(collection, kind="sender"):
 def test_a_learners_zip_is_the_learners_whatever_it_names(read, light, submissions):
     data = json.dumps(notebook(light))
     write(submissions / "bob" / "20_light.ipynb", data)
-    make_zip(submissions / "eve.zip", ["bob/20_light.ipynb", "bob.ipynb", BOB_IN_MOODLE], data)
+    names = ["bob/20_light.ipynb", "bob.ipynb", BOB_IN_MOODLE]
+    make_zip(submissions / "eve.zip", [(name, data) for name in names], datetime(2099, 1, 1))
     collection, learners = read(submissions)
     assert sorted(learners) == ["bob", "eve"]
     assert counting(learners["bob"]) == "bob/20_light.ipynb" and learners["bob"].earlier == {}
@@ -68,12 +61,8 @@ def test_a_learners_zip_is_the_learners_whatever_it_names(read, light, submissio
 
 SEVERAL_PEOPLE = [
     ["GroupA/ada.ipynb", "GroupA/bob.ipynb"],
-    ["week3/ada.ipynb", "week3/bob_20_light.ipynb"],
-    ["course/section 1/ada/20_light.ipynb", "course/section 1/bob/20_light.ipynb"],
     ["course/section 1/ada/20_light.ipynb", "course/section 2/cy/sound.ipynb"],
     ["GroupA/ada.ipynb", "GroupA/bob sound.ipynb"],
-    ["20_light/GroupA/ada.ipynb", "20_light/GroupA/bob.ipynb"],
-    ["GroupA/1234567.ipynb", "GroupA/1234568.ipynb"],
     ["GroupA/student1.ipynb", "GroupA/student2.ipynb"],
     [
         "ilias.zip/Abgaben/Lovelace_Ada_ada_17/20_light.ipynb",
@@ -82,12 +71,6 @@ SEVERAL_PEOPLE = [
 ]
 ONE_PERSON = [
     ["ada/20_light.ipynb", "ada/20_light-1.ipynb", "ada/old/20_light (2).ipynb", "ada/sound.ipynb"],
-    [
-        "ada/20_light-Copy1.ipynb",
-        "ada/20_light-Copy2.ipynb",
-        "ada/20_light v2 final.ipynb",
-        "ada/my light.ipynb",
-    ],
     ["ada/imgproc-course/my_lessons/20_light.ipynb", "ada/imgproc-course/notebooks/20_light.ipynb"],
     ["Ada Lovelace/lovelace_20_light.ipynb", "Ada Lovelace/Ada-L sound.ipynb"],
     ["group 7/ada.ipynb", "group 7/ada and bob sound.ipynb"],
@@ -118,19 +101,11 @@ def test_files_that_name_several_people_are_not_one_learners(read, masters, subm
     assert [line.strip() for line in str(refused.value).splitlines()[1:-1]] == sorted(names)
 
 
-def test_a_zip_of_several_people_in_one_folder_is_reported(submissions):
-    names = [f"class/{name}/20_light.ipynb" for name in ("ada", "bob", "cy")]
-    make_zip(submissions / "class.zip", names, b"{}")
-    with collect(submissions, LESSONS) as collection:
-        assert {file.learner for file in collection.files} == {"class"}
-    ((sender, text),) = findings(collection)
-    assert sender == "class" and "unpack it" in text
-
-
 def test_a_name_in_a_platforms_zip_does_not_replace_a_submission_of_its_own(read, light, submissions):
     data = json.dumps(notebook(light, answers_of(light, "right")))
     write(submissions / "Bob Ray" / "20_light.ipynb", json.dumps(notebook(light)))  # has no answers
-    make_zip(submissions / "all.zip", [BOB_IN_MOODLE, BOB_IN_MOODLE.replace("Bob Ray_7", "Cy_9")], data)
+    names = [BOB_IN_MOODLE, BOB_IN_MOODLE.replace("Bob Ray_7", "Cy_9")]
+    make_zip(submissions / "all.zip", [(name, data) for name in names], datetime(2099, 1, 1))
     collection, learners = read(submissions)
     assert sorted(learners) == ["Bob Ray", "Cy"]
     assert counting(learners["Bob Ray"]) == "Bob Ray/20_light.ipynb"
@@ -150,9 +125,8 @@ def test_a_folder_with_a_number_hides_no_submission_of_another(read, light, subm
 def test_dates_in_a_platforms_zip_are_shown_and_reported_if_they_decide(read, light, submissions):
     make_zip(
         submissions / "class.zip",
-        [BOB_IN_MOODLE],
-        json.dumps(notebook(light)),
-        when=(2026, 11, 1, 8, 0, 0),
+        [(BOB_IN_MOODLE, json.dumps(notebook(light)))],
+        when=datetime(2026, 11, 1, 8),
         modified=datetime(2026, 12, 5),
     )
     deadlines = Deadlines(datetime(2026, 12, 1))
@@ -167,8 +141,8 @@ def test_dates_in_a_platforms_zip_are_shown_and_reported_if_they_decide(read, li
 
 
 def test_a_date_in_a_learners_zip_is_not_believed(read, light, submissions):
-    data, when = json.dumps(notebook(light)), (2020, 1, 1, 0, 0, 0)
-    make_zip(submissions / "bob.zip", ["20_light.ipynb"], data, modified=datetime(2026, 12, 5), when=when)
+    members = [("20_light.ipynb", json.dumps(notebook(light)))]
+    make_zip(submissions / "bob.zip", members, datetime(2020, 1, 1), modified=datetime(2026, 12, 5))
     file = read(submissions)[1]["bob"].submissions["light"].file
     assert Deadlines(datetime(2026, 12, 1)).is_late("bob", "light", file)
 
