@@ -1,7 +1,5 @@
 """Masters grade correctly: the stub gets no points, the solution all, and a mistake is named."""
 
-from pathlib import Path
-
 import pytest
 from master_answers import sample_answers
 from sample_answers import FOLDERS, ROOT, fault_of, grade_samples, samples, title_of
@@ -53,7 +51,3 @@ def test_check_in_a_lesson_agrees(results, path, declared, name):
     else:
         assert not checked.passed and not public_passed
         assert checked.mistake.name == result.mistake
-
-
-def test_there_are_masters_to_grade():
-    assert {ROOT / "notebooks" / "masters", Path(__file__).parent / "masters"} <= set(FOLDERS)

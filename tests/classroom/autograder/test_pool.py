@@ -15,8 +15,6 @@ from contextlib import suppress
 import psutil
 import pytest
 
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
-from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.classroom.autograder import nbval_process
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
@@ -26,10 +24,6 @@ from imgproc_course.classroom.autograder.results import from_json, to_json
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
-from imgproc_course.classroom.exercises import read_exercises
-from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
-from imgproc_course.classroom.exercises.checking import run_check
-from imgproc_course.classroom.exercises.expected_results import check_data_of
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
 LESSON = "attacked"
@@ -188,28 +182,6 @@ def test_an_honest_wrong_answer_says_why(results):
     )
     assert messages["a syntax error"].startswith("its cell does not run: IndentationError")
     assert messages["no function"] == "its cell does not define double()"
-
-
-ONLY_IN_JUPYTER = ("ends", "top-level await", "magics")
-
-
-@pytest.mark.parametrize("name", [name for name in SAMPLES if name not in ONLY_IN_JUPYTER])
-def test_check_in_the_lesson_agrees(results, masters, name, monkeypatch, tmp_path):
-    for file, text in lesson_files(read_master(masters / "10_attacked.py")).items():
-        (tmp_path / file).parent.mkdir(exist_ok=True)
-        (tmp_path / file).write_text(text)
-    monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
-    (declared, *_) = read_exercises(masters / "10_attacked.py")
-    space = declared.namespace()
-    with suppress(NameError, SyntaxError):
-        exec(compile(SAMPLES[name], "answer", "exec"), space)
-    answer = ComposedAnswer("double", SAMPLES[name])
-    checked = run_check(check_data_of(declared), space["double"], answer) if "double" in space else None
-    passed = doubles(results[name]).cases[0].passed
-    assert (checked is not None and checked.passed) == passed
-    if checked is not None and not passed:
-        mistake = checked.mistake.name if checked.mistake else ""
-        assert mistake == doubles(results[name]).mistake
 
 
 @pytest.mark.parametrize("seed", [1, 2])

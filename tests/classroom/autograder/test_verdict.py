@@ -25,29 +25,13 @@ JSON = st.recursive(
     max_leaves=10,
 )
 # Forms that are nearly right: the keys and words that `compare` reads, with any values.
-KEYS = st.sampled_from(
-    ["type", "value", "items", "fields", "shape", "dtype", "data", "digest", "length", "opaque", "array"]
-)
-WORDS = st.sampled_from(
-    [
-        "ndarray",
-        "numpy.matrix",
-        "tuple",
-        "dict",
-        "int",
-        "float",
-        "numpy.uint8",
-        "bytes",
-        "uint8",
-        "object",
-        "AAAA",
-        "nan",
-        "str",
-    ]
-)
+KEYS = "type value items fields shape dtype data digest length opaque array"
+WORDS = "ndarray numpy.matrix tuple dict int float numpy.uint8 bytes uint8 object AAAA nan str"
 NEARLY = st.recursive(
-    st.one_of(WORDS, st.integers(-2, 2**70), st.floats(), st.booleans()),
-    lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(KEYS, inner, max_size=5)),
+    st.one_of(st.sampled_from(WORDS.split()), st.integers(-2, 2**70), st.floats(), st.booleans()),
+    lambda inner: st.one_of(
+        st.lists(inner, max_size=3), st.dictionaries(st.sampled_from(KEYS.split()), inner, max_size=5)
+    ),
     max_leaves=12,
 )
 
@@ -119,32 +103,34 @@ def nested(depth):
 
 
 DATA = {"type": "bytes", "length": 1, "data": "AA=="}
-FORGED = [
-    {"type": "types.SimpleNamespace", "opaque": True, "fields": {"data": 7}, "items": 5, "shape": "x"},
-    {"type": "str", "too_large": True, "value": 3, "items": [1]},
-    {"type": "ndarray", "opaque": True, "dtype": "uint8", "shape": [3, 4], "data": 5, "fields": 6},
-    {"type": "ndarray", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "summary": "x"},
-    {"type": "ndarray", "dtype": "uint8", "shape": [1], "data": "AA==", "fields": {"height": 1}},
-    {"type": "image", "fields": {"height": DATA, "step": {"type": "str", "value": "1"}, "data": DATA}},
-    {
-        "type": "image",
-        "fields": {"height": {"type": "int", "value": -1}, "step": {"type": "int", "value": -1}},
-    },
-    {
-        "type": "image",
-        "fields": {"data": {"type": "image", "fields": {"data": DATA}}, "height": {"type": "None"}},
-    },
-    {"type": "dict", "items": [[{"type": "list", "items": []}, DATA], [{"type": "list", "items": []}, DATA]]},
-    {"type": "int", "value": 2**4000},
-    {"type": "float", "value": 10**308, "items": []},
-    {"type": "numpy.matrix", "opaque": True, "value": 3},
-    {
-        "type": "numpy.matrix",
-        "opaque": True,
-        "array": {"type": "int", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "opaque": 1},
-    },
-    nested(9),
-]
+MATRIX = {"type": "int", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "opaque": 1}
+FORGED = {  # {name: (what a kernel sends, the keys that stay)}
+    "an object": (
+        {"type": "types.SimpleNamespace", "opaque": True, "fields": {"data": 7}, "items": 5, "shape": "x"},
+        ["type", "opaque"],
+    ),
+    "a long text": ({"type": "str", "too_large": True, "value": 3, "items": [1]}, ["type", "too_large"]),
+    "an array of objects": (
+        {"type": "ndarray", "opaque": True, "dtype": "uint8", "shape": [3, 4], "data": 5, "fields": 6},
+        ["type", "dtype", "shape", "opaque"],
+    ),
+    "a large array": (
+        {"type": "ndarray", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "summary": "x"},
+        ["type", "dtype", "shape", "digest"],
+    ),
+    "a matrix": ({"type": "numpy.matrix", "opaque": True, "array": MATRIX}, ["type", "opaque", "array"]),
+    "a matrix without values": ({"type": "numpy.matrix", "opaque": True, "value": 3}, ["type", "opaque"]),
+    "a message without a size": (
+        {"type": "image", "fields": {"data": {"type": "image", "fields": {"data": DATA}}, "height": DATA}},
+        ["type", "fields"],
+    ),
+    "keys that are lists": (
+        {"type": "dict", "items": [[{"type": "list", "items": []}, DATA]] * 2},
+        ["type", "items"],
+    ),
+    "a great number": ({"type": "float", "value": 10**308, "items": []}, ["type", "value"]),
+    "a list in a list": (nested(9), ["type", "items"]),
+}
 
 
 def show(expected, actual):
@@ -158,23 +144,14 @@ def show(expected, actual):
     return difference
 
 
-@pytest.mark.parametrize("data", FORGED, ids=lambda form: repr(form)[:60])
-def test_a_forged_form_is_made_anew_and_can_be_shown(data):
+@pytest.mark.parametrize("name", FORGED)
+def test_a_forged_form_is_made_anew_of_the_keys_of_its_type_and_can_be_shown(name):
+    data, keys = FORGED[name]
     form = read_form(json.loads(json.dumps(data)))
-    assert form is not None
+    assert list(form) == keys
     assert read_form(form) == form
     for value in (RIGHT, np.zeros((20, 20)), 1, 0.5, "a", (1, RIGHT), {(1, 2): RIGHT}, b"b", None):
         assert show(canonical(value), form) is not None
-
-
-def test_a_form_keeps_only_the_keys_of_its_type():
-    opaque, large, array, digest, *_ = map(read_form, FORGED)
-    assert opaque == {"type": "types.SimpleNamespace", "opaque": True}
-    assert large == {"type": "str", "too_large": True}
-    assert array == {"type": "ndarray", "dtype": "uint8", "shape": [3, 4], "opaque": True}
-    assert digest.keys() == {"type", "dtype", "shape", "digest"}
-    assert read_form(FORGED[-2])["array"] == digest
-    assert "array" not in read_form(FORGED[-3])
 
 
 @pytest.mark.parametrize("name", PLAIN_TYPES)
@@ -208,30 +185,23 @@ def test_what_a_call_says_is_bounded():
     "form",
     [
         {"type": "str", "value": "\ud800"},
-        {"type": "\udfff", "opaque": True},
         {"type": "float", "value": float("nan")},
         {"type": "int", "value": True},
         {"type": "SimpleNamespace", "fields": {"\ud800": {"type": "None"}}},
         {"type": "ndarray", "dtype": "uint8", "shape": [True], "data": "AA=="},
-        {"type": "ndarray", "dtype": "|u1", "shape": [1], "data": "AA=="},
         {"type": "bytes", "length": 2, "data": "AA=="},
         {"type": "numpy.object_", "value": 1},
         {"type": "dict", "items": [[{"type": "None"}]]},
         # Opaque or too large, with the type of a form that a reader would open.
         {"type": "list", "opaque": True},
-        {"type": "numpy.uint8", "opaque": True},
         {"type": "ndarray", "opaque": True},
-        {"type": "numpy.matrix", "opaque": True, "array": None},
         {"type": "numpy.matrix", "opaque": True, "array": {"dtype": "uint8", "shape": [1], "data": "AA=="}},
         {"type": "numpy.matrix", "array": {"dtype": "uint8", "shape": [1, 1], "data": "AA=="}},
         {"type": "ndarray", "too_large": True},
-        {"type": "bytes", "too_large": True},
-        {"type": "SimpleNamespace", "too_large": True, "fields": {}},
         # Shapes and dtypes that NumPy refuses.
         {"type": "ndarray", "dtype": "uint8", "shape": [2**39, 2**39, 0], "data": ""},
         {"type": "ndarray", "dtype": "float64", "shape": [2**39, 2**39], "digest": "0" * 64},
         {"type": "ndarray", "dtype": "uint8", "shape": [1] * 65, "data": "AA=="},
-        {"type": "ndarray", "dtype": "U9", "shape": [0], "data": ""},
         {"type": "ndarray", "dtype": "x" * 301, "shape": [0], "opaque": True},
         # Numbers outside their type.
         {"type": "numpy.uint8", "value": 256},
@@ -240,7 +210,6 @@ def test_what_a_call_says_is_bounded():
         {"type": "str", "value": "a" * 60_001},
         # Too many parts, and too deep.
         {"type": "tuple", "items": [{"type": "None"}] * 50_000},
-        {"type": "SimpleNamespace", "fields": {str(k): {"type": "None"} for k in range(50_000)}},
         nested(11),
     ],
     ids=lambda form: repr(form)[:60],

@@ -16,14 +16,8 @@ ONCE_REFUSED = {
     "an array": (["FACTOR = np.array([2])"], FACTOR),
     "a print below it": (["FACTOR = np.array([2])\nprint('factor', FACTOR)"], FACTOR),
     "an assert below it": (["FACTOR = np.array([2])\nassert FACTOR.sum() == 2"], FACTOR),
-    "a print in another cell": (["FACTOR = np.array([2])", "print('factor', FACTOR)"], FACTOR),
-    "an assert in another cell": (["FACTOR = np.array([2])", "assert FACTOR == 2"], FACTOR),
     "a print of something else": (["print(np.zeros(3))\nFACTOR = np.array([2])"], FACTOR),
     "a table filled by a loop": ([f"FACTOR = 2\nTABLE = np.zeros(256, np.uint16)\n{FILL}"], TABLE),
-    "a list filled by a loop": (
-        ["TABLE = []\nfor level in range(256):\n    TABLE.append(level * 2)"],
-        TABLE,
-    ),
     "a table filled in another cell": (["FACTOR = 2\nTABLE = [0] * 256", FILL], TABLE),
     "a table filled by a function of another cell": (
         ["def fill(table):\n    table += [2]"],
@@ -51,23 +45,16 @@ ONCE_REFUSED = {
         "import pickle\nclass Own:\n    factor = 2\n"
         + TIMES.format("pickle.loads(pickle.dumps(Own())).factor"),
     ),
-    "increased in a second cell": (["FACTOR = 1", "FACTOR = FACTOR + 1"], FACTOR),
 }
 FORMS = [
     *ONCE_REFUSED.values(),
     (["FACTOR = 1", "FACTOR += 1", "print(FACTOR)"], FACTOR),
-    (["  FACTOR = 2\n  if FACTOR:\n      print(FACTOR)"], FACTOR),
     (["FACTOR = 3\nprint(FACTOR)", "FACTOR -= 1\nprint(FACTOR)"], FACTOR),
     (["FACTOR = 5\nFACTOR += 1\nother = FACTOR\nFACTOR = 2"], FACTOR),
-    (["for FACTOR in (1, 2):\n    print(FACTOR)"], FACTOR),
     (["FACTOR = 0\nfor _ in range(2):\n    FACTOR += 1\nprint(FACTOR)"], FACTOR),
-    (["if True:\n    FACTOR = 2", "assert FACTOR == 2"], FACTOR),
     (["LIMIT, FACTOR = 255, 2"], FACTOR),
-    (["FACTOR = 1", f"FACTOR = FACTOR + 1\n{FACTOR}"], FACTOR),
     (["FACTOR = 1"], f"FACTOR = FACTOR + 1\nprint(FACTOR)\n{FACTOR}"),
     (["NAMES = ['b']", "NAMES.append('a')", "NAMES.sort()\nprint(NAMES)"], TIMES.format("len(NAMES)")),
-    (["NAMES = ['b', 'a', 'c']", "last = NAMES.pop()"], TIMES.format("len(NAMES)")),
-    (["TABLE = [level * 2 for level in range(256)]", "show(TABLE)\nprint(TABLE)"], TABLE),
     (
         ["def twice(level):\n    return level * FACTOR", "FACTOR = 2", "TABLE = [*map(twice, range(256))]"],
         TABLE,
@@ -76,7 +63,6 @@ FORMS = [
     (["TABLE = [2 * level for level in range(256)]"], f"print(TABLE)\n{TABLE}\nprint(double(np.uint8([3])))"),
     (["KIND = np.uint16\nprint(KIND)", "def wide(pixels):\n    return pixels.astype(KIND)"], WIDE),
     (["def wide(pixels):\n    return pixels.astype(KIND)", "KIND = np.uint16", "print(wide)"], WIDE),
-    (["wide = lambda pixels: pixels.astype(np.uint16)", "assert wide(np.uint8([3])) == 3"], WIDE),
     (
         ["class Widener:\n    kind = int\n    def __call__(self, p):\n        return p.astype(self.kind)"],
         DOUBLE.format("Widener()(pixels) * 2"),
@@ -127,7 +113,6 @@ FORMS = [
         TABLE,
     ),
     (["print(FACTOR)", "FACTOR = 2", "print(FACTOR)"], FACTOR),
-    (["FACTOR = 2\nprint(FACTOR)"], FACTOR, ["FACTOR = 3\nprint(FACTOR)"]),
     (["FACTOR = 2"], FACTOR, ["FACTOR += 1", "assert FACTOR == 3"]),
     (["TABLE = [0] * 256"], TABLE, [FILL.replace("FACTOR", "2"), "print(TABLE)"]),
     ([], FACTOR, ["FACTOR = 2\nprint(FACTOR)", "FACTOR = 3"]),

@@ -88,15 +88,6 @@ def remove(id):
     return lambda cells: cells.update({id: None})
 
 
-def duplicate(cells):
-    cells["copy"] = dict(cells[ANSWER])
-
-
-def move(cells):
-    cells["mine"] = dict(cells[ANSWER], id="mine", metadata={})
-    cells[ANSWER] = None
-
-
 def assign(cells):
     """A variable or an import in another cell is not a misplaced definition."""
     cells["mine"] = dict(
@@ -121,20 +112,8 @@ MISSING = "its answer cell (answer-template-double) is missing"
 @pytest.mark.parametrize(
     ("change", "state", "text"),
     [
-        (remove(ANSWER), "missing", f"{MISSING} Open the lesson afresh"),
         (assign, "missing", f"{MISSING} Open the lesson afresh"),
-        (edit(ANSWER, source=""), "broken", "its answer cell is empty"),
         (edit(ANSWER, source="# later"), "broken", "its answer cell is empty"),
-        (edit(ANSWER, source="#" * 200_100), "broken", "its answer is longer than 200000 characters"),
-        (edit(ANSWER, source=7), "broken", "the source of its answer cell is not text"),
-        (edit(ANSWER, cell_type="markdown", source="?"), "broken", "is a markdown cell; make it a code cell"),
-        (edit(ANSWER, cell_type="raw", source="?"), "broken", "is a raw cell; make it a code cell"),
-        (
-            edit(ANSWER, source=["def double(pixels)\n", "    return 3"]),
-            "broken",
-            "line 1 of its answer cell is not Python: def double(pixels) (expected ':')",
-        ),
-        (edit(ANSWER, source="def dubble(pixels): return 3"), "broken", "does not define double()"),
     ],
 )
 def test_an_answer_that_would_get_no_points_is_reported(lesson, change, state, text):
@@ -146,10 +125,7 @@ def test_an_answer_that_would_get_no_points_is_reported(lesson, change, state, t
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        (move, "graded from another cell (mine), which defines double(): its answer cell"),
         (define_in_the_check, "graded from another cell (check-template-double-1), which defines double()"),
-        (duplicate, "2 cells define double(): cell number 7 is graded, and not cell number 5"),
-        (edit(ANSWER, cell_type="markdown"), "is a markdown cell; its text is graded (key Y makes it code"),
         (split, "graded from another cell (mine), which defines double(): its answer cell does not define"),
     ],
 )
@@ -173,27 +149,10 @@ def test_the_lessons_own_function_of_that_name_is_not_a_misplaced_answer(lesson,
     assert f"{MISSING} Open the lesson afresh" in notes
 
 
-@pytest.mark.parametrize(
-    ("change", "text"),
-    [
-        (
-            remove("check-template-double-1"),
-            "its check cell (check-template-double-1) is missing; grading uses its own",
-        ),
-        (
-            edit("check-template-double-1", source="True"),
-            "its check cell (check-template-double-1) was changed",
-        ),
-        (
-            edit("given-template-double-1", source="LIMIT = 300"),
-            "its given cell (given-template-double-1) was",
-        ),
-    ],
-)
-def test_changed_cells_of_the_lesson_are_reported_and_do_no_harm(lesson, change, text):
-    lesson_check, state, notes = inspect(lesson(change))
+def test_changed_cells_of_the_lesson_are_reported_and_do_no_harm(lesson):
+    lesson_check, state, notes = inspect(lesson(edit("given-template-double-1", source="LIMIT = 300")))
     assert state == "answered" and lesson_check.ready
-    assert text in notes
+    assert "its given cell (given-template-double-1) was" in notes
 
 
 def test_a_lesson_of_another_version_is_reported(lesson):
@@ -233,12 +192,8 @@ def test_a_lesson_without_metadata_is_recognized_by_its_cells_or_its_name(lesson
 @pytest.mark.parametrize(
     ("content", "reason"),
     [
-        (b"", "the file is empty"),
         (b"{", "it is not a notebook: its JSON is broken (line 1); save it again in JupyterLab"),
-        (b"[" * 100_000, "it is nested too deep to be a notebook"),
         (b"\x89PNG\r\n", "it is not UTF-8 text (byte 0); save it again in JupyterLab"),
-        (b"[]", "it is not a notebook: its JSON holds something else"),
-        (b'{"nbformat": 4, "cells": 3}', "it has no list of cells; save it again in JupyterLab"),
         (
             b'{"nbformat": 2, "worksheets": []}',
             "it has notebook format 2, and only the formats 4 and 3 can be read; open the lesson in",

@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from jupyterlab_cells import insert, new_cell, position_of
 from kernel_points import NotebookKernel
-from own_cells import FORMS, MORE, NODE, NODE_FORMS, NODE_MORE, ONCE_REFUSED, TIMES
+from own_cells import FORMS, MORE, NODE, NODE_FORMS, NODE_MORE, TIMES
 from submissions import SEED, answers_of, cell_of, notebook
 from template_master import write_carried_files
 
@@ -286,15 +286,6 @@ def test_each_form_of_an_answer_gives_one_verdict(light, answer_keys, checks, ke
     assert in_kernel == in_run, (texts, content["findings"], content["answers"]["light-double"])
 
 
-@pytest.mark.parametrize("name", ONCE_REFUSED)
-def test_a_right_answer_that_reads_a_value_of_an_own_cell_passes(light, checks, kernel, tmp_path, name):
-    made = with_own_cells(light, *ONCE_REFUSED[name])
-    path = tmp_path / "20_light.ipynb"
-    path.write_text(json.dumps(made), encoding="utf-8")
-    in_kernel, in_run, texts = verdicts(made, checked(path, checks)[1], kernel)
-    assert in_kernel == in_run == {"light-double": 1, "light-halves": 2}, texts
-
-
 def test_a_call_that_grading_leaves_out_is_named(light, kernel):
     own = ["def fill(table):\n    table += [2]\nTABLE = [1]", "fill(TABLE)"]
     made = with_own_cells(light, own, TIMES.format("TABLE[-1]"))
@@ -503,44 +494,3 @@ def test_a_class_is_compared_whatever_its_names(nodes):
     shapes = [syntax_tokens(source) for source in (NODE.format(2), renamed, NODE.format(3))]
     assert shapes[0] == shapes[1] != shapes[2]
     assert shapes[0] == syntax_tokens(nodes[0].exercises[0].solution)
-
-
-def too_long(made):
-    cell_of(made, "answer-light-double")["source"] = "#" * 200_100
-
-
-def format_2(made):
-    made["nbformat"] = 2
-
-
-def no_metadata(made):
-    made["metadata"] = {}
-
-
-def two_answers(made):
-    made["cells"].insert(0, dict(cell_of(made, "answer-light-double"), cell_type="markdown"))
-
-
-@pytest.mark.parametrize(
-    ("damage", "state", "text"),
-    [
-        (too_long, "broken", "its answer is longer than 200000 characters, the most that are graded"),
-        (format_2, None, "it has notebook format 2"),
-        (no_metadata, "answered", "it was made from an unknown version of the lesson"),
-        (two_answers, "answered", "2 cells define double(): cell number 5 is graded, and not cell number "),
-    ],
-)
-def test_notebooks_about_which_check_and_grade_once_disagreed(
-    light, answer_keys, checks, tmp_path, damage, state, text
-):
-    made = notebook(light, answers_of(light, "right"))
-    damage(made)
-    path = tmp_path / "my answers.ipynb"
-    path.write_text(json.dumps(made), encoding="utf-8")
-    verdict = verdict_of_check(path, checks)
-    assert verdict == verdict_of_grade(path, answer_keys)
-    if state is None:
-        assert verdict["reason"].startswith(text)
-    else:
-        assert verdict["states"]["light-double"] == state
-        assert any(finding.startswith(text) for _, _, finding in verdict["findings"])
