@@ -397,7 +397,7 @@ attack(
     """
     import os
     def double(pixels):
-        for _ in range(8):
+        for _ in range(5):
             if os.fork() == 0:
                 os.setsid()
                 if os.fork() == 0:
@@ -443,22 +443,38 @@ attack(
     "time",
 )
 attack(
-    "a fork bomb",
+    "more processes than it may start",
+    """
+    import os, time
+    def double(pixels):
+        started = 0
+        try:
+            for _ in range(1_000):
+                if os.fork() == 0:
+                    time.sleep(600)
+                started += 1
+        except OSError:
+            pass
+        raise RuntimeError(f"stopped at {'few' if started < 24 else 'many'}")
+    """,
+    "raised",
+    reported="stopped at few",
+)
+attack(
+    "more open files than it may have",
     """
     import os
     def double(pixels):
-        for _ in range(10_000):
-            try:
-                if os.fork() == 0:
-                    while True:
-                        os.fork()
-            except OSError as error:
-                raise RuntimeError(f"stopped: {error.errno}")
+        held = []
+        try:
+            for _ in range(1_000):
+                held += os.pipe()
+        except OSError:
+            pass
+        raise RuntimeError(f"stopped at {'few' if len(held) < 256 else 'many'}")
     """,
     "raised",
-    "time",
-    "crashed",
-    "hostile",
+    reported="stopped at few",
 )
 attack(
     "filling the disk",
@@ -474,7 +490,7 @@ attack(
             raise RuntimeError(f"stopped after {'little' if written < 64 << 20 else 'much'}")
     """,
     "raised",
-    reported="little",
+    reported="stopped after little",
 )
 attack(
     "one large file",
@@ -498,7 +514,7 @@ attack(
             raise RuntimeError(f"stopped at {'few' if number < 3000 else 'many'}")
     """,
     "raised",
-    reported="few",
+    reported="stopped at few",
 )
 attack(
     "larger limits",
