@@ -13,7 +13,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))  # for the modules beside this one
 from progress import Progress
-from selection import ONLY_IN_ALL, is_left_out, is_of_lesson, place_of, scope_of
+from selection import IS_SHORT, ONLY_IN_ALL, is_left_out, is_of_lesson, place_of, scope_of
 
 
 def _take_domain():
@@ -59,14 +59,11 @@ def pytest_runtest_setup(item):
             pytest.skip(reason)
 
 
-LEFT_OUT = pytest.StashKey[bool]()
-
-
 def pytest_configure(config):
     """Without a path and without --all: the tests of a newcomer."""
     has_paths = config.args_source != pytest.Config.ArgsSource.TESTPATHS
-    config.stash[LEFT_OUT] = not (has_paths or config.getoption("--all"))
-    is_whole = config.stash[LEFT_OUT] or config.getoption("--all")
+    config.stash[IS_SHORT] = not (has_paths or config.getoption("--all"))
+    is_whole = config.stash[IS_SHORT] or config.getoption("--all")
     reporter = config.pluginmanager.get_plugin("terminalreporter")
     if is_whole and config.get_verbosity() <= 0 and not hasattr(config, "workerinput"):
         config.pluginmanager.register(Progress(reporter))
@@ -75,12 +72,12 @@ def pytest_configure(config):
 def pytest_ignore_collect(collection_path, config):
     """A file of which no test will run is not even read."""
     path = collection_path.relative_to(Path(__file__).parent) if collection_path.suffix == ".py" else ""
-    return (config.stash[LEFT_OUT] and is_left_out(str(path))) or None
+    return (config.stash[IS_SHORT] and is_left_out(str(path))) or None
 
 
 def pytest_collection_modifyitems(config, items):
     chosen = items
-    if config.stash[LEFT_OUT]:
+    if config.stash[IS_SHORT]:
         chosen = [item for item in chosen if not is_left_out(item.nodeid)]
     if lessons := config.getoption("--lesson"):
         chosen = [item for item in chosen if any(is_of_lesson(item.nodeid, number) for number in lessons)]
@@ -129,5 +126,5 @@ def pytest_sessionfinish(session):
 def pytest_unconfigure(config):
     """The last line of a newcomer's run."""
     reporter = config.pluginmanager.get_plugin("terminalreporter")
-    if config.stash.get(LEFT_OUT, False) and reporter and not hasattr(config, "workerinput"):
+    if config.stash.get(IS_SHORT, False) and reporter and not hasattr(config, "workerinput"):
         reporter.write_line(f"Left out: {'; '.join(ONLY_IN_ALL.values())}. environment/test --all runs them.")

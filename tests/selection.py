@@ -3,6 +3,9 @@
 import re
 from pathlib import Path
 
+import pytest
+
+IS_SHORT = pytest.StashKey[bool]()  # of a Config: whether only a newcomer's tests run
 MASTERS = Path(__file__).parents[1] / "notebooks" / "masters"
 
 # What only `environment/test --all` runs: paths below tests/, and what they are.

@@ -21,6 +21,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 
 sys.path.append(str(Path(__file__).parent))
 from cells_of_ros import cells_of_ros
+from selection import IS_SHORT
 from solved_twin import solved_twin
 
 from imgproc_course.classroom.authoring.build import (
@@ -106,8 +107,13 @@ def test_the_cells_of_every_lesson_are_its_masters():
 
 
 @pytest.mark.parametrize("path", by_lesson(MASTERS))
-def test_nbval_finds_the_lesson_as_shipped_and_every_check_of_its_solved_twin_passing(path, tmp_path):
-    """And the master gives the lesson as shipped. One process for both: it takes a second to start."""
+def test_nbval_finds_the_lesson_as_shipped_and_every_check_of_its_solved_twin_passing(
+    path, tmp_path, pytestconfig
+):
+    """And the master gives the lesson as shipped. One process for both: it takes a second to start.
+
+    A newcomer's tests run the lesson as shipped alone.
+    """
     shipped, master = NOTEBOOKS / f"{path.stem}.ipynb", read_master(path)
     # A copy: what a lesson writes beside itself must not land among the shipped ones.
     copies = [tmp_path / folder / shipped.name for folder in ("shipped", "solved")]
@@ -116,7 +122,7 @@ def test_nbval_finds_the_lesson_as_shipped_and_every_check_of_its_solved_twin_pa
         for module in NOTEBOOKS.glob(f"{master.name}.py"):  # the lesson imports it
             shutil.copy(module, copy.parent)
     shutil.copy(shipped, copies[0])
-    if path.stem == INDEX:
+    if path.stem == INDEX or pytestconfig.stash[IS_SHORT]:
         copies = copies[:1]
     else:
         nbformat.write(solved_twin(master, nbformat.read(shipped, as_version=4)), copies[1])
