@@ -64,9 +64,8 @@ def pytest_configure(config):
     has_paths = config.args_source != pytest.Config.ArgsSource.TESTPATHS
     config.stash[IS_SHORT] = not (has_paths or config.getoption("--all"))
     is_whole = config.stash[IS_SHORT] or config.getoption("--all")
-    reporter = config.pluginmanager.get_plugin("terminalreporter")
     if is_whole and config.get_verbosity() <= 0 and not hasattr(config, "workerinput"):
-        config.pluginmanager.register(Progress(reporter))
+        config.pluginmanager.register(Progress(config.pluginmanager))
 
 
 def pytest_ignore_collect(collection_path, config):

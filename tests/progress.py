@@ -11,8 +11,8 @@ SECONDS = 10  # between two lines
 class Progress:
     """A line now and then in place of a dot for each test: a plugin of the process that hands them out."""
 
-    def __init__(self, reporter):
-        self._reporter, self._begin = reporter, time.monotonic()
+    def __init__(self, plugins):
+        self._plugins, self._begin = plugins, time.monotonic()
         self._total, self._left, self._failed, self._written = Counter(), Counter(), 0, 0.0
 
     def pytest_collection_finish(self, session):
@@ -32,7 +32,7 @@ class Progress:
     def pytest_runtest_logreport(self, report):
         if report.failed:
             self._failed += 1
-            self._reporter.write_line(f"FAILED {report.nodeid} ({report.when})", red=True)
+            self._write_line(f"FAILED {report.nodeid} ({report.when})", red=True)
         if report.when == "teardown":
             group = group_of(report.nodeid)
             self._left[group] -= 1
@@ -50,4 +50,7 @@ class Progress:
             "not begun": [f"{name} {count}" for name, count in left if count == self._total[name]],
         }
         texts = [f"{name}: {', '.join(part)}" for name, part in parts.items() if part]
-        self._reporter.write_line(f"{minutes:3}:{seconds:02}  " + "; ".join([f"{done} of {total}", *texts]))
+        self._write_line(f"{minutes:3}:{seconds:02}  " + "; ".join([f"{done} of {total}", *texts]))
+
+    def _write_line(self, line, **markup):
+        self._plugins.get_plugin("terminalreporter").write_line(line, **markup)
