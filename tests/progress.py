@@ -44,13 +44,12 @@ class Progress:
         minutes, seconds = divmod(round(self._written - self._begin), 60)
         done, total = self._total.total() - self._left.total(), self._total.total()
         left = [(name, count) for name, count in self._left.items() if count]
-        parts = {
-            "failed": [str(self._failed)] if self._failed else [],
-            "left": [f"{name} {count}" for name, count in left if count < self._total[name]],
-            "not begun": [f"{name} {count}" for name, count in left if count == self._total[name]],
-        }
-        texts = [f"{name}: {', '.join(part)}" for name, part in parts.items() if part]
-        self._write_line(f"{minutes:3}:{seconds:02}  " + "; ".join([f"{done} of {total}", *texts]))
+        running = [f"{name} {count}" for name, count in left if count < self._total[name]]
+        parts = [f"{minutes:3}:{seconds:02}  {done} of {total} tests"]
+        parts += [f"{self._failed} failed"] * bool(self._failed)
+        parts += [f"left of {', '.join(running)}"] * bool(running)
+        parts += [f"{len(left) - len(running)} groups to come"] * (len(left) > len(running))
+        self._write_line("; ".join(parts))
 
     def _write_line(self, line, **markup):
         self._plugins.get_plugin("terminalreporter").write_line(line, **markup)

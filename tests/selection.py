@@ -38,9 +38,9 @@ def path_of(nodeid):
 
 
 def group_of(nodeid):
-    """The folder of a test below tests/, of the classroom's the one below it; a file that is in none."""
+    """The folder of a test below tests/, of the classroom's the one below it; "rules" for a file in none."""
     parts = path_of(nodeid).partition("::")[0].split("/")
-    return parts[1] if parts[0] == "classroom" else parts[0]
+    return "rules" if len(parts) == 1 else parts[parts[0] == "classroom"]
 
 
 def is_left_out(nodeid):
