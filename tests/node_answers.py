@@ -183,7 +183,6 @@ BY_HAND = (
 )
 RIGHT = (
     ("the original", ORIGINAL),
-    ("a lambda", changed(("self.image_callback, qos", "lambda msg: self.image_callback(msg), qos"))),
     (
         "functools.partial",
         "from functools import partial\n\n"
@@ -196,14 +195,8 @@ RIGHT = (
     ("Node.__init__, a callback with info, relative topics", NODE_INIT),
     ("main below", "import rclpy\n" + ORIGINAL + MAIN),
     ("main in one line", "import rclpy\n" + ORIGINAL + "\nrclpy.init()\nrclpy.spin(ImageGrayProcessor())\n"),
-    (
-        "the older names",
-        changed(("ReliabilityPolicy", "QoSReliabilityPolicy"), ("DurabilityPolicy", "QoSDurabilityPolicy")),
-    ),
-    ("everything in except Exception", changed(("except CvBridgeError", "except Exception"))),
     ("a timer that publishes", changed(*TIMER)),
     ("a message made by hand", changed(*BY_HAND)),
-    ("fatal", changed((".error(f", ".fatal(f"))),
     (
         "a class between",
         changed(
@@ -235,7 +228,6 @@ RIGHT = (
             (PUBLISH, PUBLISH + '        self.get_logger().info(f"{self.get_clock().now().nanoseconds}")\n'),
         ),
     ),
-    ("a depth for the publisher", changed(('"~/gray", qos', '"~/gray", 10'))),
     (
         "policies set afterwards, super with its arguments, % in the log",
         changed(
@@ -262,20 +254,9 @@ RIGHT = (
         .replace("from sensor_msgs.msg import Image\n", "import sensor_msgs.msg\n")
         .replace("            Image,", "            sensor_msgs.msg.Image,"),
     ),
-    (
-        "constants, type hints and a helper",
-        'TOPIC: str = "/kachaka/front_camera/image_raw"\n'
-        + changed(
-            ('"/kachaka/front_camera/image_raw"', "TOPIC"),
-            ("self, msg)", "self, msg: Image) -> None"),
-            ("cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)", "self.gray_of(frame)"),
-        )
-        + "\n    @staticmethod\n    def gray_of(frame):\n        return cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)\n",
-    ),
 )
 WRONG = (
     ("reliable", changed(("ReliabilityPolicy.BEST_EFFORT", "ReliabilityPolicy.RELIABLE")), "", "camera offers best effort"),
-    ("only a depth", changed(("self.image_callback, qos", "self.image_callback, 5")), "", "camera offers best effort"),
     ("transient local", changed(("Policy.VOLATILE", "Policy.TRANSIENT_LOCAL")), "", "durability of your subscription"),
     ("depth 10", changed(("depth=5", "depth=10")), "23h", "The depth of your subscription is 10"),
     ("another topic", changed(("kachaka/front_camera/", "")), "", "You subscribe to /image_raw, and the camera"),
@@ -293,18 +274,12 @@ WRONG = (
     ("Image in quotes", changed(('Image, "/k', '"Image", "/k')), "", "is the class of the messages: Image"),
     ("no self", changed(("def image_callback(self, msg)", "def image_callback(msg)")), "", "def image_callback(self, msg)"),
     ("a local publisher", changed(("        self.publisher = self", "        publisher = self")), "1", "The node has no publisher"),
-    ("returned", changed((PUBLISH, "        return gray_msg\n")), "1", "published nothing"),
     ("the callback in __init__", ORIGINAL[:INSIDE_INIT] + textwrap.indent(ORIGINAL[INSIDE_INIT:], "    "), "", "a method stands in the class"),
     ("try around publish", changed((TRY, '        frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")\n'), (PUBLISH, "        try:\n    " + PUBLISH + "        except CvBridgeError as error:\n            self.get_logger().error(str(error))\n")), "12", "Put try: around the conversion"),
-    ("no argument", changed(("def image_callback(self, msg)", "def image_callback(self)")), "", "def image_callback(self, msg)"),
     ("red and blue exchanged", changed(("COLOR_BGR2GRAY", "COLOR_RGB2GRAY")), "1", "Red and blue are exchanged"),
-    ("rgb8", changed(('(msg, "bgr8")', '(msg, "rgb8")')), "1", "Red and blue are exchanged"),
     ("no encoding asked for", changed(('(msg, "bgr8")', "(msg)")), "123", ""),
     ("no header", changed(("        gray_msg.header = msg.header\n", "")), "1", "not its header"),
-    ("only the stamp", changed(("gray_msg.header = msg.header", "gray_msg.header.stamp = msg.header.stamp")), "1", "not its header"),
-    ("a stamp of its own", changed((PUBLISH, "        gray_msg.header.stamp = self.get_clock().now().to_msg()\n" + PUBLISH)), "1", "not its header"),
     ("no encoding", changed(('(gray, "mono8")', "(gray)")), "1", "says 8UC1"),
-    ("the frame as it is", changed(('(gray, "mono8")', '(frame, "bgr8")')), "1", "says bgr8"),
     ("half the size", changed((PUBLISH, PUBLISH), ("cv2.COLOR_BGR2GRAY)", "cv2.COLOR_BGR2GRAY)[::2, ::2].copy()")), "1", "The height of the published"),
     ("inverted", changed(('(gray, "mono8")', '(255 - gray, "mono8")')), "1", "pixels of the published image are wrong"),
     ("publishes an array", changed(("publish(gray_msg)", "publish(gray)")), "1", "publish takes a message"),
@@ -312,20 +287,15 @@ WRONG = (
     ("published twice", changed((PUBLISH, PUBLISH * 2)), "1", "more than one message"),
     ("a name misspelled", changed(("publish(gray_msg)", "publish(grey_msg)")), "1", "grey_msg"),
     ("the exception escapes", changed((TRY, '        frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")\n')), "12", "ends your node with ConversionError"),
-    ("another exception is caught", changed(("except CvBridgeError", "except KeyError")), "12", "ends your node"),
     ("no return in except", changed(("            return\n", "")), "12", "Write return at the end of except"),
     ("an exception for a logger", changed(('f"cannot convert: {error}"', "error")), "12", "a logger takes a text"),
     ("silent", changed(('            self.get_logger().error(f"cannot convert: {error}")\n', "")), "12", "it logs nothing"),
-    ("print", changed(("self.get_logger().error(", "print(")), "12", "it logs nothing"),
     ("a warning", changed(("().error(", "().warning(")), "12", "the level warn"),
     ("the last image again", changed((PUBLISH, PUBLISH + "        self.last = gray_msg\n"), ("            return\n", "            self.publisher.publish(self.last)\n            return\n")), "12", "although the message cannot"),
     ("sleeps", changed(("        gray = cv2", "        time.sleep(60)\n        gray = cv2"), ("import cv2\n", "import time\n\nimport cv2\n")), "1", "Your node sleeps"),
-    ("sleep by its name", changed(("        gray = cv2", "        sleep(60)\n        gray = cv2"), ("import cv2\n", "from time import sleep\n\nimport cv2\n")), "1", "Your node sleeps"),
     ("imshow", changed((PUBLISH, '        cv2.imshow("gray", gray)\n        cv2.waitKey(1)\n' + PUBLISH)), "1", "imshow and waitKey"),
     ("spin", changed((STARTED, "        rclpy.spin(self)\n"), ("import cv2\n", "import cv2\nimport rclpy\n")), "", "rclpy.spin"),
-    ("a loop of spin_once", changed((PUBLISH, PUBLISH + "        while rclpy.ok():\n            rclpy.spin_once(self)\n"), ("import cv2\n", "import cv2\nimport rclpy\n")), "1", "rclpy.spin"),
     ("a service", changed((STARTED, '        self.create_service(Image, "gray", self.image_callback)\n')), "", "This check does not know create_service"),
-    ("logging by rclpy", changed(("self.get_logger().error(", 'get_logger("gray").error('), ("import cv2\n", "import cv2\nfrom rclpy.logging import get_logger\n")), "12", "This check does not know get_logger"),
 )  # fmt: skip
 EDGE_ANSWERS = (
     ("read in the callback", EDGES, "123h", ""),
@@ -380,22 +350,10 @@ EDGE_ANSWERS = (
         "",
     ),
     (
-        "other names",
-        changed(('"low"', '"low_threshold"'), ('"high"', '"high_threshold"'), source=EDGES),
-        "",
-        "does not have the parameters high, low: __init__ declares each",
-    ),
-    (
         "texts as first values",
         changed(('"low", 50', '"low", "50"'), ('"high", 150', '"high", "150"'), source=EDGES),
         "",
         'declared with a number (50, not "50")',
-    ),
-    (
-        "first values exchanged",
-        changed(('"low", 50', '"low", 150'), ('"high", 150', '"high", 50'), source=EDGES),
-        "3h",
-        "The first value of the parameter high is 50. The task asks for 150",
     ),
     (
         "parameters, not their values",
@@ -404,26 +362,8 @@ EDGE_ANSWERS = (
         'This argument must be a number: self.get_parameter("low").value',
     ),
     (
-        "parameters read in __init__ only",
-        changed(
-            ('        low = self.get_parameter("low").value\n', ""),
-            ('        high = self.get_parameter("high").value\n', ""),
-            ("Canny(gray, low, high)", "Canny(gray, self.low, self.high)"),
-            ("        qos =", "        self.low, self.high = 50, 150\n        qos ="),
-            source=EDGES,
-        ),
-        "1",
-        "with the values of the parameters after they changed.",
-    ),
-    (
         "edges of the colour frame",
         changed(("Canny(gray,", "Canny(frame,"), source=EDGES),
-        "",
-        "Compute the edges of the gray image itself",
-    ),
-    (
-        "edges of a blurred image",
-        changed(("Canny(gray,", "Canny(cv2.GaussianBlur(gray, (5, 5), 0),"), source=EDGES),
         "",
         "Compute the edges of the gray image itself",
     ),
@@ -439,13 +379,6 @@ EDGE_ANSWERS = (
         ),
         "",
         "does not have the parameters high, low: __init__ declares each",
-    ),
-    ("a warning", changed(("().error(", "().warning("), source=EDGES), "12", "the level warn"),
-    (
-        "floats",
-        changed(('("low", 50)', '("low", 50.0)'), source=EDGES),
-        "1",
-        "does not take a new value for the parameter low",
     ),
     (
         "thresholds exchanged",
