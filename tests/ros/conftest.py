@@ -43,18 +43,41 @@ def no_robot_of_another_module():
         process.wait(10)
 
 
-def _robot_processes():
+def _robot_processes(domain=None):
+    processes = []
     for process in psutil.process_iter(["cmdline"]):
         arguments = process.info["cmdline"] or []
         is_robot = "robot_body" in "".join(arguments[3:4])
-        if is_robot and arguments[4:5] == [os.environ["ROS_DOMAIN_ID"]]:
-            yield process
+        if is_robot and arguments[4:5] == [domain or os.environ["ROS_DOMAIN_ID"]]:
+            processes.append(process)
+    return processes
 
 
 @pytest.fixture
-def robot_process():
-    """The function that returns the psutil.Process of the robot."""
-    return lambda: next(_robot_processes())
+def robot_processes():
+    """robot_processes(domain): a list of psutil.Process; the domain is this test's own, if omitted."""
+    return _robot_processes
+
+
+@pytest.fixture
+def collect():
+    """collect(topic, type) -> the list that its messages go to, until the end of the test."""
+    from rclpy.qos import qos_profile_sensor_data
+
+    from imgproc_course.ros import RosSession
+
+    session, subscriptions = RosSession(), []
+
+    def subscribe(topic, message_type):
+        messages = []
+        subscriptions.append(
+            session.node.create_subscription(message_type, topic, messages.append, qos_profile_sensor_data)
+        )
+        return messages
+
+    yield subscribe
+    if session.running:
+        session.run(lambda: [session.node.destroy_subscription(s) for s in subscriptions])
 
 
 @pytest.fixture(scope="module")

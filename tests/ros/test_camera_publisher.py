@@ -69,19 +69,6 @@ def start_camera(session):
         camera.stop()
 
 
-@pytest.fixture
-def collect(session):
-    """collect(topic, type) -> the list that its messages go to."""
-    from rclpy.qos import qos_profile_sensor_data
-
-    def subscribe(topic, message_type):
-        messages = []
-        session.node.create_subscription(message_type, topic, messages.append, qos_profile_sensor_data)
-        return messages
-
-    return subscribe
-
-
 def open_images(recording, *, camera_topic=None, speed=1.0, stamps="now"):
     from imgproc_course.recording import open_recording
     from imgproc_course.ros.image_sources import RecordedImages

@@ -62,16 +62,10 @@ def publish(session, nodes, wait_until):
 
 
 @pytest.fixture
-def subscribe(session):
-    from rclpy.qos import qos_profile_sensor_data
+def subscribe(collect):
     from sensor_msgs.msg import Image
 
-    def subscribe_to(topic="/learner/gray"):
-        messages = []
-        session.node.create_subscription(Image, topic, messages.append, qos_profile_sensor_data)
-        return messages
-
-    return subscribe_to
+    return lambda topic="/learner/gray": collect(topic, Image)
 
 
 FRAME = np.arange(4 * 6 * 3, dtype=np.uint8).reshape(4, 6, 3)
@@ -100,13 +94,8 @@ def test_the_frame_is_bgr_and_may_be_drawn_on_whatever_the_camera_sends(
 
 @pytest.mark.parametrize(
     "result, encoding",
-    [
-        (np.full((2, 3), 7, np.uint8), "mono8"),
-        (np.full((2, 3, 3), 7, np.uint8), "bgr8"),
-        (np.full((2, 3), 0.5, np.float32), "32FC1"),
-        (np.full((2, 3), 700, np.uint16), "16UC1"),
-    ],
-    ids=["mono8", "bgr8", "32FC1", "16UC1"],
+    [(np.full((2, 3), 7, np.uint8), "mono8"), (np.full((2, 3), 0.5, np.float32), "32FC1")],
+    ids=["mono8", "32FC1"],
 )
 def test_the_encoding_follows_from_the_array_that_process_returns(
     make_node, publish, subscribe, wait_until, result, encoding

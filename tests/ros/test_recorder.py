@@ -72,12 +72,12 @@ def test_all_topics_of_a_running_robot_are_recorded_from_the_beginning(
 
 
 def test_it_begins_when_the_robot_has_found_its_subscriptions(
-    session, tmp_path, monkeypatch, drive_of_another_program, robot_process
+    session, tmp_path, monkeypatch, drive_of_another_program, robot_processes
 ):
     from imgproc_course.ros import record, recorder
 
     with drive_of_another_program(1.0):
-        robot, has_gone_on = robot_process(), threading.Event()
+        (robot,), has_gone_on = robot_processes(), threading.Event()
 
         def go_on():
             has_gone_on.set()
