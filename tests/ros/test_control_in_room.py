@@ -9,7 +9,7 @@ pytestmark = pytest.mark.ros
 
 START = (3.6, 0.6, -2.6)
 GOAL = (START[0] + 2.2 * math.cos(START[2]), START[1] + 2.2 * math.sin(START[2]), 0.6)
-SCENARIO = {"room": 17, "start": START, "goal": GOAL, "duration": 40.0}
+SCENARIO = {"room": 17, "start": START, "goal": GOAL, "duration": 12.0}
 LONGEST = 150  # seconds in the room
 
 

@@ -23,25 +23,6 @@ def clock(monkeypatch):
     return clock
 
 
-def test_missing_numbers_are_lost_messages_and_a_new_publisher_starts_again():
-    statistics = ProcessingStatistics()
-    for number in (7, 8, 12, 13):
-        statistics.count_received(number)
-    assert statistics.as_dict()["lost"] == 3
-    statistics.losses.set_publishers(1)  # the camera was restarted
-    for number in (1, 2, 4):
-        statistics.count_received(number)
-    assert statistics.as_dict()["lost"] == 4
-    statistics.losses.set_publishers(2)  # two at a time cannot be told apart
-    statistics.count_received(90)
-    statistics.count_received(5)
-    assert statistics.as_dict()["lost"] is None
-    statistics.losses.set_publishers(1)
-    statistics.count_received(6)
-    statistics.count_received(8)
-    assert statistics.as_dict()["lost"] == 5
-
-
 def test_without_message_numbers_the_losses_are_unknown():
     statistics = ProcessingStatistics()
     statistics.count_received(None)

@@ -613,18 +613,3 @@ def test_bad_arguments_are_refused_in_one_line(session, arguments, options, mess
     with pytest.raises(ValueError) as error:
         ImageSubscriber(*arguments, **options)
     assert message in str(error.value) and "\n" not in str(error.value)
-
-
-def test_the_default_qos_is_the_one_that_cameras_offer():
-    from rclpy.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
-
-    from imgproc_course.ros.subscriber import QOS
-
-    sensor = QOS["sensor_data"]
-    assert (sensor.reliability, sensor.durability, sensor.history, sensor.depth) == (
-        ReliabilityPolicy.BEST_EFFORT,
-        DurabilityPolicy.VOLATILE,
-        HistoryPolicy.KEEP_LAST,
-        5,
-    )
-    assert (QOS["reliable"].reliability, QOS["reliable"].depth) == (ReliabilityPolicy.RELIABLE, 10)
