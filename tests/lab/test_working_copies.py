@@ -151,7 +151,7 @@ def test_the_texts_of_figures_are_the_newest_and_no_work_of_a_learner(course):
 def test_a_second_start_changes_nothing(course):
     course.start()
     course.write("a", notebook("my work"))
-    course.write("b", notebook("2", outputs=[{"output_type": "stream", "name": "stdout", "text": "2"}]))
+    course.write("b", notebook("2", outputs=[OUTPUT]))
     files_before = course.all_files()
     changes = course.start()
     assert course.all_files() == files_before
@@ -179,15 +179,6 @@ def test_data_files_and_folders_are_copied_too(course):
     assert (course.copies / "figures" / "robot.png").read_bytes() == b"scribbled over"
 
 
-def test_a_new_lesson_is_added_beside_work(course):
-    course.start()
-    course.write("a", notebook("my work"))
-    course.ship(c=notebook("3"))
-    changes = course.start()
-    assert changes.new == ["c.ipynb"]
-    assert (course.read("a"), course.read("c")) == (notebook("my work"), notebook("3"))
-
-
 def test_an_update_replaces_a_copy_without_work(course):
     course.start()
     course.ship(a=notebook("1 corrected"))
@@ -197,18 +188,11 @@ def test_an_update_replaces_a_copy_without_work(course):
     assert list(changes.lines()) == ["Updated, because you had not changed them: a.ipynb"]
 
 
-def test_an_update_replaces_a_copy_that_was_only_run(course):
-    course.start()
-    course.write("a", notebook("1", outputs=[{"output_type": "stream", "name": "stdout", "text": "1"}]))
-    course.ship(a=notebook("1 corrected"))
-    course.start()
-    assert course.read("a") == notebook("1 corrected")
-
-
 def test_a_notebook_that_jupyterlab_saved_does_not_count_as_work(course):
     course.start()
     saved = json.loads(course.read("a"))
     saved["cells"][0]["source"] = ["1"]  # as a list of lines
+    saved["cells"][0]["outputs"] = [OUTPUT]
     saved["cells"][0]["metadata"]["collapsed"] = True
     saved["metadata"]["language_info"] = {"name": "python"}
     course.write("a", json.dumps(saved, indent=1) + "\n")
@@ -229,8 +213,6 @@ def test_a_notebook_that_jupyterlab_saved_does_not_count_as_work(course):
             '"metadata": {}', '"metadata": {}, "attachments": {"p.png": {"image/png": "AA=="}}'
         ),
         notebook("1")[:-20],
-        "",
-        "[]",
         '{"cells": 3}',
     ],
 )
@@ -314,13 +296,11 @@ def test_a_lesson_that_the_course_no_longer_has_stays(course):
     assert course.read("a") == notebook("1")
 
 
-@pytest.mark.parametrize(
-    "damage", [None, "", "{", "[]", '{"lessons": []}', '{"lessons": {"a.ipynb": 3}}', "\x00"]
-)
+@pytest.mark.parametrize("damage", [None, "{", "[]", '{"lessons": []}', '{"lessons": {"a.ipynb": 3}}'])
 def test_without_the_state_file_nothing_is_overwritten(course, damage):
     course.start()
     course.write("a", notebook("my work"))
-    course.write("b", notebook("2", outputs=[{"output_type": "stream", "name": "stdout", "text": "2"}]))
+    course.write("b", notebook("2", outputs=[OUTPUT]))
     state = course.copies / ".course.json"
     state.unlink() if damage is None else state.write_text(damage)
     files_before = {name: data for name, data in course.all_files().items() if not name.startswith(".")}
@@ -573,13 +553,6 @@ def test_a_copy_saved_during_the_update_keeps_its_name_and_content(renumbered, m
     with pytest.raises(LabError, match=r"03_blur.ipynb was saved during its update; start again"):
         renumbered.start()
     assert (renumbered.files(), renumbered.read("03_blur")) == (["03_blur.ipynb"], "saved now")
-
-
-def test_the_copy_that_the_course_made_is_renamed_and_not_another_file(renumbered):
-    renumbered.write("05_blur", notebook("not of this course"))
-    renumbered.renumber()
-    assert renumbered.start().renumbered == [("03_blur.ipynb", "04_blur.ipynb")]
-    assert renumbered.files() == ["04_blur.ipynb", "05_blur.ipynb"]
 
 
 def test_a_copy_of_the_first_version_gets_the_new_number(course):
