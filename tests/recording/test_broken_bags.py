@@ -29,11 +29,6 @@ def test_a_path_that_does_not_exist(tmp_path):
     )
 
 
-def test_a_name_that_is_not_drive(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    assert error_of("driv").startswith("there is no recording driv; give the path")
-
-
 def test_an_empty_folder(tmp_path):
     assert "holds no recording: no metadata.yaml, no .mcap, no .db3" in error_of(tmp_path)
 

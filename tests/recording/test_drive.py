@@ -44,16 +44,6 @@ def test_the_stamps_are_ten_per_second(drive):
     assert drive.rate == pytest.approx(10.0, abs=1e-12)
 
 
-def test_messages_are_in_the_order_of_recording_with_one_stamp_per_moment(drive):
-    stamps = [
-        (message.header.stamp.sec * 10**9 + message.header.stamp.nanosec, topic)
-        for topic, message in drive
-        if topic != "/truth/scene"
-    ]
-    assert [stamp for stamp, _ in stamps] == [START + k * 10**8 for k in range(90) for _ in range(9)]
-    assert stamps[9][1] == CAMERA
-
-
 @pytest.mark.parametrize(
     ("k", "size", "jpeg"),
     [(0, 159329, "a7bbcde3737e6f49"), (45, 179165, "eef1bf3b4f4e85af"), (89, 179989, "725cf85255590950")],
@@ -107,14 +97,6 @@ def test_depth_is_in_millimetres(drive, k, millimetres, whole):
     assert digest(depth.tobytes()) == whole
 
 
-def test_depth_is_stored_as_compressed_depth_image_transport_writes_it(drive):
-    message = dict(_first_messages(drive))["/truth/depth"]
-    data = bytes(message.data)
-    assert message.format == "16UC1; compressedDepth png"
-    assert data[:12] == bytes(12)
-    assert data[12:20] == b"\x89PNG\r\n\x1a\n"
-
-
 @pytest.mark.parametrize(
     ("k", "counts", "whole"),
     [
@@ -164,11 +146,8 @@ def test_the_marker_is_where_its_pose_says(drive):
 @pytest.mark.parametrize(
     ("name", "k", "expected"),
     [
-        ("camera", 0, [0.0, 0.0, 0.20042073726654053]),
         ("camera", 45, [1.215000033378601, 0.05510295554995537, 0.20006459951400757]),
-        ("person", 45, [4.929999828338623, 0.2729283571243286, 0.0]),
         ("ball", 45, [2.7365245819091797, 0.14327868819236755, 0.12200000137090683]),
-        ("toycar", 45, [2.519583225250244, -2.220446049250313e-16, 0.012000000104308128]),
         ("marker", 45, [4.338639736175537, -0.6213698387145996, 0.2255185842514038]),
     ],
 )
@@ -186,11 +165,6 @@ def test_the_quaternion_of_a_pose_is_in_the_order_x_y_z_w(drive):
         -0.5676221251487732,
         0.42303207516670227,
     ]
-
-
-def test_a_pose_is_stamped_in_the_world(drive):
-    message = dict(_first_messages(drive))["/truth/pose/ball"]
-    assert message.header.frame_id == "world"
 
 
 def test_messages_are_of_the_classes_that_publishers_accept(drive):
@@ -251,13 +225,6 @@ def test_a_closed_recording_raises_an_error():
             read()
 
 
-def test_an_interrupted_iteration_leaves_no_file_open(drive):
-    for topic, message in drive:
-        assert topic == "/truth/scene"
-        assert "label_names" in message.data
-        break
-
-
 def test_many_threads_read_the_right_messages(drive):
     expected = [digest(drive.raw(k)) for k in range(90)]
     with open_recording() as shared:
@@ -277,10 +244,6 @@ def test_many_threads_read_the_right_messages(drive):
             thread.join()
         assert wrong == []
         assert all(found.acquire(blocking=False) for _ in threads)
-
-
-def test_repr(drive):
-    assert repr(drive) == f"<Recording 'drive': 90 frames on {CAMERA}, 10 topics>"
 
 
 def _first_messages(recording):

@@ -62,11 +62,6 @@ def test_a_folder(raw_bag):
         assert_holds_the_raw_images(recording)
 
 
-def test_a_path_as_text(raw_bag):
-    with open_recording(str(raw_bag)) as recording:
-        assert_holds_the_raw_images(recording)
-
-
 def test_a_single_file(raw_bag, tmp_path):
     alone = tmp_path / bag_file(raw_bag).name
     shutil.copy(bag_file(raw_bag), alone)
