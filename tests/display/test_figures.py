@@ -50,10 +50,7 @@ def levels_shown(axes):
     ("encoding", "pixel"),
     [
         ("bgr8", (0, 0, 255)),
-        ("rgb8", (255, 0, 0)),
-        ("bgra8", (0, 0, 255, 255)),
         ("rgba8", (255, 0, 0, 255)),
-        ("8UC3", (0, 0, 255)),
         ("8UC4", (0, 0, 255, 255)),
     ],
 )
@@ -142,13 +139,9 @@ def test_numbers_of_a_colour_image_are_in_its_own_order():
     assert "r, g, b" in axes.get_xlabel()
 
 
-@pytest.mark.parametrize(("size", "count"), [(12, 144), (13, 0)])
-def test_numbers_are_drawn_up_to_twelve_by_twelve(size, count):
-    _, [axes] = draw(np.zeros((size, size), np.uint8))
-    assert len(axes.texts) == count
-
-
-def test_numbers_can_be_switched_off_and_on():
+def test_numbers_are_drawn_up_to_twelve_by_twelve_and_can_be_switched_off_and_on():
+    for size, count in ((12, 144), (13, 0)):
+        assert len(draw(np.zeros((size, size), np.uint8))[1][0].texts) == count
     assert not draw(np.zeros((3, 3), np.uint8), numbers=False)[1][0].texts
     assert len(draw(np.zeros((20, 20), np.uint8), numbers=True)[1][0].texts) == 400
     with pytest.raises(ValueError, match=r"at most 24 rows and cols"):
@@ -326,26 +319,19 @@ GRAY = np.zeros((4, 4), np.uint8)
         ),
         ({"images": RED_BGR, "encoding": "bgra8"}, r'means \(rows, cols, 4\); try encoding="bgr8"'),
         ({"images": np.zeros((4, 4, 2), np.uint8)}, r"try array\[:, :, k\] for one channel"),
-        (
-            {"images": GRAY.astype(float), "encoding": "mono8"},
-            "dtype float64, but encoding 'mono8' means uint8",
-        ),
         ({"images": GRAY, "encoding": "mono16"}, "dtype uint8, but encoding 'mono16' means uint16"),
         ({"images": RED_BGR.astype(float)}, r"values 0 to 255; expected 0\.\.1: divide by 255"),
         ({"images": RED_BGR.astype(np.int32)}, r"colour image of dtype int32; expected uint8.*np\.clip"),
         ({"images": np.array([[0.0, np.nan]])}, r"contains NaN or infinity.*np\.nan_to_num"),
         ({"images": GRAY.astype(complex)}, "dtype complex128; expected numbers"),
         ({"images": GRAY[0]}, r"shape \(4,\); expected \(rows, cols\)"),
-        ({"images": GRAY[:0]}, r"shape \(0, 4\)"),
         ({"images": []}, "nothing to show"),
         ({"images": None}, "nothing to show: expected an array or a list of arrays, got NoneType"),
         ({"images": [[1, 2], [3, 4]]}, r"image 0 is list, not an array; .*np\.array"),
-        ({"images": [GRAY, None]}, "image 1 is NoneType"),
         ({"images": [GRAY, GRAY], "titles": ["one"]}, "1 titles for 2 images"),
         ({"images": [GRAY, GRAY], "encoding": ["mono8"]}, "1 encodings for 2 images"),
         ({"images": {"a": GRAY}, "titles": ["b"]}, "the keys of a dict are the titles"),
         ({"images": GRAY, "encoding": "bayer_rggb8"}, "has encoding 'bayer_rggb8'.*convert it first"),
-        ({"images": GRAY, "encoding": "bgr"}, "'bgr'"),
         ({"images": GRAY, "limits": (5, 5)}, r"limits=\(5, 5\): the value shown black must be below"),
         ({"images": GRAY, "rows": (2, 9)}, r"rows=\(2, 9\) is not inside the image: .*within 0\.\.4"),
         ({"images": GRAY, "columns": 0}, "columns=0: a line has at least one"),

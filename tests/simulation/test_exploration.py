@@ -96,12 +96,10 @@ def test_the_place_of_a_marker_is_right_within_30_centimetres(env):
 @pytest.mark.parametrize(
     "found",
     [
-        *(None, {}, [], 7, {"markers": None, "word": None}, {"markers": {1: None, 22: 3.0}, "word": 5}),
-        *(
-            {"markers": {1: "ab", 22: (1.0, 2.0, 3.0)}},
-            {"markers": {1: (math.nan, 1.0), 22: (math.inf, 0)}},
-        ),
-        *({"markers": [(1, (0.0, 0.0))], "word": "KITCHENS"}, {"markers": "1", "word": ""}),
+        None,
+        {"markers": {1: None, 22: (1.0, 2.0, 3.0)}, "word": 5},
+        {"markers": {1: "ab", 22: (math.nan, 1.0)}},
+        {"markers": [(1, (0.0, 0.0))], "word": "KITCHENS"},
         {"markers": {1: (10**400, 0)}},
     ],
     ids=lambda found: str(found)[:60],

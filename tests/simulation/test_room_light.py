@@ -64,13 +64,6 @@ def floor_at(image, x, y, half=0.06):
     return image[slice(*rows), slice(*cols)].mean()
 
 
-def test_each_texture_has_the_size_of_its_file(day):
-    assert list(day) == list(ATLASES)
-    for atlas, image in day.items():
-        assert image.dtype == np.uint8
-        assert image.shape == cv2.imread(str(FILES / f"{atlas}_day.jpg")).shape
-
-
 @pytest.mark.parametrize("lighting", ["day", "evening"])
 def test_at_the_recorded_places_the_open_floor_is_as_in_the_recorded_room(lighting):
     ours = textures(recorded(), lighting)["floor"]
