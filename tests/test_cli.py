@@ -28,19 +28,6 @@ def test_help_names_every_command(call):
         assert f"\n  {name} " in text
 
 
-def test_every_command_has_help(call):
-    for name in ("doctor", "start", "play", "drive", "record", "build", "check"):
-        result = call(name, "--help")
-        assert result.exit_code == 0
-        assert result.output.startswith(f"Usage: main {name} ")
-
-
-def test_an_unknown_command_is_refused(call):
-    result = call("dance")
-    assert result.exit_code == 2
-    assert "No such command 'dance'" in result.output
-
-
 def test_its_version_is_the_packages(call):
     assert call("--version").output.strip().endswith(imgproc_course.__version__)
 
@@ -266,9 +253,3 @@ def test_build_names_a_lesson_that_does_not_exist(call, tmp_path):
     result = call("build", "--masters", str(tmp_path), "99_no_such_lesson")
     assert result.exit_code == 1
     assert result.output.count("\n") == 1
-
-
-def test_check_requires_a_lesson(call):
-    result = call("check")
-    assert result.exit_code == 2
-    assert "Missing argument" in result.output

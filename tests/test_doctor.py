@@ -35,29 +35,10 @@ def report():
 @pytest.mark.ros
 def test_on_a_machine_that_is_set_up_nothing_fails(report):
     assert report.ready
-    verdicts = {diagnosis.name: diagnosis.verdict for diagnosis in report.diagnoses}
-    assert [name for name, verdict in verdicts.items() if verdict == "failure"] == []
-    assert {
-        "Python",
-        "kernel",
-        "numpy",
-        "OpenCV",
-        "recording",
-        "ROS 2",
-        "DDS profile",
-        "domain",
-        "topic",
-    } < set(verdicts)
-
-
-@pytest.mark.ros
-def test_frames_arrive_from_the_camera(report):
-    diagnoses = {diagnosis.name: diagnosis for diagnosis in report.diagnoses}
-    assert diagnoses["topic"].observation == "frames arrive from the camera, a process of its own"
-
-
-def test_it_reports_versions_and_the_recording(report):
+    assert [each.name for each in report.diagnoses if each.verdict == "failure"] == []
     diagnoses = {diagnosis.name: diagnosis.observation for diagnosis in report.diagnoses}
+    assert {"kernel", "ROS 2", "DDS profile", "domain"} < diagnoses.keys()
+    assert diagnoses["topic"] == "frames arrive from the camera, a process of its own"
     assert diagnoses["Python"] == ".".join(map(str, sys.version_info[:3]))
     assert diagnoses["imgproc-course"] == importlib.metadata.version("imgproc-course")
     assert diagnoses["numpy"] == importlib.metadata.version("numpy")
@@ -322,10 +303,7 @@ def test_shared_memory_must_hold_four_segments(free, verdicts):
     [
         ("", "", "ok", "0; topics are shared with everyone on this network in the same domain"),
         ("7", "LOCALHOST", "ok", "7; topics are shared only with programs on this machine, not with a robot"),
-        ("101", "SUBNET", "ok", "101; topics are shared with everyone on this network in the same domain"),
         ("102", "", "failure", "ROS_DOMAIN_ID=102"),
-        ("-1", "", "failure", "ROS_DOMAIN_ID=-1"),
-        ("seven", "", "failure", "ROS_DOMAIN_ID=seven"),
         ("7", "OFF", "failure", "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: programs do not discover each other"),
         (
             "7",
