@@ -1,7 +1,5 @@
 """The lesson "Faces": its solutions give what the field's tools give, on many inputs."""
 
-from pathlib import Path
-
 import cv2
 import numpy as np
 import pytest
@@ -10,8 +8,6 @@ from sklearn.decomposition import PCA
 
 from imgproc_course.imaging import to_gray
 from imgproc_course.simulation import draw_face, random_identity
-
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "19_faces.py"
 
 
 @pytest.fixture(scope="module")

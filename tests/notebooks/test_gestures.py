@@ -1,7 +1,5 @@
 """The lesson "Gestures": its solutions give what the field's tools give, on many inputs."""
 
-from pathlib import Path
-
 import cv2
 import numpy as np
 import pytest
@@ -10,8 +8,6 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
 from imgproc_course.simulation import GESTURES, gesture_track, hand_mask, random_hand
-
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "20_gestures.py"
 
 
 def all_points_of_outline(mask):

@@ -1,7 +1,5 @@
 """The lesson "Mapping and SLAM": its solutions give what the field's tools give, on many inputs."""
 
-from pathlib import Path
-
 import numpy as np
 from skimage.draw import line
 
@@ -13,8 +11,6 @@ from imgproc_course.geometry import (
     update_grid,
     wrap_angle,
 )
-
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "16_mapping_and_slam.py"
 
 
 def test_ray_cells_is_scikit_images_line_and_the_packages(solutions):

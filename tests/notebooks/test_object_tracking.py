@@ -1,14 +1,10 @@
 """The lesson on tracking: its solutions give what the field's tools give, on many inputs."""
 
-from pathlib import Path
-
 import cv2
 import numpy as np
 import pytest
 
 from imgproc_course.classroom.exercises import read_exercises, run_cases
-
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "14_object_tracking.py"
 
 
 @pytest.mark.parametrize("bins", [4, 16, 18, 30, 32, 50, 90, 180])
@@ -64,10 +60,10 @@ def test_predict_and_update_are_opencvs_kalman_filter(solutions):
         np.testing.assert_allclose(tool.errorCovPost, covariance, rtol=0, atol=1e-12)
 
 
-def test_feedback_on_matrices_does_not_explain_their_product():
+def test_feedback_on_matrices_does_not_explain_their_product(master):
     def predict(state, covariance, F, Q):
         return F @ state, F @ covariance
 
-    exercise = next(e for e in read_exercises(MASTER) if e.function == "predict")
+    exercise = next(e for e in read_exercises(master) if e.function == "predict")
     feedback = repr(run_cases(exercise, predict))
     assert "tracking-predict: 0 of 2 checks pass" in feedback and "value by value" not in feedback

@@ -8,8 +8,6 @@ import onnxruntime
 import pytest
 import rapidocr
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "17_reading_text.py"
-
 
 def test_label_is_connected_components_up_to_the_order(solutions):
     rng = np.random.default_rng(0)

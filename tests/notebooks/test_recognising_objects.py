@@ -1,7 +1,5 @@
 """The lesson "Recognising objects": its solutions give what the field's tools give, on many inputs."""
 
-from pathlib import Path
-
 import cv2
 import numpy as np
 from skimage.feature import hog
@@ -9,8 +7,6 @@ from sklearn.metrics import confusion_matrix
 from sklearn.neighbors import NearestCentroid
 
 from imgproc_course.recording import open_recording
-
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "18_recognising_objects.py"
 
 
 def test_hog_of_solved_cells_is_skimage(solutions):

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from imgproc_course.geometry import CameraModel, Pose, homography, rigid_motion
 
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "15_where_am_i.py"
+NODES = Path(__file__).parents[1] / "ros" / "lesson_nodes.py"
 
 
 def test_find_homography_is_get_perspective_transform_and_the_packages(solutions):
@@ -83,9 +83,7 @@ def test_between_two_keyframes_no_frame_is_far_from_the_first(solutions):
 
 
 def test_in_front_of_a_bare_wall_the_pose_stays():
-    spec = importlib.util.spec_from_file_location(
-        "lesson_nodes", MASTER.parents[2] / "tests/ros/lesson_nodes.py"
-    )
+    spec = importlib.util.spec_from_file_location("lesson_nodes", NODES)
     lesson_nodes = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(lesson_nodes)
     start = Pose.planar(1.0, 2.0, 0.5)
