@@ -20,6 +20,7 @@ def test_it_plays_until_a_signal_stops_it(start_python, session, wait_until, num
 
     process = start_python(PLAY.format("speed=2.0, status_seconds=0.5"))
     assert process.stdout.readline() == FIRST.format(20, session.context.get_domain_id())
+    assert process.stdout.readline().endswith(" images; subscribers: none\n")
     with ImageSubscriber("/kachaka/front_camera/image_raw") as subscriber:
         assert subscriber.wait(60).shape == (720, 1280, 3)
         while "subscribers: none" in (line := process.stdout.readline()):
@@ -58,18 +59,6 @@ def test_it_joins_a_camera_that_runs_and_leaves_it_running(start_python, session
     out, _ = first.communicate(timeout=60)
     assert out == f"left; the camera goes on for {User('python -c', third.pid)}\n"
     assert ImageSubscriber("/kachaka/front_camera/image_raw").wait(60).shape == (720, 1280, 3)
-
-
-def test_the_status_line_without_subscribers(start_python):
-    process = start_python(PLAY.format("status_seconds=0.2"))
-    process.stdout.readline()
-    assert process.stdout.readline().endswith("images; subscribers: none\n")
-
-
-def test_bad_arguments_end_with_a_message(run_python):
-    code, _, err = run_python(PLAY.format("speed=-1"))
-    assert code == 1
-    assert err.splitlines()[-1].startswith("ValueError: speed must be a positive number, got -1")
 
 
 def test_the_robot_process_computes_images_in_one_thread(run_python):

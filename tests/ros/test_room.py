@@ -1,5 +1,6 @@
 """The robot in the room, in a process of its own: its topics have the simulation's values, and it drives."""
 
+import contextlib
 import itertools
 import math
 import os
@@ -11,7 +12,6 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
-import psutil
 import pytest
 
 pytestmark = pytest.mark.ros
@@ -28,24 +28,16 @@ def robot():
         yield robot
 
 
-@pytest.fixture
-def collect(robot):
-    """collect(topic, type) -> the list that its messages go to, until the end of the test."""
-    from rclpy.qos import qos_profile_sensor_data
-
-    from imgproc_course.ros import RosSession
-
-    session, subscriptions = RosSession(), []
-
-    def subscribe(topic, message_type):
-        messages = []
-        subscriptions.append(
-            session.node.create_subscription(message_type, topic, messages.append, qos_profile_sensor_data)
-        )
-        return messages
-
-    yield subscribe
-    session.run(lambda: [session.node.destroy_subscription(s) for s in subscriptions])
+@contextlib.contextmanager
+def lesson_node(program, *arguments):
+    """Runs a program of this folder, ends it with Ctrl-C, and keeps what it prints in its `printed`."""
+    command = [sys.executable, Path(__file__).with_name(program), *arguments]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as node:
+        try:
+            yield node
+        finally:
+            node.send_signal(signal.SIGINT)
+        node.printed = node.communicate(timeout=60)[0]
 
 
 def stamp(msg):
@@ -178,18 +170,14 @@ def test_the_lessons_node_follows_the_ball_from_another_process(robot, collect, 
         places = [vector(one[-1])[:2].round(2) for one in (true_balls, cameras, balls) if one]
         return f"after {len(balls)} balls, {len(tracks)} tracks: {places}"
 
-    program = Path(__file__).with_name("follow_ball.py")
-    with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
-        try:  # on a busy machine it looks seldom, and drives slowly
-            # It begins with the largest red thing: the ball, if it looks before the car drives into view.
-            wait_until(lambda: tracks, 60)
-            assert not tracks[-1].markers  # it faces a wall
-            robot.restart(start=start, seed=1)
-            wait_until(lambda: true_balls and cameras and 1 < distance() < 1.2)
-            wait_until(lambda: balls and abs(distance() - 0.8) < 0.15 and error() < 0.25, 90, state)
-        finally:
-            node.send_signal(signal.SIGINT)
-        looks = int(node.communicate(timeout=60)[0])
+    with lesson_node("follow_ball.py", "inf") as node:  # on a busy machine it looks seldom, and drives slowly
+        # It begins with the largest red thing: the ball, if it looks before the car drives into view.
+        wait_until(lambda: tracks, 60)
+        assert not tracks[-1].markers  # it faces a wall
+        robot.restart(start=start, seed=1)
+        wait_until(lambda: true_balls and cameras and 1 < distance() < 1.2)
+        wait_until(lambda: balls and abs(distance() - 0.8) < 0.15 and error() < 0.25, 90, state)
+    looks = int(node.printed)
     assert 0 < len(balls) <= looks + 1 and 0 < len(tracks) <= looks + 1  # ended between sending and counting
     assert tracks[-1].markers[0].id == 0 and tracks[-1].markers[0].pose == balls[-1].pose
     assert balls[-1].header.frame_id == "odom"
@@ -218,19 +206,15 @@ def test_the_lessons_node_sees_from_another_process_where_the_robot_drives(robot
             if stamp(msg) in truth
         ]
 
-    program = Path(__file__).with_name("visual_odometry.py")
-    with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
-        try:
-            wait_until(places)
-            while places()[-1][1][0] < start[0] + 0.35:
-                newest = stamp(true_poses[-1])
-                robot.drive(0.2, 0.1)  # for 0.5 s: it never drives farther than the node has looked
-                wait_until(lambda newest=newest: stamp(seen[-1]) >= newest)
-            robot.stop()
-            wait_until(lambda: len(paths) > 2)
-        finally:
-            node.send_signal(signal.SIGINT)
-        looks = int(node.communicate(timeout=60)[0])
+    with lesson_node("visual_odometry.py", "inf") as node:
+        wait_until(places)
+        while places()[-1][1][0] < start[0] + 0.35:
+            newest = stamp(true_poses[-1])
+            robot.drive(0.2, 0.1)  # for 0.5 s: it never drives farther than the node has looked
+            wait_until(lambda newest=newest: stamp(seen[-1]) >= newest)
+        robot.stop()
+        wait_until(lambda: len(paths) > 2)
+    looks = int(node.printed)
     assert 3 < len(seen) <= looks + 1  # ended between sending and counting
     found, true = np.array(places()).transpose(1, 0, 2)
     assert ate(found, true) < 0.05 < np.linalg.norm(true[-1] - true[0])
@@ -260,15 +244,11 @@ def test_the_lessons_node_closes_a_loop_from_another_process(robot, collect, wai
             for before, after in itertools.pairwise(places)
         )
 
-    program = [sys.executable, Path(__file__).with_name("mapping.py")]
-    with subprocess.Popen(program, stdout=subprocess.PIPE, text=True) as node:
-        try:
-            wait_until(has_snapped, 150)
-            robot.stop()
-            wait_until(lambda: grids[-1].header.stamp == paths[-1].header.stamp)
-        finally:
-            node.send_signal(signal.SIGINT)
-        looks, keyframes, loops = map(int, node.communicate(timeout=60)[0].split())
+    with lesson_node("mapping.py") as node:
+        wait_until(has_snapped, 150)
+        robot.stop()
+        wait_until(lambda: grids[-1].header.stamp == paths[-1].header.stamp)
+    looks, keyframes, loops = map(int, node.printed.split())
     assert loops >= 1 and 12 < len(paths[-1].poses) <= keyframes <= looks
     # The newest pose of each path is that of the scan at its stamp. The map begins where the node began.
     truth = {stamp(msg): planar(msg) for msg in true_poses}
@@ -290,13 +270,9 @@ def test_the_lessons_node_reads_the_sign_from_another_process(robot, collect, wa
 
     robot.restart(start=(3.4, -0.3, 0.0), seed=1, lighting="day")
     texts, images = collect("/text_reader/text", String), collect(f"{CAMERA}/image_raw", Image)
-    program = Path(__file__).with_name("text_reader.py")
-    with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
-        try:
-            wait_until(lambda: len([msg for msg in texts if msg.data.endswith(" KITCHEN")]) >= 2, 150)
-        finally:
-            node.send_signal(signal.SIGINT)
-        looks = int(node.communicate(timeout=60)[0])
+    with lesson_node("text_reader.py", "inf") as node:
+        wait_until(lambda: len([msg for msg in texts if msg.data.endswith(" KITCHEN")]) >= 2, 150)
+    looks = int(node.printed)
     read = [msg.data.split(maxsplit=3) for msg in texts if msg.data.endswith(" KITCHEN")]
     stamps = [when for when, *_ in read]
     assert len(set(stamps)) == len(stamps) <= looks + 1  # ended between sending and counting
@@ -319,15 +295,9 @@ def test_the_lessons_node_names_things_above_them_from_another_process(robot, co
     def named(name):
         return [marker for msg in list(labels) for marker in msg.markers if marker.text == name]
 
-    program = Path(__file__).with_name("object_recogniser.py")
-    with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
-        try:
-            wait_until(
-                lambda: poses and all(len(named(name)) >= 2 for name in ("chair", "marker", "table")), 150
-            )
-        finally:
-            node.send_signal(signal.SIGINT)
-        looks = int(node.communicate(timeout=60)[0])
+    with lesson_node("object_recogniser.py", "inf") as node:
+        wait_until(lambda: poses and all(len(named(name)) >= 2 for name in ("chair", "marker", "table")), 150)
+    looks = int(node.printed)
     assert len(labels) <= looks + 1  # ended between sending and counting
     assert set(map(stamp, images)) & set(map(stamp, named("marker")))  # the time of the image
     for label in named("marker"):
@@ -357,15 +327,11 @@ def test_the_lessons_node_hides_a_face_before_anything_stores_it(robot, collect,
 
     images = session.node.create_subscription(Image, f"{CAMERA}/image_raw", visit, qos_profile_sensor_data)
     anonymised = collect("/anonymiser/image", Image)
-    program = [sys.executable, Path(__file__).with_name("anonymiser.py"), "/visitor/image"]
-    with subprocess.Popen(program, stdout=subprocess.PIPE, text=True) as node:
-        try:
-            wait_until(lambda: anonymised or node.poll() is not None, 150)
-            with record("/anonymiser/image", tmp_path / "stored") as recorder:
-                wait_until(lambda: recorder.counts["/anonymiser/image"] >= 5)
-        finally:
-            node.send_signal(signal.SIGINT)
-        frames, faces = map(int, node.communicate(timeout=60)[0].split())
+    with lesson_node("anonymiser.py", "/visitor/image") as node:
+        wait_until(lambda: anonymised or node.poll() is not None, 150)
+        with record("/anonymiser/image", tmp_path / "stored") as recorder:
+            wait_until(lambda: recorder.counts["/anonymiser/image"] >= 5)
+    frames, faces = map(int, node.printed.split())
     session.run(
         lambda: [session.node.destroy_subscription(images), session.node.destroy_publisher(publisher)]
     )
@@ -428,28 +394,24 @@ def test_the_lessons_node_obeys_a_hand_from_another_process(robot, collect, wait
     def stands():
         return wheels[-1].twist.twist.angular.z == 0
 
-    program = [sys.executable, Path(__file__).with_name("obey_gestures.py")]
-    with subprocess.Popen(program, stdout=subprocess.PIPE, text=True) as node:
-        try:
-            wait_until(lambda: images.get_subscription_count())
-            assert [look_at(room) for _ in range(5)] == [0] * 5  # no hand, no motion
-            show("swipe left", 2)
-            assert look_at(room) > 0
-            wait_until(lambda: wheels[-1].twist.twist.angular.z > 0.05)
-            wait_until(stands)  # without images there are no commands
-            turned = yaw()
-            assert 0.02 < turned < 0.6
-            show("stop", 5)
-            assert [look_at(room) for _ in range(10)] == [0] * 10  # it does not turn on
-            show("swipe right", 2)
-            assert yaw() == pytest.approx(turned, abs=0.01)
-            wait_until(lambda: look_at(room) == 0)
-            wait_until(stands)
-            assert yaw() - turned == pytest.approx(-math.pi / 4, abs=0.25)
-            wait_until(lambda: names() == ["swipe left", "palm", "swipe right"])
-        finally:
-            node.send_signal(signal.SIGINT)
-        assert len(commands) <= int(node.communicate(timeout=60)[0])
+    with lesson_node("obey_gestures.py") as node:
+        wait_until(lambda: images.get_subscription_count())
+        assert [look_at(room) for _ in range(5)] == [0] * 5  # no hand, no motion
+        show("swipe left", 2)
+        assert look_at(room) > 0
+        wait_until(lambda: wheels[-1].twist.twist.angular.z > 0.05)
+        wait_until(stands)  # without images there are no commands
+        turned = yaw()
+        assert 0.02 < turned < 0.6
+        show("stop", 5)
+        assert [look_at(room) for _ in range(10)] == [0] * 10  # it does not turn on
+        show("swipe right", 2)
+        assert yaw() == pytest.approx(turned, abs=0.01)
+        wait_until(lambda: look_at(room) == 0)
+        wait_until(stands)
+        assert yaw() - turned == pytest.approx(-math.pi / 4, abs=0.25)
+        wait_until(lambda: names() == ["swipe left", "palm", "swipe right"])
+    assert len(commands) <= int(node.printed)
     RosSession().run(lambda: RosSession().node.destroy_publisher(images))
 
 
@@ -461,13 +423,9 @@ def test_the_lessons_node_leaves_the_corner_from_another_process(robot, collect,
     commands = collect("/kachaka/manual_control/cmd_vel", Twist)
     poses = collect("/truth/pose/robot", PoseStamped)
     wait_until(lambda: poses)
-    program = [sys.executable, Path(__file__).with_name("do_errand.py")]
-    with subprocess.Popen(program, stdout=subprocess.PIPE, text=True) as node:
-        try:
-            wait_until(lambda: math.dist(vector(poses[-1])[:2], start[:2]) > 0.4, 150)
-        finally:
-            node.send_signal(signal.SIGINT)
-        looks, tasks, place, name = node.communicate(timeout=60)[0].rstrip("\n").split("\t")
+    with lesson_node("do_errand.py") as node:
+        wait_until(lambda: math.dist(vector(poses[-1])[:2], start[:2]) > 0.4, 150)
+    looks, tasks, place, name = node.printed.rstrip("\n").split("\t")
     assert 0 < len(commands) <= int(looks)
     assert max(command.linear.x for command in commands) > 0.1
     assert (tasks, name) == ("", "")  # it is still on its way
@@ -702,7 +660,7 @@ def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
     RosSession().run(lambda: [node.destroy_publisher(publisher) for publisher in (odometry, scan)])
 
 
-def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, caplog):
+def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, caplog, robot_processes):
     from imgproc_course.ros import ImageSubscriber, open_camera
     from imgproc_course.ros.robot_process import robot_runs
 
@@ -711,11 +669,8 @@ def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, ca
     assert robot.pose[0] > 0.05
     with ImageSubscriber(f"{CAMERA}/image_raw") as subscriber:
         subscriber.wait(30)
-        for process in psutil.process_iter(["cmdline"]):
-            command = process.info["cmdline"] or []
-            is_robot = "robot_body import main" in " ".join(command)
-            if is_robot and command[-3] == os.environ["ROS_DOMAIN_ID"]:
-                process.kill()
+        for process in robot_processes():
+            process.kill()
         wait_until(lambda: any("ended unexpectedly" in record.message for record in caplog.records))
         wait_until(lambda: not robot_runs(int(os.environ["ROS_DOMAIN_ID"])))
         assert robot._commands.get_subscription_count() == 1  # ROS does not know yet
