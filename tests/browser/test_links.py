@@ -2,20 +2,13 @@
 
 import itertools
 
-import nbformat
 import pytest
-from jupyter_page import OPEN_NOTEBOOK, ROOT
-from nbformat.v4 import new_markdown_cell, new_notebook
+from jupyter_page import ROOT
 from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 
-from imgproc_course.classroom.authoring.build import build_pages, lesson_notebook
 from imgproc_course.classroom.authoring.handout import hand_out
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.authoring.references import References
-from imgproc_course.lab.working_copies import update_lessons
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
-MASTERS = ROOT / "notebooks" / "masters"
 # Whether a link has led to its heading: it is in view, or its cell is the active one. JupyterLab 4.6 scrolls
 # a notebook once, before the cells above have their height: on a busy machine it can end beside the heading.
 AT_HEADING = """heading => {
@@ -37,31 +30,6 @@ SHOW = """async ([path, text]) => {
     const cell = content.widgets.find(cell => cell.model.sharedModel.source.includes(text));
     cell.node.scrollIntoView();
 }"""
-TEXT = "[[canny_stages#9]] | [[term:Otsu's method]] | [[term:zero padding]] | [[term:ROS]] | [[grayscale]]"
-TARGETS = [
-    ("Section 9 of lesson", "Edge tracking by hysteresis"),
-    ("Otsu's method", "Otsu's method"),
-    ("zero padding", "border handling"),
-    ("ROS", "ROS 2"),
-    ("Grayscale", "Grayscale"),
-]
-
-
-@pytest.fixture(scope="module")
-def linked_notebooks(lab):
-    """Two lessons, the pages, and links.ipynb, which links into them."""
-    for path in find_masters(MASTERS, ["canny_stages", "grayscale"]):
-        nbformat.write(lesson_notebook(read_master(path)), lab[1] / f"{path.stem}.ipynb")
-    for name, text in build_pages(MASTERS).items():
-        (lab[1] / name).write_text(text, encoding="utf-8")
-    cells = [new_markdown_cell(References(MASTERS / "glossary.toml").in_prose(TEXT))]
-    kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
-    nbformat.write(new_notebook(cells=cells, metadata={"kernelspec": kernel}), lab[1] / "links.ipynb")
-
-
-@pytest.fixture
-def page(linked_notebooks, open_notebook):
-    return open_notebook("links.ipynb").page
 
 
 def click(page, source, link, heading):
@@ -92,23 +60,13 @@ def go(page, source, link, *, mouse, timeout):
     page.wait_for_function(left, arg=source, polling=200, timeout=timeout)
 
 
-@pytest.mark.parametrize(("link", "heading"), TARGETS)
-def test_a_link_leads_to_its_heading(page, link, heading):
-    click(page, "links.ipynb", link, heading)
-
-
-def test_a_link_into_the_glossary_works_from_each_place_of_a_lesson(lab, tab, tmp_path):
-    """Clicked in a hand-out; the other places have the same link, and the same page beside the lesson."""
+def test_links_lead_to_a_heading_of_another_lesson_and_into_the_glossary(lab, open_notebook, tmp_path):
     handout = f"handout-{tmp_path.name}"  # of its own if the test runs again
-    places = (lab[1] / handout, tmp_path / "my_lessons", ROOT / "notebooks")
-    hand_out(places[0], ROOT / "notebooks", ["grayscale"])
-    update_lessons(target=places[1])
-    (lesson,) = places[0].glob("*_grayscale.ipynb")
-    for place in places:
-        assert "[gamma-encoded](glossary.md#gamma)" in (place / lesson.name).read_text(encoding="utf-8")
-        assert "\n### gamma\n" in (place / "glossary.md").read_text(encoding="utf-8")
-    page, source = tab(), f"{handout}/{lesson.name}"
-    page.evaluate(OPEN_NOTEBOOK, source)
-    click(page, source, "gamma-encoded", "gamma")
+    hand_out(lab[1] / handout, ROOT / "notebooks", ["mapping_and_slam", "drive_the_robot"])
+    (lesson,) = (lab[1] / handout).glob("*_mapping_and_slam.ipynb")
+    source = f"{handout}/{lesson.name}"
+    page = open_notebook(source).page
+    click(page, source, "section 5 of lesson 11", "Drive a square")
+    click(page, source, "Bresenham's line", "Bresenham's line")
     path = page.evaluate("window.jupyterapp.shell.currentWidget.context.path")
     assert path == f"{handout}/glossary.md"
