@@ -139,18 +139,14 @@ def free_port():
 
 
 def _command(folder, port):
-    options = [
+    return [
+        ROOT / "environment/lab",
         "--no-browser",
         f"--port={port}",
         f"--ServerApp.root_dir={folder}",
         f"--IdentityProvider.token={TOKEN}",
         "--expose-app-in-browser",  # for OPEN_NOTEBOOK
     ]
-    if list((ROOT / "notebooks").glob("*.ipynb")):
-        return [ROOT / "environment/lab", *options]
-    # Before the lessons are built, environment/lab has none to open. This runs the same function.
-    run = "import sys; from imgproc_course.lab.server import run; run(sys.argv[1], sys.argv[2:])"
-    return [sys.executable, "-c", run, folder, *options]
 
 
 @contextmanager

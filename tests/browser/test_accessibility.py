@@ -4,7 +4,7 @@ import textwrap
 
 import nbformat
 import pytest
-from jupyter_page import ROOT, write_notebook
+from jupyter_page import ROOT, NotebookPage, write_notebook
 
 from imgproc_course.classroom.authoring.build import lesson_notebook
 from imgproc_course.classroom.authoring.masters import read_master
@@ -74,49 +74,53 @@ CUT_OFF = """() => [...document.querySelectorAll(".jp-Cell :is(.widget-box, .wid
 CONTROLS = ["thresholds: low", "thresholds: high", "20 – 50", "offset", "9", "inside", "Reset"]
 
 
-@pytest.fixture
-def index(lab):
-    notebook = lesson_notebook(read_master(ROOT / "notebooks" / "masters" / "index.py"))
-    nbformat.write(notebook, lab[1] / "index.ipynb")
-    return "index.ipynb"
-
-
-@pytest.fixture
-def outputs(lab):
+@pytest.fixture(scope="module")
+def outputs(lab, browser):
+    """The page of a notebook of OUTPUTS that has run."""
     write_notebook(lab[1] / "outputs.ipynb", [textwrap.dedent(cell).strip() for cell in OUTPUTS])
-    return "outputs.ipynb"
-
-
-def test_everybody_can_read_what_the_course_draws(index, outputs, open_notebook):
-    for name, selector in ((index, "svg"), (outputs, ".noUi-handle[aria-label]")):
-        page = open_notebook(name)
-        page.run_all()
-        assert page.errors() == []
-        page.page.locator(selector).first.wait_for()
-        for theme in ("Dark", "Light"):
-            page.set_theme(theme)
-            assert page.violations(only_colors=theme == "Light") == []
-            page.screenshot(f"{name.partition('.')[0]}_{theme}", selector)
-        page.close()
-
-
-def test_images_stand_one_below_the_other_in_a_narrow_window(outputs, open_notebook):
-    page = open_notebook(outputs)
-    page.run_cell(0)
-    images = page.page.locator("figure img")
-    sizes = {}
-    for width in (1400, 900):
-        page.page.set_viewport_size({"width": width, "height": 1000})
-        page.page.wait_for_timeout(500)
-        boxes = [images.nth(k).bounding_box() for k in range(3)]
-        sizes[width] = len({box["y"] for box in boxes}), {round(box["width"]) for box in boxes}
-    assert sizes == {1400: (1, {298}), 900: (3, {298})}
-
-
-def test_sliders_and_buttons_work_with_the_keyboard_alone(outputs, open_notebook):
-    page = open_notebook(outputs)
+    page = NotebookPage(browser, lab[0], "outputs.ipynb")
     page.run_all()
     page.page.locator(".noUi-handle[aria-label]").nth(2).wait_for()
+    yield page
+    page.close()
+
+
+def assert_everybody_can_read(page, name, selector):
+    assert page.errors() == []
+    page.page.locator(selector).first.wait_for()
+    for theme in ("Dark", "Light"):
+        page.set_theme(theme)
+        assert page.violations(only_colors=theme == "Light") == []
+        page.screenshot(f"{name}_{theme}", selector)
+
+
+def test_everybody_can_read_the_index(lab, open_notebook):
+    notebook = lesson_notebook(read_master(ROOT / "notebooks" / "masters" / "index.py"))
+    nbformat.write(notebook, lab[1] / "index.ipynb")
+    page = open_notebook("index.ipynb")
+    page.run_all()
+    assert_everybody_can_read(page, "index", "svg")
+
+
+def test_everybody_can_read_what_the_course_draws(outputs):
+    assert_everybody_can_read(outputs, "outputs", ".noUi-handle[aria-label]")
+
+
+def test_images_stand_one_below_the_other_in_a_narrow_window(outputs):
+    images = outputs.page.locator("figure img")
+
+    def rows_and_widths():
+        boxes = [images.nth(k).bounding_box() for k in range(3)]
+        return len({box["y"] for box in boxes}), {round(box["width"]) for box in boxes}
+
+    for width, rows in ((1400, 1), (900, 3)):
+        outputs.page.set_viewport_size({"width": width, "height": 1000})
+        outputs.wait_until(lambda rows=rows: rows_and_widths() == (rows, {298}))
+
+
+def test_sliders_and_buttons_work_with_the_keyboard_alone(outputs):
+    page = outputs
+    page.page.set_viewport_size({"width": 900, "height": 1000})
     page.page.locator(".noUi-handle").first.focus()
     for control in CONTROLS:
         assert page.page.evaluate(FOCUSED) == [control, True]
@@ -127,6 +131,4 @@ def test_sliders_and_buttons_work_with_the_keyboard_alone(outputs, open_notebook
     page.page.locator("button.jupyter-button", has_text="Stop").focus()
     page.page.keyboard.press("Space")
     page.page.get_by_text("stopped after").wait_for()
-    page.page.set_viewport_size({"width": 900, "height": 1000})
-    page.page.wait_for_timeout(500)
     assert page.page.evaluate(CUT_OFF) == []
