@@ -115,11 +115,12 @@ def odometry_at(moment, x, y, yaw):
 
 
 def scan_at(moment, ranges):
-    """A scan of the robot's: the first ray goes to its right, the others follow counterclockwise."""
+    """A scan all around: its first ray goes to the robot's right, the others follow counterclockwise."""
     from builtin_interfaces.msg import Time
     from sensor_msgs.msg import LaserScan
 
-    msg = LaserScan(angle_min=-math.pi, angle_increment=math.pi / 2, range_min=0.05, range_max=8.0)
+    increment = 2 * math.pi / len(ranges)
+    msg = LaserScan(angle_min=-math.pi, angle_increment=increment, range_min=0.05, range_max=8.0)
     msg.header.stamp = Time(sec=int(moment), nanosec=round(moment % 1 * 1e9))
     msg.ranges = ranges
     return msg
@@ -149,16 +150,11 @@ def test_a_scan_is_drawn_from_where_the_robot_was_when_it_was_taken():
 def test_the_map_begins_again_in_another_room():
     from imgproc_course.display.drive import _Map
 
-    def scan(moment, distance):
-        msg = scan_at(moment, [distance] * 360)
-        msg.angle_increment = math.pi / 180
-        return msg
-
     map_, still = _Map(), (0.5, 0.0, 0.0)
     map_.update(odometry_at(10.0, *still), None)
-    assert len(map_.update(odometry_at(10.2, *still), scan(10.1, 1.0))["cells"]) > 50
-    assert map_.update(odometry_at(10.4, *still), scan(10.3, 1.0))["begins"] is False
-    other = map_.update(odometry_at(10.6, *still), scan(10.5, 2.0))
+    assert len(map_.update(odometry_at(10.2, *still), scan_at(10.1, [1.0] * 360))["cells"]) > 50
+    assert map_.update(odometry_at(10.4, *still), scan_at(10.3, [1.0] * 360))["begins"] is False
+    other = map_.update(odometry_at(10.6, *still), scan_at(10.5, [2.0] * 360))
     assert (other["begins"], other["gone"]) == (True, [])
     assert all(1.9 < math.hypot(x - 0.6, y) < 2.2 for x, y in other["cells"])
 
@@ -167,12 +163,9 @@ def test_what_comes_is_no_wall_until_it_stays(monkeypatch):
     from imgproc_course.display.drive import _Map
 
     def scan(moment, ball):
-        msg = scan_at(moment, [])
-        msg.angle_increment = math.pi / 180
         ranges = np.full(360, 2.0)
         ranges[ball : ball + 10] = 1.0
-        msg.ranges = ranges.tolist()
-        return msg
+        return scan_at(moment, ranges.tolist())
 
     monkeypatch.setattr(sys.modules[_Map.__module__], "STILL", 4)
     map_, messages = _Map(), []
@@ -191,15 +184,12 @@ def test_what_has_moved_away_disappears_from_the_map_and_walls_stay():
     from imgproc_course.display.drive import _Map
 
     def scan(moment, *, ball):
-        msg = scan_at(moment, [])
-        msg.angle_increment = math.pi / 180
         angles = np.radians(np.arange(360) - 180)
         # A wall 2 m to the right of the scanner, which one sees almost along its surface far away.
         ranges = np.where(np.cos(angles) > 0.3, 2 / np.maximum(np.cos(angles), 0.3), math.inf)
         if ball:
             ranges[175:186] = 1.0
-        msg.ranges = ranges.tolist()
-        return msg
+        return scan_at(moment, ranges.tolist())
 
     map_, moments = _Map(), (10.25, 10.75, 11.25)
     map_.update(odometry_at(10.0, 0.0, 0.0, 0.0), None)

@@ -393,13 +393,6 @@ def robot_bag(tmp_path, storage):
     return tmp_path / "robot"
 
 
-def test_the_camera_is_the_first_topic_with_colour_images(robot_bag):
-    with open_recording(robot_bag) as recording:
-        assert recording.camera_topic == "/front/image_raw/compressed"
-        assert len(recording) == 4
-        assert recording.frame(3).tolist() == [[[10, 20, 30]] * 3] * 2
-
-
 @pytest.mark.parametrize("encoding, bytes_per_pixel", [("16UC1", 2), ("32FC1", 4), ("no such", 1)])
 def test_raw_depth_recorded_first_is_not_the_camera(tmp_path, encoding, bytes_per_pixel):
     depth = raw_image(0, START)

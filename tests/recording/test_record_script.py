@@ -1,6 +1,7 @@
 """environment/drive/record.py: it makes a recording of the raw material, with the same bytes every time."""
 
 import json
+import runpy
 import subprocess
 import sys
 from pathlib import Path
@@ -58,19 +59,26 @@ def test_two_runs_give_the_same_bytes_which_hold_the_raw_material(raw_material, 
         assert drive.pose("toycar", 2).tolist() == [2, 3, 0, 0, 0, 0, 1]
 
 
-def test_it_replaces_an_existing_folder_only_with_force(raw_material, tmp_path):
+@pytest.fixture
+def record(monkeypatch):
+    """The script's main, with arguments, in this process."""
+
+    def call(*arguments):
+        monkeypatch.setattr(sys, "argv", [str(SCRIPT), *map(str, arguments)])
+        runpy.run_path(str(SCRIPT), run_name="__main__")
+
+    return call
+
+
+def test_it_replaces_an_existing_folder_only_with_force(record, raw_material, tmp_path):
     out = tmp_path / "drive"
     out.mkdir()
     (out / "precious").touch()
-    process = run(raw_material, "--out", out)
-    assert process.returncode == 1
-    assert "exists already: give --force" in process.stderr
+    with pytest.raises(SystemExit, match="exists already: give --force"):
+        record(raw_material, "--out", out)
     assert (out / "precious").exists()
 
 
-def test_a_folder_without_raw_material_is_refused(tmp_path):
-    process = run(tmp_path)
-    assert process.returncode == 1
-    assert process.stderr.strip().endswith(
-        "has no truth.json: give the folder with the raw material (see README.md)"
-    )
+def test_a_folder_without_raw_material_is_refused(record, tmp_path):
+    with pytest.raises(SystemExit, match=r"has no truth\.json: give the folder with the raw material \(see"):
+        record(tmp_path)

@@ -95,22 +95,6 @@ def test_a_type_that_is_none_of_ros(tmp_path):
         writer.write("/a", "mine/msg/Own", b"", START)
 
 
-def test_a_full_disk_is_one_line(tmp_path, monkeypatch):
-    writer = RecordingWriter(tmp_path / "own")
-    write(writer, "/cam", raw_image(0, START), START)
-
-    def full(*_):
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(writer._writer, "write", full)
-    with pytest.raises(RecordingError, match="own cannot be written: No space left on device"):
-        write(writer, "/cam", raw_image(1, START), START)
-    monkeypatch.undo()
-    writer.close()
-    with open_recording(tmp_path / "own") as recording:  # what came before is kept
-        assert (recording.frame(0, "mono8") == gray_pixels(0)).all()
-
-
 def test_images_are_written_without_ros(tmp_path):
     images = [np.full((48, 64, 3), value, np.uint8) for value in (20, 200)] + [
         np.full((48, 64), 90, np.uint8)
