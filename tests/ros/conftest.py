@@ -122,6 +122,20 @@ def wait_until():
 
 
 @pytest.fixture
+def another_process():
+    """A node of another context: for DDS and for the session this is another process."""
+    from rclpy.context import Context
+    from rclpy.node import Node
+
+    context = Context()
+    context.init()
+    node = Node("another", context=context)
+    yield node
+    node.destroy_node()
+    context.try_shutdown()
+
+
+@pytest.fixture
 def run_python():
     """Runs code in a child process and returns (exit code, stdout, stderr)."""
 

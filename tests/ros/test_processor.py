@@ -162,16 +162,13 @@ def test_only_outputs_with_a_subscriber_are_computed(make_node, publish, subscri
     assert set(computed) == {"view"}
 
 
-def test_the_oldest_waiting_images_are_dropped_first(session, wait_until):
+def test_the_oldest_waiting_images_are_dropped_first(session, make_node, subscribe, wait_until):
     """Twenty images arrive while the first is processed; then the last five are processed, in order."""
-    from rclpy.context import Context
-    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import Image
 
     from imgproc_course.messages import array_to_image
-    from imgproc_course.ros import ImageProcessor
 
-    context = Context()
-    context.init()
     started, may_continue, levels = threading.Event(), threading.Event(), []
 
     def process(frame):
@@ -180,15 +177,16 @@ def test_the_oldest_waiting_images_are_dropped_first(session, wait_until):
         levels.append(int(frame[0, 0, 0]))
         return {"gray": frame}
 
-    node = ImageProcessor("slow", process, ["gray"], context=context)
-    executor = SingleThreadedExecutor(context=context)
-    executor.add_node(node)
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import Image
+    def send(level):
+        camera.publish(array_to_image(np.full((2, 2, 3), level, np.uint8), "bgr8"))
 
+    def every_image_is_counted():
+        counts = node.statistics()
+        return counts["received"] + (counts["lost"] or 0) == 21
+
+    node = make_node(process)
+    subscribe()
     camera = session.node.create_publisher(Image, TOPIC, qos_profile_sensor_data)
-    messages = []
-    session.node.create_subscription(Image, "/slow/gray", messages.append, qos_profile_sensor_data)
     gray_subscribers = node._outputs.publishers["gray"].get_subscription_count
     wait_until(
         lambda: (
@@ -197,37 +195,14 @@ def test_the_oldest_waiting_images_are_dropped_first(session, wait_until):
             and node._subscription.get_publisher_count()
         )
     )
-    stopping = threading.Event()
-
-    def spin():
-        while not stopping.is_set():
-            executor.spin_once(timeout_sec=0.05)
-
-    thread = threading.Thread(target=spin)
-    thread.start()
-    try:
-        camera.publish(array_to_image(np.full((2, 2, 3), 100, np.uint8), "bgr8"))
-        assert started.wait(30)
-        for k in range(20):
-            camera.publish(array_to_image(np.full((2, 2, 3), k, np.uint8), "bgr8"))
-        # When a later image has arrived at another subscription, the earlier ones have arrived here.
-        arrived = []
-        session.node.create_subscription(Image, TOPIC, arrived.append, qos_profile_sensor_data)
-        last = array_to_image(np.full((2, 2, 3), 19, np.uint8), "bgr8")
-        wait_until(lambda: (camera.publish(last), arrived)[1])
-        may_continue.set()
-        wait_until(lambda: len(levels) >= 6)
-        statistics = node.statistics()
-    finally:
-        stopping.set()
-        may_continue.set()
-        thread.join()
-        executor.shutdown()
-        node.destroy_node()
-        context.try_shutdown()
-    assert levels[0] == 100
-    assert levels[-1] == 19 and levels[1:] == sorted(levels[1:])
-    assert len(levels) == 6 and statistics["lost"] >= 15
+    send(100)
+    assert started.wait(30)
+    for k in range(20):
+        send(k)
+    may_continue.set()
+    wait_until(every_image_is_counted)
+    wait_until(lambda: len(levels) >= 6)
+    assert levels == [100, 15, 16, 17, 18, 19]
 
 
 def test_parameters_reach_process_and_a_check_refuses_values_that_do_not_fit_together(
