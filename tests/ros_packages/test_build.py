@@ -160,13 +160,6 @@ def test_the_launch_file_starts_the_executable_with_the_parameters_that_the_node
     assert {key: ast.literal_eval(value.capitalize()) for key, value in defaults.items()} == DECLARED[name]
 
 
-def test_the_default_values_of_the_launch_file_are_those_of_the_node(start_node, parameters_of):
-    name = "image_edge_detection"
-    process = start_node(name)
-    assert parameters_of(name).get(*DECLARED[name]) == list(DECLARED[name].values())
-    assert process.leave() == 0
-
-
 WITHOUT_ROS = """
 import sys
 sys.modules["rclpy"] = None

@@ -117,13 +117,6 @@ def test_the_camera_is_killed_and_comes_back(start, start_node, collect, wait_un
     assert count("failed", node) == 0
 
 
-def test_no_node_publishes(start_node):
-    node = start_node(GRAY)
-    node.wait_for(r"no node publishes this topic or any other image \(domain \d+, .*imgproc-course play")
-    assert node.leave() == 0
-    assert count("received", node) == 0
-
-
 def test_at_200_hz_every_image_is_counted_and_the_newest_is_processed(
     start_node, collect, camera, tools, statistics_of
 ):
@@ -216,20 +209,17 @@ def test_a_profile_that_does_not_exist_is_logged_and_images_still_arrive(
     assert node.leave() == 0
 
 
-def test_the_installed_executables_use_the_profile_of_the_course(start_node):
+def test_a_node_without_images_logs_its_profile_and_why_nothing_arrives_or_leaves(start_node, collect):
     no_choice = dict.fromkeys(("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"))
     node = start_node(GRAY, **no_choice)
     node.wait_for(r"DDS profile: the course's fastdds(_small)?\.xml: \d+ MiB shared memory, and UDP")
-    assert node.leave() == 0
-
-
-def test_a_reliable_subscriber_receives_nothing_and_the_node_logs_why(start_node, collect):
-    node = start_node(GRAY)
     collect(f"/{GRAY}/gray", qos=10)
     node.wait_for(
         rf"a subscriber of /{GRAY}/gray requests an incompatible QoS policy \(RELIABILITY\) and receives no"
     )
+    node.wait_for(r"no node publishes this topic or any other image \(domain \d+, .*imgproc-course play")
     assert node.leave() == 0
+    assert count("received", node) == 0
 
 
 def test_without_a_subscriber_nothing_is_processed(start_node, camera, tools, statistics_of):

@@ -56,14 +56,6 @@ def distinct_images(collectors):
     return min(len(set(collector.stamps())) for collector in collectors)
 
 
-def test_gray_of_the_drive(start_node, collect, play, drive, tools, wait_until):
-    process = start_node(GRAY)
-    collector = collect(f"/{GRAY}/gray")
-    wait_until(lambda: distinct_images([collector]) >= 30)
-    assert process.leave() == 0
-    assert compare_with_drive(collector, "gray", drive, tools) >= 30 * 1280 * 720
-
-
 def test_gray_edges_and_view_of_the_drive(start_node, collect, play, drive, tools, wait_until):
     process = start_node(EDGE)
     collectors = {output: collect(f"/{EDGE}/{output}") for output in ("gray", "edges", "view")}

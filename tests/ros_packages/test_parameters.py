@@ -103,7 +103,6 @@ def test_sigma_accepts_whole_numbers_too(parameters, collect, camera, tools, gra
     "assignment, reason",
     [
         ("low:=200", r"low \(200\) must not be above high \(150\); set both at once, or high first"),
-        ("low:=abc", "Trying to set parameter 'low' to 'abc' of type 'STRING', expecting type 'INTEGER'"),
         ("sigma:=-1.0", r"Parameter sigma out of range Min: 0\.0, Max: 10\.0, value: -1\.0"),
     ],
 )
@@ -120,7 +119,6 @@ def test_a_bad_initial_value_ends_the_start_in_one_line(start, workspace, assign
     "arguments, unknown",
     [
         (["--low", "40"], "--low 40"),
-        (["--help"], "--help"),
         (["--ros-args", "-p", "low:=40", "--", "extra"], "extra"),
     ],
 )

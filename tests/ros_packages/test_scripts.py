@@ -88,8 +88,7 @@ def test_a_broken_image_is_logged_and_the_node_goes_on(path, start_script, colle
     assert process.leave(signal.SIGTERM) == 0
 
 
-@pytest.mark.parametrize("last", [1, 2], ids=["taken", "published"])
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize(("number", "last"), [(signal.SIGINT, 1), (signal.SIGTERM, 2)])
 @pytest.mark.parametrize("path", SCRIPTS, ids=NAMES)
 def test_a_signal_in_the_middle_of_an_image_ends_the_script_quietly(path, number, last, start, camera, tools):
     command = (sys.executable, "-c", SIGNALLED, path, int(number), last)
