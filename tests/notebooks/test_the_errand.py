@@ -14,7 +14,7 @@ import pytest
 from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.classroom.exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS
 from imgproc_course.classroom.exercises.percent_script import read_script
-from imgproc_course.geometry import compose_poses, relative_pose, wrap_angle
+from imgproc_course.geometry import Pose, compose_poses, relative_pose, wrap_angle
 from imgproc_course.recording import open_recording
 from imgproc_course.simulation import Simulation, furnished
 from imgproc_course.simulation.drive import gap
@@ -94,7 +94,7 @@ def test_map_to_odom_is_the_inverse_of_composing(solutions):
     rng = np.random.default_rng(0)
     (compose,) = names_of_cells("compose")
     for _ in range(500):
-        place, counted = (tuple(rng.uniform((-5, -5, -math.pi), (5, 5, math.pi)).tolist()) for _ in range(2))
+        place, counted = random_pose(rng), random_pose(rng)
         frame = solutions["map_to_odom"](place, counted)
         assert -math.pi <= frame[2] <= math.pi
         inverse = relative_pose(counted, (0.0, 0.0, 0.0))
@@ -191,11 +191,7 @@ def test_believe_counts_the_looks_of_each_name(solutions):
     rng = np.random.default_rng(5)
     believed = []
     for _ in range(600):
-        readings = [
-            [damaged(rng, str(rng.choice([*SIGNS, "BOOKS"]))) for _ in range(rng.integers(4))]
-            for _ in range(rng.integers(8))
-        ]
-        votes = int(rng.integers(1, 5))
+        readings, _, votes = random_readings(rng)
         looks = [{sign for sign in SIGNS for t in look if distance(t.upper(), sign) < 2} for look in readings]
         counts = {sign: sum(sign in look for look in looks) for sign in SIGNS}
         best = max(SIGNS, key=counts.get)  # max keeps the first of equals
@@ -246,23 +242,24 @@ def test_a_drive_begins_and_is_judged_as_the_lesson_says(errand_drive):
 
 
 def test_find_sign_reads_the_words_on_the_way_and_never_a_wrong_one(errand_drive):
-    find_sign, answers = map(errand_drive.namespace().get, ("find_sign", "ANSWERS"))
+    find_sign = errand_drive.namespace()["find_sign"]
     scenarios, seed, unread = {}, 0, []
-    while len(scenarios) < len(answers):
+    while len(scenarios) < 5:
         ((scenario,),) = errand_drive.arguments(errand_drive.hidden[0], seed)
         scenarios[scenario["answer"]], seed = scenario, seed + 1
     for scenario in scenarios.values():
         room, (x, y, _) = furnished(scenario["room"]), scenario["start"]
         sign_x, sign_y = room.poses["sign"][:2]
         direction, signs = math.atan2(sign_y - y, sign_x - x), []
-        for way in (2.3, 1.8, 1.6, 1.4):
-            place = sign_x - way * math.cos(direction), sign_y - way * math.sin(direction), direction
-            simulation = Simulation(1, room=room, start=place, movers=False, size=(320, 180))
-            signs.append(find_sign(simulation.frame()))
-            simulation.close()
-            assert signs[-1] is None or (abs(signs[-1][1]) < 0.03 and abs(signs[-1][2] - way) < 0.3)
+        with Simulation(1, room=room, movers=False, size=(320, 180)) as simulation:
+            robot, camera = (Pose.from_vector(simulation.pose(name)) for name in ("robot", "camera"))
+            for way in (2.3, 1.8, 1.6, 1.4):
+                place = sign_x - way * math.cos(direction), sign_y - way * math.sin(direction), direction
+                simulation.look((Pose.planar(*place) @ robot.inverse() @ camera).vector)
+                signs.append(find_sign(simulation.frame()))
+                assert signs[-1] is None or (abs(signs[-1][1]) < 0.03 and abs(signs[-1][2] - way) < 0.3)
         readings = {sign[0] for sign in signs if sign} - {None}
         assert signs[0] is None or signs[0][0] is None  # too far away
         assert readings <= {room.word}
         unread += [room.word] * (not readings)
-    assert len(unread) < 4  # some are seen from the side
+    assert len(unread) < 3  # some are seen from the side
