@@ -20,7 +20,6 @@ PAGES = (
     "reference/imaging.html",
     "about/measured.html",
 )
-WIDTHS = (390, 1280)
 # The tags of boxes that are narrower than what they hold, and whether they scroll.
 SCROLLED_BY = """() => {
     const boxes = [...document.querySelectorAll("article pre, article div.table-wrapper")];
@@ -67,8 +66,7 @@ def site(browser, tmp_path_factory):
         context.close()
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize(("width", "theme"), [(390, "light"), (1280, "light"), (1280, "dark")])
 @pytest.mark.parametrize("name", PAGES)
 def test_everybody_can_use_a_page(site, name, width, theme):
     page = site[0](name, width=width, theme=theme)
