@@ -18,7 +18,7 @@ SECONDS = 40.0
 def scenarios(exercise):
     from test_control_in_room import SCENARIO
 
-    yield SCENARIO
+    yield SCENARIO | {"duration": SECONDS}
     for seed in range(1, DRIVES):
         yield exercise.arguments(exercise.hidden[0], seed)[0][0]
 
