@@ -10,7 +10,7 @@ import pytest
 from imgproc_course import imaging, messages
 
 PUBLIC = [getattr(package, name) for package in (imaging, messages) for name in package.__all__]
-FUNCTIONS = [each for each in PUBLIC if inspect.isfunction(each)]
+FUNCTIONS = [value for value in PUBLIC if inspect.isfunction(value)]
 
 
 @pytest.mark.parametrize("function", FUNCTIONS, ids=lambda function: function.__name__)
