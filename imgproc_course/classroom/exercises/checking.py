@@ -215,8 +215,12 @@ def _note(result, function):
 
 
 def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
-    """The CheckResult of an answer on an Exercise's cases, the public ones if omitted; inputs by a seed."""
-    return run_check(check_data_of(exercise, None if cases is None else tuple(cases), seed), function)
+    """The CheckResult of an answer on an Exercise's cases, the public ones if omitted; inputs by a seed.
+
+    Without the search for one change, which takes a second.
+    """
+    data = check_data_of(exercise, None if cases is None else tuple(cases), seed)
+    return run_check(data, function, searches=False)
 
 
 def run_mistake(exercise, mistake):
@@ -227,11 +231,11 @@ def run_mistake(exercise, mistake):
     return _judge_calls(data, function, _judge_drives(data, results.drives()), Dependencies())
 
 
-def run_check(exercise, function, answer=None, progress=None):
+def run_check(exercise, function, answer=None, progress=None, *, searches=True):
     """The CheckResult of an answer on the cases of a CheckData, run as in grading.
 
     `function` is as the notebook has it; without a ComposedAnswer it is run itself. `progress` takes the
-    share of the drives that is done.
+    share of the drives that is done. `searches`: whether one change is looked for that makes it right.
     """
     graded, dependencies = _as_graded(exercise, function, answer)
     judged = graded or function
@@ -250,7 +254,7 @@ def run_check(exercise, function, answer=None, progress=None):
     if answer and answer.function != exercise.function:
         remarks = (SAYS["another try"].format(name=exercise.answer_name, other=answer.function), *remarks)
     result = _judge_calls(exercise, judged, calls, dependencies)
-    one_change = attempt(lambda: _one_change(result, judged, calls), "", seconds=5)
+    one_change = attempt(lambda: _one_change(result, judged, calls), "", seconds=5) if searches else ""
     way = one_change and SAYS["way without return"].format(name=exercise.function)  # not the cause then
     remarks = tuple(remark for remark in (*remarks, *result.remarks) if remark != way)
     return replace(result, remarks=remarks, one_change=one_change)

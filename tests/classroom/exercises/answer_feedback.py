@@ -78,8 +78,8 @@ def run_cell(source, label, namespace):
     exec(compile(source, filename, "exec"), namespace)
 
 
-def feedback_on(exercise, answer):
-    """(CheckResult, the sentences of its text) for one wrong answer."""
+def feedback_on(exercise, answer, *, searches=True):
+    """(CheckResult, the sentences of its text) for one wrong answer; see `run_check`."""
     namespace = exercise.namespace()
     run_cell(exercise.stub, f"stub of {exercise.id}", namespace)
     stub = namespace[exercise.function]
@@ -92,7 +92,7 @@ def feedback_on(exercise, answer):
         run.fail(error)
     function = namespace[exercise.function]
     composed = None if function is stub else ComposedAnswer(exercise.function, plain_python(answer.source))
-    result = run_check(check_data_of(exercise), function, composed)
+    result = run_check(check_data_of(exercise), function, composed, searches=searches)
     why_older = runs.why_older(exercise.id, exercise.function, function)
     if why_older:
         result = CheckResult(result.exercise, attempted=True, why_older=why_older)
