@@ -27,6 +27,8 @@ class Progress:
             self._total = self._left.copy()
 
     def pytest_report_teststatus(self, report):
+        if report.failed:
+            return ("failed" if report.when == "call" else "error", "", "")
         return ("passed" if report.when == "call" else "", "", "") if report.passed else None
 
     def pytest_runtest_logreport(self, report):
