@@ -28,7 +28,7 @@ class Progress:
 
     def pytest_report_teststatus(self, report):
         if report.failed:
-            return ("failed" if report.when == "call" else "error", "", "")
+            return ("failed", "", "FAILED") if report.when == "call" else ("error", "", "ERROR")
         return ("passed" if report.when == "call" else "", "", "") if report.passed else None
 
     def pytest_runtest_logreport(self, report):
