@@ -70,8 +70,8 @@ def pytest_configure(config):
 
 def pytest_ignore_collect(collection_path, config):
     """A file of which no test will run is not even read."""
-    path = collection_path.relative_to(Path(__file__).parent) if collection_path.suffix == ".py" else ""
-    return (config.stash[IS_SHORT] and is_left_out(str(path))) or None
+    path = collection_path.relative_to(Path(__file__).parent).as_posix()
+    return (config.stash[IS_SHORT] and is_left_out(path)) or None
 
 
 def pytest_collection_modifyitems(config, items):

@@ -20,15 +20,14 @@ from tqdm import tqdm
 
 os.environ.setdefault("ROS_DOMAIN_ID", "97")
 os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
-PROGRAMS = Path(__file__).parents[1] / "ros"
-sys.path.append(str(PROGRAMS))
+sys.path.append(str(Path(__file__).parents[1] / "ros"))
+from rclpy.qos import qos_profile_sensor_data
+
+from imgproc_course.geometry import Pose
+from imgproc_course.ros import Robot, RosSession, open_camera
+
 cv2.setNumThreads(1)
-
-from rclpy.qos import qos_profile_sensor_data  # noqa: E402
-
-from imgproc_course.geometry import Pose  # noqa: E402
-from imgproc_course.ros import Robot, RosSession, open_camera  # noqa: E402
-
+PROGRAMS = Path(__file__).parents[1] / "ros"
 SECONDS = float(os.environ.get("SECONDS_IN_THE_ROOM", "60"))
 ODOMETRY, TRUTH = "/kachaka/odometry/odometry", "/truth/pose/robot"
 
