@@ -1,13 +1,11 @@
 """The pytest plugin of an nbval process: it makes nbval grade one exercise after another.
 
-What nbval does: it collects each exercise's notebook, sends the cells to what it takes for its kernel, reads
-the messages that come back, and lets a cell pass if there was no error, if there are as many outputs as
-stored, and if each output equals (`!=` is false) the stored one. A case gets its points only if nbval lets
-its cell pass. What ours does: `ExerciseKernel` takes the place of nbval's kernel and runs the cells in the
-sandbox; `verdict_on` makes the one comparison of what a check cell showed with the answer key, with the
-case's tolerance, as soon as the cell has run; and nbval is shown the verdict, which is stored as "passed", so
-nbval's `!=` reads it and compares nothing a second time. The session loop takes submissions from a
-socket as long as there are any.
+What nbval does: it collects each exercise's notebook, whose stored outputs are the values of the answer key,
+sends the cells to what it takes for its kernel, reads the messages that come back, and compares each output
+with the stored one. A wrong answer is a cell that nbval lets fail, and costs its points for that reason.
+What ours does: `ExerciseKernel` takes the place of nbval's kernel and runs the cells in the sandbox; and
+where nbval compares (`stored != shown`), `StoredAnswer` is our comparison, with the case's tolerance. The
+session loop takes submissions from a socket as long as there are any.
 """
 
 import ast
@@ -26,14 +24,13 @@ from .outcomes import Outcome
 from .pool import expected_key
 from .results import GradedSubmission, graded_exercise, to_json, ungraded_exercise
 from .sandbox.cell_run import MIME, CellRun
-from .verdict import CaseRun, verdict_on
+from .verdict import CaseRun, ShownAnswer, StoredAnswer
 
 # A kernel that ended like this may have been ended by something else than the answer. It is run again, alone:
 # after "memory" once, after "gone" up to twice, after "crashed" up to three times. One pair for each try.
 _RUN_AGAIN_AFTER = (("crashed", "memory"), ("crashed", "gone"), ("crashed", "gone"))
 _MESSAGE_ID = "a cell's run"
 MAX_ANSWER = 200_000  # characters
-PASSED = "passed"  # the verdict that nbval finds stored for each check
 _NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 
 
@@ -42,7 +39,7 @@ class ExerciseKernel:
 
     For each cell nbval calls execute_cell_input, await_reply and then get_message until "idle"; after an
     error also await_idle. Given cells and answer are only collected: they run before the first check.
-    Of a check, nbval gets only the verdict. What the function printed or drew costs nothing, as in a lesson.
+    Of a check, nbval gets what the function returned. What it printed or drew costs nothing, as in a lesson.
     """
 
     language = "python"
@@ -65,8 +62,7 @@ class ExerciseKernel:
 
     def _run_case(self, source):
         run = self._exercise_run.run(self.case, [*self._sources_before], source)
-        verdict = PASSED if run.passed else "not passed"
-        self._add_message("display_data", data={MIME: verdict}, metadata={})
+        self._add_message("display_data", data={MIME: ShownAnswer(run)}, metadata={})
         name, text = (run.ended, "") if run.ended else run.check.error
         if name:
             self._add_message("error", ename=name, evalue=text, traceback=[])
@@ -157,8 +153,11 @@ class ExerciseRun:
         inputs = self._content.inputs[case.id]
         run.check = self._kernel.run_check(source, inputs, exercise.time_limit)
         if not run.ended:
-            answers, expected = run.check.answers, self._content.expected[case.id]
-            run.verdict = verdict_on(answers, expected, case.tolerance, exact_type=exercise.exact_type)
+            run.verdict = self.stored(case).verdict(run)
+
+    def stored(self, case):
+        """The StoredAnswer of a case, with which nbval compares."""
+        return StoredAnswer(self._content.expected[case.id], case.tolerance, self._exercise.exact_type)
 
     def _run_drive(self, run, case, source):
         """Drive through a case's scenario. What fails in the environment is raised: no answer causes it."""
@@ -233,7 +232,7 @@ class GradingPlugin:
         items = list(notebook.collect())
         for item in items:
             if item.cell.id in cases:
-                item.cell.outputs[0].data[MIME] = PASSED
+                item.cell.outputs[0].data[MIME] = exercise_run.stored(cases[item.cell.id])
         for item, next_item in zip(items, [*items[1:], None], strict=True):
             self._exercise_kernel.case = cases.get(item.cell.id)
             self._phases, self._exception = [], None
@@ -252,6 +251,10 @@ class GradingPlugin:
 
     def pytest_runtest_logreport(self, report):
         self._phases.append(f"{report.when} {report.outcome}")
+
+    def pytest_assertrepr_compare(self, left, right):
+        """How nbval describes a difference: in one line, without the values of the key."""
+        return [left.explain(right)] if isinstance(left, StoredAnswer) else None
 
     def pytest_exception_interact(self, call):
         self._exception = f"{call.excinfo.typename}: {call.excinfo.value}"

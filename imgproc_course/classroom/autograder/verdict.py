@@ -60,6 +60,42 @@ class CaseRun:
         return not self.ended and not self.check.error[0] and self.verdict.passed
 
 
+@dataclass(frozen=True, eq=False)
+class StoredAnswer:
+    """What nbval finds as the stored output of a check: the answer key's values. `==` is our comparison.
+
+    nbval asks `stored != shown`, and lets the check's cell fail if it is so. Of a drive the thresholds are
+    stored, and compared with what the environment has measured.
+    """
+
+    expected: list  # a canonical form for each call
+    tolerance: float = 0.0
+    exact_type: bool = False
+
+    def verdict(self, run):
+        """The Verdict on a CaseRun."""
+        if isinstance(run.verdict, DriveVerdict):
+            return run.verdict
+        return verdict_on(run.check.answers, self.expected, self.tolerance, exact_type=self.exact_type)
+
+    def __eq__(self, shown):
+        return isinstance(shown, ShownAnswer) and self.verdict(shown.run).passed
+
+    __hash__ = None
+
+    def explain(self, shown):
+        """Why `stored == shown` is false, in a line."""
+        difference = getattr(self.verdict(shown.run), "difference", None)
+        return difference.message if difference else "it is not what the solution gives"
+
+
+@dataclass(frozen=True, eq=False)
+class ShownAnswer:
+    """What nbval finds as the output of a check that has run: a CaseRun, which a learner's code made."""
+
+    run: CaseRun
+
+
 def verdict_on(payloads, expected, tolerance, *, exact_type=True):
     """The Verdict on the one payload that a check cell showed, against a canonical form for each call.
 

@@ -7,11 +7,9 @@ import pytest
 from attacks import LESSON, RIGHT, SHORT
 from jupyter_kernel import JupyterFactory
 
-from imgproc_course.classroom.autograder import verdict
-from imgproc_course.classroom.autograder.nbval_plugin import MIME, PASSED, ExerciseKernel, ExerciseRun
+from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.exercises.comparison import compare
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("isolation")]
 MEAN = "float(np.mean(values))"
@@ -150,30 +148,6 @@ def test_a_kernel_that_ended_while_it_waited_is_replaced(key, right):
         kernels._spare = kernels.start((), 5.0, alone=True)
         assert kernels._spare.run("import os\nos._exit(3)").ended == "crashed"
         assert exercise_run.run(case, [*given, right["attacked-mean"]], check).passed
-
-
-def test_a_case_is_compared_once_and_nbval_reads_that_verdict(key, right, monkeypatch):
-    comparisons = []
-
-    def counted(*arguments, **options):
-        comparisons.append(arguments)
-        return compare(*arguments, **options)
-
-    monkeypatch.setattr(verdict, "compare", counted)
-    for is_right, source in ((True, right["attacked-mean"]), (False, "def mean(values):\n    return 0.0")):
-        with exercise_run_of(key) as (exercise_run, before, checks):
-            kernel, shown = ExerciseKernel(exercise_run), []
-            for cell in (*before, source):
-                kernel.execute_cell_input(cell)
-                assert kernel.get_message("iopub")["msg_type"] == "status"
-            for case, check in checks:
-                kernel.case = case
-                kernel.execute_cell_input(check)
-                shown.append(kernel.get_message("iopub")["content"]["data"])
-                assert kernel.get_message("iopub")["msg_type"] == "status"
-            assert [data == {MIME: PASSED} for data in shown] == [is_right] * 2
-            assert [run.passed for run in exercise_run.runs.values()] == [is_right] * 2
-    assert len(comparisons) == 4
 
 
 STATE = """import random, signal, sys

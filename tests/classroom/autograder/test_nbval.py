@@ -1,0 +1,91 @@
+"""nbval compares: a wrong answer is a cell that it lets fail, ours in grading and stock nbval alike."""
+
+import json
+import shutil
+import subprocess
+import sys
+
+import pytest
+from attacks import LESSON
+
+from imgproc_course.classroom.autograder.answer_key import load_key
+from imgproc_course.classroom.autograder.pool import autograde
+from imgproc_course.classroom.autograder.sandbox.cell_run import MIME, CellRun
+from imgproc_course.classroom.autograder.verdict import CaseRun, ShownAnswer, StoredAnswer
+from imgproc_course.classroom.exercises.canonical import canonical
+
+pytestmark = pytest.mark.sandbox
+PREPARED = """import json
+from imgproc_course.classroom.autograder.sandbox.inside.check_cell import deliver
+deliver(json.loads({!r}))
+"""
+STOCK = ["-q", "-p", "no:cacheprovider", "-p", "no:randomly", "--nbval", "exercise.ipynb"]
+
+
+def shown(value):
+    payload = {"calls": [{"value": canonical(value), "changed": [], "printed": ""}]}
+    return ShownAnswer(CaseRun(check=CellRun(answers=[payload])))
+
+
+def test_the_stored_answer_equals_what_is_within_the_tolerance():
+    stored = StoredAnswer([canonical(2.0)], tolerance=0.1)
+    assert stored == shown(2.05)
+    assert stored != shown(2.2)
+    assert "2.2" in stored.explain(shown(2.2))
+    assert stored != "passed"
+    assert stored != ShownAnswer(CaseRun())
+
+
+def exercise_of(key, id):
+    (exercise,) = (one for one in key.lessons[LESSON].exercises if one.id == id)
+    return exercise, key.content(id)
+
+
+def test_a_cell_that_nbval_lets_fail_costs_its_points(key, right, tmp_path):
+    """One more stored output: our comparison finds the values right, and nbval finds an output missing."""
+    folder = tmp_path / "key"
+    shutil.copytree(key.path, folder)
+    path = folder / LESSON / "attacked-mean.ipynb"
+    notebook = json.loads(path.read_text())
+    checks = [cell for cell in notebook["cells"] if cell.get("outputs")]
+    checks[0]["outputs"] *= 2
+    path.write_text(json.dumps(notebook))
+    (graded,) = autograde([("one", LESSON, right)], load_key(folder), workers=1)
+    _, mean = graded.exercises
+    assert [(case.outcome, case.points) for case in mean.cases] == [("not graded", 0), ("passed", 4)]
+    assert mean.cases[0].message.startswith("its values are right, but nbval did not let it pass")
+
+
+def stock_notebook(key, id, source):
+    """An exercise's notebook with an answer and the inputs in place, for nbval without our plugin."""
+    exercise, content = exercise_of(key, id)
+    notebook = json.loads(json.dumps(content.notebook))
+    for cell in notebook["cells"]:
+        if cell["id"] == f"answer-{id}":
+            cell["source"] = source
+        elif cell["id"] in content.inputs:
+            case = {"calls": content.inputs[cell["id"]], "seconds": exercise.time_limit}
+            cell["source"] = PREPARED.format(json.dumps(case)) + "".join(cell["source"])
+    return notebook
+
+
+def run_stock(notebook, folder):
+    (folder / "exercise.ipynb").write_text(json.dumps(notebook))
+    run = subprocess.run(
+        [sys.executable, "-m", "pytest", *STOCK], cwd=folder, capture_output=True, text=True, check=False
+    )
+    return run.stdout
+
+
+@pytest.mark.parametrize("id", ["attacked-double", "attacked-mean"])
+def test_stock_nbval_passes_with_the_solution_and_fails_with_one_changed_value(key, tmp_path, id):
+    solution = json.loads((key.path / "solutions.json").read_text())[id]
+    notebook = stock_notebook(key, id, solution)
+    count = sum(cell["cell_type"] == "code" for cell in notebook["cells"])
+    output = run_stock(notebook, tmp_path)
+    assert f"{count} passed" in output, output
+    (first, *_) = [cell for cell in notebook["cells"] if cell.get("outputs")]
+    value = first["outputs"][0]["data"][MIME]["calls"][0]["value"]
+    value.update({"value": value["value"] + 1} if "value" in value else {"data": "A" + value["data"][1:]})
+    output = run_stock(notebook, tmp_path)
+    assert f"1 failed, {count - 1} passed" in output and f"mismatch '{MIME}'" in output, output
