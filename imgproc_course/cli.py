@@ -159,9 +159,9 @@ def drive(**options):
     it by keys. There is one robot for all your programs in a ROS domain: this command starts it or joins it.
     """
     with _with_ros():
-        from imgproc_course.ros.driver import drive as drive_robot
+        from imgproc_course.ros.player import play
 
-        raise SystemExit(drive_robot(**options))
+        raise SystemExit(play("room", **options))
 
 
 @main.command()

@@ -175,7 +175,9 @@ def test_play_without_ros_says_what_to_install(call, monkeypatch):
 @pytest.mark.ros
 def test_drive_and_record_pass_their_options_on(call, monkeypatch, tmp_path):
     calls = []
-    monkeypatch.setattr("imgproc_course.ros.driver.drive", lambda **options: calls.append(options) or 0)
+    monkeypatch.setattr(
+        "imgproc_course.ros.player.play", lambda source, **options: calls.append((source, options)) or 0
+    )
     monkeypatch.setattr(
         "imgproc_course.ros.recorder.record_until_signal", lambda *args, say: calls.append(args) or 1
     )
@@ -187,8 +189,8 @@ def test_drive_and_record_pass_their_options_on(call, monkeypatch, tmp_path):
     given = {"seed": 3, "size": (1280, 720), "lighting": "evening", "rate": 5.0, "start": (0.5, -0.2, 1.0)}
     given["room"] = 17
     assert calls == [
-        {**given, "switch": True},
-        {**dict.fromkeys(given), "switch": False},
+        ("room", {**given, "switch": True}),
+        ("room", {**dict.fromkeys(given), "switch": False}),
         (["/a", "/b"], tmp_path / "own"),
         (None, tmp_path / "own"),
     ]
@@ -235,8 +237,8 @@ def test_play_prints_its_rate_and_ends_with_ctrl_c():
     )
     try:
         first_line = player.stdout.readline()
-        assert first_line.startswith("started: drive at 30 Hz in domain ")
-        assert f"{topic}, {topic}/compressed" in first_line
+        assert first_line.startswith("started: playing drive at 30 Hz on ")
+        assert f"with {topic}/compressed, " in first_line
         player.send_signal(signal.SIGINT)
         out, errors = player.communicate(timeout=60)
     finally:

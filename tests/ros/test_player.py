@@ -8,7 +8,7 @@ pytestmark = pytest.mark.ros
 
 PLAY = "import sys\nfrom imgproc_course.ros.player import play\nsys.exit(play({}))"
 FIRST = (
-    "started: drive at {} Hz in domain {}: /kachaka/front_camera/image_raw, "
+    "started: playing drive at {} Hz on /kachaka/front_camera/image_raw in domain {}, with "
     "/kachaka/front_camera/image_raw/compressed, "
     "/kachaka/front_camera/camera_info, /kachaka/front_camera/image_raw/camera_info (Ctrl-C stops)\n"
 )
@@ -45,15 +45,15 @@ def test_it_joins_a_camera_that_runs_and_leaves_it_running(start_python, session
     from imgproc_course.ros.robot_process import User
 
     first = start_python(PLAY.format("speed=3.0, status_seconds=600"))
-    assert first.stdout.readline().startswith("started: drive at 30 Hz")
+    assert first.stdout.readline().startswith("started: playing drive at 30 Hz")
     second = start_python(PLAY.format("speed=3.0, status_seconds=600"))
     name = User("python -c", first.pid)
-    assert second.stdout.readline().startswith(f"joined the camera of {name}: drive at 30 Hz")
+    assert second.stdout.readline().startswith(f"joined the robot of {name}: playing drive at 30 Hz")
     second.send_signal(signal.SIGINT)
     out, err = second.communicate(timeout=60)
     assert (second.returncode, out, err) == (0, f"left; the camera goes on for {name}\n", "")
     third = start_python(PLAY.format("switch=True"))
-    assert third.stdout.readline().startswith(f"joined the camera of {name}: drive at 10 Hz")
+    assert third.stdout.readline().startswith(f"joined the robot of {name}: playing drive at 10 Hz")
     assert first.stderr.readline().startswith(f"{User('python -c', third.pid)} has switched the robot: ")
     first.send_signal(signal.SIGINT)  # the one that started it
     out, _ = first.communicate(timeout=60)
