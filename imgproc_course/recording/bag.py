@@ -1,8 +1,9 @@
 """A rosbag2 recording, MCAP or SQLite, read lazily: message k of a topic without the messages after it.
 
-Its files say what is in it. Of metadata.yaml, only the files' order and the number of messages are used.
+Its files say what is in it. Of metadata.yaml, only the files' names and the number of messages are used.
 """
 
+import heapq
 import os
 import re
 import shutil
@@ -12,6 +13,7 @@ import tempfile
 import threading
 import weakref
 from contextlib import ExitStack, contextmanager, suppress
+from operator import itemgetter
 from pathlib import Path, PurePath
 from typing import Any, NamedTuple
 
@@ -72,7 +74,7 @@ def _part(name):
 
 
 def _files_of(folder, names):
-    """(the files of a folder, the names of missing ones), as metadata.yaml names them, or else by number."""
+    """(the files of a folder, the names of missing ones), as metadata.yaml names them, or else all."""
     files = {path.name.removesuffix(".zstd"): path for path in sorted(folder.iterdir(), reverse=True)}
     files = {name: path for name, path in files.items() if _storage_suffix(path)}
     names = [name.removesuffix(".zstd") for name in names]
@@ -228,12 +230,16 @@ class Bag:
         return typestores_of(self._channels[topic])[1]
 
     def _entries(self, topic=None):
-        """Yields (log time, place, serialized message or None if it is damaged) in the order of recording."""
-        for file in self._files:
-            for time, place, number, raw in file.messages(self._numbers(file, topic)):
-                with suppress(zstd.ZstdError, TypeError):  # of what is damaged, an error says later
-                    raw = _unpacked(raw)
-                yield time, (file, place, file.channels[number]), raw
+        """Yields (log time, place, serialized message or None if it is damaged) in the order of time."""
+        entries = [self._entries_of(file, topic) for file in self._files]
+        return (entry for entry in heapq.merge(*entries, key=itemgetter(0)) if entry[1])
+
+    def _entries_of(self, file, topic):
+        yield file.start, None, None  # so that no file is read before its time
+        for time, place, number, raw in file.messages(self._numbers(file, topic)):
+            with suppress(zstd.ZstdError, TypeError):  # of what is damaged, an error says later
+                raw = _unpacked(raw)
+            yield time, (file, place, file.channels[number]), raw
 
     def _raw_at(self, file, place, _):
         with self._lock, reading(self.path):
@@ -296,6 +302,8 @@ class Bag:
         for types in typestores:
             try:
                 return deserialized(types, raw, channel.kind)
+            except RecordingError as error:  # it is not damaged
+                reason = error
             except READ_ERRORS as error:
                 reason = f"a message is damaged ({_reason(error)}); read the others"
         raise RecordingError(f"{channel.topic} of {self.path.name} cannot be read: {reason}")

@@ -12,6 +12,7 @@ from rosbags.serde import SerdeError
 from rosbags.typesys import Stores, TypesysError, get_types_from_idl, get_types_from_msg, get_typestore
 
 from ..messages.message_classes import message_types
+from .errors import RecordingError
 
 if sys.version_info >= (3, 14):
     from compression import zstd
@@ -32,6 +33,11 @@ READ_TYPES = {
     "geometry_msgs/msg/PoseStamped",
     "std_msgs/msg/String",
 }
+# The first two bytes of a message that is not in CDR: DDS-XTypes 1.3, 7.6.2.1.2.
+NAMES = {2: "PL_CDR", 6: "CDR2", 8: "D_CDR2", 10: "PL_CDR2", 16: "CDR2", 18: "PL_CDR2", 20: "D_CDR2"}
+OTHER_THAN_CDR = {bytes([0, k + le]): f"{NAMES[k]}_{'BL'[le]}E" for k in NAMES for le in (0, 1)}
+# In a type's definition: what CDR2 aligns to 4 bytes in place of 8, and lists that have a head in it.
+OTHERWISE_IN_CDR2 = re.compile(r"64[ \[]|(/\w+|string)(<=\d+)?\[")
 IDL_HEADING = re.compile(r"^={80}\nIDL: .*\n", re.MULTILINE)
 
 
@@ -90,6 +96,13 @@ def _definitions(channel):
 
 def deserialized(types, raw, kind):
     """A message by a typestore. Zeros may follow it: some recorders store the whole buffer that held it."""
+    if name := OTHER_THAN_CDR.get(raw[:2]):
+        if name not in ("CDR2_BE", "CDR2_LE") or OTHERWISE_IN_CDR2.search(types.generate_msgdef(kind)[0]):
+            raise RecordingError(
+                f"its messages are written in DDS's encapsulation {name}, and only CDR_LE and CDR_BE can be "
+                "read; record again from a publisher with ROS's own types and the data representation XCDR1"
+            )
+        raw = bytes([0, raw[1] & 1]) + raw[2:]
     try:
         return types.deserialize_cdr(raw, kind)
     except SerdeError as error:

@@ -15,6 +15,7 @@ from .channels import READ_ERRORS, Channel
 from .errors import RecordingError
 
 FOOTER, SCHEMA, CHANNEL, MESSAGE, CHUNK, MESSAGE_INDEX, CHUNK_INDEX = range(2, 9)
+STATISTICS = 11
 HEAD = struct.Struct("<BQ")  # of a record: what it is, its length
 CHUNK_HEAD = struct.Struct("<QQQII")  # start, end, size, CRC, length of the compression's name
 MESSAGE_HEAD = struct.Struct("<HIQQ")  # channel, sequence, time of recording, time of publishing
@@ -79,8 +80,8 @@ class McapFile:
         for block in self._blocks:
             self.counts.update(block.counts)
         times = [time for block in self._blocks if block.counts for time in (block.start, block.end)]
-        self._first = min(times, default=0)
-        self.seconds = (max(times, default=0) - self._first) / 1e9
+        self.start = min(times, default=0)
+        self.seconds = (max(times, default=0) - self.start) / 1e9
 
     def _bytes(self, place, size):
         if place + size > self._size:
@@ -92,25 +93,29 @@ class McapFile:
         """Reads which channels there are, and where, from the records outside of chunks if they say it."""
         if self._bytes(0, len(MAGIC)) != MAGIC and not any(self._places_in_summary()):
             raise ValueError("it does not begin as an MCAP file does")
-        kind, end = 0, len(MAGIC)
+        chunks, stated, kind, end = [], None, 0, len(MAGIC)
         for kind, place, size in self._records_outside_chunks():
             end = place + size
             if kind == CHUNK:
                 start, stop, *_ = CHUNK_HEAD.unpack(self._bytes(place, CHUNK_HEAD.size))
-                self._blocks.append(Block(start, stop, place - HEAD.size, {}))
+                chunks.append(Block(start, stop, place - HEAD.size, {}))
+                self._blocks.append(chunks[-1])
             elif kind == MESSAGE:
                 number, _, time, _ = MESSAGE_HEAD.unpack(self._bytes(place, MESSAGE_HEAD.size))
                 self._blocks.append(Block(time, time, place - HEAD.size, {number: 1}))
-            elif kind == MESSAGE_INDEX and self._blocks:
+            elif kind == MESSAGE_INDEX and chunks:
                 number, length = INDEX_HEAD.unpack(self._bytes(place, INDEX_HEAD.size))
                 if length == size - INDEX_HEAD.size:
-                    self._blocks[-1].counts[number] = length // 16
+                    chunks[-1].counts[number] = length // 16
+            elif kind == STATISTICS:
+                (stated,) = struct.unpack("<Q", self._bytes(place, 8))
             elif kind in (SCHEMA, CHANNEL):
                 self._define(kind, self._bytes(place, size))
         # Channels that the summary does not repeat are in chunks, perhaps long before their first message.
+        # Some writers index a few channels of a chunk, or none.
         are_known = all(block.counts.keys() <= self.channels.keys() for block in self._blocks)
-        for block in self._blocks:
-            if not (are_known and block.counts):
+        if not are_known or stated != sum(sum(block.counts.values()) for block in self._blocks):
+            for block in chunks:
                 self._look_into(block)
         if kind != FOOTER:
             self.problem, self.missing = "was cut off", self._size - end
@@ -153,7 +158,7 @@ class McapFile:
                     self.channels[number] = Channel.of(topic, name, encoding, *definition)
 
     def _look_into(self, block):
-        """Reads the channels and the number of messages in a chunk."""
+        """Reads the channels and the number of messages in a chunk; an index that names more stays."""
         counts = Counter[int]()
         try:
             for kind, _, data in self._records_in(block):
@@ -162,7 +167,7 @@ class McapFile:
                     counts[MESSAGE_HEAD.unpack_from(data)[0]] += 1
         except READ_ERRORS:
             self.problem = "is damaged"
-        block.counts.update(counts)
+        block.counts.update(counts | Counter(block.counts))
 
     def _load(self, block):
         """The records of a block."""
@@ -220,7 +225,7 @@ class McapFile:
         except RecordingError:
             raise
         except READ_ERRORS as error:
-            first, last = ((time - self._first) / 1e9 for time in (block.start, block.end))
+            first, last = ((time - self.start) / 1e9 for time in (block.start, block.end))
             raise RecordingError(
                 f"{self.name} is damaged from {first:.1f} to {last:.1f} s after its first message ({error}); "
                 "what lies before and after can be read; copy it again"

@@ -6,6 +6,8 @@ import json
 import re
 import warnings
 from collections.abc import Iterator
+from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import Any, Self
 
@@ -21,6 +23,7 @@ DRIVE = Path(__file__).parent / "drive"
 IMAGE = "sensor_msgs/msg/Image"
 COMPRESSED = "sensor_msgs/msg/CompressedImage"
 CAMERA_INFO = "sensor_msgs/msg/CameraInfo"
+MOST_UNREADABLE = 100  # messages or frames in a row; what follows is not tried
 CLOCK_JUMP = 600 * 10**9  # ns between two frames, from which on the clock was set rather than the camera slow
 COLOR, GRAY, UNKNOWN, DEPTH = range(4)  # types of images, the likeliest camera first
 # Images that a camera's driver or another program computes, and transports for a few programs only.
@@ -181,8 +184,8 @@ class Recording:
         usual_topics = (f"{base}/camera_info", f"{self.camera_topic.removesuffix('/compressed')}/camera_info")
         recorded_topics = [topic for topic, kind in self.topics.items() if kind == CAMERA_INFO]
         for topic in [*usual_topics, *(recorded_topics if len(recorded_topics) == 1 else [])]:
-            if topic in recorded_topics and self._bag.count(topic):
-                return to_installed(self._bag.message(topic, 0))
+            if topic in recorded_topics and (count := self._bag.count(topic)):
+                return to_installed(first_readable(partial(self._bag.message, topic), count))
         raise NotRecordedError(
             f"{self.name} holds no camera info of {self.camera_topic}; record {usual_topics[0]} with it"
         )
@@ -259,8 +262,8 @@ class Recording:
     @property
     def rate(self) -> float:
         """Frames per second, the mean, without jumps of the clock; 0.0 for a single frame."""
-        intervals = np.diff(self.stamps)
-        intervals = intervals[np.abs(intervals) < CLOCK_JUMP]
+        intervals = np.diff(np.sort(self.stamps))
+        intervals = intervals[intervals < CLOCK_JUMP]
         duration = int(intervals.sum())
         return len(intervals) * 1e9 / duration if duration > 0 else 0.0
 
@@ -290,7 +293,7 @@ class Recording:
     def _likeness(self, topic):
         """A key that sorts topics by their first images and their names, the likeliest camera first."""
         try:
-            image = _image_type(self._bag.message(topic, 0))
+            image = _image_type(first_readable(partial(self._bag.message, topic), self._bag.count(topic)))
         except (RecordingError, ConversionError):
             image = UNKNOWN
         return image >= UNKNOWN, bool(OTHER_IMAGES.search(topic)), image, topic
@@ -338,6 +341,14 @@ class Recording:
     def _decode(self, topic, k, encoding):
         decode = compressed_to_array if self.topics[topic] == COMPRESSED else image_to_array
         return decode(self._bag.message(topic, k), encoding)
+
+
+def first_readable(read, count):
+    """`read(k)` for the first number that can be read; if the first 100 cannot, the error of the first."""
+    for k in range(min(count, MOST_UNREADABLE)):
+        with suppress(ConversionError, RecordingError):
+            return read(k)
+    return read(0)
 
 
 def _image_type(msg):

@@ -46,7 +46,8 @@ class SqliteFile:
             raise EOFError("none of its messages can be read")
         self._rows = sorted(entries)
         self.counts = Counter(number for _, _, number in self._rows)
-        self.seconds = (self._rows[-1][0] - self._rows[0][0]) / 1e9 if self._rows else 0.0
+        times = [time for time, _, _ in self._rows] or [0]
+        self.start, self.seconds = times[0], (times[-1] - times[0]) / 1e9
 
     def messages(self, numbers):
         """Yields (time in ns, place, channel's number, data) of some channels; see `McapFile.messages`."""

@@ -92,11 +92,12 @@ def image_channel(topic="/my/cam", kind="sensor_msgs/msg/Image"):
     return topic, kind, "cdr", "ros2msg", TYPES.generate_msgdef(kind, ros_version=2)[0]
 
 
-def write_mcap(path, messages, profile="ros2", per_chunk=2, indexed=True, repeated=True, packed=""):
+def write_mcap(path, messages, profile="ros2", per_chunk=2, indexed=9, repeated=True, packed=""):
     """Writes an MCAP file, record by record, with what other writers leave out.
 
-    `messages`: (channel, log time, bytes or message); `per_chunk` 0: no chunks; `indexed`: an index behind
-    each chunk; `repeated`: the summary repeats schemas and channels; `packed`: name of the compression.
+    `messages`: (channel, log time, bytes or message); `per_chunk` 0: no chunks; `indexed`: how many channels
+    of a chunk have an index behind it; `repeated`: the summary repeats schemas and channels, and states how
+    many messages there are; `packed`: name of the compression.
     """
 
     def record(kind, *parts):
@@ -133,9 +134,10 @@ def write_mcap(path, messages, profile="ros2", per_chunk=2, indexed=True, repeat
             stored = lz4.frame.compress(data) if packed == "lz4" else data
             data = record(6, head, packed, struct.pack("<Q", len(stored)), stored)
         written.append(data)
-        for number, count in counts.items() if indexed and per_chunk else ():
+        for number, count in list(counts.items())[:indexed] if per_chunk else ():
             written.append(record(7, struct.pack("<HI", number, 16 * count), bytes(16 * count)))
-    written += [record(15, bytes(4)), *(definitions.values() if repeated else ())]
+    statistics = record(11, struct.pack("<QHIIIIQQI", len(messages), *[0] * 8))
+    written += [record(15, bytes(4)), *([statistics, *definitions.values()] if repeated else ())]
     path.write_bytes(b"".join([*written, record(2, bytes(20)), b"\x89MCAP0\r\n"]))
     return path
 

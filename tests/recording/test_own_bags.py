@@ -119,12 +119,13 @@ def test_metadata_that_differ_from_the_file_cost_nothing(raw_bag, old, new):
         assert len(list(recording)) == 6
 
 
-def write_split_bag(folder, storage, packed=False, name="mine_{k}"):
-    """Twelve images in as many files, as rosbag2 numbers them."""
+def write_split_bag(folder, storage, packed=False, name="mine_{k}", parts=tuple((k,) for k in range(12))):
+    """Twelve images in several files, as rosbag2 numbers them."""
     folder.mkdir()
-    for k in range(12):
+    for k, images in enumerate(parts):
         with BagWriter(folder / "part", storage) as bag:
-            bag.write("/cam", raw_image(k, START + k), START + k)
+            for image in images:
+                bag.write("/cam", raw_image(image, START + image), START + image)
         file = bag_file(folder / "part")
         data = zstd.compress(file.read_bytes()) if packed else file.read_bytes()
         (folder / f"{name.format(k=k)}{file.suffix}{'.zstd' * packed}").write_bytes(data)
@@ -141,6 +142,19 @@ def test_a_split_bag_without_metadata_is_read_in_the_order_of_its_numbers(tmp_pa
         assert [topic for topic, _ in recording] == ["/cam"] * 12
         for k in (11, 2, 10):
             np.testing.assert_array_equal(recording.frame(k, "mono8"), gray_pixels(k))
+
+
+@pytest.mark.parametrize("parts", [range(9, -3, -3), [[2, 3, 5, 6, 7, 11], [0, 4, 8, 10], [1, 9]]])
+def test_a_split_bag_whose_files_are_out_of_order_or_overlap_is_read_in_the_order_of_time(
+    tmp_path, storage, parts
+):
+    parts = [range(part, part + 3) if isinstance(part, int) else part for part in parts]
+    with open_recording(write_split_bag(tmp_path / "mine", storage, parts=parts)) as recording:
+        assert recording.stamps.tolist() == [START + k for k in range(12)]
+        assert recording.rate == pytest.approx(1e9)
+        for k in (11, 2, 10):
+            np.testing.assert_array_equal(recording.frame(k, "mono8"), gray_pixels(k))
+        assert [msg.data[0] for _, msg in recording] == [40 * k % 256 for k in range(12)]
 
 
 def test_files_that_are_missing_or_empty_do_not_cost_the_others(tmp_path, storage):
@@ -261,9 +275,37 @@ def test_other_bytes_after_a_message_are_damage(tmp_path):
         recording.frame(1)
 
 
+@pytest.mark.parametrize("first", [3, 9, 10, 11, 18])
+def test_an_encapsulation_that_is_not_cdr_is_named(tmp_path, first):
+    image = bytes([0, first]) + bytes(TYPES.serialize_cdr(raw_image(0, START), "sensor_msgs/msg/Image"))[2:]
+    path = write_mcap(tmp_path / "a.mcap", [(image_channel(), START, image)])
+    name = {3: "PL_CDR_LE", 9: "D_CDR2_LE", 10: "PL_CDR2_BE", 11: "PL_CDR2_LE", 18: "PL_CDR2_BE"}[first]
+    words = f"DDS's encapsulation {name}, and only .*; record again"
+    with open_recording(path) as recording, pytest.raises(RecordingError, match=words):
+        recording.frame(0)
+
+
+def test_cdr2_is_read_where_it_has_the_bytes_of_cdr(tmp_path):
+    """It aligns values of 8 bytes to 4: here the second one."""
+    stamped = TYPES.types["geometry_msgs/msg/PointStamped"]
+    point = stamped(header(START), TYPES.types["geometry_msgs/msg/Point"](1.0, 2.0, 3.0))
+    messages = [
+        (image_channel(topic, message.__msgtype__), START + k, bytes([0, 6 + little]) + bytes(raw)[2:])
+        for k, (topic, message, little) in enumerate(
+            [("/cam", raw_image(2, START), 1), ("/cam", raw_image(3, START), 0), ("/point", point, 1)]
+        )
+        for raw in [TYPES.serialize_cdr(message, message.__msgtype__, little_endian=bool(little))]
+    ]
+    with open_recording(write_mcap(tmp_path / "a.mcap", messages)) as recording:
+        assert recording.stamps.tolist() == [START, START]
+        assert [int(recording.frame(k, "mono8")[0, 0]) for k in range(2)] == [80, 120]
+        with pytest.warns(UserWarning, match="skipped: /point .* encapsulation CDR2_LE"):
+            assert len(list(recording)) == 2
+
+
 @pytest.mark.parametrize("profile", ["ros2", ""])
 @pytest.mark.parametrize("per_chunk", [0, 1, 4])
-@pytest.mark.parametrize("indexed", [True, False])
+@pytest.mark.parametrize("indexed", [0, 1, 2])
 @pytest.mark.parametrize("repeated", [True, False])
 @pytest.mark.parametrize("packed", ["", "lz4"])
 def test_an_mcap_of_any_writer(tmp_path, profile, per_chunk, indexed, repeated, packed):
@@ -478,6 +520,19 @@ def test_the_camera_info_is_that_of_the_camera(robot_bag):
     with open_recording(robot_bag) as recording:
         assert list(recording.camera_info.k) == [500, 0, 1, 0, 500, 1, 0, 0, 1]
         assert list(recording.camera_info.d) == [0.5]
+
+
+def test_damaged_first_messages_cost_neither_the_camera_nor_its_info(tmp_path):
+    region = TYPES.types["sensor_msgs/msg/RegionOfInterest"](0, 0, 0, 0, False)
+    k, p = np.eye(3).ravel(), np.zeros(12)
+    info = TYPES.types["sensor_msgs/msg/CameraInfo"](header(START), 4, 5, "", p[:0], k, k, p, 0, 0, region)
+    messages = [(image_channel("/b/image"), START, raw_image(0, START))]
+    for topic, message in (("/a/image", raw_image(1, START)), ("/a/camera_info", info)):
+        channel = image_channel(topic, message.__msgtype__)
+        messages += [(channel, START, b"\0\1\0\0cut"), (channel, START + 1, message)]
+    with open_recording(write_mcap(tmp_path / "a.mcap", messages)) as recording:
+        assert recording.camera_topic == "/a/image"
+        assert (recording.camera_info.height, recording.camera_info.width) == (4, 5)
 
 
 def test_the_camera_topic_can_be_chosen(robot_bag):
