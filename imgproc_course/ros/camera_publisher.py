@@ -9,6 +9,9 @@ from rclpy.time import Time
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 from std_msgs.msg import Header
 
+from imgproc_course.messages import ConversionError
+from imgproc_course.recording import RecordingError
+from imgproc_course.recording.recording import MOST_UNREADABLE
 from imgproc_course.ros.entities import Entities
 from imgproc_course.ros.robot_topics import TOPIC, camera_topics
 from imgproc_course.ros.session import RCLError, log
@@ -94,14 +97,23 @@ class CameraPublisher:
 
     def _play(self):
         next_check = time.monotonic() + CHECK_PERIOD
+        unreadable, named = 0, set()  # images: how many in a row, and all in the log
         try:
             for due, image in self._images:
-                if self._raw.get_subscription_count():
-                    image.message  # noqa: B018  decoded before it is due, so that it is sent on time
-                if self._stopping.wait(max(0.0, due - time.monotonic())):
-                    return
-                self._publish(image)
-                self.played += 1
+                try:
+                    if self._raw.get_subscription_count():
+                        image.message  # noqa: B018  decoded before it is due, so that it is sent on time
+                    if self._stopping.wait(max(0.0, due - time.monotonic())):
+                        return
+                    self._publish(image)
+                    self.played, unreadable = self.played + 1, 0
+                except (ConversionError, RecordingError) as error:
+                    unreadable += 1
+                    if unreadable == MOST_UNREADABLE:
+                        raise
+                    if str(image) not in named:
+                        log.warning("the camera on %s goes on after %s: %s", self.topic, image, error)
+                    named.add(str(image))
                 if time.monotonic() > next_check:
                     next_check += CHECK_PERIOD
                     self._look_at_the_graph()

@@ -11,7 +11,7 @@ from sensor_msgs.msg import CameraInfo, Image
 
 from imgproc_course.messages import array_to_compressed, array_to_image, encoding_info
 from imgproc_course.recording import NotRecordedError
-from imgproc_course.recording.recording import CLOCK_JUMP
+from imgproc_course.recording.recording import CLOCK_JUMP, first_readable
 
 FRAME_ID = "camera_front"
 _WEBCAM_REMEDY = "plug one in, close the program that uses it, or open_camera() for the recorded drive"
@@ -28,7 +28,7 @@ class RecordedImages:
         self._loop = loop
         self.uses_recorded_stamps = stamps == "recorded"
         self.stamps = recording.stamps
-        first = recording.message(0)
+        first = first_readable(recording.message, len(self.stamps))
         self.frame_id = first.header.frame_id or FRAME_ID
         self.is_compressed = hasattr(first, "format")
         if not self.is_compressed and encoding_info(first.encoding).color is None:
@@ -40,7 +40,8 @@ class RecordedImages:
         try:
             self.info = recording.camera_info
         except NotRecordedError:
-            self.info = _uncalibrated(*recording.frame(0).shape[:2])
+            frame = first_readable(recording.frame, len(self.stamps))
+            self.info = _uncalibrated(*frame.shape[:2])
         self.rate = (recording.rate or 1.0) * speed
         # Seconds from the start. If a stamp jumps back, or far ahead, its image is due at once.
         intervals = np.diff(self.stamps, prepend=self.stamps[0])
@@ -77,6 +78,9 @@ class _RecordedImage:
         self._images, self._recording, self._k = images, images.recording, k
         self.frame_id = images.frame_id
         self.stamp = int(images.stamps[k]) if images.uses_recorded_stamps else None
+
+    def __str__(self):
+        return f"frame {self._k}"
 
     @functools.cached_property
     def message(self):

@@ -340,19 +340,63 @@ def test_a_publisher_of_the_topic_that_stays_is_logged_once(
     assert played >= module.CHECKS and "ROS_DOMAIN_ID" in record.message
 
 
+def break_frames(monkeypatch, *broken):
+    """Lets these frames of a FakeRecording be damaged."""
+    from imgproc_course.recording import RecordingError
+
+    whole = FakeRecording.frame
+
+    def frame(self, k, encoding="bgr8"):
+        if k in broken:
+            raise RecordingError("the file is damaged here")
+        return whole(self, k, encoding)
+
+    monkeypatch.setattr(FakeRecording, "frame", frame)
+
+
 @pytest.mark.ros
-def test_a_recording_that_cannot_be_read_on_is_logged(start_camera, collect, wait_until, monkeypatch, caplog):
+def test_frames_that_cannot_be_read_are_logged_once_and_the_others_are_played(
+    start_camera, collect, wait_until, monkeypatch, caplog
+):
     from sensor_msgs.msg import Image
 
-    def breaks(self, k, encoding="bgr8"):
-        raise ValueError("the file ends in the middle of an image")
+    break_frames(monkeypatch, 0, 2)
+    raw = collect(TOPIC, Image)
+    camera = start_camera(speed=10)
+    wait_until(lambda: len(raw) >= 6)
+    assert {int(msg.data[0]) for msg in raw} == {1, 3}
+    assert {record.message for record in caplog.records} == {
+        f"the camera on {TOPIC} goes on after frame {k}: the file is damaged here" for k in (0, 2)
+    }
+    assert len(caplog.records) == 2 and (camera.running, camera.last_error) == (True, None)
 
-    monkeypatch.setattr(FakeRecording, "frame", breaks)
+
+@pytest.mark.ros
+def test_a_recording_of_which_no_frame_can_be_read_stops_with_the_reason(
+    start_camera, collect, wait_until, monkeypatch, caplog
+):
+    from sensor_msgs.msg import Image
+
+    break_frames(monkeypatch, 0, 1, 2, 3)
     collect(TOPIC, Image)
     camera = start_camera()
     wait_until(lambda: not camera.running)
-    assert camera.last_error == "the file ends in the middle of an image"
+    assert camera.last_error == "the file is damaged here"
     assert caplog.records[-1].message == f"the camera on {TOPIC} stopped: {camera.last_error}"
+
+
+@pytest.mark.ros
+def test_the_first_frame_that_can_be_read_describes_the_camera():
+    from imgproc_course.recording import RecordingError
+    from imgproc_course.ros.image_sources import RecordedImages
+
+    class Damaged(FakeRecording):
+        def message(self, k):
+            if k < 2:
+                raise RecordingError("the file is damaged here")
+            return super().message(k)
+
+    assert RecordedImages(Damaged(frame_id="lens"), 1.0, True, "now").frame_id == "lens"
 
 
 @pytest.mark.ros
