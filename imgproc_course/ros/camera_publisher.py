@@ -10,8 +10,7 @@ from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 from std_msgs.msg import Header
 
 from imgproc_course.messages import ConversionError
-from imgproc_course.recording import RecordingError
-from imgproc_course.recording.recording import MOST_UNREADABLE
+from imgproc_course.recording.recording import MOST_UNREADABLE, RecordingError
 from imgproc_course.ros.entities import Entities
 from imgproc_course.ros.robot_topics import TOPIC, camera_topics
 from imgproc_course.ros.session import RCLError, log

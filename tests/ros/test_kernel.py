@@ -245,6 +245,33 @@ def test_an_error_in_a_callback_that_a_cell_spins_has_the_learners_lines_only(no
     assert notebook.run("print(RosSession.current().running)") == ("True\n", "")
 
 
+PROGRAM = """
+def main():
+    rclpy.init()
+    try:
+        rclpy.spin(Node("own"))
+    finally:
+        rclpy.try_shutdown()
+
+if __name__ == "__main__":
+    main()
+"""
+
+
+def test_a_program_in_an_answer_cell_ends_with_the_reason_and_not_never(notebook):
+    notebook.run(f"import rclpy\nfrom rclpy.node import Node\n{OPEN}")
+    content = {"code": PROGRAM, "stop_on_error": False}
+    metadata = {"imgproc_course": {"exercise": "node-class"}}  # JupyterLab sends the cell's
+    for _ in range(2):
+        request = notebook.client.session.msg("execute_request", content, metadata=metadata)
+        notebook.client.shell_channel.send(request)
+        while (msg := notebook.client.get_iopub_msg(timeout=60))["msg_type"] != "error":
+            pass
+        assert msg["content"]["evalue"].startswith("an answer cell does not spin, which never ends")
+        assert "File " not in "".join(msg["content"]["traceback"])  # the learner's own lines only
+    notebook.run("print(main)")  # it is defined
+
+
 @pytest.mark.parametrize("call", ["", "session.add_node(node)", "rclpy.init()"])
 def test_rclpys_spin_blocks_until_the_interrupt_and_the_session_lives_on(notebook, call):
     notebook.run(SPIN)
