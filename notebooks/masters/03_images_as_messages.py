@@ -121,7 +121,7 @@ print("step", tiny_message.step)
 print("data", list(tiny_message.data))
 
 # %%
-show(tiny, "data, cut into rows of step = 5 bytes", encoding="mono8",
+show(tiny, "data, in rows of step = 5 bytes", encoding="mono8",
      text="images_as_messages/tiny")
 
 # %% [markdown]

@@ -108,7 +108,7 @@ assert len({(stamp.sec, stamp.nanosec) for stamp in stamps}) == len(stamps)
 # flowchart TB
 #     accTitle: Executor, callback and thread
 #     accDescr: The main thread runs your cells. At the same time, the executor in a background thread waits for a message from the topic, calls on_image, and waits for the next message.
-#     topic["topic<br>.../image_raw"] -->|message| executor
+#     topic["topic<br>.../image_raw"] -->|message| background
 #     subgraph background ["background thread"]
 #         executor(["executor:<br>waits for a message"]) -->|calls| callback["on_image(frame, msg)"]
 #         callback -->|returns| executor
@@ -438,7 +438,7 @@ assert (result["gray"] == cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)).all()
 # %% [markdown]
 # On a robot, speed is important, so a real node calls OpenCV's `cvtColor` here. Both functions give the same gray level for every pixel.
 #
-# If a message cannot be converted, or if your function raises an error, `ImageProcessor` counts the failure, logs it, and the node continues. The next function fails for every second image, on purpose. So the log below the second cell has lines with `[WARN]`.
+# If a message cannot be converted, or if your function raises an error, `ImageProcessor` counts the failure, logs it, and the node continues. The next function fails for every second image, on purpose. So the log below the second cell has a line with `[WARN]`.
 
 # %%
 calls = []
