@@ -1,4 +1,4 @@
-"""What grades.json contains: everything that a run knows, as grades.schema.json describes it.
+"""What grades.json contains: everything that a run knows. Other names of its fields need another FORMAT.
 
 There is no time of day, no order of files and no chance in it: the same submissions give the same bytes.
 """
