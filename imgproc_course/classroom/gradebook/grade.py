@@ -100,7 +100,7 @@ def grade_submissions(
             roster=roster_report(roster, learners) if roster is not None else None,
             anonymous=anonymous,
         )
-        changes = write_grades(out, grades, learners, pages, store)
+        changes = write_grades(out, grades, pages)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, changes, table_lines, pages.failed)
 

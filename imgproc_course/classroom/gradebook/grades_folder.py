@@ -6,7 +6,6 @@ grades that differed last are in grades.previous.json.
 
 import shutil
 from functools import partial
-from itertools import chain
 from pathlib import Path
 
 from ..autograder.sanitize import sanitize_line
@@ -14,16 +13,12 @@ from .anonymity import learner_without_name, without_names
 from .changes import PREVIOUS, changed_points, read_grades
 from .grades_json import grades_text, learner_entry
 from .lms_export import checks_csv, feedback_zips, grades_csv
-from .report import label_of, learner_page, map_of, render_page
+from .report import learner_page
 from .result_store import write_grades_file
 from .review import FOLDER, AnswerParts, review_pages
 from .summary import summary_page
 
 _GIVEN_BACK = ("learners", "exports")
-_OTHER_PAGES = {
-    "review.html": "Answers and decisions, by exercise",
-    "drives.html": "The drives, on maps",
-}
 
 
 class LearnerPages:
@@ -80,8 +75,8 @@ class LearnerPages:
             self.parts.keep(learner.name, exercise["id"], answers.get(exercise["id"], ""), exercise["review"])
 
 
-def write_grades(out, grades, learners, pages, store):
-    """Write all but the results and the learners' pages; `learners` in the order of grades["learners"].
+def write_grades(out, grades, pages):
+    """Write all but the results and the learners' pages.
 
     Returns the lines that say whose points changed since the run before.
     """
@@ -94,30 +89,14 @@ def write_grades(out, grades, learners, pages, store):
     names = {entry["name"]: shown_entry["name"] for entry, shown_entry in entries}
     if before is not None and grades_text(before) != text:
         write_grades_file(out / PREVIOUS, grades_text(before))
-    _write_or_remove(out / "drives.html", _drives_page(learners, store, names))
     _write_review(out, page_grades, pages.parts, {shown: name for name, shown in names.items()})
     files = feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         write_grades_file(out / "exports" / name, data)
     for pattern in ("*.csv", "*.zip"):
         _remove_others(out / "exports", pattern, files)
-    other_pages = {name: title for name, title in _OTHER_PAGES.items() if (out / name).exists()}
-    write_grades_file(out / "summary.html", summary_page(page_grades, pages.failed, other_pages))
+    write_grades_file(out / "summary.html", summary_page(page_grades, pages.failed))
     return changed_points(before, grades) if before else []
-
-
-def _drives_page(learners, store, names):
-    """The teacher's page of all drives, HTML, with a map of each, hidden or not; "" if nothing drove."""
-    drives = {}
-    for learner in learners:
-        for result in filter(None, map(store.result, learner.digests.values())):
-            for exercise in result.exercises:
-                for case in filter(lambda case: case.drive, exercise.cases):
-                    about = exercise.title, case.title, case.id
-                    drives.setdefault(about, []).append({"name": names[learner.name], "case": case})
-    for drive in chain.from_iterable(drives.values()):  # one scenario after another: its room is made once
-        drive |= {"label": label_of(drive["case"]), "map": map_of(drive["case"])}
-    return render_page("drives.html", views=drives) if drives else ""
 
 
 def _write_review(out, page_grades, parts, names):
@@ -138,13 +117,6 @@ def set_pages_aside(out):
         aside.mkdir(mode=0o700, exist_ok=True)
         folder.rename(aside / folder.name)
     return aside if folders else None
-
-
-def _write_or_remove(path, page):
-    if page:
-        write_grades_file(path, page)
-    else:
-        path.unlink(missing_ok=True)
 
 
 def _remove_others(folder, pattern, names):

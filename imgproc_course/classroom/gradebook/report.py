@@ -180,8 +180,9 @@ def _bodies(view, cases):
 
 def _case_view(case, key_exercise, replaced_by_advice, show_values):
     view = {"values": [], "images": [], "printed": "", "secret": {}}
-    if case.drive and not case.hidden:
-        view["images"] = [map_of(case)]
+    if case.drive:
+        drive_view = {"images": [_map_of(case)]}
+        view |= {"secret": drive_view} if case.hidden else drive_view
     if case.failed_call and TEXTS[case.outcome].shows_values and show_values:
         values_view = _values_view(case, key_exercise)
         view |= {"secret": values_view} if case.hidden else values_view
@@ -189,7 +190,7 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
     return {
         **(view | vars(case)),
         "passed": case.passed,
-        "label": label_of(case),
+        "label": _DRIVES_WRONG if case.drive and case.outcome == Outcome.WRONG else TEXTS[case.outcome].label,
         "message": "" if replaced_by_advice else _message_of(case),
         "hint": "" if replaced_by_advice or is_open else case.hint,
         "state": "passed" if case.passed else "open" if is_open else "failed",
@@ -197,12 +198,7 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
     }
 
 
-def label_of(case):
-    """How a case ended, in a few words."""
-    return _DRIVES_WRONG if case.drive and case.outcome == Outcome.WRONG else TEXTS[case.outcome].label
-
-
-def map_of(case):
+def _map_of(case):
     """The map of a case's drive, an AnswerImage."""
     from ..exercises.drive_images import draw_map
 

@@ -23,8 +23,8 @@ _LIST_OF = dict.fromkeys((Outcome.NOT_GRADED, Outcome.MEMORY, Outcome.OUTPUT), "
 _LIST_OF |= {Outcome.HOSTILE: "dishonest", Outcome.CRASHED: "dishonest", Outcome.REFUSED_MODULE: "modules"}
 
 
-def summary_page(grades, failed_pages=(), other_pages=()):
-    """The teacher's page, HTML; `failed_pages` are {name: why}, `other_pages` {file name: title}."""
+def summary_page(grades, failed_pages=()):
+    """The teacher's page, HTML; `failed_pages` are {name: why}."""
     submissions = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
     submitted = {lesson["lesson"] for lesson in submissions}
     graded = [lesson for lesson in submissions if lesson["status"] == "graded"]
@@ -35,7 +35,6 @@ def summary_page(grades, failed_pages=(), other_pages=()):
         "summary.html",
         grades=grades,
         failed_pages=dict(failed_pages),
-        other_pages=dict(other_pages),
         offered=len(lesson_names(grades)),
         names=[name for name in lesson_names(grades) if name in submitted],
         submissions=submissions,
