@@ -11,11 +11,10 @@ from ..autograder.pool import open_scheduler
 from ..autograder.sandbox import bubblewrap
 from . import result_store
 from .answer_keys import load_keys
-from .archives import CollectError
 from .collect import collect
 from .copies import find_copies, report_copies
 from .csv_table import TableError
-from .grades_folder import LearnerPages, set_pages_aside, write_grades
+from .grades_folder import LearnerPages, write_grades
 from .grades_json import count_not_graded, faults_of, grades_of
 from .learners import read_all, require_one_person_each, unproven_dates
 from .lms_import import fill_table, read_tables
@@ -69,7 +68,7 @@ def grade_submissions(
         bubblewrap.require_sandbox()
     roster = read_roster(roster) if roster else None
     with contextlib.ExitStack() as stack:
-        collection = stack.enter_context(_collect(submissions, answer_keys, out))
+        collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons)))
         stack.enter_context(result_store.open_grades_folder(out))
         decisions = decisions or _decisions_file(out)
         rules = TeacherRules(
@@ -103,15 +102,6 @@ def grade_submissions(
         changes = write_grades(out, grades, pages)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, changes, table_lines, pages.failed)
-
-
-def _collect(submissions, answer_keys, out):
-    try:
-        return collect(submissions, tuple(answer_keys.lessons))
-    except CollectError as error:
-        moved = set_pages_aside(out) if submissions.exists() else None
-        moved_pages = f"; the pages of the last run are now in {moved}" if moved else ""
-        raise CollectError(f"{error}{moved_pages}") from error
 
 
 def _require_separate_folder(submissions, keys, out):

@@ -4,7 +4,6 @@ results/*.json has every result, by a digest of key and answers: an interrupted 
 grades that differed last are in grades.previous.json.
 """
 
-import shutil
 from functools import partial
 from pathlib import Path
 
@@ -17,8 +16,6 @@ from .report import learner_page
 from .result_store import write_grades_file
 from .review import FOLDER, AnswerParts, review_pages
 from .summary import summary_page
-
-_GIVEN_BACK = ("learners", "exports")
 
 
 class LearnerPages:
@@ -106,17 +103,6 @@ def _write_review(out, page_grades, parts, names):
         write_grades_file(out / name, page)
     _remove_others(out / FOLDER, "*.html", written)
     _remove_others(out, "review.html", written)
-
-
-def set_pages_aside(out):
-    """Move an earlier run's pages aside: nobody takes them for this run's; their new folder, or None."""
-    aside = out / "last-run"
-    folders = [out / name for name in _GIVEN_BACK if (out / name).is_dir()]
-    for folder in folders:
-        shutil.rmtree(aside / folder.name, ignore_errors=True)
-        aside.mkdir(mode=0o700, exist_ok=True)
-        folder.rename(aside / folder.name)
-    return aside if folders else None
 
 
 def _remove_others(folder, pattern, names):
