@@ -9,7 +9,6 @@
 The node translates and never computes; `process` computes and knows nothing about ROS.
 """
 
-import json
 import time
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -18,7 +17,6 @@ from rclpy.clock import Clock, ClockType
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
-from std_msgs.msg import String
 
 from imgproc_course.learner_errors import RepeatedErrors, advice_on
 from imgproc_course.messages import ConversionError
@@ -29,14 +27,14 @@ from imgproc_course.ros.numeric_parameter import NumericParameter
 from imgproc_course.ros.process_function import OutputPublishers, SkippedImageError, call_process
 from imgproc_course.ros.robot_topics import TOPIC
 from imgproc_course.ros.session import RosSession, spin_once
-from imgproc_course.ros.stream_statistics import SILENCE, ProcessingStatistics, StreamMonitor
+from imgproc_course.ros.stream_statistics import SILENCE, ProcessingStatistics, SilenceMonitor
 from imgproc_course.ros.subscriber import QOS, image_type
 
 # BEST_EFFORT, VOLATILE, depth 5: what cameras offer. A late image is worth nothing, so a lost one is not sent
 # again. If more than five images wait, the oldest are dropped.
 SENSOR_DATA = QOS["sensor_data"]
 
-REPORT_PERIOD = 1.0  # seconds between two reports: statistics, and what the node logs
+REPORT_PERIOD = 1.0  # seconds between two looks at what the node logs
 
 
 class ImageProcessor(Node):
@@ -56,9 +54,6 @@ class ImageProcessor(Node):
     The node subscribes to /kachaka/front_camera/image_raw, which can be remapped (`-r FROM:=TO`). If the
     topic ends in /compressed, the node reads sensor_msgs/CompressedImage. It copies the header of an image to
     its results. Without a subscriber it processes nothing.
-
-    The node publishes its `statistics()` once per second on `~/statistics` (std_msgs/String, JSON), if that
-    topic has a subscriber.
 
     No image stops the node: a failure is counted, and each cause is logged once. In a
     RosSession, the node replaces the one of the same name.
@@ -83,12 +78,11 @@ class ImageProcessor(Node):
         super().__init__(name, **node_options)
         self._process = process
         self._statistics = ProcessingStatistics()
-        self._stream = StreamMonitor()
+        self._silence = SilenceMonitor()
         self._log = NodeLog(self)
         self._errors = RepeatedErrors()
         self._node_parameters = NodeParameters(self, parameters, check)
         self._outputs = OutputPublishers(self, outputs, SENSOR_DATA, self._log)
-        self._statistics_publisher = self.create_publisher(String, "~/statistics", 1)
         self._subscribe()
         steady = Clock(clock_type=ClockType.STEADY_TIME)  # reports must go on when the system clock is set
         self._timer = self.create_timer(REPORT_PERIOD, self._report, clock=steady)
@@ -103,10 +97,6 @@ class ImageProcessor(Node):
             - ignored : images that were not processed, because no output had a subscriber
             - lost : images that the camera's process sent and this node never received, by the publisher's
               own numbers; None while several nodes publish the topic
-            - rate : received images per second
-            - latency_ms : median and 99th percentile of the time from sending an image in the camera's
-              process until its results are published (across machines: as exact as their clocks agree)
-            - process_ms : the same two of the time spent on an image in this node
             - last_error : the cause of the latest failure in one line, or None
         """
         return self._statistics.as_dict()
@@ -144,14 +134,15 @@ class ImageProcessor(Node):
         if not self.context.ok():
             return  # an image that was waiting when ROS was shut down
         start = time.perf_counter()
-        self._statistics.count_received(info.get("publication_sequence_number"))
-        self._stream.observe(msg)
+        self._statistics.received += 1
+        self._statistics.losses.receive(info.get("publication_sequence_number"))
+        if pause := self._silence.observe():
+            self._log.info(f"images arrive again, after {pause:.1f} s without")
         outputs = self._outputs.subscribed()
         if not outputs:
             self._statistics.ignored += 1
         elif self._process_message(msg, outputs):
-            sent = info.get("source_timestamp") or time.time_ns()
-            self._statistics.count_processed((time.time_ns() - sent) / 1e9, time.perf_counter() - start)
+            self._statistics.processed += 1
         self._statistics.busy += time.perf_counter() - start
 
     def _process_message(self, msg, outputs):
@@ -187,14 +178,10 @@ class ImageProcessor(Node):
             self.get_logger().warning(news)
 
     def _report(self):
-        if self._statistics_publisher.get_subscription_count():
-            self._statistics_publisher.publish(String(data=json.dumps(self.statistics())))
-        for change in self._stream.changes():
-            self._log.info(change)
         losses = self._statistics.new_losses()
         if losses:
             self._log.warn("losses", *losses)
-        if self._stream.has_become_silent():
+        if self._silence.has_become_silent():
             received, topics = self._statistics.received, self._outputs.topics()
             reason = explain_missing_messages(self, self._subscription, SILENCE, received, own_topics=topics)
             self.get_logger().warning(reason)

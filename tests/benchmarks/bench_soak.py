@@ -7,8 +7,8 @@ Run it with `environment/test --benchmarks soak`; MINUTES=1 and WARM_UP=5 (secon
 it shorter than 10 minutes after 25 seconds. Ctrl-C ends it and reports what was measured.
 """
 
-import json
 import os
+import re
 import signal
 import statistics
 import subprocess
@@ -21,7 +21,6 @@ import cv2
 import psutil
 from rich.console import Console
 from rich.table import Table
-from std_msgs.msg import String
 
 from imgproc_course.ros.camera import ROOM
 from imgproc_course.ros.robot_body import open_body
@@ -56,7 +55,6 @@ def soak(source="recording"):
             run.end_warm_up()
             print(f"warm after {WARM_UP:g} s; measuring {MINUTES:g} minutes (Ctrl-C ends it)", flush=True)
             run.watch(MINUTES * 60)
-            run.wait_for_statistics()
     except KeyboardInterrupt:
         print("ended by Ctrl-C")
     finally:
@@ -86,7 +84,6 @@ class SoakRun:
         self._commands |= {name: [*node_command(name), *remapping] for name in NODES}
         self._processes, self._samples, self._subscribers, self._counts_before = {}, {}, {}, {}
         self._stderr = dict.fromkeys(self._commands, b"")  # the end of each process's stderr
-        self._statistics = {}
         self._seconds = 0.0
         self.problems = []
 
@@ -104,18 +101,11 @@ class SoakRun:
             self._subscribe(name, output)
         subscribers = self._subscribers.values()
         self._wait(lambda: all(subscriber.received for subscriber in subscribers), "no image arrived")
-        self._wait(lambda: len(self._statistics) == len(NODES), "no statistics arrived")
 
     def _subscribe(self, name, output):
         topic = f"{self._namespace}/{name}/{output}"
         # Every frame is compressed, as a live view does.
         self._subscribers[name] = ImageSubscriber(topic, _compress, encoding="passthrough")
-        self._session.node.create_subscription(
-            String,
-            f"{self._namespace}/{name}/statistics",
-            lambda msg: self._statistics.update({name: json.loads(msg.data)}),
-            1,
-        )
 
     def _wait(self, condition, problem):
         end = time.monotonic() + START_TIMEOUT
@@ -162,20 +152,19 @@ class SoakRun:
             samples.clear()
         self._counts_before = {name: self._counts(name) for name in NODES}
 
-    def wait_for_statistics(self):
-        """Waits for statistics that include the last image of the run."""
-        self._statistics.clear()
-        self._wait(lambda: len(self._statistics) == len(NODES), "no statistics arrived")
-
     def _counts(self, name):
-        node_statistics = self._statistics.get(name, {})
         subscriber = self._subscribers[name]
         return {
-            "frames": node_statistics.get("processed", 0),
-            "lost before the node": node_statistics.get("lost") or 0,
-            "failed": node_statistics.get("failed", 0) + subscriber.failed,
+            "frames": subscriber.received,
+            "not converted": subscriber.failed,
             "lost before the notebook": subscriber.dropped or 0,
         }
+
+    def _node_counts(self, name):
+        """What a node that has ended printed in its last line, with the warm-up."""
+        lines = self._stderr[name].decode(errors="replace")
+        *_, (failed, lost) = re.findall(r"(\d+) failed, \d+ ignored, (\d+) lost", lines) or [(0, 0)]
+        return {"failed": int(failed), "lost before the node": int(lost)}
 
     def _counts_since_warm_up(self, name):
         before = self._counts_before.get(name, {})
@@ -185,13 +174,16 @@ class SoakRun:
         self._final_counts = {name: self._counts_since_warm_up(name) for name in self._subscribers}
         for process in self._processes.values():
             process.terminate()
-        for process in self._processes.values():
+        for name, process in self._processes.items():
             try:
                 process.wait(START_TIMEOUT)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
+            self._stderr[name] += process.stderr.read() or b""
             process.stderr.close()
+        for name, counts in self._final_counts.items():
+            counts |= self._node_counts(name)
         RosSession().stop()
 
     def report(self):

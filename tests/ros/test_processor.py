@@ -1,6 +1,5 @@
 """ImageProcessor in a notebook's session: how `process` is called, and what happens to its errors."""
 
-import json
 import re
 import threading
 
@@ -254,23 +253,6 @@ def test_initial_values_that_do_not_fit_together_are_refused(session):
             check=check,
             context=session.context,
         )
-
-
-def test_statistics_are_published_while_the_topic_has_a_subscriber(
-    session, make_node, publish, subscribe, wait_until
-):
-    from std_msgs.msg import String
-
-    node = make_node(lambda frame: {"gray": frame})
-    published, messages = [], subscribe()
-    session.node.create_subscription(String, "/learner/statistics", published.append, 1)
-    send_until(lambda: len(messages) >= 3, publish, wait_until)
-    wait_until(lambda: published and json.loads(published[-1].data)["processed"] >= 3)
-    statistics = json.loads(published[-1].data)
-    assert statistics.keys() == node.statistics().keys()
-    median, slowest = statistics["latency_ms"]
-    assert 0 < median <= slowest and statistics["process_ms"][0] <= median
-    assert (statistics["failed"], statistics["lost"], statistics["last_error"]) == (0, 0, None)
 
 
 SIGNALS = """

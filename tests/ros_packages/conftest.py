@@ -299,18 +299,6 @@ def tools():
     )
 
 
-@pytest.fixture
-def statistics_of(collect):
-    """statistics_of(node name) -> function that returns the newest statistics as a dict, or None."""
-    from std_msgs.msg import String
-
-    def subscribe(node_name):
-        collector = collect(f"/{node_name}/statistics", String, 1)
-        return lambda: json.loads(collector.messages[-1].data) if collector.messages else None
-
-    return subscribe
-
-
 class Parameters:
     """A node's parameters, through its ROS services."""
 

@@ -29,7 +29,7 @@ def count(name, process):
 
 
 def broken_messages(tools):
-    """(expected error, message) for each way in which an image can be broken."""
+    """A message for each way in which an image can be broken."""
     good = tools.make_frame(5)
     cut = tools.message_of(good)
     cut.data = cut.data[:100]
@@ -40,31 +40,22 @@ def broken_messages(tools):
     endless = tools.message_of(good)
     endless.height = 2**32 - 1
     empty = tools.message_of(np.zeros((0, 0, 3), np.uint8))
-    return [
-        (r"cannot be converted: 48 rows of 192 bytes need 9216 bytes of data, got 100", cut),
-        (r"cannot be converted: .*unknown encoding 'bgr9'; did you mean 'bgr8'", unknown),
-        (r"cannot be converted: encoding 'bgr8' with width 64 needs step >= 192 bytes, got 3", narrow),
-        (r"cannot be converted: 4294967295 rows of 192 bytes need", endless),
-        (r"an empty image on /kachaka/front_camera/image_raw \(0×0\); is the camera switched on\?", empty),
-    ]
+    return [cut, unknown, narrow, endless, empty]
 
 
 def test_malformed_images_are_counted_and_logged_and_the_next_good_one_is_processed(
-    start_node, collect, camera, tools, statistics_of
+    start_node, collect, camera, tools
 ):
     process = start_node(GRAY)
-    statistics, collector = statistics_of(GRAY), collect(f"/{GRAY}/gray")
+    collector = collect(f"/{GRAY}/gray")
     frame = tools.make_frame(5)
     camera.get_result(collector, tools.message_of(frame))
-    for pattern, message in broken_messages(tools):
-
-        def is_reported(pattern=pattern):
-            return re.search(pattern, (statistics() or {}).get("last_error") or "")
-
-        camera.send_until(is_reported, message, every=0.1)
-    result = camera.get_result(collector, tools.message_of(frame))
-    assert (tools.pixels(result) == gray_of(frame)).all()
-    process.wait_for(r"\[WARN\].* cannot be converted: .*\(skipped; 1 of \d+ failed\)")
+    for message in broken_messages(tools):
+        for _ in range(3):  # best effort may lose some
+            camera.send(message)
+        result = camera.get_result(collector, tools.message_of(frame))
+        assert (tools.pixels(result) == gray_of(frame)).all()
+    process.wait_for(r"\[WARN\].* cannot be converted: 48 rows .* got 100.*\(skipped; 1 of \d+ failed\)")
     assert process.leave() == 0
     assert count("failed", process) >= 5
     assert count("processed", process) + count("failed", process) + count("ignored", process) == count(
@@ -72,36 +63,37 @@ def test_malformed_images_are_counted_and_logged_and_the_next_good_one_is_proces
     )
     # Logged only now and then: the five kinds follow each other faster than the log period.
     assert process.output.count("skipped;") < count("failed", process)
+    assert last_line(process).endswith(
+        "last error: an empty image on /kachaka/front_camera/image_raw (0×0); is the camera switched on? A "
+        "Kachaka's depth camera sends such images on its charger"
+    )
 
 
-def test_size_encoding_and_time_change_in_mid_stream(start_node, collect, camera, tools):
+def test_size_encoding_and_time_may_change_in_mid_stream(start_node, collect, camera, tools):
     process = start_node(GRAY)
     collector = collect(f"/{GRAY}/gray")
     frame = tools.make_frame(6, 48, 64)
     small = tools.make_frame(7, 31, 17)
     deep = np.full((20, 30), 51 * 257, np.uint16)
     cases = [
-        (tools.message_of(frame), gray_of(frame), "size and encoding: 64×48 bgr8"),
-        (tools.message_of(small[..., ::-1].copy(), "rgb8"), gray_of(small), "17×31 rgb8 (was 64×48 bgr8)"),
-        (tools.message_of(gray_of(frame), "mono8"), gray_of(frame), None),
-        (tools.message_of(deep, "mono16"), np.full((20, 30), 51, np.uint8), None),
+        (tools.message_of(frame), gray_of(frame)),
+        (tools.message_of(small[..., ::-1].copy(), "rgb8"), gray_of(small)),
+        (tools.message_of(gray_of(frame), "mono8"), gray_of(frame)),
+        (tools.message_of(deep, "mono16"), np.full((20, 30), 51, np.uint8)),
     ]
-    for message, expected, log_line in cases:
+    for message, expected in cases:
         result = camera.get_result(collector, message)
         assert (tools.pixels(result) == expected).all()
-        if log_line:
-            process.wait_for(re.escape(log_line))
     past = camera.stamp - 10**10
     result = camera.send_until(lambda: collector.with_stamp(past), tools.message_of(frame), stamp=past)
     assert (tools.pixels(result) == gray_of(frame)).all()
-    process.wait_for(r"stamps went back by 10\.000 s: the camera was restarted, its recording started again")
     assert process.leave() == 0
     assert count("failed", process) == 0
 
 
-def test_the_camera_is_killed_and_comes_back(start, start_node, collect, wait_until, statistics_of):
+def test_the_camera_is_killed_and_comes_back(start, start_node, collect, wait_until):
     node = start_node(EDGE)
-    statistics, collector = statistics_of(EDGE), collect(f"/{EDGE}/edges")
+    collector = collect(f"/{EDGE}/edges")
     camera = start(sys.executable, "-c", PLAY)
     wait_until(lambda: len(collector.messages) >= 3)
     warnings = len(re.findall(NO_IMAGE, node.output))  # one, if the camera took more than 3 s to start
@@ -112,16 +104,13 @@ def test_the_camera_is_killed_and_comes_back(start, start_node, collect, wait_un
     wait_until(lambda: len(collector.messages) >= count_before + 3)
     node.wait_for(r"images arrive again, after \d+\.\d s without", times=warnings + 1)
     again.leave()
-    wait_until(lambda: statistics() is not None)
     assert node.leave() == 0
     assert count("failed", node) == 0
 
 
-def test_at_200_hz_every_image_is_counted_and_the_newest_is_processed(
-    start_node, collect, camera, tools, statistics_of
-):
+def test_at_200_hz_every_image_is_counted_and_the_newest_is_processed(start_node, collect, camera, tools):
     node = start_node(EDGE)
-    statistics, collector = statistics_of(EDGE), collect(f"/{EDGE}/edges")
+    collector = collect(f"/{EDGE}/edges")
     frame = tools.make_frame(8, 720, 1280)
     message = tools.message_of(frame)
     camera.get_result(collector, message)
@@ -129,16 +118,10 @@ def test_at_200_hz_every_image_is_counted_and_the_newest_is_processed(
     camera.send_until(lambda: camera.sent >= first + 200, message, every=0.005)
     newest = camera.get_result(collector, message)
     assert (tools.pixels(newest) == cv2.Canny(gray_of(frame), 50, 150)).all()
-
-    def final_statistics():
-        counts = statistics()
-        return counts and counts["received"] + (counts["lost"] or 0) >= first + 200 and counts
-
-    counts = camera.send_until(final_statistics, message, every=0.1)
-    assert counts["failed"] == 0
     stamps = collector.stamps()
     assert stamps == sorted(stamps)  # dropped or not, never out of order
     assert node.leave() == 0
+    assert count("received", node) + count("lost", node) > 200 and count("failed", node) == 0
 
 
 def test_two_nodes_of_one_name_both_work_and_both_warn(start_node, collect, camera, tools):
@@ -222,16 +205,13 @@ def test_a_node_without_images_logs_its_profile_and_why_nothing_arrives_or_leave
     assert count("received", node) == 0
 
 
-def test_without_a_subscriber_nothing_is_processed(start_node, camera, tools, statistics_of):
+def test_without_a_subscriber_nothing_is_processed(start_node, camera, tools):
     node = start_node(EDGE)
-    statistics = statistics_of(EDGE)
-    counts = camera.send_until(
-        lambda: (statistics() or {}).get("received", 0) >= 3 and statistics(),
-        tools.message_of(tools.make_frame(12)),
-    )
-    assert counts["ignored"] == counts["received"]
-    assert (counts["processed"], counts["failed"], counts["latency_ms"]) == (0, 0, None)
+    node.wait_for("has 1 publisher")
+    camera.send_until(lambda: camera.sent >= 20, tools.message_of(tools.make_frame(12)))
     assert node.leave() == 0
+    assert count("ignored", node) == count("received", node) >= 3
+    assert (count("processed", node), count("failed", node)) == (0, 0)
 
 
 @pytest.mark.parametrize(
@@ -257,8 +237,7 @@ def test_a_node_stopped_in_mid_stream_ends_quietly_and_prints_its_statistics(
     assert node.wait() == 0
     assert not re.search(r"Traceback|terminate called|RCLError|Error", node.output)
     assert re.match(
-        rf"{name}: \d+ received, \d+ processed, 0 failed, \d+ ignored, \d+ lost, [\d.]+ Hz, "
-        r"latency [\d.]+ ms \(median\), [\d.]+ ms \(99 %\)$",
+        rf"{name}: \d+ received, \d+ processed, 0 failed, \d+ ignored, \d+ lost$",
         last_line(node),
     )
     assert count("processed", node) >= 3
