@@ -209,11 +209,6 @@ class Camera(Stoppable):
         return self._now().get("bumps")
 
     @property
-    def reached_rate(self) -> float | None:
-        """Images per second of the room over the last seconds; None before, and for other sources."""
-        return self._now().get("reached_rate")
-
-    @property
     def other_users(self) -> list[str]:
         """The other programs that use it: `<program> (pid <pid>)`."""
         return [str(user) for user in self._now().get("users", ()) if user.pid != os.getpid()]

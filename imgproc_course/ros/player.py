@@ -1,14 +1,17 @@
 """The robot for a terminal, until Ctrl-C: `imgproc-course play` is a recording's camera, `drive` the room."""
 
-import contextlib
 import time
 
 from imgproc_course.ros.camera import open_camera
-from imgproc_course.ros.robot import Robot
 from imgproc_course.ros.session import RosSession
 from imgproc_course.ros.stop_signals import stop_signals
 
 STATUS_SECONDS = 10.0
+TO_DRIVE = """\
+To drive it by keys, run in a notebook:
+    from imgproc_course.display import drive
+    from imgproc_course.ros import Robot
+    drive(Robot())"""
 
 
 def play(source="recording", *, status_seconds=STATUS_SECONDS, **options):
@@ -19,13 +22,13 @@ def play(source="recording", *, status_seconds=STATUS_SECONDS, **options):
         topics = ", ".join((camera.compressed_topic, *camera.info_topics))
         domain = session.context.get_domain_id()
         print(f"{how}: {camera.description} in domain {domain}, with {topics} (Ctrl-C stops)", flush=True)
-        with Robot() if source == "room" else contextlib.nullcontext() as robot:
-            start = time.monotonic()
-            due = status_seconds if robot is None else 0.0
-            while not stopping.wait(0.1) and camera.running:
-                if (elapsed := time.monotonic() - start) >= due:
-                    due = elapsed + status_seconds
-                    print(_images(camera, elapsed) if robot is None else _place(camera, robot), flush=True)
+        if source == "room":
+            print(TO_DRIVE, flush=True)
+        start, due = time.monotonic(), status_seconds
+        while not stopping.wait(0.1) and camera.running:
+            if (elapsed := time.monotonic() - start) >= due and source != "room":
+                due = elapsed + status_seconds
+                print(_images(camera, elapsed), flush=True)
         print(_last_line(camera), flush=True)
         return 0 if camera.last_error is None else 1
 
@@ -33,15 +36,6 @@ def play(source="recording", *, status_seconds=STATUS_SECONDS, **options):
 def _images(camera, elapsed):
     counts = [f"{topic} {count}" for topic, count in camera.subscribers().items() if count]
     return f"{elapsed:.0f} s: {camera.played} images; subscribers: {', '.join(counts) or 'none'}"
-
-
-def _place(camera, robot):
-    try:
-        x, y, yaw = robot.pose
-    except TimeoutError as error:
-        return str(error)
-    rate = "" if camera.reached_rate is None else f", {camera.reached_rate:.0f} images/s"
-    return f"x {x:.2f} m, y {y:.2f} m, heading {yaw * 57.29578:.0f}°, {camera.bumps} bumps{rate}"
 
 
 def _last_line(camera):

@@ -49,9 +49,7 @@ class RoomPublisher(CameraPublisher):
         self._room = None
 
     def status(self):
-        images = self._images
-        seed = images.options["seed"]
-        return super().status() | {"reached_rate": images.reached_rate, "bumps": images.bumps, "seed": seed}
+        return super().status() | {"bumps": self._images.bumps, "seed": self._images.options["seed"]}
 
     def _create_publishers(self):
         super()._create_publishers()
