@@ -300,7 +300,7 @@ def _local_time(ctx, param, value):
 )
 @option("--out", type=_FOLDER, default="key", help="Folder for the key.")
 @_masters_option
-@option("--force", "--replace", "replace", is_flag=True, help="Replace an existing key.")
+@option("--replace", is_flag=True, help="Replace an existing key.")
 @option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
 def key(lessons, seed, out, masters, replace, unsafe):
     """Make the answer key: run the solutions on inputs drawn from a secret seed.

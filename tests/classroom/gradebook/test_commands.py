@@ -67,7 +67,7 @@ def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_pa
     refused = run("key", "21", "--masters", MASTERS, "--out", "k")
     assert refused.exit_code == 1 and "it exists already" in refused.output
     assert load_key(tmp_path / "k").digest == first
-    assert run("key", "21", "--masters", MASTERS, "--out", "k", "--force").exit_code == 0
+    assert run("key", "21", "--masters", MASTERS, "--out", "k", "--replace").exit_code == 0
     assert load_key(tmp_path / "k").digest == first
     other = run(
         "key",
@@ -76,7 +76,7 @@ def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_pa
         MASTERS,
         "--out",
         "k",
-        "--force",
+        "--replace",
         "--seed",
         "5eed" + "c09a41f7d263b8e05f1a97c4d3806be2",
     )
@@ -99,7 +99,7 @@ def test_a_seed_that_can_be_guessed_is_refused(run, tmp_path):
 
 def test_a_key_in_a_checkout_that_does_not_ignore_it_is_a_warning(run, tmp_path):
     subprocess.run(["git", "init", "-q", "."], cwd=tmp_path, check=True)
-    words = ("key", "21", "--masters", MASTERS, "--out", "k", "--force")
+    words = ("key", "21", "--masters", MASTERS, "--out", "k", "--replace")
     warned = run(*words).output
     assert "Warning: k is in a git checkout and git does not ignore it" in warned
     assert "k.seed is in a git" in warned
