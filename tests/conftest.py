@@ -83,7 +83,8 @@ def pytest_collection_modifyitems(config, items):
     if config.getoption("--first-of-each-file"):
         firsts = {item.nodeid.partition("::")[0]: item for item in reversed(chosen)}.values()
         chosen = [item for item in chosen if item in firsts]
-    config.hook.pytest_deselected(items=[item for item in items if item not in set(chosen)])
+    kept = set(chosen)
+    config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = sorted(chosen, key=lambda item: place_of(item.nodeid))
 
 
