@@ -8,14 +8,12 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+from all_masters import all_exercises, all_masters
 from handed_out import HandedOut
 from lessons import AGAIN, TEACHING
 
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-
 ROOT = Path(__file__).parents[2]
 LESSONS = sorted((ROOT / "notebooks").glob("[0-9]*.ipynb"))
-MASTERS = [read_master(path) for path in find_masters(ROOT / "notebooks/masters")]
 # One line, which lesson 10 shows in the stored listing of a package.
 TAUGHT = "node-process"
 VOID = {"area", "base", "br", "col", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
@@ -75,7 +73,7 @@ def test_no_page_holds_a_solution_or_a_hidden_case(built, tmp_path):
         paths.append(tmp_path / f"{number}.json")
         paths[-1].write_text(json.dumps([page.text(), *page.pre]))
     published = HandedOut(paths)
-    exercises = [exercise for master in MASTERS for exercise in master.exercises]
+    exercises = all_exercises().values()
     assert len(exercises) > 70
     assert [each.id for each in exercises if list(published.leaks(each))] == [TAUGHT]
 
@@ -108,13 +106,13 @@ def test_the_text_that_states_a_result_is_behind_the_same_click(pages):
 
 
 def test_the_answer_to_a_question_from_an_earlier_lesson_is_behind_a_click(pages):
-    for master in MASTERS:
+    for master in all_masters().values():
         page = pages[master.path.stem]
         for question in master.questions.values():
             answer = str(question["answer"])
             assert f"{answer} · {question['replies'][answer]}" in page.text("details.course-reveal")
         assert "No answer yet" not in page.text()
-    assert sum(len(master.questions) for master in MASTERS) == 42
+    assert sum(len(master.questions) for master in all_masters().values()) == 42
 
 
 def test_a_text_that_states_no_result_is_not_folded(pages):
@@ -147,7 +145,7 @@ def test_the_first_page_and_the_set_up_name_the_lessons_as_they_are(built):
         ("learn/start.html", "../lessons", "grayscale_node"),
     ):
         html = (built[1] / name).read_text("utf-8")
-        master = next(master for master in MASTERS if master.name == lesson)
+        master = all_masters()[lesson]
         link = f'<a href="{folder}/{master.path.stem}.html">{master.number} {master.title}</a>'
         assert link in html and "[[" not in html, name
         assert "For <code" in html and "write the address of the repository" in html
@@ -171,7 +169,7 @@ def test_folded_cells_stay_folded(pages):
 
 
 def test_an_exercise_shows_its_task_its_stub_and_its_check(pages):
-    for master in MASTERS:
+    for master in all_masters().values():
         page = next(page for name, page in pages.items() if name.endswith(f"_{master.name}"))
         code = " ".join(page.pre)
         assert "not attempted yet" not in page.text()

@@ -7,14 +7,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from all_masters import PATHS, all_exercises, all_masters
 
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.authoring.lesson_names import lesson_name
 
 ROOT = Path(__file__).parents[2]
 TEACH = ROOT / "docs/teach"
-MASTERS = {master.name: master for master in map(read_master, find_masters(ROOT / "notebooks/masters"))}
-EXERCISES = {exercise.id: exercise for master in MASTERS.values() for exercise in master.exercises}
-LESSON_OF = {exercise.id: name for name, master in MASTERS.items() for exercise in master.exercises}
+NAMES = [lesson_name(path.stem) for path in PATHS]
 SECTIONS = ["What learners get wrong", "Where they stop", "Ask the room", "What can be left out"]
 
 
@@ -32,18 +31,18 @@ def plans():
 
 
 def points_in_grading(lessons):
-    return sum(exercise.points for name in lessons for exercise in MASTERS[name].exercises)
+    return sum(exercise.points for name in lessons for exercise in all_masters()[name].exercises)
 
 
 def test_every_lesson_has_a_page_and_every_page_a_lesson():
     pages = {path.stem for path in (TEACH / "lessons").glob("*.md")} - {"index"}
-    assert pages == set(MASTERS)
+    assert pages == set(NAMES)
 
 
-@pytest.mark.parametrize("name", MASTERS)
+@pytest.mark.parametrize("name", NAMES)
 def test_a_page_has_its_parts(name):
     title, *parts = (TEACH / "lessons" / f"{name}.md").read_text("utf-8").split("\n## ")
-    assert title.startswith(f"# {MASTERS[name].title}\n\n**What it is for.**")
+    assert title.startswith(f"# {all_masters()[name].title}\n\n**What it is for.**")
     assert [part.splitlines()[0] for part in parts] == SECTIONS
     assert len(re.findall(r"^\d\. \*\*", parts[0], re.M)) == 5
     assert len(re.findall(r"^\d\. .*\? \*.*\*$", parts[2], re.M)) == 3
@@ -52,7 +51,7 @@ def test_a_page_has_its_parts(name):
 def test_the_plans_name_the_points_of_the_exercises():
     named = exercises_in((TEACH / "plans.md").read_text("utf-8"))
     assert len(named) > 30
-    assert [(name, EXERCISES[name].points) for name, _ in named] == named
+    assert [(name, all_exercises()[name].points) for name, _ in named] == named
 
 
 def test_the_points_of_the_plans_add_up():
@@ -71,13 +70,14 @@ def test_the_points_of_the_plans_add_up():
 
 
 def test_the_plans_name_the_maximum_of_grading_and_what_is_homework():
+    lesson_of = {exercise.id: name for name, master in all_masters().items() for exercise in master.exercises}
     for rows, _ in plans():
         for row in rows:
             lessons = re.findall(r"\[\[(\w+)\]\]", row[1])
             core, homework = ([name for name, _ in exercises_in(cell)] for cell in row[4:6])
-            owners = dict.fromkeys(LESSON_OF[name] for name in core + homework)
+            owners = dict.fromkeys(lesson_of[name] for name in core + homework)
             assert int(row[7]) == points_in_grading(owners), row[0]
-            deeper = {name for lesson in lessons for name in MASTERS[lesson].deeper_exercises}
+            deeper = {name for lesson in lessons for name in all_masters()[lesson].deeper_exercises}
             assert set(homework) <= deeper and not deeper & set(core), row[0]
             assert set(owners) == {lesson for lesson in lessons if points_in_grading([lesson])}
             assert row[2:4] == [f"[[{part}: {', '.join(lessons)}]]" for part in ("core", "whole")]
@@ -99,7 +99,7 @@ def test_the_lines_for_the_total_add_up_the_weeks(tmp_path):
 
 
 def test_a_built_page_says_the_minutes_and_the_points(built):
-    for name, master in MASTERS.items():
+    for name, master in all_masters().items():
         page = (built[1] / "teach/lessons" / f"{name}.html").read_text("utf-8")
         assert f"{master.core_minutes} minutes for the core, {master.minutes} for all of it" in page
         assert all(exercise.id in page for exercise in master.exercises)
