@@ -399,6 +399,14 @@ def _would_be_committed(path):
     type=_FILE,
     help="Table of all learners, as Moodle or Canvas exports it: who has not submitted is reported.",
 )
+@option(
+    "--layout",
+    "layouts",
+    multiple=True,
+    help="How the folder names its learners: Moodle, Canvas, ILIAS, nbgrader, or a pattern such as"
+    " {group}/{learner}/*.ipynb; repeat it for files of another layout.  [default: the one that fits]",
+)
+@option("--dry-run", is_flag=True, help="Print who sent what and what is left out, and grade nothing.")
 @option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
 @option(
     "--review",
@@ -407,14 +415,14 @@ def _would_be_committed(path):
 )
 @option("--forget-rules", is_flag=True, help="Do not use the rules of the run before.")
 @option("--yes", is_flag=True, help="Ask nothing, even if a rule of the run before gets lost.")
-def grade(submissions, keys, out, review, forget_rules, yes, **options):
+def grade(submissions, keys, out, review, forget_rules, yes, dry_run, **options):
     """Grade everything in SUBMISSIONS: a folder, or the zip file of a learning platform.
 
     A submission that was graded before, with the same key and the same answers, is not graded again: after an
-    interruption, the same command continues. Key, deadline, late policy, extensions, decisions and roster are
-    those of the run before into the same folder, unless you give others. Exit codes: 0 all graded, 3 some
-    could not be graded (they get 0 points and a reason) or a page is incomplete, or nothing was graded since
-    one learner's files name several people, 1 nothing was graded, 130 interrupted.
+    interruption, the same command continues. Key, deadline, late policy, extensions, decisions, roster and
+    layout are those of the run before into the same folder, unless you give others. Exit codes: 0 all graded,
+    3 some could not be graded (they get 0 points and a reason) or a page is incomplete, or nothing was graded
+    since it is in doubt whose a file is, 1 nothing was graded, 130 interrupted.
     """
     from imgproc_course.classroom.autograder.worker_threads import usual_workers
     from imgproc_course.classroom.gradebook.answer_keys import load_keys
@@ -422,6 +430,12 @@ def grade(submissions, keys, out, review, forget_rules, yes, **options):
     rules = _rules_of_run(out, options | {"keys": keys}, forget_rules, yes)
     options |= rules.rules
     keys = options.pop("keys")
+    if dry_run:
+        from imgproc_course.classroom.gradebook.grade import who_sent_what
+
+        with _in_one_line(ValueError):
+            click.echo(who_sent_what(submissions, keys, layouts=options["layouts"] or ()))
+        return
     if not options["workers"]:
         with _in_one_line(ValueError):
             options["workers"] = usual_workers(load_keys(keys).lessons.values())

@@ -6,6 +6,9 @@ The name decides, never the number: the number is only a lesson's place in the c
 import re
 from functools import lru_cache
 
+# Some browsers save a notebook as text: 04_grayscale.ipynb.txt, and once more as 04_grayscale.ipynb (1).txt.
+_NOTEBOOK = re.compile(r"(?P<stem>.+)\.ipynb(?:(?P<copy> ?\(\d{1,6}\))?\.(?:txt|json))?", re.S | re.I)
+_REPEATED = re.compile(r"(?P<stem>.+?)(?:-\d{1,6}|[ _]?\((?P<copy>\d{1,6})\))", re.S)
 LESSON_FILE = re.compile(r"(?P<number>\d\d)_(?P<name>(?!\d\d_)[a-z0-9_]+)")
 
 
@@ -20,14 +23,32 @@ def lessons_named(text, lessons):
     return list(dict.fromkeys(match[1] for match in _pattern(tuple(lessons)).finditer(text)))
 
 
-def is_lesson(text, lessons):
-    """Whether a text is the name of a lesson, with or without a number."""
-    return lesson_name(text) in lessons or lesson_name(text) != text
-
-
 def without_lesson(text, lessons):
     """A text without the first name of a lesson in it, and without the separators around that name."""
     return _pattern(tuple(lessons)).sub("", text, count=1).strip(" -_.")
+
+
+def notebook_name(name):
+    """The name of a file; of a notebook, also if a browser saved it as text, with .ipynb at the end."""
+    match = _NOTEBOOK.fullmatch(name)
+    return f"{match['stem']}{match['copy'] or ''}.ipynb" if match else name
+
+
+def split_repetition(stem):
+    """A stem without the mark of a repeated file, "-1" or " (2)", and the number of "(2)"; else 0."""
+    match = _REPEATED.fullmatch(stem)
+    return (match["stem"], int(match["copy"] or 0)) if match else (stem, 0)
+
+
+def name_in_stem(stem, lessons):
+    """A file's stem without the lesson's name, "" if nothing else is in it.
+
+    student-1 and student-2 are two learners; ada_04_grayscale and ada_04_grayscale-1 are both ada's.
+    """
+    unnumbered, _ = split_repetition(stem)
+    named = lessons_named(unnumbered, lessons)
+    ending = named and unnumbered.endswith(named[-1])
+    return without_lesson(unnumbered if ending else stem, lessons) if named else stem
 
 
 @lru_cache(maxsize=16)

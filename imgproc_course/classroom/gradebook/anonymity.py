@@ -16,7 +16,7 @@ def anonymous_id(name, answer_keys):
 def without_names(grades):
     """A copy of grades for the pages: ids instead of names, and no names of files."""
     learners = [learner_without_name(entry) for entry in grades["learners"]]
-    return grades | {"ignored": [], "intake": [], "roster": None, "learners": learners}
+    return grades | {"ignored": [], "roster": None, "learners": learners}
 
 
 def learner_without_name(entry):

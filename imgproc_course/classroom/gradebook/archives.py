@@ -10,80 +10,78 @@ import re
 import stat
 import zipfile
 import zlib
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from datetime import datetime
+from functools import partial
 from pathlib import PurePosixPath
 
 from ..autograder.sanitize import sanitize_line
-from .senders import LONGEST_NAME
 
-LARGEST = 50_000_000  # bytes of one notebook; a lesson full of images has a tenth of it
+LARGEST = 50_000_000  # bytes of one notebook, or of a zip in a zip; a lesson full of images has a tenth of it
 LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself
 MOST_MEMBERS = 20_000
+DEEPEST_ZIPS = 4  # zips in zips
 MOST_RATIO = 200  # unpacked size to packed size
 _LARGEST_CONTENTS = 8_000_000  # bytes of a zip's table of contents; 20,000 files need 3 MB
 _ERRORS = (zipfile.BadZipFile, zlib.error, OSError, ValueError, EOFError, RuntimeError)
+IN_DOUBT = 3  # exit code: nobody knows whose the submissions are, or which of them count
 
 
 class CollectError(ValueError):
-    """There is nothing to collect, or nobody knows whose it is; what to do, and the command's exit code."""
+    """There is nothing to collect, or it is in doubt; what to do, and the command's exit code."""
 
     def __init__(self, text, exit_code=1):
         super().__init__(text)
         self.exit_code = exit_code
 
 
-def file_problem(status, largest):
-    """Why a file with this status is not read, or ""."""
-    if stat.S_ISLNK(status.st_mode):
-        return "it is a link; links are not followed: submit the notebook itself"
-    if not stat.S_ISREG(status.st_mode):
-        return "it is not a regular file"
-    if status.st_size > largest:
-        return too_large(status.st_size, largest)
-    return ""
-
-
 def too_large(size, largest):
     """Why a file of this size in bytes is not read, and what to do."""
-    return (
-        f"it has {size // 1_000_000} MB, at most {largest // 1_000_000} are read: clear its outputs"
-        " (Kernel > Restart Kernel and Clear Outputs), save it and submit it again"
-    )
+    text = f"it has {size // 1_000_000} MB, at most {largest // 1_000_000} are read: clear its outputs"
+    return f"{text} (Kernel > Restart Kernel and Clear Outputs), save it and submit it again"
 
 
 def _open_collected(path, device, inode, largest):
-    """Open a collected file for reading bytes; CollectError if another file has taken its place."""
-    try:
-        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
-    except OSError as error:
-        raise CollectError(f"it cannot be read ({error.strerror})") from error
-    file = os.fdopen(descriptor, "rb")
-    status = os.fstat(descriptor)
-    reason = file_problem(status, largest)
-    if not reason and (status.st_dev, status.st_ino) != (device, inode):
-        reason = "it was replaced by another file while it was collected"
-    if reason:
+    """Open a regular file for reading bytes; CollectError: it is none, larger than `largest`, or another."""
+    status = os.lstat(path)
+    if stat.S_ISLNK(status.st_mode):
+        raise CollectError("it is a link; links are not followed: submit the notebook itself")
+    if not stat.S_ISREG(status.st_mode):
+        raise CollectError("it is not a regular file")
+    if status.st_size > largest:
+        raise CollectError(too_large(status.st_size, largest))
+    file = os.fdopen(os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
+    status = os.fstat(file.fileno())
+    if (status.st_dev, status.st_ino) != (device, inode):
         file.close()
-        raise CollectError(reason)
+        raise CollectError("it was replaced by another file while it was collected")
     return file
 
 
 def read_collected(path, device, inode):
-    """The bytes of a collected notebook; CollectError if it cannot be read."""
-    with _open_collected(path, device, inode, LARGEST) as file:
-        try:
-            return _read_bounded(file)
-        except OSError as error:
-            raise CollectError(f"it cannot be read ({error.strerror})") from error
+    """The bytes of a notebook; CollectError if it cannot be read."""
+    return _read_bounded(partial(_open_collected, path, device, inode, LARGEST))
 
 
-def _read_bounded(file):
-    """The bytes of a file; CollectError if they are more than the largest notebook may have."""
-    data = file.read(LARGEST + 1)
+def _read_bounded(open_file):
+    """The bytes of a file; CollectError: it cannot be read, or it has more than the largest notebook may."""
+    with _named_errors("it"), open_file() as file:
+        data = file.read(LARGEST + 1)
     if len(data) > LARGEST:
         raise CollectError(too_large(len(data), LARGEST))
     return data
+
+
+@contextmanager
+def _named_errors(subject):
+    """Raises a CollectError that says of the subject why it cannot be read."""
+    try:
+        yield
+    except CollectError:
+        raise
+    except _ERRORS as error:  # an OSError's own text has the teacher's path
+        reason = sanitize_line(getattr(error, "strerror", None) or str(error), 100)
+        raise CollectError(f"{subject} cannot be read ({reason})") from error
 
 
 class _ContentsReader(io.BufferedReader):
@@ -98,45 +96,49 @@ class _ContentsReader(io.BufferedReader):
 
 
 class Archives:
-    """Keeps the last zip open: its members are read one after another."""
+    """Keeps the zips open that the last member was in: members are read one after another.
+
+    A location is ((path, device, inode),), and for what is in that zip the number of the member, and so on.
+    """
 
     def __init__(self):
-        self._opened, self._location, self._archive, self._members = ExitStack(), None, None, []
+        self._opened = []  # (location, ExitStack, ZipFile, members), each inside the one before
 
-    def members(self, *location):
-        """The members of the zip at a path, device and inode, without its folders."""
-        if self._location != location:
-            self.close()
-            opened = _open_collected(*location, LARGEST_ZIP)
-            file = self._opened.enter_context(_ContentsReader(opened.detach()))
-            try:
-                self._archive = self._opened.enter_context(zipfile.ZipFile(file))
-            except (*_ERRORS, NotImplementedError) as error:
-                self.close()
-                raise CollectError(f"the zip cannot be read ({sanitize_line(str(error), 100)})") from error
+    def members(self, location):
+        """The members of the zip at a location, without its folders; CollectError: it cannot be read."""
+        while self._opened and self._opened[-1][0] != location[: len(self._opened[-1][0])]:
+            self._opened.pop()[1].close()
+        if not self._opened or self._opened[-1][0] != location:
+            self._open(location)
+        return self._opened[-1][-1]
+
+    def _open(self, location):
+        if len(location) > DEEPEST_ZIPS:
+            raise CollectError(f"zips in zips are read {DEEPEST_ZIPS} deep; submit the notebook itself")
+        with _named_errors("the zip"), ExitStack() as stack:
+            inner = io.BytesIO(self.read(location)) if len(location) > 1 else None
+            file = stack.enter_context(
+                _ContentsReader(inner or _open_collected(*location[0], LARGEST_ZIP).detach())
+            )
+            archive = stack.enter_context(zipfile.ZipFile(file))
             # Not is_dir(): in Python 3.11 it fails for a member without a name.
-            members = [member for member in self._archive.infolist() if not member.filename.endswith("/")]
+            members = [member for member in archive.infolist() if not member.filename.endswith("/")]
             if len(members) > MOST_MEMBERS:
-                text = f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read"
-                raise CollectError(text)
-            file.limited, self._location, self._members = False, location, members
-        return self._members
+                raise CollectError(f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read")
+            file.limited = False
+            self._opened.append((location, stack.pop_all(), archive, members))
 
-    def read(self, location, number):
-        """The bytes of one member."""
-        try:
-            member = self.members(*location)[number]
-            with self._archive.open(member) as file:
-                return _read_bounded(file)
-        except _ERRORS as error:
-            if isinstance(error, CollectError):
-                raise
-            raise CollectError(f"it cannot be unpacked ({sanitize_line(str(error), 100)})") from error
+    def read(self, location):
+        """The bytes of the member at a location."""
+        member = self.members(location[:-1])[location[-1]]
+        if problem := _member_problem(member):
+            raise CollectError(problem)
+        return _read_bounded(partial(self._opened[-1][2].open, member))
 
     def close(self):
-        """Close the zip that is open, if any."""
-        self._opened.close()
-        self._location = None
+        """Close the zips that are open."""
+        while self._opened:
+            self._opened.pop()[1].close()
 
 
 def member_parts(member):
@@ -144,15 +146,11 @@ def member_parts(member):
     return PurePosixPath(member.filename.replace("\\", "/")).parts
 
 
-def member_problem(member):
-    """Why a member of a zip is not read, or ""."""
+def _member_problem(member):
+    """Why a member is not read, or ""."""
     name, parts = member.filename, member_parts(member)
-    if parts and PurePosixPath(parts[-1].lower()).suffix == ".zip":
-        return "it is a zip in a zip; submit the notebook itself"
     if name.startswith(("/", "\\")) or ".." in parts or re.match(r"[A-Za-z]:", name):
         return "its name leads out of the zip"
-    if any(len(part) > LONGEST_NAME for part in parts):
-        return f"its name has more than {LONGEST_NAME} characters"
     if stat.S_IFMT(member.external_attr >> 16) not in (0, stat.S_IFREG):
         return "it is a link or a device in a zip; submit the notebook itself"
     if member.flag_bits & 1:

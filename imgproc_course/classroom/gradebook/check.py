@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from ..authoring.lesson_names import notebook_name
 from ..exercises import check_files
 from ..exercises.check_data import CheckData
 from ..exercises.checking import CheckResult, check_built
@@ -19,7 +20,6 @@ from ..exercises.error_advice import advice_on
 from ..exercises.feedback import explain_failure
 from .archives import LARGEST, too_large
 from .notebook_reader import NotebookReader
-from .senders import notebook_name
 from .submission import AnswerState, SubmissionContent, read_submission
 
 _ADVICE = {

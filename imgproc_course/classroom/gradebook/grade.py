@@ -2,6 +2,7 @@
 
 import contextlib
 import shutil
+import tempfile
 import threading
 from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor
@@ -16,11 +17,11 @@ from .copies import find_copies, report_copies
 from .csv_table import TableError
 from .grades_folder import LearnerPages, write_grades
 from .grades_json import count_not_graded, faults_of, grades_of
-from .learners import read_all, require_one_person_each, unproven_dates
+from .learners import read_all
 from .lms_import import fill_table, read_tables
 from .report import count_of, prepare_templates
 from .result_store import GradesFolderError
-from .roster import names_in_roster, read_roster, roster_report
+from .roster import read_roster, roster_report
 from .teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
 _NOT_FILLED = "Not filled: "
@@ -45,6 +46,7 @@ def grade_submissions(
     scheduler=None,
     platform_tables=(),
     roster=None,
+    layouts=(),
     quiet=None,
     **options,
 ):
@@ -68,7 +70,7 @@ def grade_submissions(
         bubblewrap.require_sandbox()
     roster = read_roster(roster) if roster else None
     with contextlib.ExitStack() as stack:
-        collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons)))
+        collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons), layouts or ()))
         stack.enter_context(result_store.open_grades_folder(out))
         decisions = decisions or _decisions_file(out)
         rules = TeacherRules(
@@ -78,9 +80,6 @@ def grade_submissions(
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
         learners = read_all(collection, answer_keys, store, quiet=quiet)
-        require_one_person_each(
-            learners, answer_keys.lessons, names_in_roster(roster or (), learners).values()
-        )
         rules.assign(learners, roster or ())
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         stack.callback(pages.parts.close)
@@ -88,8 +87,6 @@ def grade_submissions(
         threading.Thread(target=prepare_templates, daemon=True).start()
         options |= {"fresh": fresh, "quiet": quiet, "on_result": pages.result_stored}
         graded_now = result_store.grade_missing(learners, answer_keys, store, **options)
-        if deadline:
-            collection.findings += unproven_dates(collection.files, deadline)
         grades = grades_of(
             report_copies(pages.finish(), learners, copies.result()),
             answer_keys,
@@ -102,6 +99,31 @@ def grade_submissions(
         changes = write_grades(out, grades, pages)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, changes, table_lines, pages.failed)
+
+
+def who_sent_what(submissions, keys, *, layouts=(), quiet=None):
+    """The text of `grade --dry-run`: each learner's files, which of them count, and what is left out.
+
+    Nothing is graded or written; the errors are those of `grade_submissions`.
+    """
+    answer_keys = load_keys(keys)
+    with tempfile.TemporaryDirectory() as results, contextlib.ExitStack() as stack:
+        collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons), layouts or ()))
+        store = result_store.ResultStore(results, {})
+        learners = read_all(collection, answer_keys, store, quiet=quiet)
+    lines = [f"layout {collection.layout}: {count_of(len(learners), 'learner')}, nothing graded"]
+    for learner in learners:
+        lines.append(learner.name)
+        for lesson, submission in learner.submissions.items():
+            reason = submission.content.reason
+            lines.append(f"  {lesson}: {submission.file.source}{reason and f' (not read: {reason})'}")
+            if others := [one.file.source for one in learner.earlier.get(lesson, ())]:
+                lines.append(f"    not counted: {', '.join(others)}")
+        for submission in learner.unidentified:
+            lines.append(f"  left out: {submission.file.source}: {submission.content.reason}")
+    if collection.ignored:
+        lines += ["left out, since they are no notebooks:", *(f"  {name}" for name in collection.ignored)]
+    return "\n".join(lines)
 
 
 def _require_separate_folder(submissions, keys, out):
@@ -143,7 +165,7 @@ def _summary(grades, graded_now, out, changes, table_lines, failed_pages):
     lines = [
         f"{count_of(len(grades['learners']), 'learner')}, {count_of(graded, 'lesson')} graded"
         f" ({graded_now} in this run{others}), {late} late,"
-        f" {not_graded} could not be graded."
+        f" {not_graded} could not be graded. Layout: {grades['layout']}."
     ]
     if roster := grades["roster"]:
         lines[0] += f" Of {roster['count']} in the roster, {len(roster['missing'])} have not submitted."

@@ -12,11 +12,10 @@ from ..autograder.results import to_json
 from .anonymity import anonymous_id
 from .collect import SubmittedFile
 from .learners import Submission
-from .senders import Sender
 from .submission import Finding, SubmissionContent
 from .teacher_tables import plain_number
 
-FORMAT = 4
+FORMAT = 5
 
 
 def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster, anonymous):
@@ -30,8 +29,8 @@ def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster, a
         "anonymous_pages": anonymous,
         "keys": [_key_entry(key) for key in answer_keys.keys],
         "learners": entries,
+        "layout": collection.layout,
         "ignored": collection.ignored,
-        "intake": [asdict(finding) for finding in sorted(collection.findings)],
         "roster": roster,
     }
 
@@ -140,7 +139,7 @@ def _decide(entry, decision):
 
 def _nothing_submitted(lesson, submissions):
     """For a decision on a lesson not submitted; the learner's other submissions know the platform."""
-    known = next((submission.file for submission in submissions), Sender(""))
+    known = next((submission.file for submission in submissions), SubmittedFile())
     file = SubmittedFile(learner=known.learner, platform=known.platform, platform_id=known.platform_id)
     return Submission(file, "", SubmissionContent(lesson=lesson, reason="nothing was submitted"))
 

@@ -1,7 +1,7 @@
 """The rules of a run, kept in the folder of grades: the next run has them again, unless it is told otherwise.
 
 They are in rules.json: the keys, the deadline, the late policy, the tables of extensions and decisions, the
-roster. What a command does not say is not a change of the rules.
+roster, the layout. What a command does not say is not a change of the rules.
 """
 
 import json
@@ -18,6 +18,7 @@ _TITLES = {
     "extensions": "the extensions",
     "decisions": "the decisions",
     "roster": "the roster",
+    "layouts": "the layout",
 }
 NAMES = tuple(_TITLES)
 _PATHS = ("keys", "extensions", "decisions", "roster")
@@ -83,6 +84,6 @@ def _usable(name, value):
 
 
 def _text(name, value):
-    values = value if name == "keys" else [value]
+    values = value if name in ("keys", "layouts") else [value]
     shown = ", ".join(value.isoformat() if name == "deadline" else str(value) for value in values)
     return f"{_TITLES[name]} {shown}"

@@ -28,7 +28,6 @@ def summary_page(grades, failed_pages=()):
     submissions = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
     submitted = {lesson["lesson"] for lesson in submissions}
     graded = [lesson for lesson in submissions if lesson["status"] == "graded"]
-    senders = [finding for finding in grades["intake"] if finding["kind"] != "file"]
     missing = grades["roster"]["missing"] if grades["roster"] else ()
     own_modules = {PurePosixPath(path).stem for path in grades["ignored"] if path.endswith(".py")}
     return render_page(
@@ -42,9 +41,7 @@ def summary_page(grades, failed_pages=()):
         bins=_histogram(_percentages(grades["learners"])),
         checks=_check_rows(graded),
         mistakes=_mistake_counts(graded),
-        senders=senders,
         sent={name: sum(squeezed(name) in squeezed(path) for path in grades["ignored"]) for name in missing},
-        doubtful=list(dict.fromkeys(finding["learner"] or finding["file"] for finding in senders)),
         **_mean_and_median(grades["learners"]),
         **_lists_of_concerns(grades["learners"], own_modules),
         lessons=list(_lesson_rows(graded, lesson_names(grades))),

@@ -1,6 +1,6 @@
 import pytest
 
-from imgproc_course.classroom.authoring.lesson_names import is_lesson, lessons_named, without_lesson
+from imgproc_course.classroom.authoring.lesson_names import lessons_named, name_in_stem, without_lesson
 
 LESSONS = ("grayscale", "grayscale_node", "faces")
 
@@ -23,9 +23,16 @@ def test_a_lesson_is_named_by_whole_words(text, named, rest):
     assert without_lesson(text, LESSONS) == rest
 
 
-def test_names_of_folders():
-    assert [is_lesson(text, LESSONS) for text in ("faces", "19_faces", "07_gone", "ada", "04")] == [
-        *(True, True, True),
-        *(False, False),
-    ]
-    assert lessons_named("grayscale", ()) == []
+@pytest.mark.parametrize(
+    ("stem", "name"),
+    [
+        ("ada_04_grayscale", "ada"),
+        ("ada_04_grayscale-1", "ada"),
+        ("04_grayscale_student-2", "student-2"),
+        ("student (2)", "student (2)"),
+        ("04_grayscale (2)", ""),
+    ],
+)
+def test_a_file_is_named_after_a_learner(stem, name):
+    assert name_in_stem(stem, LESSONS) == name
+    assert name_in_stem(stem, ()) == stem

@@ -200,31 +200,7 @@ attack(
 # ---------------------------------------------------------------- senders and budgets
 
 
-def _neighbour_of(folder):
-    return f"{folder.name}, neighbour"
-
-
-@attack("a zip of Moodle's form with a neighbour's name", "whose own submission of light counts")
-def _forged_platform_zip(folder, light):
-    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
-    names = [f"{_neighbour_of(folder)}_{id}_assignsubmission_file_/{LESSON}.ipynb" for id in (7, 8)]
-    names += [f"somebody else {id}_{id}_assignsubmission_file_/{LESSON}.ipynb" for id in range(3)]
-    path = folder.with_name(f"{folder.name}, all submissions.zip")
-    data = json.dumps(wrong_notebook(light))
-    make_zip(path, [(name, data) for name in names], datetime(2099, 1, 1))
-
-
-@attack(
-    "a display name with Moodle's mark in it",
-    "Moodle's mark more than once",
-    folder="a display name with Moodle's mark in it, neighbour_1_assignsubmission_file_"
-    "Eve_2_assignsubmission_file_",
-)
-def _mark_in_display_name(folder, light):
-    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
-
-
-@attack("an environment of 20,001 files", "installed packages")
+@attack("an environment of 20,001 files")
 def _environment(folder, light):
     write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
     packages = folder / ".venv" / "lib"
@@ -385,26 +361,20 @@ def grade_attacks(light, key_path, folder):
     for attack in FORM_ATTACKS:
         attack.put(folder / "submissions" / attack.folder_name, light)
         write(folder / "submissions" / attack.neighbour / f"{LESSON}.ipynb", honest)
-    learners, intake = [], []
+    learners = []
     for name in ("alone", "submissions"):
         out = folder / f"{name}-grades"
         grade_submissions(folder / name, [key_path], out, workers=1, quiet=True)
         grades = json.loads((out / "grades.json").read_text(encoding="utf-8"))
         learners.append({learner["name"]: learner for learner in grades["learners"]})
-        intake = grades["intake"]
     (alone,) = learners[0]["alone"]["lessons"]
-    return {attack.name: _attacked(attack, learners[1], alone, folder, intake) for attack in FORM_ATTACKS}
+    return {attack.name: _attacked(attack, learners[1], alone, folder) for attack in FORM_ATTACKS}
 
 
-def _attacked(attack, learners, alone, folder, intake):
+def _attacked(attack, learners, alone, folder):
     lessons = learners[attack.learner]["lessons"]
     texts = [lesson["reason"] for lesson in lessons if lesson["reason"]]
     texts += [finding["text"] for lesson in lessons for finding in lesson["findings"]]
-    texts += [
-        finding["text"]
-        for finding in intake
-        if attack.learner in (finding["learner"], finding["file"][: len(attack.learner)])
-    ]
     points = learners[attack.learner]["points"]
     return Attacked(points, "; ".join(texts), _harm(attack, learners, alone, folder))
 

@@ -21,7 +21,8 @@ def tables(light, key_path, tmp_path_factory):
     write(submissions / "eveadam_LATE_42_900_20_light.ipynb", untouched)
     write(submissions / '=cmd|" ,x\n;y' / "x.ipynb", right)
     out = folder / "grades"
-    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    layouts = ("Moodle", "Canvas", "{learner}")
+    grade_submissions(submissions, [key_path], out, workers=1, quiet=True, layouts=layouts)
     return {path.name: path.read_bytes() for path in (out / "grades.csv", out / "checks.csv")}
 
 

@@ -11,6 +11,7 @@ from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.lms_import import fill_table, read_tables
 
 pytestmark = pytest.mark.sandbox
+MIXED = ("Moodle", "Canvas", "{learner}")
 
 # As lib/gradebook_exporter.rb of Canvas and the grading table of Moodle's assignments write them.
 CANVAS = (
@@ -65,7 +66,7 @@ def filled(path, grades):
 
 
 def test_canvas_gradebook_is_filled_and_nothing_else_changes(submitted, grade, table):
-    text, lines = filled(table("gradebook.csv", CANVAS), grade(submitted))
+    text, lines = filled(table("gradebook.csv", CANVAS), grade(submitted, layouts=MIXED))
     expected = cells(CANVAS)
     expected[3][5], expected[4][5] = "6", "0"  # by the number; by the login that is the folder's name
     assert cells(text) == expected
@@ -78,7 +79,8 @@ def test_canvas_gradebook_is_filled_and_nothing_else_changes(submitted, grade, t
 def test_what_a_spreadsheet_would_take_for_a_formula_gets_an_apostrophe(submitted, grade, table):
     evil = CANVAS.replace('"Crane, Ichabod",44,s3', '"=HYPERLINK(1)",44,+A1').replace(",9.00,90.0", ",-9.0,-")
     text, _ = filled(
-        table("gradebook.csv", evil.replace("Mo,5.00,N/A,", "@SUM(1),5.00,x;-y,")), grade(submitted)
+        table("gradebook.csv", evil.replace("Mo,5.00,N/A,", "@SUM(1),5.00,x;-y,")),
+        grade(submitted, layouts=MIXED),
     )
     rows = cells(text)
     assert rows[5] == [
@@ -100,7 +102,9 @@ def test_a_row_is_found_by_its_name_if_nobody_else_has_it(light, submissions, gr
         write(submissions / name / "20_light.ipynb", right)
     rows = "Participant 1,Ada Lovelace,a@x,,,\nParticipant 2,Bob,b@x,,,\nParticipant 3,bob,c@x,,,\n"
     head = "Identifier,Full name,Email address,Status,Grade,Maximum grade\n"
-    text, lines = fill_table(read_tables([table("20_light.csv", head + rows)])[0], grade(submissions))
+    text, lines = fill_table(
+        read_tables([table("20_light.csv", head + rows)])[0], grade(submissions, layouts=MIXED)
+    )
     assert [row[4] for row in cells(text)] == ["Grade", "6", "", ""]
     assert lines == ["20_light.csv: 1 points filled in.", "  graded, but in no row of the table: Bob, Cy"]
 
@@ -113,13 +117,15 @@ def test_a_row_that_two_learners_could_have_is_nobodys(light, submissions, grade
         write(submissions / name, wrong if "x" in name else right)
     head = "Identifier,Full name,Email address,Status,Grade,Maximum grade\n"
     rows = "Participant 1,Ada Lovelace,a@x,,,\nParticipant 2,Cyd,c@x,,,\nParticipant 3,Cy,d@x,,,\n"
-    text, lines = fill_table(read_tables([table("20_light.csv", head + rows)])[0], grade(submissions))
+    text, lines = fill_table(
+        read_tables([table("20_light.csv", head + rows)])[0], grade(submissions, layouts=MIXED)
+    )
     assert [row[4] for row in cells(text)] == ["Grade", "", "0", "6"]
     assert lines[1:] == ["  graded, but in no row of the table: a@x, Ada Lovelace"]
 
 
 def test_empty_lines_of_a_table_stay(submitted, grade, table):
-    grades = grade(submitted)
+    grades = grade(submitted, layouts=MIXED)
     text, lines = filled(table("gradebook.csv", CANVAS), grades)
     assert filled(table("with empty lines.csv", CANVAS.replace("\r\n", "\r\n\r\n", 1) + "\r\n"), grades) == (
         text.replace("\r\n", "\r\n\r\n", 1) + "\r\n",
@@ -128,7 +134,7 @@ def test_empty_lines_of_a_table_stay(submitted, grade, table):
 
 
 def test_moodles_worksheet_is_filled_and_other_grades_stay(submitted, grade, table):
-    text, lines = filled(table("Grades-20_light.csv", MOODLE), grade(submitted))
+    text, lines = filled(table("Grades-20_light.csv", MOODLE), grade(submitted, layouts=MIXED))
     expected = cells(MOODLE)
     expected[1][4] = "6"
     assert cells(text) == expected and text.startswith("\ufeffIdentifier")
@@ -138,7 +144,7 @@ def test_moodles_worksheet_is_filled_and_other_grades_stay(submitted, grade, tab
 def test_a_table_with_semicolons_and_other_languages_numbers(submitted, grade, table):
     other = MOODLE.replace("Participant ", "Teilnehmer/in").replace('"Ada, Lovelace"', "Ada")
     other = other.replace('"Monday, 30 November 2026, 12:00 PM"', "30.11.2026").replace(",", ";")
-    text, _ = filled(table("20_light.csv", other), grade(submitted))
+    text, _ = filled(table("20_light.csv", other), grade(submitted, layouts=MIXED))
     assert cells(text, ";")[1][:5] == [
         "Teilnehmer/in12345",
         "Ada",
@@ -150,7 +156,8 @@ def test_a_table_with_semicolons_and_other_languages_numbers(submitted, grade, t
 
 def test_a_column_can_have_the_title_of_the_lesson(submitted, grade, table, light):
     text, _ = filled(
-        table("g.csv", CANVAS.replace("20_light (901)", f"{light.title} (901)")), grade(submitted)
+        table("g.csv", CANVAS.replace("20_light (901)", f"{light.title} (901)")),
+        grade(submitted, layouts=MIXED),
     )
     assert cells(text)[3][5] == "6"
 
@@ -190,7 +197,9 @@ def test_a_worksheet_of_an_unknown_lesson_is_reported_and_the_others_are_filled(
     out = tmp_path / "grades"
     tables = [table("worksheet.csv", MOODLE), table("canvas.csv", CANVAS.replace("20_light", "First"))]
     tables += [table("20_light.csv", MOODLE)]
-    lines = grade_submissions(submitted, [key_path], out, workers=1, quiet=True, platform_tables=tables).text
+    lines = grade_submissions(
+        submitted, [key_path], out, workers=1, quiet=True, platform_tables=tables, layouts=MIXED
+    ).text
     assert (
         "worksheet.csv: a worksheet belongs to one lesson, but this one can belong to light, sound" in lines
     )

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 from pathlib import Path
 
 import pytest
@@ -57,7 +58,10 @@ def checked(path, checks):
 
 def verdict_of_grade(path, answer_keys):
     store = AnswersStore()
-    with collect(path, tuple(answer_keys.lessons)) as collection:
+    folder = path.with_name(f"{path.name}, submitted")
+    (folder / "ada").mkdir(parents=True, exist_ok=True)
+    shutil.copy(path, folder / "ada")
+    with collect(folder, tuple(answer_keys.lessons), ["{learner}"]) as collection:
         (learner,) = read_all(collection, answer_keys, store, quiet=True)
     (submission,) = [*learner.submissions.values(), *learner.unidentified]
     if submission.content.reason:

@@ -45,7 +45,7 @@ def pages(masters, key_path, tmp_path_factory):
     """{first word of the learner's name: path of the page}, and "summary": the teacher's page."""
     folder = tmp_path_factory.mktemp("pages")
     submissions, light, sound = folder / "submissions", masters["light"], masters["sound"]
-    write(submissions / "ada" / "a.ipynb", notebook(light, answers_of(light, 0)))
+    write(submissions / "ada" / "light.ipynb", notebook(light, answers_of(light, 0)))
     write(submissions / "ada" / "b.ipynb", notebook(sound, answers_of(sound, "right")))
     raising = f"def halves(pixels):\n    raise ValueError({EVIL!r} + str(pixels.tolist()))"
     write(

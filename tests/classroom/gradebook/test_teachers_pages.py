@@ -19,6 +19,7 @@ from imgproc_course.cli import main
 
 pytestmark = pytest.mark.sandbox
 MOODLE = "Ada_B Lovelace_12345_assignsubmission_file_"
+MIXED = ("Moodle", "Canvas", "{learner}")
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +38,7 @@ def class_folder(light, key_path, tmp_path_factory):
 def graded(class_folder, key_path):
     """(the summary of a run, its folder)"""
     out = class_folder / "out"
-    return grade_submissions(class_folder / "in", [key_path], out, workers=1, quiet=True), out
+    return grade_submissions(class_folder / "in", [key_path], out, workers=1, quiet=True, layouts=MIXED), out
 
 
 def rows_of(out, heading):
@@ -65,27 +66,6 @@ def test_more_than_ten_findings_that_may_be_dishonest_are_folded(graded):
         assert opening in summary_page(grades).partition("Perhaps dishonest")[2]
 
 
-def test_the_top_names_whose_zip_has_names_of_others(light, submissions, key_path, tmp_path):
-    write(submissions / "ada" / "20_light.ipynb", b"{")
-    out = tmp_path / "out"
-    for name in ("mallory", "noah"):
-        with zipfile.ZipFile(submissions / f"{name}.zip", "w") as archive:
-            for folder in ("ada", MOODLE):
-                archive.writestr(f"{folder}/20_light.ipynb", json.dumps(notebook(light)))
-    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
-    text = (out / "summary.html").read_text(encoding="utf-8")
-    top, *sections = text.split("<section")
-    assert "in what arrived from <b><bdi>mallory</bdi></b>, <b><bdi>noah</bdi></b>: see" in top
-    assert [re.search("<h2>(.*?)</h2>", section)[1] for section in sections[:2]] == [
-        "May have lost points unfairly",
-        "What arrived",
-    ]
-    assert 'href="#arrived"' in top and 'id="arrived"' in sections[1]
-    assert '<th scope="col" class="number">light</th>' in text
-    rows = rows_of(out, "What arrived")
-    assert ["mallory" in rows[0], "noah" in rows[1], len(rows)] == [True, True, 2]
-
-
 def test_a_line_about_a_broken_file_or_a_suspicion_needs_points(graded, class_folder, key_path, tmp_path):
     lines = [
         html.unescape(re.search(r"<code>(.*?)</code>", row)[1])
@@ -102,9 +82,13 @@ def test_a_line_about_a_broken_file_or_a_suspicion_needs_points(graded, class_fo
     decisions.write_text(text)
     out = tmp_path / "out"
     with pytest.raises(ValueError, match=r"row 2: the points are '\?'; expected 0 to 6"):
-        grade_submissions(class_folder / "in", [key_path], out, decisions=decisions, quiet=True)
+        grade_submissions(
+            class_folder / "in", [key_path], out, decisions=decisions, quiet=True, layouts=MIXED
+        )
     decisions.write_text(text.replace(",?,", ",6,", 1).replace(",?,", ",1,"))
-    grade_submissions(class_folder / "in", [key_path], out, decisions=decisions, workers=1, quiet=True)
+    grade_submissions(
+        class_folder / "in", [key_path], out, decisions=decisions, workers=1, quiet=True, layouts=MIXED
+    )
     grades = json.loads((out / "grades.json").read_text())
     assert {entry["name"]: entry["points"] for entry in grades["learners"]}["Zoe, =1+1"] == 6
     assert "May have lost points" not in (out / "summary.html").read_text()
@@ -278,6 +262,7 @@ def test_the_terminal_says_whose_points_changed(light, submissions, key_path, tm
 def test_anonymous_pages_show_no_name(class_folder, graded, key_path, tmp_path):
     out = tmp_path / "out"
     shown = {"workers": 1, "quiet": True, "anonymous": True, "deadline": datetime(2026, 11, 1)}
+    shown["layouts"] = MIXED
     grade_submissions(class_folder / "in", [key_path], out, **shown)
     grades = json.loads((out / "grades.json").read_text())
     for learner in grades["learners"]:
@@ -306,8 +291,8 @@ def test_a_lesson_that_lost_points_by_lateness_alone_gets_back_only_those(
     light, submissions, key_path, tmp_path
 ):
     half = notebook(light, answers_of(light, "right") | {"light-double": "def double(p):\n    return p"})
-    write(submissions / "ada" / "a.ipynb", half, datetime(2026, 11, 1))
-    write(submissions / "ada" / "b.ipynb", half, datetime(2026, 11, 4))
+    write(submissions / "ada" / "light.ipynb", half, datetime(2026, 11, 1))
+    write(submissions / "ada" / "light (1).ipynb", half, datetime(2026, 11, 4))
     late = {"deadline": datetime(2026, 11, 2), "late": "50% a day, 1 day"}
     grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True, **late)
     (row,) = rows_of(tmp_path / "out", "May have lost points unfairly")
@@ -316,9 +301,9 @@ def test_a_lesson_that_lost_points_by_lateness_alone_gets_back_only_those(
 
 def test_a_wrong_late_submission_after_a_right_one_in_time_is_listed(light, submissions, key_path, tmp_path):
     right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
-    write(submissions / "ada" / "a.ipynb", right, datetime(2026, 11, 1))
-    write(submissions / "ada" / "b.ipynb", wrong, datetime(2026, 11, 4))
-    write(submissions / "bob" / "a.ipynb", wrong, datetime(2026, 11, 4))
+    write(submissions / "ada" / "light.ipynb", right, datetime(2026, 11, 1))
+    write(submissions / "ada" / "light (1).ipynb", wrong, datetime(2026, 11, 4))
+    write(submissions / "bob" / "light.ipynb", wrong, datetime(2026, 11, 4))
     late = {"deadline": datetime(2026, 11, 2), "late": "50% a day, 1 day"}
     grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True, **late)
     (row,) = rows_of(tmp_path / "out", "May have lost points unfairly")
@@ -344,18 +329,29 @@ def test_who_sent_only_other_files_is_named_with_them(light, submissions, key_pa
     assert "<bdi>Uwe Ulm</bdi> (sent 1 file, no notebook); <bdi>Max Nobody</bdi>." in page
 
 
-def test_a_folder_above_the_submissions_stops_the_run_with_a_list(light, submissions, key_path, tmp_path):
-    for name in ("ada", "bob", "cy", "di"):
-        write(submissions / "week_1" / name / "a.ipynb", notebook(light, answers_of(light, "right")))
+def test_a_folder_in_doubt_stops_the_run_with_a_list_and_a_layout_settles_it(
+    light, submissions, key_path, tmp_path
+):
+    for name in ("ada", "bob"):
+        write(submissions / "week_1" / f"{name}.ipynb", notebook(light, answers_of(light, "right")))
+    write(submissions / "week_1" / "notes.txt", b"")
     command = ["grade", str(submissions), "--key", str(key_path), "--out", str(tmp_path / "out")]
-    ended = CliRunner().invoke(main, command)
-    assert ended.exit_code == 3 and not (tmp_path / "out" / "grades.json").exists()
-    assert [line for line in ended.output.splitlines() if line.startswith("  ")] == [
-        f"  week_1/{name}/a.ipynb" for name in ("ada", "bob", "cy", "di")
+    for options in ([], ["--dry-run"]):
+        ended = CliRunner().invoke(main, command + options)
+        assert ended.exit_code == 3 and not (tmp_path / "out").exists()
+        assert "  week_1/bob.ipynb: week_1 or bob\n" in ended.output
+    ended = CliRunner().invoke(main, [*command, "--dry-run", "--layout", "{group}/{learner}"])
+    assert ended.exit_code == 0 and not (tmp_path / "out").exists()
+    assert ended.output.splitlines() == [
+        "layout {group}/{learner}: 2 learners, nothing graded",
+        *("ada", "  light: week_1/ada.ipynb", "bob", "  light: week_1/bob.ipynb"),
+        *("left out, since they are no notebooks:", "  week_1/notes.txt"),
     ]
-    (tmp_path / "roster.csv").write_text("name\nweek_1\n", encoding="utf-8")
-    ended = CliRunner().invoke(main, [*command, "--roster", str(tmp_path / "roster.csv")])
-    assert ended.exit_code == 0 and "1 learner, 1 lesson graded" in ended.output
+    ended = CliRunner().invoke(main, [*command, "--layout", "{group}/{learner}"])
+    assert ended.exit_code == 0 and "Layout: {group}/{learner}." in ended.output
+    ended = CliRunner().invoke(main, command)
+    assert ended.exit_code == 0
+    assert ended.output.startswith("As in the run before: the layout {group}/{learner}.\n")
 
 
 def test_an_excused_lesson_is_no_practice(light, submissions, key_path, tmp_path):
