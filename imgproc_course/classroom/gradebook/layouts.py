@@ -5,9 +5,9 @@ names of folders, zips or files, {lesson} is the name of a lesson, * is any text
 and files. A zip counts as a folder. A pattern that ends with {learner} means their folder, zip or notebook.
 
 One layout holds for the whole folder. Marks that a platform writes come before a form that people write too,
-and this before names alone, which must have no such marks. If several of these fit, one must remain that
-leaves no learner two files named after one lesson and has several learners in some group. Otherwise nobody
-knows, and nothing is graded.
+and this before names alone, of which none may have the marks of Moodle or Canvas. If several of these fit,
+one must remain that leaves no learner two files named after one lesson and has several learners in some
+group. Otherwise nobody knows, and nothing is graded.
 """
 
 import re
@@ -198,8 +198,8 @@ def _first(values):
 
 
 def _have_marks(readings):
-    """Whether a platform's mark is in a name at the top, or in a zip there: names alone do not count then."""
-    marks = chain(*(senders for layout, senders in readings.items() if layout in LAYOUTS[0]))
+    """Whether Moodle's or Canvas's mark is in a name at the top, or in a zip there: no name is alone then."""
+    marks = chain(*(senders for layout, senders in readings.items() if layout.platform))
     return any(sender and re.fullmatch(r"([^/]+\.zip/)?", sender.place) for sender in marks)
 
 
