@@ -13,12 +13,11 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom" / "autograder"))
 
 from attacks import MASTERS, SEED
-from jupyter_kernel import JupyterFactory
-from test_isolation import runs_of
+from jupyter_kernel import JupyterKernels
+from test_isolation import runs_of, sandbox_kernels
 from test_pool import SAMPLES
 
 from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 
 
 def main():
@@ -27,7 +26,7 @@ def main():
     runs = []
     with tempfile.TemporaryDirectory(prefix="bench-") as folder:
         key = make_key(MASTERS, SEED, Path(folder) / "key")
-        for kind in (KernelFactory, JupyterFactory):
+        for kind in (sandbox_kernels, JupyterKernels):
             begun = time.monotonic()
             runs.append({name: runs_of(key, SAMPLES[name], kind) for name in names})
             print(f"{kind.__name__}: {len(names)} answers in {time.monotonic() - begun:.0f} s")

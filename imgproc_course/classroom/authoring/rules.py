@@ -3,8 +3,9 @@
 import ast
 import re
 
-from ..exercises.cell_syntax import bound_names, statements_of
+from ..exercises.cell_syntax import bound_names, top_level
 from ..exercises.running import NODES
+from .names_used import names_used
 
 VARYING_TAG = "nbval-ignore-output"
 RAISING_TAGS = ("nbval-raises-exception", "raises-exception")
@@ -38,8 +39,7 @@ def _exercise_rules(exercise):
     hints = exercise.hints
     yield not exercise.public, 'has no role="case"; without one, `check` has nothing to run'
     yield not exercise.hidden, 'has no role="hidden"; an answer could copy the public values'
-    statements = statements_of(exercise.stub)
-    classes = {name for statement in statements if statement.kind == "class" for name in statement.binds}
+    classes = {node.name for node in top_level(exercise.stub) if isinstance(node, ast.ClassDef)}
     has_node = exercise.subject in NODES  # `node_feedback` has the sentences for its mistakes
     yield not (exercise.mistakes or has_node), 'has no role="mistake"; which wrong answer do learners give?'
     yield (
@@ -212,7 +212,7 @@ def _way_problems(master):
         left_out = [cell for cell in master.cells if cell.kind == "code" and cell not in cells]
         missing = {name for cell in left_out for name in bound_names(cell.source)}
         for cell in cells:
-            for statement in statements_of(cell.source) if cell.kind == "code" else ():
+            for statement in names_used(cell.source) if cell.kind == "code" else ():
                 for name in sorted(statement.reads & missing):
                     yield f"{cell.id} reads {name}, which no cell has bound if {way}"
                 missing -= statement.binds

@@ -10,8 +10,8 @@ from ..exercises.canonical import array_of, canonical
 from ..exercises.checking import run_cases, run_mistake
 from ..exercises.comparison import as_float, compare, describe, kind_of, named_items
 from ..exercises.declaration import PUBLIC_SEED, MasterError
-from ..exercises.dependencies import find_refused
 from ..exercises.feedback import explain_failure
+from ..exercises.names_read import NamesRead
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
 _MOST_BYTES = 65_536  # of an answer that is compared with a tolerance
@@ -60,10 +60,10 @@ def _in_time(exercise, result):
 
 
 def _refusals(exercise):
-    given = set(exercise.namespace())
+    solution = exercise.function_of(exercise.solution, "solution")
     return [
         f"{exercise.id}: the solution uses {module}; name it in allowed=(...), or solve it without"
-        for module in find_refused(exercise.solution, exercise.function, exercise.allowed, given, {})
+        for module in NamesRead(solution).refused(exercise.allowed, set(exercise.provided))
     ]
 
 

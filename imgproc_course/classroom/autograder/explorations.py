@@ -8,12 +8,14 @@ import atexit
 import os
 import signal
 from dataclasses import dataclass
+from types import SimpleNamespace
 
 from imgproc_course.classroom import course
 from imgproc_course.classroom.autograder.answer_key import ExerciseContent, KeyCase, KeyExercise
 from imgproc_course.classroom.autograder.drives import environment
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.outcomes import Outcome
+from imgproc_course.classroom.autograder.page_kernels import PageKernels
 from imgproc_course.classroom.autograder.results import graded_exercise
 from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.classroom.autograder.sandbox.inside import confine
@@ -22,6 +24,7 @@ from imgproc_course.classroom.autograder.verdict import CaseRun
 from imgproc_course.classroom.exercises.drive import SENSORS, load, looks_of
 from imgproc_course.classroom.exercises.drive_images import draw_film, draw_map
 from imgproc_course.classroom.exercises.input_encoding import encode
+from imgproc_course.classroom.exercises.page import page_of
 
 FUNCTION = "control"
 _CASE = "room"
@@ -59,9 +62,10 @@ def explore(source, scenario):
     """The Exploration of a controller, by its source."""
     exercise = _exercise(scenario)
     content = ExerciseContent({}, {_CASE: [encode((scenario,))]}, {}, {})
-    exercise_run = ExerciseRun(exercise, content, _factories[0])
+    page = page_of({exercise.id: source}, SimpleNamespace(exercises=[exercise]))
+    exercise_run = ExerciseRun(exercise, content, PageKernels(page, _factories[0]))
     try:
-        run = exercise_run.run(exercise.cases[0], [source], _CHECK)
+        run = exercise_run.run(exercise.cases[0], _CHECK)
     finally:
         exercise_run.close()
     is_whole = run.verdict.passed

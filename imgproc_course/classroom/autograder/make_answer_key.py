@@ -163,7 +163,7 @@ class _ExerciseKeyMaker:
         try:
             for source in (*exercise.given, exercise.solution):
                 _require_run(kernel.run(source), subject)
-            yield kernel, _check_source(exercise)
+            yield kernel, check_source(exercise)
         finally:
             kernel.stop()
 
@@ -254,7 +254,7 @@ class _ExerciseKeyMaker:
             cells.append(_code_cell(f"given-{exercise.id}-{number}", source, len(cells), compared=False))
         cells.append(_code_cell(f"answer-{exercise.id}", _PLACEHOLDER, len(cells), compared=False))
         for case in exercise.cases:
-            cell = _code_cell(case.id, _check_source(exercise), len(cells))
+            cell = _code_cell(case.id, check_source(exercise), len(cells))
             cell.outputs = [new_output("display_data", {MIME: payloads[case.id]})]
             cells.append(cell)
         kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
@@ -267,7 +267,7 @@ def _require_run(run, subject):
         raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
 
 
-def _check_source(exercise):
+def check_source(exercise):
     """The source of an exercise's check cells."""
     if exercise.subject == "drive":
         return CHECK.format(function=exercise.function)

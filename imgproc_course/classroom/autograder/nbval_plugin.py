@@ -21,6 +21,7 @@ import pytest
 from ..exercises.drive import LOOK_SECONDS
 from .drives import GradedDrive
 from .outcomes import Outcome
+from .page_kernels import PageKernels
 from .pool import expected_key
 from .results import GradedSubmission, graded_exercise, to_json, ungraded_exercise
 from .sandbox.cell_run import MIME, CellRun
@@ -38,7 +39,7 @@ class ExerciseKernel:
     """What nbval takes for its kernel, for one exercise.
 
     For each cell nbval calls execute_cell_input, await_reply and then get_message until "idle"; after an
-    error also await_idle. Given cells and answer are only collected: they run before the first check.
+    error also await_idle. The cells before the first check are not run here: the page has them.
     Of a check, nbval gets what the function returned. What it printed or drew costs nothing, as in a lesson.
     """
 
@@ -46,22 +47,20 @@ class ExerciseKernel:
 
     def __init__(self, exercise_run):
         self._exercise_run = exercise_run
-        self._sources_before, self._messages = [], []
+        self._messages = []
         self.case = None  # the KeyCase that the next cell checks
 
     def is_alive(self):
         return True
 
     def execute_cell_input(self, cell_input, allow_stdin=None):
-        if self.case is None:
-            self._sources_before.append(cell_input)
-        else:
+        if self.case is not None:
             self._run_case(cell_input)
         self._add_message("status", execution_state="idle")
         return _MESSAGE_ID
 
     def _run_case(self, source):
-        run = self._exercise_run.run(self.case, [*self._sources_before], source)
+        run = self._exercise_run.run(self.case, source)
         self._add_message("display_data", data={MIME: ShownAnswer(run)}, metadata={})
         name, text = (run.ended, "") if run.ended else run.check.error
         if name:
@@ -89,58 +88,59 @@ class ExerciseKernel:
 class ExerciseRun:
     """One exercise of one submission.
 
-    Its checks run one after another in one kernel, as in JupyterLab, as long as they pass. A check that fails
-    is run again in a new kernel, after the given cells and the answer, and that run counts: a patch, a crash
-    or a thread in one check costs no other check anything. Each drive has a new kernel.
+    Its checks run one after another in one process, as in JupyterLab, as long as they pass. A check that
+    fails is run again in a new process, in which the page has run, and that run counts: a patch, a crash or a
+    thread in one check costs no other check anything. Each drive has a new kernel.
     """
 
-    def __init__(self, exercise, content, kernel_factory, stop_at=math.inf):
+    def __init__(self, exercise, content, kernels, stop_at=math.inf):
         self._exercise, self._content = exercise, content
-        self._kernel_factory = kernel_factory
-        self._kernel, self._kernel_seconds, self._answer_run = None, 0.0, None
+        self._kernels = kernels  # PageKernels
+        self._process, self._seconds, self._answer_run = None, 0.0, None
         self.stop_at = stop_at  # on time.monotonic(): then no further case is run; robots' time is added
         self.runs = {}  # {case id: CaseRun}
         self.passed = set()  # ids of the cases that nbval let pass
         self.faults = {}  # {case id: text} of the cases that the autograder itself failed to run
 
-    def run(self, case, sources_before, source):
-        """The CaseRun of one case: its check cell runs after the given cells and the answer."""
+    def run(self, case, source):
+        """The CaseRun of one case: its check cell runs after the page."""
         if time.monotonic() > self.stop_at:
             run = CaseRun(check=CellRun(ended="budget"))
         else:
-            run = self._run_in_same_kernel(case, source)
-            run = run or self._run_in_new_kernels(case, sources_before, source)
+            run = self._run_in_same_process(case, source) or self._run_in_new_processes(case, source)
         if run.ended == "gone":
             self.faults[case.id] = "the process that starts kernels ended, three times"
         else:
             self.runs[case.id] = run
         return run
 
-    def _run_in_new_kernels(self, case, sources_before, source):
-        run = self._run_in_new_kernel(case, sources_before, source)
+    def _run_in_new_processes(self, case, source):
+        run = self._run_in_new_process(case, source)
         for endings in _RUN_AGAIN_AFTER:
             if run.ended in endings:
-                run = self._run_in_new_kernel(case, sources_before, source, alone=True)
+                run = self._run_in_new_process(case, source, alone=True)
         return run
 
-    def _run_in_same_kernel(self, case, source):
-        """A CaseRun that passed, or None. The kernel must not have more time than a new one would."""
+    def _run_in_same_process(self, case, source):
+        """A CaseRun that passed, or None. The process must not have more time than a new one would."""
         exercise = self._exercise
-        if self._kernel is None or exercise.drives or self._kernel_seconds > exercise.seconds_of(case):
+        if self._process is None or exercise.drives or self._seconds > exercise.seconds_of(case):
             return None
         run = CaseRun(answer=self._answer_run)
         self._run_check(run, case, source)
         return run if run.passed else None
 
-    def _run_in_new_kernel(self, case, sources_before, source, *, alone=False):
+    def _run_in_new_process(self, case, source, *, alone=False):
         """A CaseRun; `alone`: while no other kernel waits, which could use memory that this one needs."""
         self.close()
-        self._kernel_seconds = self._exercise.seconds_of(case)
-        allowed = self._exercise.allowed
-        self._kernel = self._kernel_factory.start(allowed, self._kernel_seconds, alone=alone)
-        self._answer_run = self._kernel.run_statements(sources_before)
+        self._seconds = self._exercise.seconds_of(case)
+        self._process, self._answer_run = self._kernels.open_check(self._exercise, self._seconds, alone=alone)
         run = CaseRun(answer=self._answer_run)
         if not run.ended:
+            self._run_check(run, case, source)
+        if not run.ended and not run.passed and _misses_name(run):
+            # Only then the cells below count.
+            self._process.run_below("")
             self._run_check(run, case, source)
         if not run.passed:
             self.close()
@@ -151,7 +151,7 @@ class ExerciseRun:
         if exercise.drives:
             return self._run_drive(run, case, source)
         inputs = self._content.inputs[case.id]
-        run.check = self._kernel.run_check(source, inputs, exercise.time_limit)
+        run.check = self._process.run_check(source, inputs, exercise.time_limit)
         if not run.ended:
             run.verdict = self.stored(case).verdict(run)
 
@@ -162,16 +162,22 @@ class ExerciseRun:
     def _run_drive(self, run, case, source):
         """Drive through a case's scenario. What fails in the environment is raised: no answer causes it."""
         robot = GradedDrive(self._exercise.sensors, self._content.scenario(case.id))
-        run.check = self._kernel.run_drive(source, robot, self._exercise.seconds_of(case), LOOK_SECONDS)
+        run.check = self._process.run_drive(source, robot, self._exercise.seconds_of(case), LOOK_SECONDS)
         run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
         self.stop_at += robot.seconds
         run.verdict = robot.verdict()
 
     def close(self):
-        """End its kernel, if it has one."""
-        if self._kernel is not None:
-            self._kernel.stop()
-        self._kernel = None
+        """End its process, if it has one."""
+        if self._process is not None:
+            self._process.stop()
+        self._process = None
+
+
+def _misses_name(run):
+    """Whether a function missed a name."""
+    calls = getattr(run.verdict, "calls", None) or ()
+    return any(call.error == "NameError" for call in calls)
 
 
 class GradingPlugin:
@@ -200,23 +206,24 @@ class GradingPlugin:
 
     def _grade(self, job):
         key = expected_key(job["key"], job["digest"])
-        lesson = key.lessons[job["lesson"]]
-        results, stop_at = [], time.monotonic() + self._kernel_factory.limits.submission
-        for exercise in lesson.exercises:
-            if exercise.practice:
-                continue
-            source = job["answers"].get(exercise.id)
+        lesson, page = key.lessons[job["lesson"]], job["page"]
+        kernels = PageKernels(page, self._kernel_factory)
+        graded = [exercise for exercise in lesson.exercises if not exercise.practice]
+        results, stop_at = {}, time.monotonic() + self._kernel_factory.limits.submission
+        for exercise in kernels.in_order(graded):
+            source = page["answers"].get(exercise.id)
             reason = _reason_not_to_run(exercise, source)
             if reason is None:
-                result, stop_at = self._grade_exercise(key, exercise, source, stop_at)
-                results.append(result)
+                result, stop_at = self._grade_exercise(key, exercise, source, kernels, stop_at)
+                results[exercise.id] = result
             else:
-                results.append(ungraded_exercise(exercise, *reason))
-        return GradedSubmission(job["submission"], lesson.name, tuple(results))
+                results[exercise.id] = ungraded_exercise(exercise, *reason)
+        kernels.close()
+        return GradedSubmission(job["submission"], lesson.name, tuple(results[one.id] for one in graded))
 
-    def _grade_exercise(self, key, exercise, source, stop_at):
+    def _grade_exercise(self, key, exercise, source, kernels, stop_at):
         content = key.content(exercise.id)
-        exercise_run = ExerciseRun(exercise, content, self._kernel_factory, stop_at)
+        exercise_run = ExerciseRun(exercise, content, kernels, stop_at)
         self._exercise_kernel = ExerciseKernel(exercise_run)
         path = self._folder / "exercise.ipynb"
         path.write_text(json.dumps(_with_answer(content.notebook, exercise, source)), encoding="utf-8")

@@ -134,10 +134,10 @@ class NbvalProcess:
             start_new_session=True,
         )
 
-    def grade(self, key, name, lesson, answers):
+    def grade(self, key, name, lesson, page):
         """Grade one submission; what `results.to_json` wrote. NbvalProcessEnded: it ended, or it is stuck."""
         job = {"key": str(key.path), "digest": key.digest}
-        job |= {"submission": name, "lesson": lesson, "answers": answers}
+        job |= {"submission": name, "lesson": lesson, "page": page}
         try:
             self._socket.sendall((json.dumps(job) + "\n").encode("ascii"))
         except OSError as error:

@@ -23,6 +23,7 @@ from concurrent.futures import Future, wait
 from dataclasses import replace
 from functools import lru_cache
 
+from ..exercises.page import page_of
 from . import nbval_process
 from .answer_key import Key, KeyFolderError, load_key
 from .outcomes import BUDGET_MESSAGE, Outcome
@@ -41,8 +42,9 @@ _KILLS = 10  # of nbval processes while they start or grade one submission; they
 def autograde(submissions, key, *, unsafe=False, workers=None, executor=None, limits=None):
     """Grade submissions, lazily and in order; yields a GradedSubmission for each.
 
-    `submissions` are (name, lesson, {exercise id: source of its answer cell}), read as results are taken, so
-    that a generator of thousands needs no memory. `key` is a Key, or {name: Key}; `unsafe` runs without a
+    `submissions` are (name, lesson, page), with a page as `exercises.page` describes it or only the answers,
+    {exercise id: source}; they are read as results are taken, so that a generator of thousands needs no
+    memory. `key` is a Key, or {name: Key}; `unsafe` runs without a
     sandbox; `workers` are graded at once (None: one per core), by threads of this process, or by an Executor
     that runs `grade_one` elsewhere; `limits` are those of one kernel.
 
@@ -66,7 +68,8 @@ def _grade_all(submissions, key, options, workers, executor):
                 if lesson not in key_of_submission.lessons:
                     names = ", ".join(key_of_submission.lessons)
                     raise ValueError(f"lesson {lesson!r} is not in the key, which has {names}")
-                queue.add((name, lesson, dict(answers)), key_of_submission)
+                page = answers if "cells" in answers else page_of(answers, key_of_submission.lessons[lesson])
+                queue.add((name, lesson, page), key_of_submission)
             if not queue.waiting:
                 return
             try:
@@ -113,8 +116,8 @@ class _Queue:
 
     def _graded_again(self, submission, key, result, ids, **options):
         """The result, with new results of some exercises; they have a submission's whole time."""
-        name, lesson, answers = submission
-        again = (name, lesson, {id: answers[id] for id in ids})
+        name, lesson, page = submission
+        again = (name, lesson, page | {"answers": {id: page["answers"][id] for id in ids}})
         new_result = self._result(again, key, self._submit(again, key, **options))
         new = {exercise.id: exercise for exercise in new_result.exercises}
         exercises = (new[exercise.id] if exercise.id in ids else exercise for exercise in result.exercises)
@@ -192,7 +195,7 @@ def expected_key(folder, digest):
     return key
 
 
-def _not_graded(key, name, lesson, _answers, fault):
+def _not_graded(key, name, lesson, _page, fault):
     message = reproducible_text(f"the autograder failed: {fault}")
     exercises = tuple(
         ungraded_exercise(exercise, Outcome.NOT_GRADED, message)

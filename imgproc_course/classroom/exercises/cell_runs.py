@@ -9,7 +9,7 @@ import re
 import sys
 from dataclasses import dataclass
 
-from .cell_syntax import bound_names, function_definitions, plain_python, program_lines
+from .cell_syntax import bound_names, cached_if_short, plain_python, program_lines
 from .error_advice import advice_on
 from .guesses import read_bare_guess
 from .running import code_of, source_of
@@ -43,6 +43,10 @@ class CellRun:
             text = f"Python cannot read it: {kind}, {error.msg}, in line {error.lineno}. {advice}"
             self.error = text.rstrip()
 
+    def names(self):
+        """The names that the cell binds at its top level, as far as it came to its end."""
+        return _names_bound(plain_python(self.source)) if self.is_read else set()
+
     def definitions(self):
         """The functions and classes that the cell defines at its top level, also if it does not parse."""
         return re.findall(r"^(?:(?:async\s+)?def|class)\s+(\w+)", self.source, re.MULTILINE)
@@ -52,7 +56,7 @@ class CellRuns:
     """The runs of a notebook's cells, the newest last."""
 
     def __init__(self):
-        self._runs = []
+        self._runs, self._deleted = [], set()  # the ids of deleted cells
 
     def start(self, source, cell_id="", exercise=""):
         """Record that a cell begins to run; returns the CellRun."""
@@ -61,7 +65,11 @@ class CellRuns:
 
     def begin(self, info):
         """Record that IPython begins to run a cell."""
-        run = self.start(info.raw_cell, getattr(info, "cell_id", None), _exercise_of_request())
+        metadata = _metadata_of_request()
+        about, deleted = metadata.get("imgproc_course"), metadata.get("deletedCells")
+        exercise = about.get("exercise") if isinstance(about, dict) else None
+        self._deleted |= {id for id in deleted if isinstance(id, str)} if isinstance(deleted, list) else set()
+        run = self.start(info.raw_cell, getattr(info, "cell_id", None), exercise if exercise else "")
         lines = program_lines(plain_python(run.source)) if run.exercise or run.definitions() else ()
         for line, code in lines[:1]:
             print(SAYS["line of a program"].format(line=line, code=code), SAYS["interrupt"])
@@ -72,10 +80,18 @@ class CellRuns:
         if error is not None and self._runs:
             self._runs[-1].fail(error)
 
-    def cells(self):
-        """The cells that ran, in the order of their first runs, each as it ran last; see `answer_cells`."""
-        latest = {run.cell_id or count: (count, run) for count, run in enumerate(self._runs, 1)}
-        return [_as_cell(number, *counted) for number, counted in enumerate(latest.values())]
+    def source_that_binds(self, name):
+        """The source of the last run that bound a name at its top level, "" if none is known."""
+        return next((run.source for run in reversed(self._runs) if name in run.names()), "")
+
+    def end_of(self, name):
+        """What has happened to the cell that bound a name last: "changed", "deleted", or "" for nothing."""
+        binding = [number for number, run in enumerate(self._runs) if name in run.names()]
+        cell_id = self._runs[binding[-1]].cell_id if binding else ""
+        later = [run for run in self._runs[binding[-1] + 1 :] if run.cell_id == cell_id] if cell_id else []
+        if later:  # it has run again, and does not bind the name any more
+            return "changed"
+        return "deleted" if cell_id in self._deleted else ""
 
     def why_older(self, exercise_id, name, function):
         """Why a function is older than the learner's cell of this name, and what to do; "" if it is not."""
@@ -92,28 +108,10 @@ class CellRuns:
         return _explain_name(run, name, "class" if isinstance(function, type) else "function")
 
 
-def _exercise_of_request():
-    """The exercise in the metadata of the cell that begins to run: JupyterLab sends them, a copy's too."""
+def _metadata_of_request():
+    """What JupyterLab sends with the cell that begins to run: its metadata, and which cells were deleted."""
     shell = sys.modules["IPython"].get_ipython()
-    metadata = getattr(shell, "get_parent", dict)().get("metadata", {})
-    about = metadata.get("imgproc_course")
-    exercise = about.get("exercise") if isinstance(about, dict) else None
-    return exercise if isinstance(exercise, str) else ""
-
-
-def _as_cell(number, count, run):
-    source = plain_python(run.source)
-    names = bound_names(source)
-    return {
-        "number": number,
-        "id": run.cell_id,
-        "type": "code",
-        "exercise": run.exercise,
-        "count": count,
-        "source": run.source,
-        "functions": function_definitions(source),
-        "answer": {"error": not run.is_read, "names": None if "*" in names else names},
-    }
+    return getattr(shell, "get_parent", dict)().get("metadata", {})
 
 
 def _is_about(run, exercise_id, name, function):
@@ -140,6 +138,7 @@ def _explain_name(run, name, kind):
     return SAYS["another name"].format(defined=defined, kind=kind, name=f"{name}{marks}", start=start)
 
 
+_names_bound = cached_if_short(bound_names)
 RUNS = CellRuns()
 
 

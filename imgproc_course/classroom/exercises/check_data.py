@@ -4,17 +4,12 @@ A master declares it (`declaration`; `expected_results` runs the solution), or t
 holds it (`check_files`: the learner's `check`).
 """
 
-import linecache
-import sys
-import types
 from dataclasses import dataclass, field, fields
 
 import numpy as np
 
-from .cell_syntax import cells_of, needed_parts, parts_of
-from .dependencies import tree_as_graded
 from .ros_double import offer_modules
-from .running import NODES, CallResult, answer_name, by_itself, bytes_allowed, call
+from .running import NODES, CallResult, answer_name, bytes_allowed, call
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,39 +105,6 @@ class CheckData:
     def run_part(self, source, names, label):
         """Run a source of the lesson's author in a namespace."""
         exec(compile(source, f"<{label}>", "exec", dont_inherit=True), names)
-
-    def run_answer(self, source, function=None):
-        """Run the source of an answer in a namespace of its own; (its names, the first error as text or "").
-
-        As in grading, it runs statement by statement, one that fails or calls exit() costs only itself, and
-        nobody sees what it prints. Modules that the exercise does not allow are not there. If the name of a
-        `function` is given, only what that function needs is run.
-        """
-        module, reason, refused = types.ModuleType(self.id), "", {}
-        names = vars(module)
-        names |= self.namespace()
-        sys.modules[self.id] = module  # dataclasses and pickle look up the module of a class there
-        for file, part in self._parts(source, function):
-            try:
-                with by_itself():
-                    tree, unusable = tree_as_graded(part, self.allowed)
-                    refused |= unusable
-                    exec(compile(tree or part, file, "exec", dont_inherit=True), names)
-            except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's code may raise anything
-                module = isinstance(error, NameError) and refused.get(error.name)
-                needs = f"it needs {module}, which this exercise does not allow"
-                reason = reason or (needs if module else f"{type(error).__name__}: {error}")
-        return names, reason
-
-    def _parts(self, source, function):
-        """(name of its file, part) of a source; the lines stay readable by the name of their file."""
-        parts = []
-        for place, cell in zip(("answer", "beside the answer"), reversed(cells_of(source)), strict=False):
-            file = f"<{place} to {self.id}>"
-            linecache.cache[file] = (len(cell), None, cell.splitlines(keepends=True), file)
-            parts = [*((file, part) for part in parts_of(cell)), *parts]
-        needed = None if function is None else needed_parts([part for _, part in parts], function)
-        return [(file, part) for file, part in parts if not needed or part in needed]
 
     def call(self, function, arguments, seconds=None, expected=None):
         """The CallResult of one call of an answer, within its time limit, or within these seconds.

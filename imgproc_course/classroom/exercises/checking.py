@@ -4,7 +4,6 @@ import contextlib
 import inspect
 import linecache
 import re
-import time
 import types
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -12,7 +11,6 @@ from functools import partial
 import numpy as np
 
 from . import feedback, running
-from .answer_cells import ComposedAnswer, compose_answer
 from .canonical import array_of
 from .cell_runs import RUNS
 from .cell_syntax import function_definitions, plain_python, program_lines
@@ -20,21 +18,17 @@ from .check_data import Case, CheckData, Mistake
 from .check_files import find_check_file
 from .comparison import Difference, compare
 from .declaration import PUBLIC_SEED
-from .dependencies import Dependencies, dependencies_of, find_refused
 from .diagnosis import Diagnosis, diagnose
 from .drive import passes, sentences_of
 from .drive_check import drive_scenarios, known_mistake, progress_bar
 from .expected_results import check_data_of
 from .last_resort import with_last_resort
+from .names_read import NamesRead, with_own_globals
 from .one_change import sentence_on_change
 from .progress import ExerciseProgress, content_of, digest_of, note_progress
 from .running import (
     CallResult,
-    TimeUp,
-    answer_name,
     attempt,
-    call_within,
-    code_of,
     codes_of,
     globals_of,
     source_of,
@@ -44,8 +38,6 @@ from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 _NONE = {"type": "None"}
 _MOST_LINES = 3  # of a program, that are named
 _LONGEST_REMARK = 1_000  # characters
-_SECONDS = 10  # for the statements beside an answer
-_FAST = 1.0  # seconds: calls that take longer are not repeated for a remark
 
 
 @dataclass(frozen=True)
@@ -81,7 +73,8 @@ class CheckResult:
     attempted     False for the unchanged stub
     results       tuple of CaseResult, one for each public case
     mistake       the known mistake that explains the answer, or None
-    dependencies  refused modules and names of other cells that the answer uses
+    refused       {module that the exercise does not allow: the name by which the answer uses it}
+    gone          {name that the answer reads: "changed" or "deleted", as is the cell that made it}
     diagnosis     what is certain about the values of the shown call
     remarks       what is certain from the source of the function, sentences
     one_change    where one change would make it right, a sentence
@@ -93,7 +86,8 @@ class CheckResult:
     attempted: bool
     results: tuple = ()
     mistake: Mistake | None = None
-    dependencies: Dependencies = field(default_factory=Dependencies)
+    refused: dict = field(default_factory=dict)
+    gone: dict = field(default_factory=dict)
     diagnosis: Diagnosis = field(default_factory=Diagnosis)
     remarks: tuple = ()
     one_change: str = ""
@@ -103,7 +97,7 @@ class CheckResult:
     @property
     def passed(self):
         """True if grading would give every point of the public cases."""
-        is_accepted = self.dependencies.are_accepted and not self.why_older
+        is_accepted = not (self.refused or self.gone or self.why_older)
         return self.attempted and is_accepted and all(result.passed for result in self.results)
 
     @property
@@ -116,7 +110,7 @@ class CheckResult:
     @property
     def points(self):
         """What grading gives for the public cases."""
-        if not self.dependencies.are_accepted:
+        if self.refused or self.gone:
             return 0
         return sum(result.case.points for result in self.results if result.passed)
 
@@ -153,8 +147,7 @@ def check(exercise_id, function):
     CheckFileError : there is no such exercise, or its file is missing or damaged
     TypeError : `function` cannot be called, or is no class where the answer is one
     """
-    file = find_check_file(exercise_id)
-    exercise = file.exercise(exercise_id)
+    exercise = find_check_file(exercise_id).exercise(exercise_id)
     if not exercise.can_be_answer(function):
         raise TypeError(
             f"check({exercise_id!r}, ...) needs your {exercise.kind} {exercise.function} itself, got a value"
@@ -164,20 +157,19 @@ def check(exercise_id, function):
         )
     return with_last_resort(
         exercise_id,
-        lambda: _check_in_notebook(file, exercise, function),
+        lambda: _check_in_notebook(exercise, function),
         lambda fault: _bare_result(exercise, function, fault),
     )
 
 
-def _check_in_notebook(file, exercise, function):
+def _check_in_notebook(exercise, function):
     why_older = RUNS.why_older(exercise.id, exercise.function, function)
     if why_older:
         return CheckResult(exercise, attempted=True, why_older=why_older)
-    answer = _answer_in_notebook(file, exercise, function)
     bar = progress_bar(f"Driving {len(exercise.cases)} scenarios")
     try:
         with bar if exercise.subject == "drive" else contextlib.nullcontext() as progress:
-            result = run_check(exercise, function, answer, progress)
+            result = run_check(exercise, function, progress)
     except KeyboardInterrupt:
         raise CheckInterrupted from None
     _note(result, function)
@@ -190,20 +182,6 @@ def _bare_result(exercise, function, fault):
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     drives = tuple(calls) if exercise.subject == "drive" else ()
     return CheckResult(exercise, attempted=True, results=results, remarks=(fault,), drives=drives)
-
-
-def _answer_in_notebook(file, exercise, function):
-    """The ComposedAnswer of the notebook that runs; None if no cell is known that defines the function."""
-    cells, lesson = RUNS.cells(), file.description()
-    own_name = function.__name__ if isinstance(function, type) else getattr(code_of(function), "co_name", "")
-    names = (own_name, exercise.function)
-    if globals_of(function).get(exercise.function) is function:  # perhaps what a decorator made of it
-        names = (exercise.function, own_name)
-    for name in dict.fromkeys(names):
-        answer = compose_answer(lesson, exercise.id, name, cells)
-        if answer is not None:
-            return answer
-    return None
 
 
 def _note(result, function):
@@ -228,36 +206,44 @@ def run_mistake(exercise, mistake):
     data = check_data_of(exercise)
     (results,) = (known.results for known in data.mistakes if known.name == mistake.name)
     function = exercise.function_of_mistake(mistake)
-    return _judge_calls(data, function, _judge_drives(data, results.drives()), Dependencies())
+    return _judge_calls(data, function, _judge_drives(data, results.drives()))
 
 
-def run_check(exercise, function, answer=None, progress=None, *, searches=True):
-    """The CheckResult of an answer on the cases of a CheckData, run as in grading.
+def run_check(exercise, function, progress=None, *, searches=True):
+    """The CheckResult of an answer on the cases of a CheckData.
 
-    `function` is as the notebook has it; without a ComposedAnswer it is run itself. `progress` takes the
-    share of the drives that is done. `searches`: whether one change is looked for that makes it right.
+    `function` is as the notebook has it. `progress` takes the share of the drives that is done. `searches`:
+    whether one change is looked for that makes it right.
     """
-    graded, dependencies = _as_graded(exercise, function, answer)
-    judged = graded or function
-    began = time.monotonic()
-    calls, remarks = _run_calls(exercise, judged, answer if graded else None, progress), ()
-    is_fast = time.monotonic() - began < _FAST
-    if dependencies.foreign and not any(call.passed for call in calls):
-        calls, judged = _run_calls(exercise, function), function  # they tell more than a NameError
-    else:
-        dependencies = replace(dependencies, foreign={})
-        if _are_same(codes_of(judged), codes_of(function)) is False:
-            remarks = (SAYS["another function"].format(name=exercise.answer_name),)
-        elif graded and is_fast and exercise.subject != "drive" and not all(call.passed for call in calls):
-            remarks = _remarks_if_right_here(exercise, function, answer)
-    remarks = (*_remarks_on_program(function), *remarks)
-    if answer and answer.function != exercise.function:
-        remarks = (SAYS["another try"].format(name=exercise.answer_name, other=answer.function), *remarks)
-    result = _judge_calls(exercise, judged, calls, dependencies)
-    one_change = attempt(lambda: _one_change(result, judged, calls), "", seconds=5) if searches else ""
+    calls = _run_calls(exercise, function, progress)
+    result = _judge_calls(exercise, function, calls)
+    result = attempt(lambda: _with_names(result, NamesRead(function, RUNS)), result)
+    one_change = attempt(lambda: _one_change(result, function, calls), "", seconds=5) if searches else ""
     way = one_change and SAYS["way without return"].format(name=exercise.function)  # not the cause then
-    remarks = tuple(remark for remark in (*remarks, *result.remarks) if remark != way)
+    remarks = tuple(remark for remark in result.remarks if remark != way)
+    remarks = (*_remark_on_name(exercise, function), *_remarks_on_program(function), *remarks)
     return replace(result, remarks=remarks, one_change=one_change)
+
+
+def _with_names(result, names):
+    """The result with what the NamesRead say."""
+    exercise, given, remarks = result.exercise, set(result.exercise.provided), result.remarks
+    values = ", ".join(names.values(given))
+    is_wrong = result.attempted and not all(case_result.passed for case_result in result.results)
+    if values and is_wrong and exercise.subject == "function":
+        parts = {"values": values, "arguments": ", ".join(exercise.names)}
+        remarks = (SAYS["value of another cell"].format(name=exercise.answer_name, **parts), *remarks)
+    refused = names.refused(exercise.allowed, given)
+    return replace(result, refused=refused, gone=names.gone(), remarks=remarks)
+
+
+def _remark_on_name(exercise, function):
+    """What to do about an answer that has another name than its task."""
+    own_name = getattr(function, "__name__", "")
+    is_known = globals_of(function).get(exercise.function) is function
+    if is_known or own_name == exercise.function or not RUNS.source_that_binds(own_name):
+        return ()
+    return (SAYS["another try"].format(name=exercise.answer_name, other=own_name),)
 
 
 def _remarks_on_program(function):
@@ -265,16 +251,6 @@ def _remarks_on_program(function):
     file = next((code.co_filename for code in codes_of(function).values()), "")
     lines = attempt(lambda: program_lines(plain_python("".join(linecache.getlines(file)))), ())
     return [SAYS["line of a program"].format(line=line, code=code) for line, code in lines[:_MOST_LINES]]
-
-
-def _remarks_if_right_here(exercise, function, answer):
-    """What to do if an answer is right as the notebook has it, though not as grading runs it; a tuple."""
-    if not all(call.passed for call in _run_calls(exercise, function)):
-        return ()
-    if not answer.left_out:
-        return (SAYS["right only here"].format(name=exercise.answer_name),)
-    value, call = answer.left_out[0]
-    return (SAYS["call in another cell"].format(name=exercise.answer_name, value=value, call=call),)
 
 
 def _one_change(result, function, calls):
@@ -296,27 +272,6 @@ def _one_change(result, function, calls):
     return sentence_on_change(function, passes)
 
 
-def _as_graded(exercise, function, answer):
-    """(the function as grading has it, or None; Dependencies). A refused answer is not run as in grading."""
-    namespace = globals_of(function)
-    is_cell = answer is not None
-    answer = answer or ComposedAnswer(getattr(function, "__name__", ""), source_of(function))
-    given = set(exercise.provided)
-    refused = find_refused(answer.source, answer.function, exercise.allowed, given, namespace)
-    if refused or not is_cell:
-        return None, Dependencies(refused)
-    try:
-        names, error = call_within(lambda: exercise.run_answer(answer.source, answer.function), _SECONDS)
-    except TimeUp:
-        names, error = {}, "it did not finish"
-    dependencies = dependencies_of(answer, names.keys(), namespace)
-    graded = names.get(answer.function)
-    if exercise.can_be_answer(graded):
-        return graded, dependencies
-    error = error or f"it does not define {answer_name(answer.function, exercise.subject)}"
-    return None, replace(dependencies, taken={}, error=error)
-
-
 def _are_same(codes, other_codes):
     """Whether the code objects of two answers do the same; None if those of one are not known."""
     if not codes or not other_codes:
@@ -325,10 +280,10 @@ def _are_same(codes, other_codes):
     return contents[0] == contents[1]
 
 
-def _run_calls(exercise, function, answer=None, progress=None):
+def _run_calls(exercise, function, progress=None):
     """Run a function on the cases of an exercise, until a call does not end in time; a list of CaseCall."""
     if exercise.subject == "drive":
-        return _drive_cases(exercise, function, answer, progress)
+        return _drive_cases(exercise, function, progress)
     calls = []
     pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
     for case, expected in pairs:
@@ -348,14 +303,12 @@ def _run_call(exercise, function, case, arguments, expected, seconds=None):
     return CaseCall(case, arguments, expected, result, difference)
 
 
-def _drive_cases(exercise, function, answer, progress):
-    """Let `control` drive in each case; of a ComposedAnswer each time with globals of its own."""
-
-    def make_control():
-        return exercise.run_answer(answer.source, answer.function)[0][answer.function] if answer else function
-
+def _drive_cases(exercise, function, progress):
+    """Let `control` drive in each case, each time with values of its own."""
     scenarios = [expected.arguments[0] for case in exercise.cases for expected in case.calls]
-    return _judge_drives(exercise, drive_scenarios(exercise, scenarios, make_control, progress))
+    return _judge_drives(
+        exercise, drive_scenarios(exercise, scenarios, lambda: with_own_globals(function), progress)
+    )
 
 
 def _judge_drives(exercise, drives):
@@ -370,15 +323,7 @@ def _judge_drives(exercise, drives):
     return calls
 
 
-def check_built(exercise, function, source):
-    """The CheckResult of a function that was built from a source, as in grading."""
-    namespace = globals_of(function)
-    refused = find_refused(source, exercise.function, exercise.allowed, set(exercise.provided), namespace)
-    calls = _run_calls(exercise, function, ComposedAnswer(exercise.function, source))
-    return _judge_calls(exercise, function, calls, Dependencies(refused))
-
-
-def _judge_calls(exercise, function, calls, dependencies):
+def _judge_calls(exercise, function, calls):
     """The CheckResult of the calls of a function."""
     errors = {case_call.result.error for case_call in calls}
     errors |= {"None" for call in calls if call.difference is not None and call.result.value == _NONE}
@@ -398,7 +343,7 @@ def _judge_calls(exercise, function, calls, dependencies):
         never_run = SAYS["lines that never run"].format(name=exercise.answer_name)
         is_stub, remarks = False, (never_run, *remarks)
     parts = {"remarks": remarks, "drives": tuple(calls) if is_drive else ()}
-    result = CheckResult(exercise, not is_stub, results, mistake, dependencies, **parts)
+    result = CheckResult(exercise, not is_stub, results, mistake, **parts)
     return replace(result, diagnosis=attempt(lambda: _diagnosis(result, calls), Diagnosis()))
 
 

@@ -116,45 +116,20 @@ def _remarks(result):
     """Sentences on the whole answer."""
     yield result.why_older
     yield from _refusals(result)
-    yield from _notes(result)
-    yield from _taken_along(result)
+    yield from _gone(result)
     yield from result.remarks
 
 
 def _refusals(result):
-    for module, name in result.dependencies.refused.items():
+    for module, name in result.refused.items():
         used = module if name.startswith(module) else f"{name} of {module}"
         reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
         yield f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
 
 
-def _notes(result):
-    exercise = result.exercise
-    names = ", ".join(exercise.names)
-    if result.dependencies.error:
-        yield f"The answer cell does not run by itself: {result.dependencies.error}"
-    for foreign, origin in result.dependencies.foreign.items():
-        if exercise.subject != "function" or (origin == "function" and foreign not in exercise.names):
-            advice = f"Copy the definition of {foreign} into the answer cell."
-        elif foreign in exercise.names:
-            advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
-        else:
-            advice = f"Use the arguments of your function ({names}), or define {foreign} in the answer cell."
-        reason = "" if exercise.practice else " Grading runs only the answer cell."
-        yield f"{exercise.answer_name} uses {foreign}, which another cell defines.{reason} {advice}"
-
-
-def _taken_along(result):
-    """What grading takes along from other cells. In a wrong answer, a value may stand for an argument."""
-    dependencies, exercise = result.dependencies, result.exercise
-    values = [name for name, kind in dependencies.taken.items() if kind in ("value", "other")]
-    is_function = exercise.subject == "function"
-    if values and is_function and not all(case_result.passed for case_result in result.results):
-        parts = {"values": ", ".join(values), "arguments": ", ".join(exercise.names)}
-        yield SAYS["value of another cell"].format(name=exercise.answer_name, **parts)
-    elif dependencies.taken and not exercise.practice:
-        names = ", ".join(dependencies.taken)
-        yield f"{exercise.answer_name} uses {names} of another cell. Grading takes that along."
+def _gone(result):
+    for name, end in result.gone.items():
+        yield SAYS["gone"].format(answer=result.exercise.answer_name, name=name, end=end)
 
 
 def _cases(result):
@@ -194,12 +169,12 @@ def _headline(result):
     if result.exercise.practice:
         refused = "this answer uses what is not allowed here"
     # A refused module comes first: it may be the cause of an error below.
-    if result.dependencies.refused:
+    if result.refused:
         return refused if passed < count else f"the values are right, but {refused}"
     if passed < count:
         return f"{passed} of {count} checks pass"
     if not result.passed:
-        return "the values are right, but the answer cell does not work alone"
+        return "the values are right, but the page has changed since"
     return {1: "the check passes", 2: "both checks pass"}.get(count, f"all {count} checks pass")
 
 

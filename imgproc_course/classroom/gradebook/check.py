@@ -1,23 +1,26 @@
 """`imgproc-course check`: inspect a lesson before it is submitted.
 
 The notebook is read by the same reader as in `imgproc-course grade`, so that both find the same answers and
-report the same findings. Here each answer can also be run against the public checks.
+report the same findings. Here each answer can also be run against the public checks, in the same kernels.
 """
 
-import asyncio
 import json
-import os
-import sys
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..authoring.lesson_names import notebook_name
+from ..autograder.answer_key import ExerciseContent, KeyCase, KeyExercise
+from ..autograder.make_answer_key import check_source
+from ..autograder.nbval_plugin import ExerciseRun
+from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
+from ..autograder.page_kernels import PageKernels
+from ..autograder.results import GradedExercise, graded_exercise
+from ..autograder.sandbox.kernel_factory import KernelFactory
 from ..exercises import check_files
-from ..exercises.check_data import CheckData
-from ..exercises.checking import CheckResult, check_built
+from ..exercises.check_data import CheckData, shared_fields
+from ..exercises.drive import looks_of
 from ..exercises.error_advice import advice_on
-from ..exercises.feedback import explain_failure
+from ..exercises.input_encoding import encode
 from .archives import LARGEST, too_large
 from .notebook_reader import NotebookReader
 from .submission import AnswerState, SubmissionContent, read_submission
@@ -40,7 +43,7 @@ class ExerciseCheck:
     state: AnswerState
     source: str
     notes: list = field(default_factory=list)
-    result: CheckResult | None = None
+    result: GradedExercise | None = None
 
 
 @dataclass
@@ -150,59 +153,57 @@ def _read(path):
 
 
 def run_answers(lesson_check):
-    """Run each answer against its public checks, in a namespace of its own as in grading; sets `result`."""
+    """Run each answer against its public checks, as grading runs it, but without a sandbox; sets `result`."""
     lesson_check.was_run = True
-    for entry in lesson_check.exercises:
-        if entry.state is AnswerState.ANSWERED:
-            with _end_is_named(entry.exercise.id):
-                # As in JupyterLab and in grading, an event loop is running: asyncio.run() raises there.
-                asyncio.run(_run_answer(entry))
+    with KernelFactory(unsafe=True) as kernel_factory:
+        kernels = PageKernels(lesson_check.content.page, kernel_factory)
+        for entry in lesson_check.exercises:
+            if entry.state is AnswerState.ANSWERED:
+                _run_answer(entry, kernels)
+        kernels.close()
 
 
-@contextmanager
-def _end_is_named(exercise):
-    """An answer that calls os._exit() ends this program, too: with a line, and with exit code 1."""
-    end, process = os._exit, os.getpid()
-
-    def say_and_end(status):
-        if os.getpid() == process:
-            text = f"Error: {exercise}: the answer ends Python, and gets no points; leave out os._exit()"
-            print(text, file=sys.__stderr__, flush=True)
-            status = 1
-        end(status)
-
-    os._exit = say_and_end
+def _run_answer(entry, kernels):
     try:
-        yield
-    finally:
-        os._exit = end
+        exercise, content = _as_in_a_key(entry.exercise)
+    except TypeError:  # an argument that is no data, such as an open recording
+        entry.notes.append("it is not run here; its check in the lesson runs it")
+        return
+    exercise_run = ExerciseRun(exercise, content, kernels)
+    for case in exercise.cases:
+        run = exercise_run.run(case, check_source(exercise))
+        exercise_run.passed |= {case.id} if run.passed else set()
+    exercise_run.close()
+    entry.result = result = graded_exercise(exercise, content, exercise_run)
+    failed = [case for case in result.cases if not case.passed]
+    outcomes = {case.outcome for case in failed}
+    is_said = any(case.message.startswith(CELL_FAILS) for case in failed)
+    entry.notes += [result.message] if result.message and not is_said else []
+    if outcomes == {Outcome.NOT_ATTEMPTED}:
+        entry.state, entry.result = AnswerState.NOT_ATTEMPTED, None
+    elif failed:
+        explanation = failed[0].message or TEXTS[failed[0].outcome].label
+        name, _, text = explanation.partition(": ")
+        text = " ".join(filter(None, [explanation.removesuffix("."), advice_on(name, text)]))
+        count = f"{len(failed)} of {len(result.cases)} checks fail"
+        entry.notes.append(f"{count}: {failed[0].title}: {text}")
 
 
-async def _run_answer(entry):
-    names, error = entry.exercise.run_answer(entry.source)
-    function = names.get(entry.exercise.function)
-    if not entry.exercise.can_be_answer(function):
-        entry.state = AnswerState.BROKEN
-        reason = error or f"it defines no {entry.exercise.kind} {entry.exercise.answer_name}"
-        entry.notes.append(f"its cell does not run by itself: {reason}")
-        return
-    entry.notes += [f"a statement in its cell fails: {error}"] if error else []
-    result = check_built(entry.exercise, function, entry.source)
-    if not result.attempted:
-        entry.state = AnswerState.NOT_ATTEMPTED
-        return
-    entry.result = result
-    # Refused modules come first: they may be the cause of the errors below.
-    refused = result.dependencies.refused
-    entry.notes += [f"it uses {name}, which this exercise does not allow" for name in refused]
-    failed = [case for case in result.results if not case.passed]
-    if failed:
-        call = failed[0].failed_call
-        explanation = explain_failure(entry.exercise, call)
-        advice = advice_on(call.result.error, call.result.message, call.result.line)
-        text = " ".join(filter(None, [explanation, advice]))
-        count = f"{len(failed)} of {len(result.results)} checks fail"
-        entry.notes.append(f"{count}: {failed[0].case.title}: {text}")
+def _as_in_a_key(exercise):
+    """(KeyExercise, ExerciseContent) of a CheckData; TypeError: an argument is no data."""
+    inputs = {case.id: [encode(call.arguments) for call in case.calls] for case in exercise.cases}
+    expected = {case.id: [call.result.value for call in case.calls] for case in exercise.cases}
+    cases = tuple(
+        KeyCase(**shared_fields(case, KeyCase) | {"calls": _count_of_calls(exercise, case)})
+        for case in exercise.cases
+    )
+    about = {"arguments": exercise.names, "cases": cases, "mistakes": (), "points": exercise.points}
+    key_exercise = KeyExercise(**shared_fields(exercise, KeyExercise) | about)
+    return key_exercise, ExerciseContent({}, inputs, {}, expected)
+
+
+def _count_of_calls(exercise, case):
+    return looks_of(case.calls[0].arguments[0]) if exercise.subject == "drive" else len(case.calls)
 
 
 def report_lines(lesson_check):
@@ -224,14 +225,15 @@ def report_lines(lesson_check):
 def _summary(entry):
     if entry.result is None:
         return str(entry.state)
-    passed = sum(case.passed for case in entry.result.results)
-    return f"{passed} of {len(entry.result.results)} checks pass"
+    passed = sum(case.passed for case in entry.result.cases)
+    return f"{passed} of {len(entry.result.cases)} checks pass"
 
 
 def _verdict(lesson_check):
     if not lesson_check.ready:
         return "Not ready yet: see above."
-    if any(entry.result is not None and not entry.result.passed for entry in lesson_check.exercises):
+    results = [entry.result for entry in lesson_check.exercises if entry.result is not None]
+    if any(not case.passed for result in results for case in result.cases):
         return "Complete, but grading would not give every point yet: see above."
     if lesson_check.was_run:
         return "Ready to submit: every check passes."

@@ -14,7 +14,7 @@ def find_copies(learners, answer_keys, store):
         for lesson, digest in sorted(digests):
             if lesson not in solutions:
                 solutions[lesson] = reader.shapes(answer_keys.solutions(lesson))
-            shapes = reader.shapes(store.answers(digest)[2])
+            shapes = reader.shapes(store.page(digest)[2]["answers"])
             equal = dict(shapes.items() & solutions[lesson].items())
             copies[digest] = sorted(id for id, (_, count) in equal.items() if count >= SHORTEST_SOLUTION)
     return copies

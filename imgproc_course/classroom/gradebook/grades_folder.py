@@ -67,7 +67,7 @@ class LearnerPages:
     def _keep_parts(self, learner, lesson, exercises):
         """Keep what the teacher's pages show of a lesson's answers; the lesson may have none."""
         digest = learner.digests.get(lesson)
-        answers = self._store.answers(digest)[2] if digest else {}
+        answers = self._store.page(digest)[2]["answers"] if digest else {}
         for exercise in exercises:
             self.parts.keep(learner.name, exercise["id"], answers.get(exercise["id"], ""), exercise["review"])
 

@@ -10,6 +10,7 @@ from itertools import chain
 from tqdm import tqdm
 
 from ..autograder.answer_key import Key
+from ..exercises.page import page_below
 from .archives import CollectError
 from .collect import SubmittedFile
 from .layouts import doubt
@@ -115,10 +116,10 @@ def _read(file, answer_keys, store, reader):
     submission = Submission(file, digest, content)
     if not content.reason:
         submission.key = answer_keys.key_for(content.lesson, content.version)
-        submission.answers_digest = store.keep_answers(submission.key, content.lesson, content.answers)
+        submission.answers_digest = store.keep_page(submission.key, content.lesson, content.page)
         untouched = (AnswerState.NOT_ATTEMPTED, AnswerState.MISSING)
         submission.answered = frozenset(id for id in content.answers if content.states[id] not in untouched)
-        content.answers = {}
+        content.page = {"answers": {}}
     return submission
 
 
@@ -144,20 +145,20 @@ def _joined(submissions, store):
     first, *others = sorted(submissions, key=lambda one: -len(one.answered))
     if not others:
         return first
-    answers, answered = store.answers(first.answers_digest)[2], set(first.answered)
+    page, answered = store.page(first.answers_digest)[2], set(first.answered)
     content = replace(first.content, findings=list(first.content.findings))
     for other in others:
-        added, shared = store.answers(other.answers_digest)[2], answered & other.answered
-        if other.key is not first.key or any(answers[id] != added[id] for id in shared):
+        added, shared = store.page(other.answers_digest)[2], answered & other.answered
+        if other.key is not first.key or any(page["answers"][id] != added["answers"][id] for id in shared):
             return None
         own = other.answered - shared
-        answers |= {id: added[id] for id in own}
+        page = page_below(page, added, own) if own else page
         content.states = content.states | {id: other.content.states[id] for id in own}
         content.findings = [finding for finding in content.findings if finding.exercise not in own]
         content.findings += [finding for finding in other.content.findings if finding.exercise in own]
         answered |= own
     content.add(f"its answers are those of {len(submissions)} files, which have different exercises")
-    digest = store.keep_answers(first.key, first.lesson, answers)
+    digest = store.keep_page(first.key, first.lesson, page)
     return replace(first, content=content, answers_digest=digest, answered=frozenset(answered))
 
 

@@ -27,9 +27,10 @@ class NotebookReader(contextlib.AbstractContextManager):
         reply = self._reply(b"read", data) or {"reason": NOT_READ_IN_TIME}
         return reply.get("notebook"), reply.get("reason", "")
 
-    def compose(self, requests):
-        """What `submission_reader.compose_answers` gives of the last notebook; None if it takes too much."""
-        return (self._reply(b"compose", json.dumps(requests).encode("ascii")) or {}).get("answers")
+    def page(self, lesson_cells, exercises):
+        """What `page.page_of_notebook` gives of the last notebook; (None, None) if it takes too much."""
+        reply = self._reply(b"page", json.dumps([lesson_cells, exercises]).encode("ascii")) or {}
+        return reply.get("page"), reply.get("places")
 
     def shapes(self, answers):
         """What `syntax_shapes.shapes` gives of {exercise id: source}; nothing if it takes too much."""
@@ -41,7 +42,7 @@ class NotebookReader(contextlib.AbstractContextManager):
         for _ in range(_TRIES):  # somebody else may end it
             if self._process is None:
                 self._start()
-                if kind == b"compose":  # a new process does not know the notebook
+                if kind == b"page":  # a new process does not know the notebook
                     self._exchange(b"read", self._last_read)
             line = self._exchange(kind, data)
             if line.endswith(b"\n"):

@@ -51,25 +51,25 @@ def open_grades_folder(folder):
 
 
 class ResultStore:
-    """Answers and results in a folder, by a digest of answers, key, and `options` such as the sandbox."""
+    """Pages and results in a folder, by a digest of page, key, and `options` such as the sandbox."""
 
     def __init__(self, folder, options):
         self._folder = Path(folder)
         self._not_graded = {}
         self._options = options | {"version": version("imgproc-course"), "format": _FORMAT}
 
-    def keep_answers(self, key, lesson, answers):
-        """Store answers until they are graded; returns their digest."""
-        everything = json.dumps([key.digest, lesson, answers, self._options], sort_keys=True)
+    def keep_page(self, key, lesson, page):
+        """Store a page (see `exercises.page`) until it is graded; returns its digest."""
+        everything = json.dumps([key.digest, lesson, page, self._options], sort_keys=True)
         digest = hashlib.sha256(everything.encode("ascii")).hexdigest()
-        path = self._folder / f"{digest}.answers.json"
+        path = self._folder / f"{digest}.page.json"
         if not path.exists():
-            write_grades_file(path, json.dumps([key.digest, lesson, answers], sort_keys=True))
+            write_grades_file(path, json.dumps([key.digest, lesson, page], sort_keys=True))
         return digest
 
-    def answers(self, digest):
-        """The stored answers: (digest of the key, lesson, {exercise id: source})."""
-        return json.loads((self._folder / f"{digest}.answers.json").read_text(encoding="utf-8"))
+    def page(self, digest):
+        """The stored page: (digest of the key, lesson, page)."""
+        return json.loads((self._folder / f"{digest}.page.json").read_text(encoding="utf-8"))
 
     def keep_result(self, digest, result):
         """Store a GradedSubmission; one not graded is kept for this run alone: the next tries again."""
@@ -95,7 +95,7 @@ def grade_missing(learners, answer_keys, store, *, fresh, quiet, on_result, **op
     done, about = len(digests) - len(missing), {"desc": "grading", "unit": " submissions"}
     with tqdm(total=len(digests), initial=done, disable=quiet, **about) as bar:
         threading.Thread(target=show_time, args=(bar,), daemon=True).start()
-        keys = {digest: answer_keys.key_of(store.answers(digest)[0]) for digest in missing}
+        keys = {digest: answer_keys.key_of(store.page(digest)[0]) for digest in missing}
         for result in autograde(_submissions(missing, store), keys, **options):
             store.keep_result(result.name, result)
             bar.update()
@@ -111,7 +111,7 @@ def show_time(bar):
 
 
 def _submissions(digests, store):
-    """(digest, lesson, answers) of the answers that are to be graded."""
+    """(digest, lesson, page) of what is to be graded."""
     for digest in digests:
-        _, lesson, answers = store.answers(digest)
-        yield digest, lesson, answers
+        _, lesson, page = store.page(digest)
+        yield digest, lesson, page

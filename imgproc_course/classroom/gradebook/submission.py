@@ -1,9 +1,8 @@
 """Read a submission: where each answer is, and what is unusual about the notebook.
 
 `imgproc-course check` and `imgproc-course grade` both read submissions here, so that they find the same
-answers and report the same findings. Only sources are taken: of the answers, and of the definitions in other
-cells that the answers read. Everything else in a notebook (check cells, outputs, kernels, tags) is ignored; a
-change that matters becomes a finding.
+answers and report the same findings. Only the sources of cells are taken (see `exercises.page`). Everything
+else in a notebook (outputs, kernels, tags) is ignored; a change that matters becomes a finding.
 """
 
 import difflib
@@ -14,14 +13,14 @@ from enum import StrEnum
 
 from ..authoring.lesson_names import lesson_name, lessons_named
 from ..autograder.sanitize import sanitize_line
-from ..exercises.answer_cells import find_answer_cell, requests_to_compose
+from ..exercises.cell_syntax import function_definitions, plain_python, program_lines
 from ..exercises.error_advice import advice_on
+from ..exercises.page import is_marked
 from ..exercises.running import answer_name
 from ..exercises.source_remarks import SAYS, STUB_LINE
 from .submission_reader import MOST_CHARACTERS
 
 _MOST_NAMES = 8  # that a finding lists
-GRADED_WITH_IT = "which is graded with it"
 ONE_LESSON = "a notebook counts for one lesson: submit the others as notebooks of their own"
 NOT_PYTHON = "of its answer cell is not Python"
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
@@ -57,19 +56,25 @@ class SubmissionContent:
     """What a notebook holds, or the `reason` why it cannot be read.
 
     version   of the course, as the notebook says
-    answers   {exercise id: source}; states: {exercise id: AnswerState} of every exercise
+    page      what is graded (see `exercises.page`), with the answers
+    states    {exercise id: AnswerState} of every exercise
     claims    exercise ids whose stored outputs say that every check passes
     is_page   it is a page of the course that has no answers, such as the index
     """
 
     lesson: str | None = None
     version: str | None = None
-    answers: dict = field(default_factory=dict)
+    page: dict = field(default_factory=lambda: {"answers": {}})
     states: dict = field(default_factory=dict)
     findings: list = field(default_factory=list)
     claims: list = field(default_factory=list)
     reason: str = ""
     is_page: bool = False
+
+    @property
+    def answers(self):
+        """{exercise id: source of the cell that holds its answer}."""
+        return self.page["answers"]
 
     def add(self, text, exercise="", kind="message"):
         """Add a finding."""
@@ -96,10 +101,9 @@ def read_submission(data, catalog, reader, name=""):
         return content
     lesson = catalog.describe(content.lesson, content.version)
     _inspect_notebook(notebook, cells, lesson, content)
-    answers = {}
+    answers = _answer_cells(cells, lesson, reader, content)
     for exercise in lesson.exercises:
-        answers[exercise] = find_answer_cell(exercise, cells, lesson)
-        content.states[exercise.id] = _inspect_answer(exercise, answers[exercise], content)
+        content.states[exercise.id] = _inspect_answer(exercise, answers[exercise.id], content)
         _compare_given(exercise, cells, lesson, content)
         _report_other_tries(exercise, cells, content)
     python, own = re.match(r"3\.(\d{1,2})\b", notebook["python"] or ""), sys.version_info.minor
@@ -107,8 +111,39 @@ def read_submission(data, catalog, reader, name=""):
     if is_no_python and python and int(python[1]) > own:
         text = f"it was run with Python {python[0]}, and Python 3.{own} grades it, which knows less syntax"
         content.add(text)
-    _compose_answers(answers, notebook["cells"], reader, content)
     return content
+
+
+@dataclass(frozen=True)
+class AnswerCells:
+    """The cells of an exercise: the one that counts as its answer, or None, and others.
+
+    marked   those that are marked as the answer cell, by id or metadata
+    others   those that define the function, too
+    """
+
+    cell: dict | None
+    is_answer: bool  # whether it defines the function, and not as the stub
+    marked: list
+    others: list
+
+
+def _answer_cells(cells, lesson, reader, content):
+    """{exercise id: its AnswerCells}; takes the page."""
+    stubs = {exercise.id: function_definitions(exercise.stub) for exercise in lesson.exercises}
+    asked = [[one.id, one.function, stubs[one.id].get(one.function)] for one in lesson.exercises]
+    page, places = reader.page(lesson.cells, asked)
+    if page is None:
+        content.add("finding out what is graded takes too much time or memory", kind="odd")
+        page, places = content.page, {id: [] for id, *_ in asked}
+    content.page = page
+    by_number, found = {cell["number"]: cell for cell in cells}, {}
+    for exercise in lesson.exercises:
+        marked = [cell for cell in cells if is_marked(cell, exercise.id)]
+        marked.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != f"answer-{exercise.id}"))
+        answers = [by_number[number] for number in places[exercise.id]]
+        found[exercise.id] = AnswerCells([*answers, *marked, None][0], bool(answers), marked, answers[1:])
+    return found
 
 
 def lesson_by_name(name, lessons):
@@ -193,21 +228,17 @@ def _inspect_notebook(notebook, cells, lesson, content):
 
 
 def _inspect_answer(exercise, answer, content):
-    """Take an exercise's answer, add what is unusual about it, and return its AnswerState."""
-    if answer is None:
+    """Add what is unusual about an exercise's answer, and return its AnswerState."""
+    cell = answer.cell
+    if cell is None:
         content.add(f"its answer cell (answer-{exercise.id}) is missing", exercise.id)
         return AnswerState.MISSING
-    cell = answer.cell
-    if not answer.is_answer and not answer.own:  # the stub, without its mark
-        content.answers[exercise.id] = cell["source"]
-        return AnswerState.NOT_ATTEMPTED
     if not answer.is_answer and cell["type"] != "code":
         content.add(f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", exercise.id)
         return AnswerState.BROKEN
     if cell["source"] is None:
         content.add("the source of its answer cell is not text", exercise.id)
         return AnswerState.BROKEN
-    content.answers[exercise.id] = cell["source"]
     tags = cell.get("grader_tags")
     if tags or any(comment in cell["source"] for comment in _GRADER_COMMENTS):
         text = "its answer cell has tags or comments that direct a grader; they are ignored"
@@ -215,6 +246,9 @@ def _inspect_answer(exercise, answer, content):
     state = _inspect_source(exercise, answer, content)
     if state is AnswerState.ANSWERED:
         _report_place(exercise, answer, content)
+        for line, code in program_lines(plain_python(cell["source"])):
+            text = SAYS["line of a program"].format(line=line, code=sanitize_line(code, 80))
+            content.add(text[0].lower() + text[1:].rstrip("."), exercise.id)
     return state
 
 
@@ -224,7 +258,7 @@ def _inspect_source(exercise, answer, content):
         text = f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded"
         content.add(text, exercise.id, "answer")
         return AnswerState.BROKEN
-    if answer.is_elsewhere:
+    if answer.cell not in answer.marked:
         return AnswerState.ANSWERED
     if source.strip() == exercise.stub.strip():
         return AnswerState.NOT_ATTEMPTED
@@ -273,10 +307,10 @@ def _similar_name(exercise, cell):
 def _report_place(exercise, answer, content):
     """Report an answer that does not stand where it was handed out, or not there alone."""
     name = exercise.answer_name
-    if answer.is_elsewhere:
+    if answer.cell not in answer.marked and not any(cell in answer.marked for cell in answer.others):
         text = f"graded from another cell ({_place(answer.cell)}), which defines {name}: "
-        content.add(text + _state_of_marked(exercise, answer.own), exercise.id)
-    elif answer.cell["type"] != "code":
+        content.add(text + _state_of_marked(exercise, answer.marked), exercise.id)
+    elif answer.cell["type"] != "code" and answer.cell in answer.marked:
         text = f"its answer cell is a {_kind(answer.cell)} cell; its text is graded"
         content.add(f"{text} (key Y makes it code again)", exercise.id)
     if answer.others:
@@ -311,54 +345,6 @@ def _places(cells):
 
 def _kind(cell):
     return sanitize_line(cell["type"], 20) or "nameless"
-
-
-def _compose_answers(answers, all_cells, reader, content):
-    """Replace each answer by the source that is graded: with what it reads from other cells."""
-    answered = [exercise for exercise in answers if content.states[exercise.id] is AnswerState.ANSWERED]
-    if not answered:
-        return
-    composed = reader.compose(requests_to_compose({one: answers[one].cell for one in answered}))
-    if composed is None:
-        text = "what its answers read from other cells takes too much time or memory to find"
-        content.add(text, kind="odd")
-        return
-    functions = {exercise.function: exercise.id for exercise in answered}
-    for exercise, (source, taken, left_out, program) in zip(answered, composed, strict=True):
-        content.answers[exercise.id] = source
-        for line, code in program:
-            text = SAYS["line of a program"].format(line=line, code=sanitize_line(code, 80))
-            content.add(text[0].lower() + text[1:].rstrip("."), exercise.id)
-        for name, number, line, text in left_out:
-            content.add(_left_out_text(name, _place(all_cells[number]), line, text), exercise.id)
-        if len(source) > MOST_CHARACTERS:
-            text = "its answer and what it reads from other cells are longer than"
-            content.add(f"{text} {MOST_CHARACTERS} characters", exercise.id, "answer")
-            content.states[exercise.id] = AnswerState.BROKEN
-        elif taken:
-            content.add(_taken_text(taken, all_cells, functions), exercise.id)
-
-
-def _left_out_text(name, place, line, text):
-    """What an answer reads and nobody runs; see `submission_reader.compose_answers`."""
-    text = sanitize_line(text, 80)
-    why = (
-        f"which does not run: line {line} is not Python: {text}" if line else f"but without what {text} does"
-    )
-    return f"its answer reads {sanitize_line(name, 60)} of another cell ({place}), {why}"
-
-
-def _taken_text(taken, cells, functions):
-    names = [
-        f"{sanitize_line(name, 60)}{'()' if kind == 'function' else ''}"
-        + (f" (your answer to {functions[name]})" if name in functions else "")
-        for name, kind, _ in taken
-    ]
-    places = dict.fromkeys(_place(cells[number]) for _, _, number in taken)
-    more_names = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
-    place = "another cell" if len(places) == 1 else "other cells"
-    listed, listed_places = (", ".join(list(texts)[:_MOST_NAMES]) for texts in (names, places))
-    return f"its answer reads {listed}{more_names} of {place} ({listed_places}), {GRADED_WITH_IT}"
 
 
 # ---------------------------------------------------------------- cells of the lesson

@@ -2,17 +2,16 @@
 
 `notebook_reader.NotebookReader` starts this file as a program with limits on memory and processor time, sends
 it the bytes of a notebook and receives plain data: the id and type of each cell, and the sources of code. It
-also composes the source by which an answer is graded, and takes the shapes of answers. Nothing in a
-notebook is run or followed. The program imports the standard library only, and `cell_syntax`,
-`syntax_shapes` and (once an answer has an error) `syntax_slips`, which do the same: it starts quickly, and
-no module of a learner can take the place of ours.
+also makes the page that is graded, and takes the shapes of answers. Nothing in a notebook is run or
+followed. The program imports the standard library only, and `cell_syntax`, `page`, `syntax_shapes` and (once
+an answer has an error) `syntax_slips`, which do the same: it starts quickly, and no module of a learner can
+take the place of ours.
 """
 
 import ast
 import codecs
 import ctypes
 import importlib
-import itertools
 import json
 import os
 import re
@@ -24,9 +23,10 @@ from pathlib import Path
 if __name__ == "__main__":
     sys.path += [str(Path(__file__).parents[1] / "exercises"), str(Path(__file__).parent)]
     import cell_syntax
+    import page
     import syntax_shapes
 else:
-    from imgproc_course.classroom.exercises import cell_syntax
+    from imgproc_course.classroom.exercises import cell_syntax, page
     from imgproc_course.classroom.gradebook import syntax_shapes
 
 MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
@@ -36,7 +36,6 @@ _COURSE_IDS = ("answer-", "check-", "given-")
 _MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_COUNT = 1_000_000  # runs of cells
-_MOST_LEFT_OUT = 5  # of one answer
 _MOST_NAME = 200  # characters of a name or an id
 _SAVE = "save it again in JupyterLab"
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
@@ -189,9 +188,6 @@ def _may_define(content, source):
     return source is not None and len(source) <= MOST_CHARACTERS and bool(_CODE_BEGINS.search(source))
 
 
-_plain_python = cell_syntax.cached_if_short(cell_syntax.plain_python)
-
-
 @cell_syntax.cached_if_short
 def _functions(source):
     functions = cell_syntax.function_definitions(cell_syntax.plain_python(source))
@@ -255,60 +251,12 @@ def _output_text(cell):
     return "\n".join(filter(None, texts))[:_MOST_OUTPUT]
 
 
-def compose_answers(cells, requests):
-    """What is graded, for each request [source, [[name, kind, number of the cell], ...], left out, program].
-
-    `left out` is what the answer reads and nobody runs, [[name, number of the cell, line, text], ...]: in a
-    cell that is not Python, from that line on; or, if `line` is 0, the call that may change a value.
-    `program` is `cell_syntax.program_lines` of the answer's cell.
-    """
-    sources = [_source_to_search(cell) for cell in cells]
-    definitions = cell_syntax.CellDefinitions(sources)
-    answers = []
-    for request in requests:
-        source, taken, missing = definitions.compose(*request)
-        names = [[definition.name[:_MOST_NAME], definition.kind, definition.cell] for definition in taken]
-        left_out = itertools.chain(
-            _in_broken_cells(missing, sources), definitions.calls_left_out(request[0], taken)
-        )
-        program = cell_syntax.program_lines(sources[request[0]])[:_MOST_LEFT_OUT]
-        answers.append([source, names, [*itertools.islice(left_out, _MOST_LEFT_OUT)], program])
-    return answers
-
-
-def _in_broken_cells(names, sources):
-    """What cells that are not Python seem to define of the names; see `compose_answers`."""
-    for name in sorted(names):
-        begins = re.compile(rf"^((async )?def|class) {name}\b|^{name} *=", re.M)
-        for number, source in enumerate(sources):
-            if source and begins.search(source) and (error := _syntax_error(source)):
-                yield [name[:_MOST_NAME], number, error.lineno or 1, (error.text or "").strip()]
-
-
-def _syntax_error(source):
-    """The SyntaxError of a source, or None."""
-    try:
-        ast.parse(source)
-    except SyntaxError as error:
-        return error
-    except (ValueError, RecursionError, MemoryError):
-        pass
-    return None
-
-
-def _source_to_search(cell):
-    """The source of a cell in which names may be defined, None for another cell."""
-    if cell is None or not (cell["type"] == "code" or cell["functions"]):
-        return None
-    source = cell["source"] or ""
-    return _plain_python(source) if 0 < len(source) <= MOST_CHARACTERS else None
-
-
 def serve(requests, replies, most_memory, seconds):
     """Answer each request with a line of JSON, until there is no more, or the memory is in use.
 
     `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
-    `compose <length>`, and the requests of `compose_answers` as JSON, about the last notebook: {"answers": }
+    `page <length>`, and [lesson_cells, exercises] of `page.page_of_notebook` as JSON: that of the last
+    notebook, {"page": , "places": }
     `shapes <length>`, and {exercise id: source} as JSON: {"shapes": }, see `syntax_shapes.shapes`
 
     With more than `most_memory` bytes in use, it ends instead of reading another notebook: so what it
@@ -326,8 +274,10 @@ def serve(requests, replies, most_memory, seconds):
             if kind == b"read":
                 notebook = read_notebook(body)
                 reply = {"notebook": notebook}
-            elif kind == b"compose":
-                reply = {"answers": compose_answers(notebook["cells"], json.loads(body))}
+            elif kind == b"page":
+                cells = [cell for cell in notebook["cells"] if cell is not None]
+                made, places = page.page_of_notebook(cells, *json.loads(body))
+                reply = {"page": made, "places": places}
             else:
                 os.setpriority(os.PRIO_PROCESS, 0, 5)  # grading is waited for, and this is not
                 reply = {"shapes": syntax_shapes.shapes(json.loads(body))}

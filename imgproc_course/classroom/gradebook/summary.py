@@ -13,7 +13,7 @@ from .csv_table import csv_text
 from .grades_json import lesson_names
 from .report import count_of, finding_text, render_page
 from .roster import squeezed
-from .submission import GRADED_WITH_IT, ONE_LESSON
+from .submission import ONE_LESSON
 from .teacher_tables import plain_number
 
 _BIN_COUNT = 10
@@ -125,10 +125,7 @@ def _about_findings(lesson, _):
         elif finding["kind"] == "odd":
             yield "dishonest", finding["exercise"], finding_text(finding)
         elif finding["kind"] == "message" and not repeated:
-            is_of_others = finding["text"].endswith(GRADED_WITH_IT)
-            reason = entry.get("message") if lost_points and is_of_others else ""
-            text = "; ".join(filter(None, (finding_text(finding), reason)))
-            yield ("unfair" if lost_points else "others"), finding["exercise"], text
+            yield ("unfair" if lost_points else "others"), finding["exercise"], finding_text(finding)
 
 
 def _about_outcomes(lesson, own_modules):

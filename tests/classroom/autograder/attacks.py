@@ -38,6 +38,7 @@ class Attack:
     outcomes    the outcomes that its cases may have
     reported    text that the public case's message must contain
     unreported  text that it must not contain, "" if there is none
+    harms_own   whether it costs the same learner's other answer its points, as it would in Run All
     """
 
     name: str
@@ -45,6 +46,7 @@ class Attack:
     outcomes: frozenset
     reported: str = ""
     unreported: str = ""
+    harms_own: bool = False
 
 
 WRONG = "\ndef double(pixels):\n    return np.zeros(pixels.shape, np.uint8)\n"
@@ -100,6 +102,7 @@ attack(
     check_cell.emit = lambda function: print("passed")
     """,
     "hostile",
+    harms_own=True,
     wrong=True,
 )
 attack(
@@ -153,6 +156,7 @@ attack(
     IPython.display.display = lambda shown, raw=False: real({{"{MIME}": ANSWER}}, raw=True)
     """,
     "hostile",
+    harms_own=True,
 )
 attack(
     "a value whose data are too short for its shape",
@@ -164,6 +168,7 @@ attack(
     check_cell.shorten_form = lambda form: form
     """,
     "hostile",
+    harms_own=True,
     wrong=True,
 )
 attack(
@@ -208,7 +213,7 @@ for _name, _step, *_outcomes in (
     ("the socket in the hands of another program", OF_ANOTHER_PROGRAM, "hostile", "crashed"),
 ):
     attack(_name, TO_THE_SOCKET.replace("STEP", _step), *_outcomes)
-attack("the way out is closed", "import os\nos.closerange(3, 256)\n", "crashed", wrong=True)
+attack("the way out is closed", "import os\nos.closerange(3, 256)\n", wrong=True)
 
 # ---------------------------------------------------------------- expected values are to be known
 
@@ -655,6 +660,7 @@ class AttackResult:
     result: GradedSubmission
     neighbor: GradedSubmission
     alone: GradedSubmission
+    harms_own: bool = False
 
     @property
     def exercise(self):
@@ -667,7 +673,7 @@ class AttackResult:
         harm = []
         if self.neighbor.exercises != self.alone.exercises:
             harm.append("the next submission")
-        if exercise_of(self.result, "attacked-mean").points != 7:
+        if exercise_of(self.result, "attacked-mean").points != 7 and not self.harms_own:
             harm.append("its own other exercise")
         try:
             show_values(self.exercise)
@@ -692,9 +698,10 @@ def grade_attacks(key):
         submissions.append((attack.name, LESSON, RIGHT | {"attacked-double": attack.source}))
         submissions.append((f"after {attack.name}", LESSON, RIGHT))
     results = {result.name: result for result in autograde(submissions, key, limits=SHORT, workers=2)}
+    alone = results["alone"]
     return {
-        attack.name: AttackResult(results[attack.name], results[f"after {attack.name}"], results["alone"])
-        for attack in ATTACKS
+        one.name: AttackResult(results[one.name], results[f"after {one.name}"], alone, one.harms_own)
+        for one in ATTACKS
     }
 
 

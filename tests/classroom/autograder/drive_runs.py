@@ -3,6 +3,7 @@
 import time
 from contextlib import contextmanager
 from pathlib import Path
+from types import SimpleNamespace
 from unittest.mock import patch
 
 from plane_env import PlaneEnv
@@ -11,8 +12,10 @@ from imgproc_course.classroom import course
 from imgproc_course.classroom.autograder.answer_key import ExerciseContent, KeyCase, KeyExercise
 from imgproc_course.classroom.autograder.drives import CHECK, environment
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
+from imgproc_course.classroom.autograder.page_kernels import PageKernels
 from imgproc_course.classroom.autograder.results import graded_exercise
 from imgproc_course.classroom.exercises.input_encoding import encode
+from imgproc_course.classroom.exercises.page import page_of
 
 MASTERS = Path(__file__).parent / "driving/masters"
 SCENARIO = {
@@ -79,10 +82,12 @@ def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, hidden
     changes = {False: scenario or {}, True: (scenario or {}) | (hidden or {})}
     inputs = {case.id: [encode((SCENARIO | changes[case.hidden],))] for case in cases}
     content = ExerciseContent({}, inputs, {}, {})
-    exercise_run = ExerciseRun(exercise, content, factory, stop_at=time.monotonic() + 1000)
+    page = page_of({exercise.id: source}, SimpleNamespace(exercises=[exercise]))
+    kernels = PageKernels(page, factory)
+    exercise_run = ExerciseRun(exercise, content, kernels, stop_at=time.monotonic() + 1000)
     try:
         for case in cases:
-            run = exercise_run.run(case, [source], CHECK.format(function="control"))
+            run = exercise_run.run(case, CHECK.format(function="control"))
             exercise_run.passed |= {case.id} if run.passed else set()
     finally:
         exercise_run.close()

@@ -7,7 +7,6 @@ from jupyter_client.manager import start_new_kernel
 
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
-from imgproc_course.classroom.exercises.cell_syntax import parts_of
 
 INSIDE = "imgproc_course.classroom.autograder.sandbox.inside"
 BEGIN = f"""
@@ -49,15 +48,6 @@ class JupyterKernel:
             run.add("idle", {"ename": "", "evalue": ""} | reply)
         return run
 
-    def run_statements(self, sources):
-        runs = []
-        for part in (part for source in sources for part in parts_of(source)):
-            runs.append(self.run(part))
-            if runs[-1].ended:
-                break
-        failed = [run.error for run in runs if run.error[0]]
-        return CellRun(ended=runs[-1].ended if runs else "", error=failed[0] if failed else ("", ""))
-
     def run_check(self, code, inputs, seconds):
         case = {"calls": inputs, "seconds": seconds}
         run = self.run(
@@ -82,3 +72,16 @@ class JupyterFactory:
 
     def start(self, allowed, seconds, *, alone=False):
         return JupyterKernel(allowed)
+
+
+class JupyterKernels(JupyterFactory):
+    """A new kernel for each check, which has run a page's cells as Run All does; see `PageKernels`."""
+
+    def __init__(self, page):
+        self._page = page
+
+    def open_check(self, exercise, seconds, *, alone=False):
+        kernel, last = JupyterKernel(exercise.allowed), self._page["checks"][exercise.id][0]
+        runs = [kernel.run(cell["source"]) for cell in self._page["cells"][:last]]
+        errors = [run.error for run in runs if run.error[0]]
+        return kernel, CellRun(ended=runs[-1].ended, error=errors[0] if errors else ("", ""))

@@ -82,16 +82,6 @@ def test_a_cell_does_what_it_does_in_jupyterlab(kernel, code, printed, error):
     assert printed is None or run.printed.replace("\r\n", "\n") == printed
 
 
-@pytest.mark.parametrize("comment", ["", "# nothing to await"])
-def test_a_statement_that_fails_costs_only_itself(kernel, comment):
-    # `return` is a syntax error that only compiling the statement finds.
-    answer = "1 / 0\nsecond = first + 1\nreturn 5\nraise KeyError('k')\ndef third():\n    return second\n"
-    run = kernel.run_statements(["first = 1", answer + comment])
-    assert (run.ended, run.error) == ("", ("ZeroDivisionError", "division by zero"))
-    assert kernel.run("print(third())\ndel third").printed == "2\n"
-    assert kernel.run_statements(["first = 3\nsecond = 4"]).error == ("", "")
-
-
 def test_an_exception_is_sent_without_a_traceback_that_nobody_reads():
     with KernelFactory() as kernel_factory:
         kernel = kernel_factory.start((), 10)

@@ -2,14 +2,18 @@
 
 import contextlib
 from dataclasses import replace
+from unittest.mock import patch
 
 import pytest
 from attacks import LESSON, RIGHT, SHORT
-from jupyter_kernel import JupyterFactory
+from jupyter_kernel import JupyterKernels
 
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
+from imgproc_course.classroom.autograder.page_kernels import PageKernels
 from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde
+from imgproc_course.classroom.autograder.sandbox.fork_server_client import ForkedKernel
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.classroom.exercises.page import page_of
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("isolation")]
 MEAN = "float(np.mean(values))"
@@ -50,22 +54,29 @@ def test_what_one_check_leaves_behind_neither_costs_nor_helps_another(key, right
 
 
 @contextlib.contextmanager
-def exercise_run_of(key, kind_of_factory=KernelFactory, id="attacked-mean"):
-    """(ExerciseRun, sources of its given cells, list of (KeyCase, source of its check cell))."""
+def sandbox_kernels(page):
+    with KernelFactory() as kernel_factory:
+        kernels = PageKernels(page, kernel_factory)
+        yield kernels
+        kernels.close()
+
+
+@contextlib.contextmanager
+def exercise_run_of(key, source, kind_of_kernels=sandbox_kernels, id="attacked-mean"):
+    """(ExerciseRun of an answer, list of (KeyCase, source of its check cell))."""
     (exercise,) = [exercise for exercise in key.lessons[LESSON].exercises if exercise.id == id]
     content = key.content(exercise.id)
     cells = {cell["id"]: "".join(cell["source"]) for cell in content.notebook["cells"]}
-    given = [text for name, text in cells.items() if name.startswith("given")]
-    with kind_of_factory() as kernel_factory:
-        exercise_run = ExerciseRun(exercise, content, kernel_factory)
-        yield exercise_run, given, [(case, cells[case.id]) for case in exercise.cases]
+    with kind_of_kernels(page_of({id: source}, key.lessons[LESSON])) as kernels:
+        exercise_run = ExerciseRun(exercise, content, kernels)
+        yield exercise_run, [(case, cells[case.id]) for case in exercise.cases]
         exercise_run.close()
 
 
-def runs_of(key, source, kind_of_factory=KernelFactory, id="attacked-double"):
+def runs_of(key, source, kind_of_kernels=sandbox_kernels, id="attacked-double"):
     """What the cases of an exercise show, raise and get as their verdicts."""
-    with exercise_run_of(key, kind_of_factory, id) as (exercise_run, given, checks):
-        runs = [exercise_run.run(case, [*given, source], check) for case, check in checks]
+    with exercise_run_of(key, source, kind_of_kernels, id) as (exercise_run, checks):
+        runs = [exercise_run.run(case, check) for case, check in checks]
         return [(run.ended, run.check.error, run.check.answers, run.verdict) for run in runs]
 
 
@@ -75,19 +86,31 @@ def runs_of(key, source, kind_of_factory=KernelFactory, id="attacked-double"):
     [RIGHT["attacked-double"], "1 / 0", "import cv2\ndef double(pixels):\n    return cv2.add(pixels)"],
 )
 def test_a_check_shows_what_it_shows_in_jupyters_own_kernel(key, source):
-    assert runs_of(key, source) == runs_of(key, source, JupyterFactory)
+    assert runs_of(key, source) == runs_of(key, source, JupyterKernels)
+
+
+@contextlib.contextmanager
+def watched_forks():
+    """The checks that are forked meanwhile, as a list."""
+    forks, fork = [], ForkedKernel.fork_check
+
+    def counted(kernel, seconds):
+        forks.append(fork(kernel, seconds))
+        return forks[-1]
+
+    with patch.object(ForkedKernel, "fork_check", counted):
+        yield forks
 
 
 def kernels_for(key, source, titles):
-    """How many kernels the cases of `mean` need, in that order, and which cases passed."""
-    with exercise_run_of(key) as (exercise_run, given, checks):
+    """How many processes the cases of `mean` need, in that order, and which cases passed."""
+    with exercise_run_of(key, source) as (exercise_run, checks), watched_forks() as forks:
         checks_by_title = {case.title: (case, check) for case, check in checks}
         runs = []
         for title in titles:
             case, check = checks_by_title[title]
-            runs.append(exercise_run.run(case, [*given, source], check))
-        forks = exercise_run._kernel_factory._fork_server._fork_count
-        return forks - 1, [run.passed for run in runs]  # one waits
+            runs.append(exercise_run.run(case, check))
+        return len(forks), [run.passed for run in runs]
 
 
 def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
@@ -143,11 +166,11 @@ def test_all_processes_of_a_check_share_its_time():
 
 
 def test_a_kernel_that_ended_while_it_waited_is_replaced(key, right):
-    with exercise_run_of(key) as (exercise_run, given, [(case, check), _]):
-        kernels = exercise_run._kernel_factory
-        kernels._spare = kernels.start((), 5.0, alone=True)
-        assert kernels._spare.run("import os\nos._exit(3)").ended == "crashed"
-        assert exercise_run.run(case, [*given, right["attacked-mean"]], check).passed
+    with exercise_run_of(key, right["attacked-mean"]) as (exercise_run, [(case, check), _]):
+        factory = exercise_run._kernels._kernel_factory
+        factory._spare = factory.start((), 5.0, alone=True)
+        assert factory._spare.run("import os\nos._exit(3)").ended == "crashed"
+        assert exercise_run.run(case, check).passed
 
 
 STATE = """import random, signal, sys
@@ -162,7 +185,7 @@ def test_a_kernel_that_has_waited_is_as_a_new_one():
     with KernelFactory() as kernel_factory:
         for _ in range(3):  # a new one, then two that have waited
             kernel = kernel_factory.start((), 5.0)
-            run = kernel.run_statements([STATE])
+            run = kernel.run(STATE)
             texts.append((run.printed, run.error))
             kernel.stop()
     assert "random" in texts[0][0] and texts[0][1] == ("", "")

@@ -10,6 +10,7 @@ from imgproc_course.classroom.autograder.make_answer_key import make_key
 from imgproc_course.classroom.autograder.nbval_process import nbval_process_of_thread, stop_nbval_processes
 from imgproc_course.classroom.autograder.outcomes import Outcome
 from imgproc_course.classroom.autograder.pool import autograde, grade_one
+from imgproc_course.classroom.exercises.page import page_of
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("node exercises"), pytest.mark.timeout(600)]
 
@@ -70,8 +71,9 @@ def test_a_message_is_the_sentence_of_check(exercises):
 
 def test_what_the_check_does_not_know_is_graded_once(key):
     source = next(answer.source for answer in ANSWERS if answer.name == "a service")
+    page = page_of({"node-class": source}, key.lessons["grayscale_node"])
     process = nbval_process_of_thread(False, None)
-    result = grade_one(("a", "grayscale_node", {"node-class": source}), key.path, key.digest)
+    result = grade_one(("a", "grayscale_node", page), key.path, key.digest)
     is_same = nbval_process_of_thread(False, None) is process  # each attempt has a process of its own
     stop_nbval_processes()
     assert "node-class" in result.exercises_with(Outcome.NOT_GRADED)

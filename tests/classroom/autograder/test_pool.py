@@ -19,11 +19,13 @@ from imgproc_course.classroom.autograder import nbval_process
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
 from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
+from imgproc_course.classroom.autograder.page_kernels import PageKernels
 from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde, grade_one
 from imgproc_course.classroom.autograder.results import from_json, to_json
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
+from imgproc_course.classroom.exercises.page import page_of
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
 LESSON = "attacked"
@@ -228,7 +230,7 @@ def test_submissions_are_read_as_results_are_taken(key, right):
 
 def test_another_key_in_the_same_place_is_noticed(key, right):
     with pytest.raises(ValueError, match="this is another key than the one"):
-        grade_one(("a", LESSON, right), key.path, "0" * 64)
+        grade_one(("a", LESSON, page_of(right, key.lessons[LESSON])), key.path, "0" * 64)
     nbval_process.stop_nbval_processes()
 
 
@@ -310,7 +312,7 @@ def test_an_nbval_process_that_does_not_start_reports_why(key, right, monkeypatc
     broken.chmod(0o755)
     monkeypatch.setattr(nbval_process.sys, "executable", str(broken))
     with pytest.raises(SandboxError, match="the nbval process did not start: no such plugin"):
-        grade_one(("a", LESSON, right), key.path, key.digest, unsafe=True)
+        grade_one(("a", LESSON, page_of(right, key.lessons[LESSON])), key.path, key.digest, unsafe=True)
 
 
 def mortal(path, program, deaths):
@@ -328,7 +330,7 @@ def test_an_nbval_process_that_is_killed_while_it_starts_is_started_again(
     key, right, monkeypatch, tmp_path, deaths
 ):
     monkeypatch.setattr(nbval_process.sys, "executable", mortal(tmp_path / "python", sys.executable, deaths))
-    result = grade_one(("a", LESSON, right), key.path, key.digest, unsafe=True)
+    result = grade_one(("a", LESSON, page_of(right, key.lessons[LESSON])), key.path, key.digest, unsafe=True)
     nbval_process.stop_nbval_processes()
     if deaths == 5:
         assert result.points == 10
@@ -393,9 +395,9 @@ def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
     content = key.content(exercise.id)
     (check,) = [cell for cell in content.notebook["cells"] if cell["id"] == exercise.cases[0].id]
     with KillsKernels() as kernels:
-        exercise_run = ExerciseRun(exercise, content, kernels)
-        sources = [*exercise.given, right[exercise.id]]
-        run = exercise_run.run(exercise.cases[0], sources, "".join(check["source"]))
+        page = page_of({exercise.id: right[exercise.id]}, key.lessons[LESSON])
+        exercise_run = ExerciseRun(exercise, content, PageKernels(page, kernels))
+        run = exercise_run.run(exercise.cases[0], "".join(check["source"]))
         exercise_run.close()
         assert kernels.kills_left == 0
     assert (run.ended, run.passed) == ("", True)

@@ -9,9 +9,7 @@ import re
 from functools import cache
 
 from imgproc_course.classroom.exercises import CheckResult
-from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
 from imgproc_course.classroom.exercises.cell_runs import CellRuns
-from imgproc_course.classroom.exercises.cell_syntax import plain_python
 from imgproc_course.classroom.exercises.checking import run_check
 from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.percent_script import read_script
@@ -82,7 +80,6 @@ def feedback_on(exercise, answer, *, searches=True):
     """(CheckResult, the sentences of its text) for one wrong answer; see `run_check`."""
     namespace = exercise.namespace()
     run_cell(exercise.stub, f"stub of {exercise.id}", namespace)
-    stub = namespace[exercise.function]
     runs = CellRuns()
     run = runs.start(answer.source, f"answer-{exercise.id}")
     try:
@@ -91,8 +88,7 @@ def feedback_on(exercise, answer, *, searches=True):
     except Exception as error:  # noqa: BLE001 - a cell that does not run: the stub is still there
         run.fail(error)
     function = namespace[exercise.function]
-    composed = None if function is stub else ComposedAnswer(exercise.function, plain_python(answer.source))
-    result = run_check(check_data_of(exercise), function, composed, searches=searches)
+    result = run_check(check_data_of(exercise), function, searches=searches)
     why_older = runs.why_older(exercise.id, exercise.function, function)
     if why_older:
         result = CheckResult(result.exercise, attempted=True, why_older=why_older)

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from imgproc_course.classroom.exercises import drive_check
-from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
 from imgproc_course.classroom.exercises.checking import run_check
 from imgproc_course.classroom.exercises.declaration import read_exercises
 from imgproc_course.classroom.exercises.expected_results import check_data_of
@@ -44,7 +43,7 @@ def data(tmp_path_factory):
 def checked(data, source):
     names = {"np": np}
     exec(source, names)
-    return run_check(data, names["control"], ComposedAnswer("control", source))
+    return run_check(data, names["control"])
 
 
 def test_a_controller_gets_what_its_sensors_see(data):

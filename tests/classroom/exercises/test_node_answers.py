@@ -7,11 +7,9 @@ import pytest
 
 from imgproc_course.classroom.authoring.lesson_files import lesson_files
 from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.autograder.make_answer_key import _check_source
+from imgproc_course.classroom.autograder.make_answer_key import check_source
 from imgproc_course.classroom.exercises import progress
-from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
 from imgproc_course.classroom.exercises.cell_runs import CellRuns
-from imgproc_course.classroom.exercises.cell_syntax import CellDefinitions
 from imgproc_course.classroom.exercises.check_files import read_check_file
 from imgproc_course.classroom.exercises.checking import check, run_cases, run_check
 from imgproc_course.classroom.exercises.declaration import MasterError, exercise, read_exercises
@@ -163,7 +161,7 @@ def test_a_nodes_stub_must_define_its_class(node_master):
 
 
 def test_the_check_cell_of_a_key_names_the_subject(node_master, write_master):
-    node, function = (_check_source(*read_exercises(write())) for write in (node_master, write_master))
+    node, function = (check_source(*read_exercises(write())) for write in (node_master, write_master))
     assert node.endswith('\n\nemit(Doubler, "node")') and function.endswith("\n\nemit(double)")
 
 
@@ -187,16 +185,13 @@ def checked(node_master):
     """Checks a source as `check` does in a notebook, with other cells above its cell."""
     data = check_data_of(*read_exercises(node_master()))
 
-    def check_source(source, *cells, **names):
-        all_cells = [*cells, source]
-        definitions = CellDefinitions(all_cells)
-        composed, taken, _ = definitions.compose(len(cells), "Doubler", {"np"})
+    def checked_source(source, *cells, **names):
         names = {"np": np, "__name__": "__main__"} | names
         for cell in cells:
             exec(cell, names)
-        return run_check(data, answer_in(source, **names), ComposedAnswer("Doubler", composed, taken))
+        return run_check(data, answer_in(source, **names))
 
-    return check_source
+    return checked_source
 
 
 def test_the_unchanged_stub_is_not_attempted(checked):
@@ -230,7 +225,7 @@ def test_modules_that_methods_use_are_refused(checked):
     in_method = RIGHT.replace("        wide", "        import scipy\n\n        wide")
     for source in (in_method, f"import scipy\n{RIGHT.replace('* 2', '* scipy.e')}"):
         result = checked(source)
-        assert list(result.dependencies.refused) == ["scipy"] and not result.passed
+        assert list(result.refused) == ["scipy"] and not result.passed
         assert "Doubler uses scipy. Write this exercise without it: grading refuses it." in repr(result)
 
 
@@ -239,13 +234,9 @@ BASE = f"""class Base(Node):
 WITH_BASE = f"{IMPORTS}\nclass Doubler(Base):\n{INIT}"
 
 
-def test_names_of_other_cells_are_taken_along(checked):
+def test_names_of_other_cells_count(checked):
     result = checked(WITH_BASE, "FACTOR = 1", f"{IMPORTS}\n{BASE}")
     assert result.passed and result.remarks == ()
-    assert result.dependencies.taken == {"FACTOR": "value", "Node": "import", "Base": "class"}
-    assert "Doubler uses FACTOR, Node, Base of another cell. Grading takes that along." in repr(result)
-    wrong = checked(WRONG.replace("* 2", "* FACTOR"), "FACTOR = 2")
-    assert "Doubler uses FACTOR of another cell. Grading takes that along." in repr(wrong)
 
 
 def test_an_error_has_the_line_of_the_method(checked):

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 
 import pytest
+from answer_names import names_of_answer
 from node_answers import ANSWERS
 
 from imgproc_course.classroom.exercises.checking import run_check
@@ -37,7 +38,7 @@ def result_of(answer):
     """The CheckResult of an answer on all cases, with those that only grading runs."""
     exercise = EXERCISES[answer.exercise]
     data = check_data_of(exercise, exercise.cases)
-    names, error = data.run_answer(answer.source, exercise.function)
+    names, error = names_of_answer(data, answer.source)
     assert not error
     return run_check(data, names[exercise.function])
 

@@ -13,7 +13,7 @@ from wrong_answers import FOLDER, read_wrong_answers
 
 from imgproc_course.classroom.exercises import MasterError
 from imgproc_course.classroom.exercises.checking import run_cases
-from imgproc_course.classroom.exercises.dependencies import find_refused
+from imgproc_course.classroom.exercises.names_read import NamesRead
 
 FILES = sorted(FOLDER.glob("*.py"))
 MOST = 5
@@ -29,8 +29,7 @@ def passes(exercise, answer):
         function = exercise.function_of(answer.source, answer.name)
     except MasterError:  # the cell does not run
         return False
-    given = set(exercise.namespace())
-    if find_refused(answer.source, exercise.function, exercise.allowed, given, function.__globals__):
+    if NamesRead(function).refused(exercise.allowed, set(exercise.provided)):
         return False
     return all(run_cases(exercise, function, cases=[case]).passed for case in exercise.cases)
 

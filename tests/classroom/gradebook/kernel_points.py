@@ -35,21 +35,25 @@ class NotebookKernel:
         self._client.stop_channels()
         self._manager.shutdown_kernel(now=True)
 
-    def points(self, cells, functions, reruns=()):
-        """The points of the public checks after all code cells ran.
+    def points(self, cells, functions):
+        """({exercise id: [points, text] of its check, run where the notebook has it}, whether a cell failed).
 
         Parameters
         ----------
         cells : list of the notebook's cells; what is no code is not run
         functions : {exercise id: name of its function}
-        reruns : cells that are run once more, with another source
         """
         self._evaluate(NEW)
-        for cell in (*cells, *reruns):
+        found, has_failed = {}, False
+        for cell in cells:
             source = cell.get("source") if isinstance(cell, dict) else None
-            if isinstance(source, str) and cell.get("cell_type") == "code":
-                self._execute(source, cell.get("id"), about=cell.get("metadata"))
-        return self._evaluate(CALL.format(functions=functions))
+            if not isinstance(source, str) or cell.get("cell_type") != "code":
+                continue
+            reply = self._execute(source, cell.get("id"), about=cell.get("metadata"))
+            has_failed |= reply["status"] != "ok"
+            checked = {id: name for id, name in functions.items() if f'check("{id}"' in source}
+            found |= self._evaluate(CALL.format(functions=checked)) if checked else {}
+        return found, has_failed
 
     def _evaluate(self, expression):
         content = self._execute("", None, {"value": expression})["user_expressions"]["value"]

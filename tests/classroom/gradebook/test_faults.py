@@ -54,7 +54,7 @@ def test_an_exception_of_ours_is_not_graded_not_stored_and_reported(light, fault
         if case["hidden"] and case["outcome"] == "not graded"
     ]
     assert set(hidden) == {"the autograder failed: KeyError"}
-    assert [path.name for path in (out / "results").iterdir() if "answers" not in path.name] == []
+    assert [path.name for path in (out / "results").iterdir() if "page" not in path.name] == []
     assert "could not be graded" in (out / "summary.html").read_text()
 
 

@@ -87,16 +87,16 @@ def test_thirty_submissions_get_the_right_points(graded, classroom):
     assert "30 learners, 26 lessons graded" in graded[1].text
 
 
-def test_teachers_scripts_find_the_fields_of_format_4(graded):
+def test_teachers_scripts_find_the_fields_of_format_5(graded):
     """Other fields need another number of the format."""
     grades = json.loads((graded[0] / "grades.json").read_text())
     learner = next(each for each in grades["learners"] if each["points"])
     lesson = next(each for each in learner["lessons"] if each["points"])
     exercise = lesson["exercises"][0]
     parts = (grades, learner, lesson, exercise, exercise["cases"][0])
-    assert grades["format"] == 4
+    assert grades["format"] == 5
     assert [" ".join(sorted(part)) for part in parts] == [
-        "anonymous_pages course deadline format ignored intake keys late_policy learners roster sandbox",
+        "anonymous_pages course deadline format ignored keys late_policy layout learners roster sandbox",
         "lessons max_points name page points",
         "autograded_points days_late decision earlier exercises file findings key late late_deduction lesson "
         "max_points platform platform_id points reason sha256 status submitted_at title version",
@@ -155,7 +155,7 @@ def test_an_interrupted_run_continues_where_it_stopped(light, key_path, submissi
 def test_an_incomplete_result_is_graded_again(light, key_path, submissions, grade, tmp_path):
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
     first = grade(submissions)
-    (path,) = [each for each in (tmp_path / "grades" / "results").iterdir() if "answers" not in each.name]
+    (path,) = [each for each in (tmp_path / "grades" / "results").iterdir() if "page" not in each.name]
     path.write_text(path.read_text()[:40])
     assert grade(submissions) == first
     assert from_json(json.loads(path.read_text())).points == 6

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from submissions import answers_of, make_zip, notebook, write
 
+from imgproc_course.classroom.autograder.pool import autograde
 from imgproc_course.classroom.gradebook import learners as learners_module
 from imgproc_course.classroom.gradebook.archives import CollectError
 from imgproc_course.classroom.gradebook.collect import collect
@@ -118,7 +119,9 @@ def test_of_a_learners_versions_the_platforms_latest_counts_or_the_run_stops(
     assert texts(learner) == [f"submitted 2 times; this one counts: {latest}"]
 
 
-def test_a_lesson_in_two_files_with_different_exercises_is_one(read, light, submissions, answer_keys):
+def test_a_lesson_in_two_files_with_different_exercises_is_one(
+    read, light, submissions, answer_keys, tmp_path
+):
     right = answers_of(light, "right")
     first, *rest = right
     write(submissions / "ada" / "20_light.ipynb", notebook(light, {first: right[first]}))
@@ -126,7 +129,10 @@ def test_a_lesson_in_two_files_with_different_exercises_is_one(read, light, subm
     write(submissions / "bob" / "20_light.ipynb", notebook(light, right))
     _, learners = read(submissions)
     ada, bob = (learners[name].submissions["light"] for name in ("ada", "bob"))
-    assert ada.answers_digest == bob.answers_digest and ada.answered == bob.answered
+    assert ada.answered == bob.answered
+    _, _, page = ResultStore(tmp_path / "results", {}).page(ada.answers_digest)
+    (result,) = autograde([("ada", "light", page)], answer_keys.keys[0], workers=1)
+    assert (page["answers"], result.points) == (right, result.max_points)
     assert texts(learners["ada"]) == ["its answers are those of 2 files, which have different exercises"]
 
 

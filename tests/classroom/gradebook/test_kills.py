@@ -13,7 +13,7 @@ pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("kills")]
 
 
 def results_in(out):
-    return len([path for path in (out / "results").glob("*.json") if "answers" not in path.name])
+    return len([path for path in (out / "results").glob("*.json") if "page" not in path.name])
 
 
 def test_a_control_group_of_another_run_may_vanish(tmp_path, monkeypatch):

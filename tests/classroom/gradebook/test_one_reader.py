@@ -1,7 +1,6 @@
 """`check`, in a notebook and on its file, and `grade` give one verdict, whatever happened to a notebook."""
 
 import json
-import re
 import shutil
 from pathlib import Path
 
@@ -11,7 +10,7 @@ from hypothesis import strategies as st
 from jupyterlab_cells import insert, new_cell, position_of
 from kernel_points import NotebookKernel
 from own_cells import FORMS, MORE, NODE, NODE_FORMS, NODE_MORE, TIMES
-from submissions import SEED, answers_of, cell_of, notebook
+from submissions import SEED, answers_of, notebook
 from template_master import write_carried_files
 
 from imgproc_course.classroom.authoring.masters import read_master
@@ -26,20 +25,20 @@ from imgproc_course.classroom.gradebook.syntax_shapes import syntax_tokens
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]  # the key is made in a sandbox
 
 
-class AnswersStore:
-    """Stands in for the store of `grade`: it keeps the answers of the last submission."""
+class PageStore:
+    """Stands in for the store of `grade`: it keeps the page of the last submission."""
 
     def __init__(self):
-        self.answers = None
+        self.page = None
 
-    def keep_answers(self, _key, _lesson, answers):
-        self.answers = dict(answers)
+    def keep_page(self, _key, _lesson, page):
+        self.page = page
         return "digest"
 
 
-def verdict_of(content, answers):
+def verdict_of(content, page):
     findings = [(finding.kind, finding.exercise, finding.text) for finding in content.findings]
-    return {"lesson": content.lesson, "answers": answers, "states": content.states, "findings": findings}
+    return {"lesson": content.lesson, "page": page, "states": content.states, "findings": findings}
 
 
 def verdict_of_check(path, checks):
@@ -53,11 +52,11 @@ def checked(path, checks):
     """(verdict, LessonCheck) of `imgproc-course check`, whose answers can then be run."""
     lesson_check = check_lesson(path, [checks])
     assert {entry.exercise.id: entry.state for entry in lesson_check.exercises} == lesson_check.content.states
-    return verdict_of(lesson_check.content, lesson_check.content.answers), lesson_check
+    return verdict_of(lesson_check.content, lesson_check.content.page), lesson_check
 
 
 def verdict_of_grade(path, answer_keys):
-    store = AnswersStore()
+    store = PageStore()
     folder = path.with_name(f"{path.name}, submitted")
     (folder / "ada").mkdir(parents=True, exist_ok=True)
     shutil.copy(path, folder / "ada")
@@ -66,7 +65,7 @@ def verdict_of_grade(path, answer_keys):
     (submission,) = [*learner.submissions.values(), *learner.unidentified]
     if submission.content.reason:
         return {"reason": submission.content.reason}
-    return verdict_of(submission.content, store.answers)
+    return verdict_of(submission.content, store.page)
 
 
 # ---------------------------------------------------------------- damage
@@ -218,7 +217,6 @@ def test_check_and_grade_give_one_verdict(
 
 FUNCTIONS = {"light-double": "double", "light-halves": "halves"}
 more_cells = st.lists(st.tuples(positions, st.sampled_from(MORE)), max_size=2)
-changed_cells = st.lists(st.tuples(positions, st.sampled_from(MORE)), max_size=1)
 
 
 def with_own_cells(light, own, answer, below=(), *, more=()):
@@ -244,59 +242,44 @@ def points_of_run(lesson_check):
     return {entry.exercise.id: entry.result.points if entry.result else 0 for entry in lesson_check.exercises}
 
 
-def verdicts(made, lesson_check, kernel, cells=None, reruns=()):
-    """(points of `check` in a kernel, points of `imgproc-course check --run`, the kernel's texts).
+def assert_same_points(made, folder, checks, answer_keys, kernel):
+    """`check` in a notebook that runs from the top, `check --run` and `grade` give the same points.
 
-    Without the exercises whose function no cell has defined: there the learner sees that cell's error.
+    Where a cell fails, JupyterLab leaves out the rest of it, and grading goes on with its next statement. A
+    module that the exercise does not allow is there in a notebook, which says so.
     """
-    here = kernel.points(cells or made["cells"], FUNCTIONS, reruns)
+    path = folder / "20_light.ipynb"
+    path.write_text(json.dumps(made), encoding="utf-8")
+    content, lesson_check = checked(path, checks)
+    assert content == verdict_of_grade(path, answer_keys)
     in_run = points_of_run(lesson_check)
-    texts = "\n".join(text for _, text in here.values())
-    return {id: points for id, (points, _) in here.items()}, {id: in_run[id] for id in here}, texts
+    (result,) = autograde([("one", "light", content["page"])], answer_keys.keys[0], workers=1)
+    graded = {one.id: sum(case.points for case in one.cases if not case.hidden) for one in result.exercises}
+    assert graded == in_run
+    here, has_failed = kernel.points(made["cells"], FUNCTIONS)
+    for id, (points, text) in here.items():
+        if has_failed or "grading would refuse" in text or "NameError" in text:
+            assert points <= in_run[id], (text, content["findings"])
+        else:
+            assert points == in_run[id], (text, content["findings"])
 
 
 @settings(
-    max_examples=75,
+    max_examples=40,
     deadline=None,
     derandomize=True,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
-@given(form=st.sampled_from(FORMS), more=more_cells, changed=changed_cells)
-def test_check_in_a_kernel_gives_the_same_points(
-    light, answer_keys, checks, kernel, tmp_path, form, more, changed
+@given(form=st.sampled_from(FORMS), more=more_cells)
+def test_check_in_a_notebook_check_of_its_file_and_grade_give_the_same_points(
+    light, answer_keys, checks, kernel, tmp_path, form, more
 ):
-    made = with_own_cells(light, *form, more=more)
-    cells = json.loads(json.dumps(made["cells"]))
-    own_places = [cell for cell in made["cells"] if re.fullmatch("[0-9a-f]{8}", cell["id"])]
-    reruns = [own_places[position % len(own_places)] for position, _ in changed if own_places]
-    for cell, (_, source) in zip(reruns, changed, strict=False):
-        cell["source"] = source
-    path = tmp_path / "20_light.ipynb"
-    path.write_text(json.dumps(made), encoding="utf-8")
-    content, lesson_check = checked(path, checks)
-    assert content == verdict_of_grade(path, answer_keys)
-    in_kernel, in_run, texts = verdicts(made, lesson_check, kernel, cells, reruns)
-    assert in_kernel == in_run, (texts, content["findings"], content["answers"]["light-double"])
+    assert_same_points(with_own_cells(light, *form, more=more), tmp_path, checks, answer_keys, kernel)
 
 
 @pytest.mark.parametrize("form", FORMS, ids=range(len(FORMS)))
 def test_each_form_of_an_answer_gives_one_verdict(light, answer_keys, checks, kernel, tmp_path, form):
-    made = with_own_cells(light, *form)
-    path = tmp_path / "20_light.ipynb"
-    path.write_text(json.dumps(made), encoding="utf-8")
-    content, lesson_check = checked(path, checks)
-    assert content == verdict_of_grade(path, answer_keys)
-    in_kernel, in_run, texts = verdicts(made, lesson_check, kernel)
-    assert in_kernel == in_run, (texts, content["findings"], content["answers"]["light-double"])
-
-
-def test_a_call_that_grading_leaves_out_is_named(light, kernel):
-    own = ["def fill(table):\n    table += [2]\nTABLE = [1]", "fill(TABLE)"]
-    made = with_own_cells(light, own, TIMES.format("TABLE[-1]"))
-    points, text = kernel.points(made["cells"], FUNCTIONS)["light-double"]
-    assert points == 0
-    assert "In this notebook double() gives the right values. Grading takes TABLE along from another" in text
-    assert "does not run fill(TABLE) there, which may change it. Write TABLE and this call into" in text
+    assert_same_points(with_own_cells(light, *form), tmp_path, checks, answer_keys, kernel)
 
 
 def test_the_check_of_another_name_says_so(light, answer_keys, kernel, tmp_path):
@@ -307,59 +290,15 @@ def test_the_check_of_another_name_says_so(light, answer_keys, kernel, tmp_path)
     path.write_text(json.dumps(made), encoding="utf-8")
     texts = [text for _, exercise, text in verdict_of_grade(path, answer_keys)["findings"] if exercise]
     assert texts == ["a cell checks double_2, and double() is graded"]
-    points, text = kernel.points(made["cells"], {"light-double": "double_2"})["light-double"]
+    here, _ = kernel.points(made["cells"], {"light-double": "double_2"})
+    points, text = here["light-double"]
     assert points == 1
     assert "This is double_2, and grading takes double(): give it this name in the answer cell" in text
 
 
-MARK = {"imgproc_course": {"exercise": "light-double"}}
 RIGHT, WRONG = TIMES.format(2), "def double(pixels):\n    return pixels"
-COUNTS = {  # (count of the answer cell, of its copy below, of the check), and which of them is graded
-    "corrected below": ((3, 7, 8), "copy"),
-    "corrected above": ((7, 3, 8), "answer"),
-    "tried above after the check": ((9, 4, 8), "copy"),
-    "tried below after the check": ((4, 9, 8), "answer"),
-    "the check never ran": ((4, 9, None), "copy"),
-    "the copy never ran": ((4, None, 8), "answer"),
-    "no counts": ((None, None, None), "copy"),
-}
-
-
-@pytest.mark.parametrize("name", COUNTS)
-def test_of_an_answer_cell_and_its_copy_the_one_that_the_check_used_is_graded(
-    light, answer_keys, checks, kernel, tmp_path, name
-):
-    (own, copied, checked_at), graded = COUNTS[name]
-    sources = {"answer": WRONG, "copy": WRONG} | {graded: RIGHT}
-    made = notebook(light, answers_of(light, "right") | {"light-double": sources["answer"]})
-    cell_of(made, "answer-light-double")["execution_count"] = own
-    cell_of(made, "check-light-double-1")["execution_count"] = checked_at
-    copy = new_cell(sources["copy"]) | {"id": "copied01", "metadata": MARK, "execution_count": copied}
-    insert(made, position_of(made, "answer-light-double") + 1, copy)
-    path = tmp_path / "20_light.ipynb"
-    path.write_text(json.dumps(made), encoding="utf-8")
-    content, lesson_check = checked(path, checks)
-    assert content == verdict_of_grade(path, answer_keys)
-    texts = [text for _, exercise, text in content["findings"] if exercise == "light-double"]
-    places = {"answer": "answer-light-double", "copy": "copied01"}
-    first, other = (places.pop(graded), *places.values())
-    assert texts == [f"2 cells define double(): {first} is graded, and not {other}"]
-    assert points_of_run(lesson_check)["light-double"] == 1
-    if own and copied and checked_at:  # the kernel runs them in the order of their counts
-        at = {
-            cell["id"]: cell["execution_count"] or 0 for cell in made["cells"] if cell["cell_type"] == "code"
-        }
-        cells = [cell for cell in made["cells"] if at.get(cell["id"], 0) < checked_at]
-        points, text = kernel.points(sorted(cells, key=lambda cell: at.get(cell["id"], 0)), FUNCTIONS)[
-            "light-double"
-        ]
-        assert points == 1 and "not the answer" not in text and "another cell" not in text, text
-
-
 DEFAULTS = {
     "an image of the lesson": "def double(pixels=PICTURE):\n    "
-    "return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)",
-    "on three lines": "def double(\n    pixels=PICTURE[\n        0\n    ],\n):\n    "
     "return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)",
     "an own argument keeps its value": "def double(pixels=PICTURE, factor=FACTOR):\n    "
     "return np.minimum(pixels.astype(int) * factor, LIMIT).astype(np.uint8)",
@@ -376,12 +315,6 @@ def test_a_default_value_of_an_argument_that_every_call_gives_needs_nothing(
     content, lesson_check = checked(path, checks)
     assert content == verdict_of_grade(path, answer_keys)
     assert points_of_run(lesson_check)["light-double"] == 1
-    assert "PICTURE" not in content["answers"]["light-double"]
-    lines = (
-        content["answers"]["light-double"].partition("# The answer cell:\n")[2]
-        or content["answers"]["light-double"]
-    )
-    assert lines.count("\n") == DEFAULTS[name].count("\n")
 
 
 # ---------------------------------------------------------------- an answer that is a class
@@ -421,7 +354,7 @@ def node_verdicts(made, folder, nodes, kernel):
     path.write_text(json.dumps(made), encoding="utf-8")
     content, lesson_check = checked(path, checks)
     assert content == verdict_of_grade(path, answer_keys)
-    here = kernel.points(made["cells"], {"nodes-double": "Doubler"})
+    here, _ = kernel.points(made["cells"], {"nodes-double": "Doubler"})
     points, text = here.get("nodes-double", (None, ""))
     in_run = points_of_run(lesson_check)["nodes-double"]
     return points, in_run, text, content
@@ -432,7 +365,7 @@ def test_a_class_gets_the_same_points_everywhere(nodes, node_kernel, tmp_path, n
     own, answer, points = NODE_FORMS[name]
     made = node_notebook(nodes[0], own, answer)
     in_kernel, in_run, text, content = node_verdicts(made, tmp_path, nodes, node_kernel)
-    (result,) = autograde([("one", "nodes", content["answers"])], nodes[2].keys[0], workers=1)
+    (result,) = autograde([("one", "nodes", content["page"])], nodes[2].keys[0], workers=1)
     graded = sum(case.points for case in result.exercises[0].cases if not case.hidden)
     assert (in_kernel, in_run, graded) == (points, points, points), (text, content["findings"])
 
@@ -450,7 +383,7 @@ def test_a_class_gets_the_same_points_everywhere(nodes, node_kernel, tmp_path, n
 def test_a_class_and_other_cells_give_the_same_points(nodes, node_kernel, tmp_path, form, more):
     made = node_notebook(nodes[0], *NODE_FORMS[form][:2], more)
     in_kernel, in_run, text, content = node_verdicts(made, tmp_path, nodes, node_kernel)
-    assert in_kernel in (None, in_run), (text, content["findings"], content["answers"])
+    assert in_kernel in (None, in_run), (text, content["findings"], content["page"]["answers"])
 
 
 NODE_STUB = "class Doubler(Node):\n    def __init__(self):\n        f = 2\n        raise NotImplementedError"

@@ -128,7 +128,7 @@ def test_a_hidden_check_shows_no_values_even_if_the_result_has_some(
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, 0)))
     (entry,) = grade(submissions)["learners"]
     files = (tmp_path / "grades" / "results").glob("*.json")
-    (stored,) = [json.loads(path.read_text()) for path in files if "answers" not in path.name]
+    (stored,) = [json.loads(path.read_text()) for path in files if "page" not in path.name]
     result = from_json(stored)
     exercises = []
     for exercise in result.exercises:
@@ -198,9 +198,9 @@ def test_a_value_that_no_page_can_show_costs_its_own_page_the_details_and_nobody
     out = tmp_path / "grades"
     grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
     before = {path.name.split("-")[0]: path.read_text() for path in (out / "learners").iterdir()}
-    for path in (out / "results").glob("*.answers.json"):
+    for path in (out / "results").glob("*.page.json"):
         if "# ada" in path.read_text():
-            stored = path.with_name(path.name.replace(".answers", ""))
+            stored = path.with_name(path.name.replace(".page", ""))
     content = json.loads(stored.read_text())
     call = next(case["failed_call"] for case in content["exercises"][0]["cases"] if case["failed_call"])
     call["actual"] = {"type": "ndarray", "dtype": "nonsense", "shape": [2], "data": "!!"}

@@ -17,6 +17,7 @@ from imgproc_course.classroom.gradebook.submission_reader import (
 pytestmark = pytest.mark.sandbox  # the key is made in one
 
 DOUBLE = "answer-light-double"
+ASKED = [["light-double", "double", None]]
 
 
 @pytest.fixture(scope="module")
@@ -51,6 +52,21 @@ def test_a_complete_lesson_gives_its_answers_and_no_findings(read, made, light):
     assert (content.lesson, content.version, content.reason) == ("light", "0.1.0", "")
     assert content.states == {"light-double": "answered", "light-halves": "answered"}
     assert content.findings == [] and content.claims == []
+
+
+def test_what_runs_are_the_cells_above_the_check(read, made):
+    """Given cells as handed out, what the learner wrote, and no check."""
+    place = made["cells"].index(cell_of(made, DOUBLE))
+    own = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
+    made["cells"].insert(place, own | {"id": "mine", "source": "%%writefile tool.py\nFACTOR = 2"})
+    cell_of(made, "given-light-double-1")["source"] += "\nFACTOR = 3"
+    page = read(made).page
+    given, changed, _, tool, answer = page["cells"][:5]  # the third imports `check`
+    assert (given["kind"], given["source"]) == ("given", "import numpy as np\n\nLIMIT = 255")
+    assert (changed["kind"], changed["source"].splitlines()[-1]) == ("lesson", "FACTOR = 3")
+    assert (tool["kind"], tool["file"], tool["source"]) == ("own", "tool.py", "FACTOR = 2")
+    assert (answer["exercise"], answer["source"]) == ("light-double", page["answers"]["light-double"])
+    assert page["checks"]["light-double"] == [5, 0] and page["left_out"] == []
 
 
 def test_a_lesson_as_handed_out_is_not_attempted_and_has_no_findings(read, light):
@@ -227,74 +243,16 @@ def test_a_split_answer_cell(read, made):
         )
 
 
-def test_definitions_in_other_cells_are_taken_along_and_bind_nothing_given(read, made, light):
-    cell_of(made, DOUBLE)["source"] = "def double(p):\n    return wide(p, sum(p), LIMIT)"
-    helper = (
-        "import numpy as np, math\nLIMIT, FACTOR = 3, 2\nsum = 3\ndef wide(p, *_):\n    return p * math.e"
-    )
-    made["cells"].insert(1, {"id": "h", "cell_type": "code", "metadata": {}, "source": helper, "outputs": []})
-    content = read(made)
-    assert content.answers["light-double"].splitlines() == [
-        "# From other cells of the notebook, because the answer reads it:",
-        "import math",
-        "",
-        "def wide(p, *_):",
-        "    return p * math.e",
-        "",
-        "# The answer cell:",
-        "def double(p):",
-        "    return wide(p, sum(p), LIMIT)",
-    ]
-    assert texts(content) == ["its answer reads math, wide() of another cell (h), which is graded with it"]
-    assert content.answers["light-halves"] == answers_of(light, "right")["light-halves"]
-
-
-@pytest.mark.parametrize(
-    "helper, end",
-    [
-        ("x = 1\ndef wide(p):\n    return p\nwide(", "which does not run: line 4 is not Python: wide("),
-        ("wide = 3\nwide = = 4", "which does not run: line 2 is not Python: wide = = 4"),
-        ("def fill(t): t[0] = 3\nwide = {}\nfill(wide)", "but without what fill(wide) does"),
-        ("class Table: pass\nwide = Table()\nwide.load(3)", "but without what wide.load(3) does"),
-    ],
-)
-def test_what_an_answer_reads_and_nobody_runs_is_named(read, made, helper, end):
-    cell_of(made, DOUBLE)["source"] = "def double(p):\n    return wide, p"
-    made["cells"].insert(1, {"id": "h", "cell_type": "code", "metadata": {}, "source": helper, "outputs": []})
-    assert f"its answer reads wide of another cell (h), {end}" in texts(read(made), "message")
-
-
 def test_a_pasted_program_is_named_and_what_never_ends_is_not_run(read, made):
     cell_of(made, DOUBLE)["source"] = (
         "def double(p):\n    return p\n\nwhile rclpy.ok():\n    spin(3)\ninput()"
     )
     content = read(made)
-    assert content.answers["light-double"] == "def double(p):\n    return p\n\n#\n#\ninput()"
+    number = [cell["exercise"] for cell in content.page["cells"]].index("light-double")
+    assert content.page["left_out"] == [[number, 1]]
     (loop, person) = texts(content, "message")
     assert loop.startswith("line 4, while rclpy.ok():, belongs to a program that runs by itself")
     assert person.startswith("line 6, input(), belongs to a program")
-
-
-def test_what_only_looks_at_a_value_is_not_named(read, made):
-    cell_of(made, DOUBLE)["source"] = "def double(p):\n    return wide, p"
-    helper = (
-        "def show(p): pass\nother = 2\nwide = [3]\nwide.append(4)\nwide.index(3)\nprint(wide)\nshow(other)"
-    )
-    broken = "def double(p)\nwide[0] = ="
-    for id, source in (("h", helper), ("b", broken)):
-        made["cells"].insert(1, {"id": id, "cell_type": "code", "metadata": {}, "source": source})
-    assert texts(read(made)) == ["its answer reads wide of another cell (h), which is graded with it"]
-
-
-def test_what_is_taken_along_counts_for_the_size_of_the_answer(read, made):
-    cell_of(made, DOUBLE)["source"] = "def double(p):\n    return p + LONG"
-    source = f"LONG = '{'x' * (MAX_ANSWER - 50)}'"
-    made["cells"].insert(1, {"id": "h", "cell_type": "code", "metadata": {}, "source": source, "outputs": []})
-    content = read(made)
-    assert content.states["light-double"] is AnswerState.BROKEN
-    assert texts(content, "answer") == [
-        "its answer and what it reads from other cells are longer than 200000 characters"
-    ]
 
 
 def test_a_hostile_mass_of_definitions_costs_only_itself(read, made, light):
@@ -304,7 +262,7 @@ def test_a_hostile_mass_of_definitions_costs_only_itself(read, made, light):
         source = "\n".join(f"{name} = {name}_2 = 3" for name in names[start : start + 10])
         made["cells"].append({"id": f"h{start}", "cell_type": "code", "metadata": {}, "source": source})
     content = read(made)
-    assert content.answers["light-double"].count(" = 3\n") == 3_000
+    assert sum(cell["source"].count(" = 3") for cell in content.page["cells"]) == 3_000
     assert content.answers["light-halves"] == answers_of(light, "right")["light-halves"]
 
 
@@ -511,11 +469,11 @@ def test_notebooks_that_fill_the_readers_memory_cost_the_next_one_nothing():
     with NotebookReader(memory=110 << 20) as reader:
         cells = {f"own-{k}": f"twice = 1{k}\n" + "a;" * 2_400 for k in range(40)}
         reader.read(cells_as_notebook(answer | cells))
-        reader.compose([[0, "double", [], {}]])
+        reader.page({}, ASKED)
         assert reader.read(cells_as_notebook(answer, output="x" * 10_000_000))[1] == ""
-        ((source, taken, _, _),) = reader.compose([[0, "double", [], {}]])
-    assert taken == [["twice", "function", 1]]
-    assert source.count("def twice(p):\n    return p") == 1
+        page, places = reader.page({}, ASKED)
+    assert [cell["source"] for cell in page["cells"]] == [*answer.values()]
+    assert places == {"light-double": [0]}
 
 
 def cells_as_notebook(sources, output=""):
@@ -536,10 +494,8 @@ def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answ
         reader._process.wait()
         assert read_submission(data, answer_keys, reader).answers == answers_of(light, "right")
         reader._process.kill()
-        position = made["cells"].index(cell_of(made, DOUBLE))
-        assert reader.compose([[position, "double", ["np", "LIMIT"]]]) == [
-            [answers_of(light, "right")["light-double"], [], [], []]
-        ]
+        page, _ = reader.page({}, ASKED)
+        assert page["answers"] == {"light-double": answers_of(light, "right")["light-double"]}
 
 
 def test_reading_runs_and_imports_nothing_of_a_notebook(made):

@@ -26,7 +26,7 @@ INSIDE = Path(__file__).resolve().parent / "inside"
 # Modules of `exercises` that check cells need; none of them knows an answer.
 EXERCISES_MODULES = (
     *("canonical", "comparison", "drive", "input_encoding", "running"),
-    *("cell_syntax", "node_driver", "package_driver", "recording_node", "ros_double"),
+    *("cell_syntax", "node_driver", "package_driver", "page_run", "recording_node", "ros_double"),
 )
 SITE, COURSE, PYTHON = "/course/site", "/course/packages", "/python"  # paths inside the sandbox
 _CLASSROOM = f"{COURSE}/{course.NAME}/classroom"
@@ -262,6 +262,7 @@ def environment():
         "OPENCV_LOG_LEVEL": "ERROR",
         "OPENBLAS_NUM_THREADS": "1",
         "OMP_NUM_THREADS": "1",
+        "OPENCV_FOR_THREADS_NUM": "1",  # beside its threads no process can be forked
         "LD_LIBRARY_PATH": str(mount_point / "lib") if mount_point != Path("/usr") else "",
     }
 

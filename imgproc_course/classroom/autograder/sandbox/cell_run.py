@@ -18,6 +18,9 @@ class CellRun:
     answers: list = field(default_factory=list)  # what check cells showed: the data of our MIME type
     error: tuple = ("", "")  # type and text of the exception that ended the cell
     printed: str = ""  # the first part of it
+    errors: list = field(default_factory=list)  # of a page: [number of a cell, type, text] of a statement
+    place: tuple = ()  # of a page: the statement that ran last
+    status: dict = field(default_factory=dict)  # of a process that was forked: how it ended
 
     def add(self, kind, content):
         """Add a message; returns whether it ended the cell. ValueError, TypeError, KeyError: it is none."""
@@ -30,6 +33,14 @@ class CellRun:
         elif kind in ("display_data", "execute_result"):
             data = dict(content["data"])
             self.answers += [data[MIME]] if MIME in data else []
+        elif kind == "at":
+            self.place = tuple(map(int, content["place"]))
+        elif kind == "errors":
+            self.errors = [
+                (int(one["cell"]), _text(one["name"]), _text(one["text"])) for one in content["errors"]
+            ]
+        elif kind == "ended":
+            self.status = {name: float(content[name]) for name in ("signal", "code", "cpu")}
         else:
             raise ValueError(f"a message of the kind {kind!r}")
         return kind == "idle"

@@ -20,6 +20,7 @@ from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
 _LOOK_SECONDS = 0.05  # between two looks at what all processes together use
 _OWN_SECONDS = 0.5  # of processor time, that the fork server and a waiting kernel use beside a check, at most
 _STARTS = 3  # of a fork server that ends before it forks
+_STATEMENT_SECONDS = 20  # of wall time, after which a statement of a page cannot be stopped from inside
 _NOT_CONFINED = 70  # exit code of a fork that could not be confined, see `inside.fork_server`
 _TIME_SIGNALS = (signal.SIGKILL, signal.SIGXCPU)  # by which the system ends a process whose time is used up
 
@@ -28,36 +29,25 @@ class KernelEnded(Exception):
     """The kernel has ended; its text is a value of CellRun.ended. It never leaves this module."""
 
 
-class ForkedKernel:
-    """A kernel that was forked from a `ForkServer`; it waits until `begin`."""
+class Connection:
+    """The socket to a process that runs cells, and the limits on what comes out of it."""
 
-    def __init__(self, fork_server, limits):
-        self._fork_server, self._limits = fork_server, limits
-        self._lines, self._buffer, self._is_confined = deque(), b"", False
-        self._socket, kernel_end = socket.socketpair()
-        with kernel_end:
-            self._id = fork_server.fork(kernel_end.fileno())
+    def __init__(self, group, limits):
+        self._group, self._limits = group, limits
+        self._lines, self._buffer, self._is_confined = deque(), b"", True
+        self._next_look, self._most_cpu = 0.0, math.inf
+        self._deadline = self._statement_ends = math.inf
+        self._socket, self._other_end = socket.socketpair()
 
-    def begin(self, allowed, seconds):
-        """Start the clock; `KernelFactory.start` explains the arguments."""
-        self._fork_server.await_ends()  # nothing of the kernel before is left now, and counts for this one
-        self._fork_server.group.reset()
+    def _begin(self, seconds):
+        """Start the clock for so many seconds of processor time."""
         self._cpu_limit = self._limits.cpu(seconds)
         self._deadline = time.monotonic() + self._limits.deadline(seconds)
-        self._next_look, self._most_cpu = time.monotonic() + _LOOK_SECONDS, math.inf
-        with suppress(KernelEnded):  # its first cell will find out
-            self._send(_line_of({"allowed": list(allowed), "cpu": self._cpu_limit}))
+        self._next_look = time.monotonic() + _LOOK_SECONDS
 
     def run(self, code):
         """Run one cell; returns its CellRun."""
         return self._request({"cells": [code]})
-
-    def run_statements(self, sources):
-        """Run cells of which each statement that fails costs only itself; the CellRun has the first error."""
-        # Its package imports NumPy; the fork server starts before that.
-        from imgproc_course.classroom.exercises.cell_syntax import parts_of
-
-        return self._request({"cells": [part for source in sources for part in parts_of(source)]})
 
     def run_check(self, code, inputs, seconds):
         """Run a check cell with its inputs (see `check_cell.deliver`); returns its CellRun.
@@ -65,13 +55,12 @@ class ForkedKernel:
         The system limits the processor time of each process, and this limits that of all together: a slow
         answer could compute in one process after another.
         """
-        group = self._fork_server.group
-        cpu_before, began = group.cpu_seconds(), time.monotonic()
+        cpu_before, began = self._group.cpu_seconds(), time.monotonic()
         run = self._request({"case": {"calls": inputs, "seconds": seconds}, "cells": [code]})
         most = seconds * len(inputs) + self._limits.grace
         if run.ended or cpu_before is None or time.monotonic() - began <= most:
             return run
-        if (group.cpu_seconds() or 0.0) - cpu_before > most + _OWN_SECONDS:
+        if (self._group.cpu_seconds() or 0.0) - cpu_before > most + _OWN_SECONDS:
             run.ended = "time"
         return run
 
@@ -81,7 +70,7 @@ class ForkedKernel:
         The processor time of all its processes together is limited for each look, and for the drive. The time
         that the robot takes is its own: the deadline leaves it out.
         """
-        run, group = CellRun(), self._fork_server.group
+        run, group = CellRun(), self._group
         case = {"layout": robot.layout, "seconds": look_seconds}
         data = _line_of({"case": case, "cells": [code]})
         cpu_end = (group.cpu_seconds() or 0.0) + seconds + self._limits.grace
@@ -94,11 +83,16 @@ class ForkedKernel:
             self._deadline += robot.seconds - robot_seconds
         return run
 
+    def run_below(self, name):
+        """Run the cells of the page below, until a name is there; returns its CellRun."""
+        return self._request({"below": name})
+
     def _request(self, request):
         run = CellRun()
         self._bytes_left = self._limits.output
         if self._run_until_action(run, _line_of(request)) is not None:
             run.ended = "hostile"
+        self._statement_ends = math.inf
         return run
 
     def _run_until_action(self, run, data):
@@ -114,8 +108,11 @@ class ForkedKernel:
                 message = json.loads(line)
                 if message["type"] == "action":
                     return dict(message["content"])
+                place = run.place
                 if run.add(message["type"], message["content"]):
                     return None
+                if run.place != place:
+                    self._statement_ends = time.monotonic() + _STATEMENT_SECONDS
         except KernelEnded as error:
             run.ended = str(error)
         except (ValueError, KeyError, TypeError, RecursionError):  # anybody may have written the message
@@ -141,7 +138,7 @@ class ForkedKernel:
     def _exchange(self, send_or_receive, argument):
         """The result of sending or receiving once; the kernel ends if time or memory runs out meanwhile."""
         while True:
-            seconds_left = self._deadline - time.monotonic()
+            seconds_left = min(self._deadline, self._statement_ends) - time.monotonic()
             if seconds_left <= 0:
                 raise KernelEnded("time")
             self._check_use()
@@ -157,11 +154,68 @@ class ForkedKernel:
         """End the kernel if it and all that it started use too much memory together, or time in a drive."""
         if time.monotonic() < self._next_look:
             return
-        if self._fork_server.ran_out_of_memory():
+        if self._ran_out_of_memory():
             raise KernelEnded("memory")
-        if self._most_cpu < math.inf and (self._fork_server.group.cpu_seconds() or 0.0) > self._most_cpu:
+        if self._most_cpu < math.inf and (self._group.cpu_seconds() or 0.0) > self._most_cpu:
             raise KernelEnded("time")
         self._next_look = time.monotonic() + _LOOK_SECONDS
+
+    def _ending(self, status):
+        """The value of CellRun.ended for a process that ended by itself, by its exit status."""
+        # The system's limit is in whole seconds.
+        if status["signal"] in _TIME_SIGNALS and status["cpu"] > self._cpu_limit - 0.9:
+            return "time"
+        return "memory" if self._ran_out_of_memory() else "crashed"
+
+
+class ForkedKernel(Connection):
+    """A kernel that was forked from a `ForkServer`; it waits until `begin`."""
+
+    def __init__(self, fork_server, limits):
+        super().__init__(fork_server.group, limits)
+        self._fork_server, self._is_confined = fork_server, False
+        with self._other_end:
+            self._id = fork_server.fork(self._other_end.fileno())
+
+    def begin(self, allowed, seconds):
+        """Start the clock; `KernelFactory.start` explains the arguments."""
+        self._fork_server.await_ends()  # nothing of the kernel before is left now, and counts for this one
+        self._fork_server.group.reset()
+        self._begin(seconds)
+        with suppress(KernelEnded):  # its first cell will find out
+            self._send(_line_of({"allowed": list(allowed), "cpu": self._cpu_limit}))
+
+    def open_page(self, page, skip):
+        """Get a page (see `exercises.page`) ready to run, without the statements of `skip`."""
+        return self._request({"page": page, "skip": skip})
+
+    def run_page(self, place):
+        """Run the page on to a place; returns its CellRun, with the statements that failed."""
+        return self._request({"to": place})
+
+    def fork_check(self, seconds):
+        """A ForkedCheck with the page as it is now; None: beside threads and processes there is no fork."""
+        check = ForkedCheck(self, self._group, self._limits, seconds)
+        return check if check.has_begun else None
+
+    def exchange_fork(self, descriptor, cpu):
+        """Whether a process was forked that answers the requests of a socket."""
+        run = CellRun()
+        try:
+            socket.send_fds(self._socket, [_line_of({"fork": cpu})], [descriptor])
+        except OSError:
+            return False
+        self._bytes_left = self._limits.output
+        self._run_until_action(run, b"")
+        return not run.ended and not run.error[0]
+
+    def end_fork(self, patience):
+        """How the forked process ended, {} if this one has ended as well."""
+        request = {"end": patience, "confined": self._fork_server.confined}
+        return self._request(request).status
+
+    def _ran_out_of_memory(self):
+        return self._fork_server.ran_out_of_memory()
 
     def _how_it_ended(self):
         """The value of CellRun.ended for a kernel that ended by itself; "gone" if the fork server did too."""
@@ -176,10 +230,7 @@ class ForkedKernel:
         # Once it is confined, an answer can end with this code too.
         if status["code"] == _NOT_CONFINED and not self._is_confined:
             raise bubblewrap.SandboxError("a kernel could not be confined; see imgproc-course doctor")
-        # The system's limit is in whole seconds.
-        if status["signal"] in _TIME_SIGNALS and status["cpu"] > self._cpu_limit - 0.9:
-            return "time"
-        return "memory" if self._fork_server.ran_out_of_memory() else "crashed"
+        return self._ending(status)
 
     def stop(self):
         """End the kernel and all that it started, without waiting for its end."""
@@ -187,6 +238,35 @@ class ForkedKernel:
         if self._id is not None:
             self._fork_server.end(self._id)
             self._id = None
+
+
+class ForkedCheck(Connection):
+    """A process that a kernel forked for the cases of one exercise."""
+
+    def __init__(self, kernel, group, limits, seconds):
+        super().__init__(group, limits)
+        self._kernel, self._status = kernel, None
+        self._begin(seconds)
+        with self._other_end:
+            self.has_begun = kernel.exchange_fork(self._other_end.fileno(), self._cpu_limit)
+        if not self.has_begun:
+            self._socket.close()
+
+    def _ran_out_of_memory(self):
+        return self._kernel._ran_out_of_memory()
+
+    def _how_it_ended(self):
+        if self._status is None:
+            self._status = self._kernel.end_fork(1.0)
+        if self._status:
+            return self._ending(self._status)
+        return "crashed"
+
+    def stop(self):
+        """End the process and all that it started."""
+        self._socket.close()
+        if self._status is None:
+            self._status = self._kernel.end_fork(0.0)
 
 
 def _line_of(request):
@@ -197,7 +277,7 @@ class ForkServer:
     """The process that forks kernels, seen from outside; it is started again if it has ended."""
 
     def __init__(self, group, limits, *, confined):
-        self._limits, self._confined = limits, confined
+        self._limits, self.confined = limits, confined
         self.group = group  # ProcessGroup of all its processes
         self._process = self._control = None
         self._fork_count = 0
@@ -212,7 +292,7 @@ class ForkServer:
         self._replies = 0  # to the orders of `end`, that nobody has read yet
 
     def _start_process(self, control):
-        confined = self._confined
+        confined = self.confined
         settings = {
             "confined": confined,
             "user": bubblewrap.kernel_user() if confined else None,

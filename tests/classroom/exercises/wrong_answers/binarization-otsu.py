@@ -3,11 +3,6 @@ def otsu(gray):
     counts = np.bincount(gray.ravel(), minlength=256)
     return int(np.argmax(counts))
 
-# %% name="helper of the lesson" sentence="between_class_variance is defined in another cell: copy its definition into this cell, or compute the variance here." must_say=["between_class_variance", "cell|copy|define"] kind="other-cell"
-def otsu(gray):
-    counts = np.bincount(gray.ravel(), minlength=256)
-    return int(np.argmax([between_class_variance(counts, t) for t in range(256)]))
-
 # %% name="if below and above" sentence="below and above are arrays, and an array is neither True nor False: ask for their size, if below.size and above.size." must_say=["size|values"] kind="error"
 def otsu(gray):
     best_t, best_variance = 0, 0

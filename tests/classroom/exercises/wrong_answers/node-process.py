@@ -7,10 +7,6 @@ def process(frame):
     gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     return {"gray": gray * 1.0}
 
-# %% name="make_gray of the cell above" sentence="make_gray is a function of another cell, which is not there when your answer is graded: write the line that computes gray in this cell." must_say=["make_gray", "cell"] kind="other-cell"
-def process(frame):
-    return make_gray(frame)
-
 # %% name="array instead of a dictionary" sentence="You return the gray image itself; the node needs a dictionary with the key \"gray\"." must_say=["dict", "gray|key"] kind="type"
 def process(frame):
     return cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)

@@ -12,7 +12,6 @@ import builtins
 import gc
 import json
 import os
-import random
 import signal
 import socket
 import sys
@@ -51,10 +50,13 @@ def _load():
 
     warm_up()
     cell_shell.display_formatter.format(0)  # makes the formatters, else each kernel would
-    # Answers may draw from NumPy's global generator; its state is the same in each fork.
-    np.random.seed(0)  # noqa: NPY002 - the global generator is meant, not one of ours
+    import matplotlib.pyplot as plt  # noqa: F401 - cells beside answers draw; it takes a second
 
-    def run_cells(requests, descriptor, allowed):
+    def run_cells(descriptor):
+        requests = shell.read_requests(socket.socket(fileno=descriptor))
+        beginning, _ = next(requests)
+        allowed = beginning["allowed"]
+        confine.set_time_limit(beginning["cpu"])
         builtins.input = check_cell.refuse_input  # nobody would answer
         if "rclpy" in allowed:
             # Few exercises need it: a double of ROS, because nothing here can reach a network.
@@ -87,12 +89,8 @@ def _run_kernel(control, descriptor, kernel_id, settings, warm_up, run_cells):
             confine.set_limits(settings["limits"] | {"processes": 4096})
         os.write(descriptor, b"\n")  # it is confined; until now nobody else's code ran
         warm_up()
-        with open(descriptor, "rb", 1 << 18, closefd=False) as requests:
-            beginning = json.loads(requests.readline())
-            confine.set_time_limit(beginning["cpu"])
-            random.seed(0)  # Python draws another seed in each fork
-            exit_code = 71  # the learner's code ended it
-            run_cells(requests, descriptor, beginning["allowed"])
+        exit_code = 71  # the learner's code ended it
+        run_cells(descriptor)
         exit_code = 0
     finally:
         os._exit(exit_code)

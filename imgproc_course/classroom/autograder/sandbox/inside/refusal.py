@@ -13,6 +13,7 @@ import sys
 import types
 
 from imgproc_course.classroom import course
+from imgproc_course.classroom.exercises.page_run import Missing
 from imgproc_course.classroom.exercises.running import KNOWN_ERRORS
 
 # Every answer may use these, and the standard library.
@@ -27,18 +28,6 @@ class RefusedModule(ModuleNotFoundError):
 
 
 KNOWN_ERRORS["RefusedModule"] = RefusedModule
-
-
-class _Unusable:
-    """Stands for whatever a module that is not allowed would hold."""
-
-    def __init__(self, module):
-        self._module = module
-
-    def _refuse(self, *_arguments, **_options):
-        raise RefusedModule(f"write this exercise without {self._module}", name=self._module)
-
-    __call__ = __getattr__ = __iter__ = __getitem__ = __array__ = __bool__ = __len__ = _refuse
 
 
 class _Silent:
@@ -78,7 +67,12 @@ class _StandIn(types.ModuleType):
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        return _silent_named(name) if _only_shows(self.__name__) else _Unusable(self.__name__)
+        return _silent_named(name) if _only_shows(self.__name__) else _unusable(self.__name__)
+
+
+def _unusable(module):
+    """What stands for whatever a module that is not allowed would hold."""
+    return Missing(RefusedModule(f"write this exercise without {module}", name=module))
 
 
 def _only_shows(module):

@@ -1,8 +1,13 @@
 """An IPython shell without ZMQ: it reads cells from a socket and writes messages, as lines of JSON.
 
 In:  {"cells": ["..."]}; one that fails ends only itself. A check has also "case": {...}, its inputs
+     {"page": {...}, "skip": [...]}, a page (see `exercises.page`); {"to": [cell, statement]}: it runs on to
+     there; {"below": "name"}: it runs on until this name is bound
+     {"fork": seconds} with a socket: a process that answers the requests of the socket for a check, as this
+     one does; {"end": patience, "confined": ...}: that process ends
 Out: {"type": "stream" | "display_data" | "error" | "idle", "content": {...}}, as Jupyter's messages. What a
-     cell draws is not sent, but for what a check cell shows.
+     cell draws is not sent, but for what a check cell shows. Of a page, "at": the statement that begins, and
+     "errors"; of a process that ended, "ended".
 """
 
 import ast
@@ -11,8 +16,12 @@ import io
 import json
 import os
 import re
+import signal
+import socket
 import sys
 import threading
+import time
+from contextlib import suppress
 
 from IPython.core.async_helpers import _pseudo_sync_runner
 from IPython.core.displayhook import DisplayHook
@@ -21,8 +30,13 @@ from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 from traitlets import Type
 from traitlets.config import Config
 
+from imgproc_course.classroom.autograder.sandbox.inside import confine
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
+from imgproc_course.classroom.exercises.page_run import PageRun, is_missing
 from imgproc_course.classroom.exercises.running import error_name
+
+# Looked up before any code of a learner's runs.
+_fork, _exit, _kill, _wait4, _waitpid = os.fork, os._exit, os.kill, os.wait4, os.waitpid
 
 _BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
 _MOST_PRINTED = 1_000_000  # characters that are sent of what a request prints; the rest costs nothing
@@ -181,33 +195,187 @@ def run_unseen(shell, cells):
 
 
 def serve(shell, requests, descriptor, deliver):
-    """Run the cells of each request until there are no more; `deliver` takes the inputs of each check."""
+    """Answer the requests of a connection, one after another, until there are no more.
+
+    Parameters
+    ----------
+    requests : iterable of (dict, descriptor or None): a request, and the descriptor that came with it
+    descriptor : of the socket to which messages are written
+    deliver : takes the inputs of each check
+    """
     WRITER.descriptor = descriptor
     sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
-    runner = _CellRunner(shell)
-    for request in map(json.loads, requests):
-        WRITER.printed = 0
+    _Server(shell, deliver).serve(requests)
+
+
+def read_requests(connection):
+    """The requests that come from a socket, as `serve` takes them."""
+    data, descriptors = b"", []
+    while part := connection.recvmsg(1 << 18, socket.CMSG_SPACE(4)):
+        for level, kind, content in part[1]:
+            if (level, kind) == (socket.SOL_SOCKET, socket.SCM_RIGHTS):
+                descriptors += [*memoryview(content).cast("i")]
+        if not part[0]:
+            return
+        *lines, data = (data + part[0]).split(b"\n")
+        for line in lines:
+            yield json.loads(line), descriptors.pop(0) if descriptors else None
+
+
+class _Server:
+    """What one connection asks for: a kernel's, or that of a check which was forked from it."""
+
+    def __init__(self, shell, deliver, page_run=None):
+        self._shell, self._deliver, self._page_run = shell, deliver, page_run
+        self._runner = _CellRunner(shell, page_run is not None and page_run.uses_loop)
+        self._check = None  # process id of the check that was forked
+
+    def serve(self, requests):
+        for request, descriptor in requests:
+            WRITER.printed = 0
+            for name in request:
+                if name in _HANDLERS:
+                    _HANDLERS[name](self, request, descriptor)
+                    break
+
+    def _run_cells(self, request, _descriptor):
+        """Run cells, of which one that fails ends only itself. A check has also "case": its inputs."""
         if "case" in request:
-            deliver(request["case"])
-        errors = [runner.run(code) for code in request["cells"]]
-        flush()
+            self._deliver(request["case"])
+        errors = [self._runner.run(code) for code in request["cells"]]
         error = next((error for error in errors if error is not None), None)
-        name = "" if error is None else error_name(error)
-        WRITER.send("idle", ename=name, evalue="" if error is None else _text_of(error))
+        self._finish("" if error is None else error_name(error), "" if error is None else _text_of(error))
+
+    def _finish(self, ename="", evalue=""):
+        flush()
+        WRITER.send("idle", ename=ename, evalue=evalue)
+
+    def _open_page(self, request, _descriptor):
+        """Get a page ready to run, without the statements that ended the process before."""
+
+        def tell(cell, statement):
+            flush()
+            WRITER.send("at", place=[cell, statement])
+
+        self._page_run = PageRun(request["page"], self._shell.user_ns, request["skip"], tell)
+        self._runner = _CellRunner(self._shell, self._page_run.uses_loop)
+        self._finish()
+
+    def _run_page(self, request, _descriptor):
+        """Run the page on to a place, or below until a name is there; tell which statements have failed."""
+        if "to" in request:
+            self._page_run.run_to(request["to"])
+        else:
+            self._find_below(request["below"])
+        errors = [vars(error) for error in self._page_run.errors]
+        flush()
+        WRITER.send("errors", errors=errors[:_MOST_ERRORS])
+        self._finish()
+
+    def _find_below(self, name):
+        """Run the cells below until a name is there; one that is missing in the end is not bound."""
+        names = self._shell.user_ns
+        self._page_run.run_below(lambda: name in names and not is_missing(names[name]))
+        if is_missing(names.get(name)):
+            del names[name]
+
+    def _fork_check(self, request, descriptor):
+        """Fork a process that answers the requests of another socket; none beside threads and processes."""
+        flush()
+        self._check = None if _has_company() else _fork()
+        if self._check == 0:
+            _serve_check(self, request, descriptor)
+        os.close(descriptor)
+        self._finish("" if self._check else "not alone")
+
+    def _end_check(self, request, _descriptor):
+        """End the forked process with all that it started; tell how it ended."""
+        status = _end(self._check, request["end"], request["confined"])
+        self._check = None
+        WRITER.send("ended", **status)
+        self._finish()
+
+
+_MOST_ERRORS = 100
+_HANDLERS = {
+    "cells": _Server._run_cells,
+    "page": _Server._open_page,
+    "to": _Server._run_page,
+    "below": _Server._run_page,
+    "fork": _Server._fork_check,
+    "end": _Server._end_check,
+}
+
+
+def _has_company():
+    """Whether this process has other threads, or has started processes: a fork would lack them."""
+    try:
+        tasks = os.listdir("/proc/self/task")  # noqa: PTH208 - `os` only, see `confine`
+        with open(f"/proc/self/task/{os.getpid()}/children", encoding="ascii") as children:  # noqa: PTH123
+            return len(tasks) > 1 or bool(children.read().strip())
+    except OSError:  # a system without it
+        return threading.active_count() > 1
+
+
+def _serve_check(server, request, descriptor):
+    """What the forked process does; it does not return."""
+    exit_code = 71  # the learner's code ended it
+    try:
+        os.close(WRITER.descriptor)
+        os.setpgid(0, 0)
+        confine.set_time_limit(request["fork"])
+        WRITER.descriptor = descriptor
+        connection = socket.socket(fileno=descriptor)
+        server._page_run.adopt_process()
+        _Server(server._shell, server._deliver, server._page_run).serve(read_requests(connection))
+        exit_code = 0
+    finally:
+        _exit(exit_code)
+
+
+def _end(check, patience, confined):
+    """How a forked process ended: {"signal", "code", "cpu"}; it is killed if it does not end in time."""
+    status, usage, give_up = 0, None, time.monotonic() + patience
+    try:
+        while usage is None:
+            if time.monotonic() >= give_up:
+                _kill(check, signal.SIGKILL)
+            ended, status, resources = _wait4(check, os.WNOHANG)
+            usage = resources if ended else None
+            if usage is None:
+                time.sleep(0.001)
+        # Where this process is the first one of its namespace, this reaches all others there and no more.
+        with suppress(OSError):
+            _kill(-1 if confined else -check, signal.SIGKILL)
+        with suppress(OSError):
+            while _waitpid(-1, 0)[0]:
+                pass
+    except (OSError, TypeError):  # the learner's code has waited for it
+        return {"signal": 0, "code": 71, "cpu": 0.0}
+    return {
+        "signal": os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0,
+        "code": os.WEXITSTATUS(status) if os.WIFEXITED(status) else 0,
+        "cpu": usage.ru_utime + usage.ru_stime,
+    }
 
 
 class _CellRunner:
     """Runs cells. After the first cell that uses asyncio, an event loop is running, as in JupyterLab."""
 
-    def __init__(self, shell):
+    def __init__(self, shell, uses_loop=False):
         self._shell, self._loop = shell, None
+        if uses_loop:
+            self._open_loop()
+
+    def _open_loop(self):
+        self._loop = asyncio.new_event_loop()
+        asyncio.set_event_loop(self._loop)
+        self._shell.loop_runner = self._loop.run_until_complete
 
     def run(self, code):
         """Run a cell; returns the exception that ended it, or None."""
         if self._loop is None and ("async" in code or "await" in code):
-            self._loop = asyncio.new_event_loop()
-            asyncio.set_event_loop(self._loop)
-            self._shell.loop_runner = self._loop.run_until_complete
+            self._open_loop()
         if self._loop is None or re.search(r"\b(await|async)\b", code):
             result = self._shell.run_cell(code, store_history=False)
         else:

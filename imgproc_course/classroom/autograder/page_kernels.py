@@ -1,0 +1,86 @@
+"""The kernels that run one submission's page, and the processes in which its checks run."""
+
+from .sandbox.cell_run import CellRun
+
+_PAGE_SECONDS = 40.0  # of processor time, that a page may take beside its checks; see `exercises.page_run`
+_MOST_SKIPPED = 5  # statements that end the process
+
+
+class PageKernels:
+    """Kernels that run a page (see `exercises.page`) up to one check after another.
+
+    Exercises that allow the same modules share a kernel, and each of them has a process that is forked from
+    it: what one check leaves behind does not reach the next one. Each drive has a kernel of its own.
+    """
+
+    def __init__(self, page, kernel_factory):
+        self._page, self._kernel_factory = page, kernel_factory
+        self._kernel, self._allowed, self._place = None, (), []
+        self._skip = []  # statements that ended the process
+
+    def in_order(self, exercises):
+        """Exercises in the order in which their checks are to run."""
+        allowed = list(dict.fromkeys(exercise.allowed for exercise in exercises))
+        checks = self._page["checks"]
+        return sorted(
+            exercises, key=lambda one: (allowed.index(one.allowed), checks.get(one.id, [0, 0]), one.id)
+        )
+
+    def open_check(self, exercise, seconds, *, alone=False):
+        """(the Connection to a process in which the page has run up to the check, the CellRun of the answer).
+
+        `seconds` of processor time are the first case's. `alone`: while no other kernel waits, which could
+        use memory that this one needs.
+        """
+        place = self._page["checks"][exercise.id]
+        if not alone and not exercise.drives:
+            run = self._run_to(place, exercise.allowed)
+            check = None if run.ended else self._kernel.fork_check(seconds)
+            if check is not None:
+                return check, self._about(exercise, run, check.run_below(exercise.function))
+        self.close()
+        kernel, run = self._start(place, exercise.allowed, seconds, alone=alone)
+        below = run if run.ended else kernel.run_below(exercise.function)
+        return kernel, self._about(exercise, run, below)
+
+    def _run_to(self, place, allowed):
+        """The CellRun of the page, which runs on to a place in the kernel that the exercises share."""
+        if self._kernel is not None and self._allowed == allowed and self._place <= place:
+            run = self._kernel.run_page(place)
+            self._place = place
+            if not run.ended:
+                return run
+        self.close()
+        self._kernel, run = self._start(place, allowed, 0.0)
+        self._allowed, self._place = allowed, place
+        return run
+
+    def _start(self, place, allowed, seconds, *, alone=False):
+        """(a kernel, the CellRun of the page up to a place in it), without what ends the process."""
+        for _ in range(_MOST_SKIPPED):
+            kernel = self._kernel_factory.start(allowed, _PAGE_SECONDS + seconds, alone=alone)
+            run = kernel.open_page(self._page, self._skip)
+            run = run if run.ended else kernel.run_page(place)
+            if not run.ended or (not run.place and run.ended != "gone"):
+                break
+            if run.ended != "gone":  # the statement ended it, and not somebody else
+                self._skip.append(run.place)
+            kernel.stop()
+        return kernel, run
+
+    def _about(self, exercise, run, below):
+        """The CellRun of an exercise's answer: its first error, and how it ended."""
+        errors = below.errors or run.errors
+        cells = self._page["cells"]
+        own = [
+            error
+            for number, *error in errors
+            if number < len(cells) and cells[number]["exercise"] == exercise.id
+        ]
+        return CellRun(ended=run.ended or below.ended, error=tuple(own[0]) if own else ("", ""))
+
+    def close(self):
+        """End the kernel that exercises share."""
+        if self._kernel is not None:
+            self._kernel.stop()
+        self._kernel = None

@@ -1,0 +1,22 @@
+"""Run the source of an answer as a page is run: in a namespace, statement by statement."""
+
+import sys
+import types
+from types import SimpleNamespace
+
+from imgproc_course.classroom.exercises.page import page_of
+from imgproc_course.classroom.exercises.page_run import PageRun, is_missing
+
+
+def names_of_answer(exercise, source):
+    """(the namespace after an answer to an exercise has run, its first error as text or "")."""
+    module = types.ModuleType(exercise.id)
+    sys.modules[exercise.id] = module  # dataclasses and pickle look up the module of a class there
+    names = vars(module)
+    names |= exercise.namespace()
+    page = page_of({exercise.id: source}, SimpleNamespace(exercises=[exercise]))
+    run = PageRun(page, names)
+    run.run_to([len(page["cells"]), 0])
+    for name in [name for name, value in names.items() if is_missing(value)]:
+        del names[name]
+    return names, next((f"{error.name}: {error.text}" for error in run.errors), "")
