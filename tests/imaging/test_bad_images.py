@@ -104,7 +104,7 @@ def test_a_value_that_is_not_a_plain_array_raises_with_the_remedy(name):
 @pytest.mark.parametrize(
     ("values", "remedy"),
     [
-        (np.array([0.0, 0.8]), "its values go from 0 to 0.8, so np.rint(bgr * 255).astype(np.uint8)"),
+        (np.array([0.0, 1.0]), "its values go from 0 to 1, so np.rint(bgr * 255).astype(np.uint8)"),
         (np.array([0.0, 200.4]), "its values go from 0 to 200.4, so np.rint(bgr).astype(np.uint8)"),
         (
             np.array([-3.0, 300.0]),

@@ -107,6 +107,7 @@ def test_alpha_and_gray_in_formats_that_do_not_hold_them():
     [
         (GRAY16, "jpg", "jpg holds 1, 3 or 4 channels of uint8, not 1 of uint16; 'png' holds 8 and 16 bits"),
         (METERS, "png", "'tiff' holds every dtype"),
+        (METERS[..., None].repeat(4, axis=2), "png", "'tiff' holds every dtype"),
         (BGR / 255, "jpg", "call np.clip(np.rint(np.nan_to_num(array) * 255), 0, 255).astype('uint8')"),
         (BGR, "pgm", "pgm holds 1 channels"),
         (BGR[..., :2], "bmp", "convert it to 1, 3 or 4 channels"),
