@@ -147,9 +147,11 @@ def test_a_metaclass_cannot_choose_the_name():
 
 
 def test_values_that_are_too_large_or_too_deep():
-    loop = []
+    loop, named = [], {}
     loop.append(loop)
-    assert json.dumps(canonical(loop)).count("too_large") == 1
+    named["itself"] = named
+    texts = [json.dumps(canonical(value)) for value in (loop, named)]
+    assert [(text.count('"items"'), text.count("too_large")) for text in texts] == [(8, 1), (8, 1)]
     assert canonical([0] * 30_000) == {"type": "list", "too_large": True}
     assert canonical("a" * 20_000) == {"type": "str", "too_large": True}
     assert canonical(1 << 5_000) == {"type": "int", "too_large": True}
