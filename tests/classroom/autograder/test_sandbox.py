@@ -71,6 +71,16 @@ def test_the_systems_limits_follow_from_the_case():
     assert Limits(grace=1, wall_factor=2, wall_grace=3).deadline(4) == 13
 
 
+def test_fork_servers_have_no_kernel_user_in_common(monkeypatch):
+    """The system counts processes by user."""
+    users = []
+    monkeypatch.setattr(bubblewrap.os, "geteuid", lambda: 0)
+    for process in (41, 42):
+        monkeypatch.setattr(bubblewrap.os, "getpid", lambda process=process: process)
+        users.append(bubblewrap.kernel_user())
+    assert users == [2_010_496, 2_010_752]  # each has 256
+
+
 def problem_with(monkeypatch, folder, script):
     bubblewrap.sandbox_problem.cache_clear()
     program = folder / "bwrap"
@@ -94,6 +104,11 @@ def test_without_user_namespaces_the_error_says_how_to_allow_them(monkeypatch, t
     )
     assert "setting up uid map: Permission denied" in problem
     assert "sysctl -w kernel.unprivileged_userns_clone=1" in problem
+
+
+def test_a_trial_that_does_not_end_is_no_sandbox(monkeypatch, tmp_path):
+    monkeypatch.setattr(bubblewrap, "_TRIAL_SECONDS", 0.2)
+    assert "(no sandbox within 0.2 s)" in problem_with(monkeypatch, tmp_path, "exec /bin/sleep 60")
 
 
 def test_on_another_system_the_error_says_where_to_grade(monkeypatch):
