@@ -2,7 +2,7 @@
 
 from .sandbox.cell_run import CellRun
 
-_PAGE_SECONDS = 40.0  # of processor time, that a page may take beside its checks; see `exercises.page_run`
+_PAGE_SECONDS = 60.0  # of processor time, that a page may take beside its checks; see `exercises.page_run`
 _MOST_SKIPPED = 5  # statements that end the process
 
 

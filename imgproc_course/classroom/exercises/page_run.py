@@ -20,7 +20,8 @@ from . import running
 from .cell_syntax import UNPARSABLE, names_bound_by
 
 STATEMENT_SECONDS = 5.0  # that one statement may take
-TOGETHER_SECONDS = 10.0  # of all the lesson's, and of all the learner's beside the answers
+# Of all cells of a kind together.
+TOGETHER_SECONDS = {"given": 20.0, "lesson": 10.0, "own": 10.0, "answer": 20.0}
 _KNOWN = ("RefusedModule", "NotGradedError")  # errors of ours, which keep their class
 _process = os.getpid  # before any code of a learner's runs
 
@@ -80,7 +81,7 @@ class PageRun:
         self._left_out = {tuple(place) for place in page["left_out"]}
         self._skip = {tuple(place) for place in skip}
         self.errors = []  # StatementErrors
-        self._seconds = {"given": 0.0, "lesson": 0.0, "own": 0.0, "answer": 0.0}
+        self._seconds = dict.fromkeys(TOGETHER_SECONDS, 0.0)
         self._place, self._flags, self._process = [0, 0], ast.PyCF_ALLOW_TOP_LEVEL_AWAIT, _process()
         self._statements = [self._read(number, cell) for number, cell in enumerate(self._cells)]
         # After the first cell that uses asyncio, an event loop is running, as in JupyterLab.
@@ -146,7 +147,7 @@ class PageRun:
         error, began = None, time.monotonic()
         if place in self._skip:
             error = RuntimeError("it ended the process, or did not end in time")
-        elif kind in ("lesson", "own") and self._seconds[kind] > TOGETHER_SECONDS:
+        elif self._seconds[kind] > TOGETHER_SECONDS[kind]:
             error = TimeoutError("the cells above took all the time that they may take")
         else:
             self._tell(*place)

@@ -297,6 +297,12 @@ def no_metadata_and_another_name(made):
 # ---------------------------------------------------------------- definitions in other cells
 
 
+@case(double=f"import tools\n{USES_WIDE.replace('wide', 'tools.wide')}")
+def a_helper_in_a_file_that_a_cell_writes(made):
+    cell = new_cell(f"%%writefile tools.py\nimport numpy as np\n{WIDE}")
+    insert(made, position_of(made, DOUBLE), cell)
+
+
 @case(double=USES_WIDE)
 def a_helper_above(made):
     insert(made, 1, new_cell(WIDE))

@@ -16,6 +16,7 @@ from contextlib import suppress
 
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
+from imgproc_course.classroom.autograder.temporary_folder import TemporaryFolder
 
 _LOOK_SECONDS = 0.05  # between two looks at what all processes together use
 _OWN_SECONDS = 0.5  # of processor time, that the fork server and a waiting kernel use beside a check, at most
@@ -280,6 +281,7 @@ class ForkServer:
         self._limits, self.confined = limits, confined
         self.group = group  # ProcessGroup of all its processes
         self._process = self._control = None
+        self._folder = None if confined else TemporaryFolder()
         self._fork_count = 0
 
     def start(self):
@@ -304,6 +306,7 @@ class ForkServer:
         return subprocess.Popen(
             [*bubblewrap.sandbox_command(confined), "-c", code + "fork_server.main()", json.dumps(settings)],
             env={} if confined else bubblewrap.environment(),
+            cwd=None if confined else self._folder.path,  # where cells write files
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
@@ -358,6 +361,12 @@ class ForkServer:
     def ran_out_of_memory(self):
         """Whether the processes of all its kernels together use more memory than they may."""
         return self._process is not None and self.group.ran_out_of_memory(self._process.pid)
+
+    def close(self):
+        """End the process for good."""
+        self.stop()
+        if self._folder is not None:
+            self._folder.remove()
 
     def stop(self):
         """End the process and every kernel; returns what it said last. The next fork starts another one."""

@@ -38,5 +38,5 @@ class KernelFactory(contextlib.AbstractContextManager):
     def __exit__(self, *_error):
         """End all kernels and the fork server."""
         self._drop_spare()
-        self._fork_server.stop()
+        self._fork_server.close()
         self._group.remove()

@@ -9,6 +9,7 @@ module that only shows something stands one that shows nothing.
 import builtins
 import dis
 import importlib
+import importlib.util
 import sys
 import types
 
@@ -100,6 +101,15 @@ def _is_guarded(frame):
     return any(entry.start <= frame.f_lasti < entry.end for entry in entries)
 
 
+_own_modules = set()  # files that the learner's cells write
+
+
+def allow_files(files):
+    """Let the learner's code import the modules that it writes, unless there is another one of that name."""
+    names = {file.rpartition("/")[2].removesuffix(".py") for file in files if file.endswith(".py")}
+    _own_modules.update(name for name in names if importlib.util.find_spec(name) is None)
+
+
 def allow_modules(allowed):
     """Let the learner's code import these modules and those of every answer, and no others."""
     names = {*_ALWAYS, *allowed, *(name.partition(".")[0] for name in allowed)}
@@ -108,7 +118,7 @@ def allow_modules(allowed):
     def is_allowed(name):
         parts = name.split(".")
         name = ".".join(parts[: 2 if parts[0] == course.NAME else 1])
-        return name in names or name in sys.stdlib_module_names
+        return name in names or name in sys.stdlib_module_names or name in _own_modules
 
     def refused(name, frame):
         """What stands for the module that this frame may not import, [] if it may."""

@@ -30,7 +30,7 @@ from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 from traitlets import Type
 from traitlets.config import Config
 
-from imgproc_course.classroom.autograder.sandbox.inside import confine
+from imgproc_course.classroom.autograder.sandbox.inside import confine, refusal
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.classroom.exercises.page_run import PageRun, is_missing
 from imgproc_course.classroom.exercises.running import error_name
@@ -257,6 +257,7 @@ class _Server:
             flush()
             WRITER.send("at", place=[cell, statement])
 
+        refusal.allow_files(cell["file"] for cell in request["page"]["cells"] if cell["file"])
         self._page_run = PageRun(request["page"], self._shell.user_ns, request["skip"], tell)
         self._runner = _CellRunner(self._shell, self._page_run.uses_loop)
         self._finish()
