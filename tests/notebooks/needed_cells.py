@@ -4,7 +4,7 @@ import ast
 
 from IPython.core.inputtransformer2 import TransformerManager
 
-from imgproc_course.classroom.exercises.cell_syntax import statements_of
+from imgproc_course.classroom.authoring.names_used import names_used
 
 
 def tree_of(source):
@@ -14,7 +14,7 @@ def tree_of(source):
 
 def statements(source):
     """The statements of a cell: of each, what it reads, binds and changes; no local name of a function."""
-    return statements_of(TransformerManager().transform_cell(source))
+    return list(names_used(TransformerManager().transform_cell(source)))
 
 
 def names_of(source):

@@ -17,7 +17,7 @@ from imgproc_course.classroom.authoring.execute import execute, normalize, outpu
 from imgproc_course.classroom.authoring.lesson_files import lesson_files
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
 from imgproc_course.classroom.authoring.minutes import read_sections
-from imgproc_course.classroom.exercises.cell_syntax import statements_of
+from imgproc_course.classroom.authoring.names_used import names_used
 from imgproc_course.classroom.exercises.percent_script import read_script
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -26,7 +26,7 @@ MASTERS = find_masters(NOTEBOOKS / "masters")
 
 def global_names_read(source):
     """The names of other cells that a cell may read: no local variables of its functions."""
-    statements = statements_of(TransformerManager().transform_cell(source))
+    statements = list(names_used(TransformerManager().transform_cell(source)))
     return {name for statement in statements for name in statement.reads}
 
 

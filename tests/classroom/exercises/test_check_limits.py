@@ -155,7 +155,12 @@ def test_a_remark_that_cannot_be_computed_is_left_out(name, monkeypatch):
 
 @pytest.mark.parametrize(
     ("module", "name"),
-    [(checking, "_judge_calls"), (checking, "_as_graded"), (feedback, "_advice"), (feedback, "_cases")],
+    [
+        (checking, "_judge_calls"),
+        (checking, "_remarks_on_program"),
+        (feedback, "_advice"),
+        (feedback, "_cases"),
+    ],
 )
 def test_the_last_resort_shows_verdict_and_values_and_says_what_to_report(module, name, monkeypatch):
     monkeypatch.setattr(module, name, left_out)
