@@ -12,14 +12,9 @@ def tree_of(source):
     return ast.parse(TransformerManager().transform_cell(source))
 
 
-def statements(source):
-    """The statements of a cell: of each, what it reads, binds and changes; no local name of a function."""
-    return list(names_used(TransformerManager().transform_cell(source)))
-
-
 def names_of(source):
-    """The names that a cell reads, and those that it binds."""
-    parts = statements(source)
+    """The names that a cell reads, and those that it binds; no local name of a function."""
+    parts = list(names_used(TransformerManager().transform_cell(source)))
     return set().union(*(part.reads for part in parts)), set().union(*(part.binds for part in parts))
 
 
@@ -28,12 +23,13 @@ def names_imported(source):
     return {(alias.asname or alias.name).partition(".")[0] for alias in aliases}
 
 
-def names_changed(source):
-    """The names whose value a cell may change: by an item, an attribute, a method, or `x += 1`."""
+def names_changed(source, methods=None):
+    """The names whose value a cell may change: by an item, an attribute, `x += 1`, or one of the methods."""
     values = set()
     for node in ast.walk(tree_of(source)):
         if isinstance(node, ast.Call):
-            values.add(node.func.value if isinstance(node.func, ast.Attribute) else None)
+            method = getattr(node.func, "attr", "")
+            values.add(node.func.value if method and (methods is None or method in methods) else None)
         elif isinstance(node, ast.Subscript | ast.Attribute) and not isinstance(node.ctx, ast.Load):
             values.add(node.value)
         elif isinstance(node, ast.AugAssign):
