@@ -37,6 +37,7 @@ from imgproc_course.classroom.exercises.running import error_name
 
 # Looked up before any code of a learner's runs.
 _fork, _exit, _kill, _wait4, _waitpid = os.fork, os._exit, os.kill, os.wait4, os.waitpid
+_write, _dumps, _loads = os.write, json.dumps, json.loads
 
 _BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
 _MOST_PRINTED = 1_000_000  # characters that are sent of what a request prints; the rest costs nothing
@@ -51,11 +52,11 @@ class MessageWriter:
         self._lock = threading.RLock()
 
     def send(self, kind, **content):
-        text = json.dumps({"type": kind, "content": content}, default=str) + "\n"
+        text = _dumps({"type": kind, "content": content}, default=str) + "\n"
         data = memoryview(text.encode("ascii"))
         with self._lock:
             while data:
-                data = data[os.write(self.descriptor, data) :]
+                data = data[_write(self.descriptor, data) :]
 
     def send_answer(self, data):
         """Send what a check cell shows, of what a cell displays."""
@@ -219,7 +220,7 @@ def read_requests(connection):
             return
         *lines, data = (data + part[0]).split(b"\n")
         for line in lines:
-            yield json.loads(line), descriptors.pop(0) if descriptors else None
+            yield _loads(line), descriptors.pop(0) if descriptors else None
 
 
 class _Server:

@@ -1,0 +1,79 @@
+"""What a page's own cells do, honest or not, costs the checks nothing: each is beside right answers."""
+
+from unittest.mock import patch
+
+import pytest
+from attacks import LESSON, SHORT
+
+from imgproc_course.classroom.autograder.page_kernels import PageKernels
+from imgproc_course.classroom.autograder.pool import autograde
+from imgproc_course.classroom.autograder.sandbox import fork_server_client
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.classroom.exercises.page import page_below, page_of
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("isolation")]
+OWN_CELLS = {
+    "a copy of the process goes on": "import os\nchild = os.fork()\nx = 1",
+    "a thread": "import threading, time\nthreading.Thread(target=time.sleep, args=(9,), daemon=True).start()",
+    "a pool of threads": "from concurrent.futures import ThreadPoolExecutor\n"
+    "pool = ThreadPoolExecutor(2)\nprint(list(pool.map(abs, range(4))))",
+    "a process": "import subprocess\nsleeping = subprocess.Popen(['sleep', '30'])",
+    "it ends the process": "import os\nos._exit(3)",
+    "it fails": "1 / 0\nraise KeyboardInterrupt",
+    "it leaves Python": "import sys\nsys.exit()\nquit()",
+    "it prints much": "print('x' * 100_000_000)",
+    "it changes the folder": "import os\nos.chdir('/')",
+    "it plots": "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()",
+    "it awaits": "import asyncio\nawait asyncio.sleep(0.01)",
+    "seeds and print options": "np.random.seed(3)\nnp.set_printoptions(precision=1)",
+    "it is not Python": "def f(:\n",
+}
+
+
+def page_with(key, own, right):
+    """The page of right answers, below a cell of the learner's own."""
+    lesson = key.lessons[LESSON]
+    cell = {"kind": "own", "source": own, "exercise": "", "file": ""}
+    above = {"answers": {}, "cells": [cell], "checks": {}, "left_out": []}
+    return page_below(above, page_of(right, lesson), right)
+
+
+def test_own_cells_cost_the_checks_nothing(key, right):
+    pages = [(name, LESSON, page_with(key, own, right)) for name, own in OWN_CELLS.items()]
+    points = {result.name: result.points for result in autograde(pages, key, workers=2)}
+    assert points == dict.fromkeys(OWN_CELLS, 10)
+
+
+def test_a_statement_that_cannot_be_stopped_is_left_out_of_a_second_run(key, right):
+    own = "for _ in iter(int, 1):\n    try:\n        while True: pass\n    except BaseException: pass\nx = 2"
+    exercise = key.lessons[LESSON].exercises[0]
+    with patch.object(fork_server_client, "_STATEMENT_SECONDS", 0.5), KernelFactory(limits=SHORT) as factory:
+        kernels = PageKernels(page_with(key, own, right), factory)
+        process, answer = kernels.open_check(exercise, 1.0)
+        assert (answer.ended, answer.error) == ("", ("", ""))
+        assert process.run("print(x)").printed == "2\n"
+        process.stop()
+        kernels.close()
+
+
+def test_a_name_whose_statement_failed_raises_where_it_is_used(key, right):
+    uses = "TABLE = missing + [1]\ndef mean(values, table=TABLE):\n    return sum(values) / len(table)"
+    answers = right | {"attacked-mean": uses}
+    (result,) = autograde([("one", LESSON, page_of(answers, key.lessons[LESSON]))], key, workers=1)
+    double, mean = result.exercises
+    assert (double.points, mean.points) == (3, 0)
+    assert mean.message == "a statement in its cell fails: NameError: name 'missing' is not defined"
+    assert mean.cases[0].message.startswith(
+        "NameError: TABLE is not there, because the statement that defines it fails (NameError: name"
+    )
+
+
+def test_a_cell_below_runs_only_for_a_name_that_is_missing(key, right):
+    lesson = key.lessons[LESSON]
+    page = page_of(
+        right | {"attacked-mean": "def mean(values):\n    return total(values) / len(values)"}, lesson
+    )
+    cells = ["def total(values):\n    return sum(values)", "def double(pixels):\n    return pixels"]
+    page["cells"] += [{"kind": "own", "source": cell, "exercise": "", "file": ""} for cell in cells]
+    (result,) = autograde([("one", LESSON, page)], key, workers=1)
+    assert [exercise.points for exercise in result.exercises] == [3, 7]
