@@ -313,7 +313,8 @@ def _has_company():
     """Whether this process has other threads, or has started processes: a fork would lack them."""
     try:
         tasks = os.listdir("/proc/self/task")  # noqa: PTH208 - `os` only, see `confine`
-        with open(f"/proc/self/task/{os.getpid()}/children", encoding="ascii") as children:  # noqa: PTH123
+        path = f"/proc/self/task/{os.getpid()}/children"
+        with open(path, encoding="ascii") as children:  # noqa: PTH123 - as above
             return len(tasks) > 1 or bool(children.read().strip())
     except OSError:  # a system without it
         return threading.active_count() > 1
