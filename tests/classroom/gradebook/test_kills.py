@@ -36,6 +36,21 @@ def test_a_control_group_of_another_run_may_vanish(tmp_path, monkeypatch):
     assert run.survivors(0)[1:] == [str(ours)] and not other.exists()
 
 
+def kill_all_kinds(run, out, rng):
+    """Kill one process of each kind, the command last; whether the run lasted long enough for that."""
+    shutil.rmtree(out, ignore_errors=True)
+    run.start()
+    for kind in [kind for kind in KINDS if kind not in (COMMAND, GUARD)]:
+        while not run.kill(kind, rng):
+            if run.process.poll() is not None:
+                return run.finish()[0] != 0
+    while results_in(out) < 2 and run.process.poll() is None:
+        run.processes(COMMAND)
+    run.kill(COMMAND, rng)
+    run.process.communicate()
+    return results_in(out) < 12
+
+
 def test_kills_of_every_process_change_no_byte_and_leave_nothing(light, key_path, submissions, tmp_path):
     write_submissions(submissions, light, 12)
     calm, killed = tmp_path / "calm", tmp_path / "killed"
@@ -44,15 +59,9 @@ def test_kills_of_every_process_change_no_byte_and_leave_nothing(light, key_path
     assert run.finish()[0] == 0
     run = Run(submissions, key_path, killed)
     rng = random.Random(7)
-    run.start()
-    for kind in [kind for kind in KINDS if kind not in (COMMAND, GUARD)]:
-        while not run.kill(kind, rng):
-            assert run.process.poll() is None
-    while results_in(killed) < 2:
-        assert run.process.poll() is None, run.process.communicate()
-        run.processes(COMMAND)
-    assert run.kill(COMMAND, rng) and results_in(killed) < 12
-    run.process.communicate()
+    # On a busy machine a run may be over before this process has seen all kinds of processes.
+    assert any(kill_all_kinds(run, killed, rng) for _ in range(5))
+    assert 2 <= results_in(killed) < 12 and run.process.returncode < 0
     assert run.survivors(10) == []
     assert list(run.temporary.glob("imgproc-course-*"))
     (killed / "results" / ".writing-0.tmp").touch()
