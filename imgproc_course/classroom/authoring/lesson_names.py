@@ -9,6 +9,11 @@ from functools import lru_cache
 # Some browsers save a notebook as text: 04_grayscale.ipynb.txt, and once more as 04_grayscale.ipynb (1).txt.
 _NOTEBOOK = re.compile(r"(?P<stem>.+)\.ipynb(?:(?P<copy> ?\(\d{1,6}\))?\.(?:txt|json))?", re.S | re.I)
 _REPEATED = re.compile(r"(?P<stem>.+?)(?:-\d{1,6}|[ _]?\((?P<copy>\d{1,6})\))", re.S)
+_COPY_WORDS = re.compile(  # as Google Drive, Windows, macOS and JupyterLab write them
+    r"(?:copy of|kopie von|copie de|copia de) (?P<of>.+)"
+    r"|(?P<stem>.*?)(?:^| - | |-)(?:copy|kopie|copie|copia)(?: ?\d{1,6}| \(\d{1,6}\))?",
+    re.S | re.I,
+)
 LESSON_FILE = re.compile(r"(?P<number>\d\d)_(?P<name>(?!\d\d_)[a-z0-9_]+)")
 
 
@@ -38,6 +43,12 @@ def split_repetition(stem):
     """A stem without the mark of a repeated file, "-1" or " (2)", and the number of "(2)"; else 0."""
     match = _REPEATED.fullmatch(stem)
     return (match["stem"], int(match["copy"] or 0)) if match else (stem, 0)
+
+
+def without_copy_words(name):
+    """A name without what says that its file is a copy: "Copy of ada", "ada - Kopie (2)", "ada-Copy1"."""
+    match = _COPY_WORDS.fullmatch(name)
+    return without_copy_words(match["of"] or match["stem"]) if match else name
 
 
 def name_in_stem(stem, lessons):

@@ -10,7 +10,7 @@ import re
 import stat
 import zipfile
 import zlib
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from datetime import datetime
 from functools import partial
 from pathlib import PurePosixPath
@@ -142,8 +142,12 @@ class Archives:
 
 
 def member_parts(member):
-    """The parts of the name of a member, whatever system wrote it."""
-    return PurePosixPath(member.filename.replace("\\", "/")).parts
+    """The parts of the name of a member, whatever system wrote it; macOS does not say that it is UTF-8."""
+    name = member.filename
+    if not member.flag_bits & 0x800:  # zipfile has read it as CP437
+        with suppress(UnicodeError):
+            name = name.encode("cp437").decode("utf-8")
+    return PurePosixPath(name.replace("\\", "/")).parts
 
 
 def _member_problem(member):

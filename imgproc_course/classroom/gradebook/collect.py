@@ -14,7 +14,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path, PurePosixPath
 
-from ..authoring.lesson_names import notebook_name
+from ..authoring.lesson_names import notebook_name, split_repetition
 from ..autograder.sanitize import sanitize_line
 from .archives import Archives, CollectError, member_parts, member_time, read_collected
 from .layouts import FolderLayout, Sender, doubt, shown
@@ -219,17 +219,21 @@ def _names_of(senders):
 
     If several learners of a platform have one name, the platform's number follows it. In Moodle a person has
     another number in each assignment, and so in each zip. Two forms of one letter (NFC, NFD) are the same.
+    "ada (1)" beside "ada" can be ada's copy.
     """
     numbers, names, spellings = {}, {}, {}
     for sender in senders.values():
         place = sender.place if sender.platform == "moodle" else ""
         numbers.setdefault((sender.learner, sender.platform, place), set()).add(sender.platform_id)
     namesakes = {(learner, platform) for (learner, platform, _), ids in numbers.items() if len(ids) > 1}
+    learners = {sender.learner for sender in senders.values()}
     for path, sender in senders.items():
         number = f" ({sender.platform_id})" if (sender.learner, sender.platform) in namesakes else ""
         learner = unicodedata.normalize("NFC", sender.learner)
         names[path] = sanitize_line(learner.strip(), 120) + number
-        spellings.setdefault(names[path], {}).setdefault((learner, number), shown(path))
+        stem, copy = split_repetition(sender.learner)
+        name = stem if copy and stem in learners else names[path]
+        spellings.setdefault(name, {}).setdefault((learner, number), shown(path))
     alike = [" and ".join(paths.values()) for paths in spellings.values() if len(paths) > 1]
     if alike:
         raise doubt("these names look the same, and are different", alike, "Rename a file or folder of each.")

@@ -5,9 +5,9 @@ names of folders, zips or files, {lesson} is the name of a lesson, * is any text
 and files. A zip counts as a folder. A pattern that ends with {learner} means their folder, zip or notebook.
 
 One layout holds for the whole folder. Marks that a platform writes come before a form that people write too,
-and this before names alone, of which none may have the marks of Moodle or Canvas. If several of these fit,
-one must remain that leaves no learner two files named after one lesson and has several learners in some
-group. Otherwise nobody knows, and nothing is graded.
+and this before names alone, of which none may have a platform's marks. If several of these fit, one must
+remain that leaves no learner two files named after one lesson and has several learners in some group.
+Otherwise nobody knows, and nothing is graded.
 """
 
 import re
@@ -23,11 +23,13 @@ from ..authoring.lesson_names import (
     name_in_stem,
     notebook_name,
     split_repetition,
+    without_copy_words,
 )
 from ..autograder.sanitize import sanitize_line
 from .archives import IN_DOUBT, CollectError
 
 _MOST_LISTED = 20  # files, in the list of what is in doubt
+_NAME_THEM = 'Put each learner\'s name into the name of a folder or a file, such as "Ada - FILE.ipynb".'
 _FIELDS = {
     "learner": r"[^/]+?",
     "team": r"Team \d+",
@@ -58,23 +60,34 @@ class Layout:
     versions: str = "copy"
 
 
-def _in_groups(*patterns):
-    groups = ("", "{group}/", "{group}/{group}/")
-    return tuple(Layout(group + one, (group + one,)) for group in groups for one in patterns)
+def _in_groups(*several):
+    """Layouts of these patterns, named after the last one of each, in no, one or two folders of groups."""
+    return tuple(
+        Layout(group + patterns[-1], tuple(group + pattern for pattern in patterns))
+        for group in ("", "{group}/", "{group}/{group}/")
+        for patterns in several
+    )
 
 
-_CANVAS = ("**/{late}{anonymous}_{number}_**", "**/{learner}_{late}{id}_{number}_**")
+_MOODLE = (
+    "**/{learner}_{id}_assignsubmission_**",
+    "**/{learner}_assignsubmission_**",  # the team of those who are in none
+)
+_CANVAS = (
+    *("**/{late}{anonymous}_{number}_**", "**/{learner}_{late}{id}_{number}_**"),
+    "**/{learner}_{late}{id}_*.html",  # what was typed into the platform
+)
 _ILIAS = ("**/Abgaben/{team}/**", "**/Submissions/{team}/**", "**/{last}_{first}_{login}_{id}/**")
 _PARENTS = ("submitted", "Abgaben", "Submissions")  # folders of platforms that can be given themselves
 LAYOUTS = (
     (
-        Layout("Moodle", ("**/{learner}_{id}_assignsubmission_**",), "moodle", "date"),
+        Layout("Moodle", _MOODLE, "moodle", "date"),
         Layout("Canvas", _CANVAS, "canvas", "upload"),
         Layout("ILIAS", _ILIAS),
-        Layout("nbgrader", ("**/submitted/{learner}/*/**",)),
+        Layout("nbgrader", ("**/submitted/{learner}/*/**", "**/{learner}+*+* UTC*/**")),
     ),
-    _in_groups("{learner} - *.ipynb", "* - {learner}.ipynb"),  # Google Classroom
-    _in_groups("{learner}"),
+    _in_groups(("{learner} - {lesson}*.ipynb", "{learner} - *.ipynb"), ("* - {learner}.ipynb",)),  # Google's
+    _in_groups(("{learner}",)),
 )
 
 
@@ -113,21 +126,28 @@ class FolderLayout:
         self.layouts = sorted(map(_layout_named, given), key=lambda layout: layout not in LAYOUTS[0])
         every = self.layouts or chain(*LAYOUTS)
         readings = {layout: [self._sender(path, layout) for path in paths] for layout in every}
-        possible = () if given else LAYOUTS[: 1 if _have_marks(readings) else None]
-        for layouts in possible:
+        for layouts in () if given else LAYOUTS[: 1 if _have_marks(readings) else None]:
             fitting = {layout: readings[layout] for layout in layouts if None not in readings[layout]}
             if fitting:
                 self.layouts = [self._only_one(paths, fitting)]
                 return
-        if possible:
-            self.layouts = [min(chain(*possible), key=lambda one: readings[one].count(None))]
-        senders = zip(*(readings[layout] for layout in self.layouts), strict=True)
-        unknown = [shown(path) for path, several in zip(paths, senders, strict=True) if not any(several)]
+        needed, rest = {}, range(len(paths))  # {layout: indices of the paths that it is the first to read}
+        for layout, senders in readings.items():
+            needed[layout] = [index for index in rest if senders[index]]
+            rest = [index for index in rest if not senders[index]]
+        needed = self.layouts or [layout for layout, indices in needed.items() if indices]
+        fitting = self.layouts or needed[:1]
+        unknown = [
+            path
+            for path, *several in zip(paths, *map(readings.get, fitting), strict=True)
+            if not any(several)
+        ]
         if unknown:
-            names = " ".join(f'--layout "{layout.name}"' for layout in self.layouts)
-            text = f"nothing says whose these are; {len(paths) - len(unknown)} others fit {names}"
-            remedy = f"Move or rename them, or give the layout, perhaps with one more for them: {names}."
-            raise doubt(text, unknown, remedy)
+            text = "nothing says whose these are"
+            if fitting:
+                text += f"; {len(paths) - len(unknown)} others fit {_options(fitting, ' ')}"
+            remedy = f"Move or rename them, or give a layout for them, too: {_options(needed, ' ')}."
+            raise doubt(text, map(shown, unknown), remedy if needed else _NAME_THEM)
 
     def sender_of(self, path):
         """The Sender of a file, or None if its path names nobody."""
@@ -143,6 +163,8 @@ class FolderLayout:
         fields = dict.fromkeys(_FIELDS, "") | match.groupdict()
         start, end = match.span(next(name for name in _NAMES if fields[name]))
         learner = path[start:end]
+        if not layout.platform:
+            learner = without_copy_words(learner)
         if fields["first"]:
             learner = f"{fields['first']} {learner}"
         elif not layout.platform and path[end:].startswith("/"):
@@ -165,8 +187,8 @@ class FolderLayout:
             f"{shown(path)}: {' or '.join(dict.fromkeys(sanitize_line(one.learner, 60) for one in senders))}"
             for path, *senders in zip(paths, *readings.values(), strict=True)
         )
-        options = " or ".join(f'--layout "{layout.name}"' for layout in readings)
-        raise doubt("several layouts fit, and they name different learners", lines, f"Give one: {options}.")
+        text = "several layouts fit, and they name different learners"
+        raise doubt(text, lines, f"Give one: {_options(readings, ' or ')}.")
 
     def _is_plain(self, paths, senders):
         """Whether no learner has two files named after one lesson, and some group has several learners."""
@@ -193,14 +215,25 @@ def shown(path):
     return sanitize_line(path, 300)
 
 
+def _options(layouts, separator):
+    return separator.join(f'--layout "{layout.name}"' for layout in layouts)
+
+
 def _first(values):
     return next(filter(None, values), None)
 
 
 def _have_marks(readings):
-    """Whether Moodle's or Canvas's mark is in a name at the top, or in a zip there: no name is alone then."""
-    marks = chain(*(senders for layout, senders in readings.items() if layout.platform))
-    return any(sender and re.fullmatch(r"([^/]+\.zip/)?", sender.place) for sender in marks)
+    """Whether no name is alone: names at the top, or in a zip there, or of several in a folder have marks."""
+    learners = {}
+    for layout in LAYOUTS[0]:
+        for sender in filter(None, readings.get(layout, ())):
+            learners.setdefault((layout.platform, sender.place), set()).add(sender.learner)
+    top = re.compile(r"([^/]+\.zip/)?")
+    return any(
+        (len(names) > 1 and place) or (platform and top.fullmatch(place))
+        for (platform, place), names in learners.items()
+    )
 
 
 def _version(path, versions, number, after_name):
@@ -208,7 +241,7 @@ def _version(path, versions, number, after_name):
     stem, copy = split_repetition(path.removesuffix(".ipynb"))
     if versions == "date":
         return ()
-    if versions == "upload":
+    if versions == "upload" and number:
         return stem.partition(f"_{number}_")[2], int(number)
     # Where only the name of a file says whose it is, its number orders nothing: anybody can choose it.
     return (stem, copy) if copy and after_name != ".ipynb" else (path.removesuffix(".ipynb"), 0)

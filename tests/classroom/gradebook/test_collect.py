@@ -73,6 +73,13 @@ def _zipped(*members):
     return buffer.getvalue()
 
 
+def test_umlauts_of_macos_are_read(files_by_source, submissions):
+    """Its zips do not say that their names are UTF-8."""
+    data = _zipped(("A__nne/20_light.ipynb", b"1"), ("Bo/20_light.ipynb", b"2"))
+    write(submissions / "class.zip", data.replace(b"A__nne", "A\u0308nne".encode()))
+    assert [file.learner for file in files_by_source(submissions).values()] == ["\u00c4nne", "Bo"]
+
+
 def test_zips_in_zips_are_read(files_by_source, submissions):
     """A learner's zip in a class's zip; the dates in it are the learner's to write."""
     names = ["Ada_1_assignsubmission_file_/work.zip", "Bob_2_assignsubmission_file_/x.ipynb"]

@@ -304,7 +304,11 @@ def test_a_table_without_names_is_no_roster(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "names", [("Ada", "Ada "), ("x" * 130, "x" * 131), ("a\u200b", "a\\u200b"), ("ada", "ada .ipynb")]
+    "names",
+    [
+        *(("Ada", "Ada "), ("x" * 130, "x" * 131), ("a\u200b", "a\\u200b"), ("ada", "ada .ipynb")),
+        *(("ada", "ada (1)"), ("ada.ipynb", "ada (2).ipynb")),
+    ],
 )
 def test_names_that_look_alike_stop_the_run(submissions, names):
     for name in names:

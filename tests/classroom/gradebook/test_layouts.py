@@ -13,6 +13,8 @@ FOLDERS = {  # name: (layouts, {path: learner})
             "Ada Lovelace_12345_assignsubmission_file_/x.ipynb": "Ada Lovelace",
             "Jörg Öz_12346_assignsubmission_file/work.zip/20_light.ipynb": "Jörg Öz",
             "Bob_7_assignsubmission_file_Cy_8_assignsubmission_file_.ipynb": "Bob",
+            "Group A_31_assignsubmission_file/x.ipynb": "Group A",
+            "Default group_assignsubmission_file/x.ipynb": "Default group",
         },
     ),
     "Moodle's zip in a group's": (
@@ -28,6 +30,7 @@ FOLDERS = {  # name: (layouts, {path: learner})
             "lovelaceada_LATE_77_100_20_light-1.ipynb": "lovelaceada",
             "raybob_78_101_work.zip/bob_1_2_x.ipynb": "raybob",
             "LATE_anon_x7Yz_102_20_light.ipynb": "anon_x7Yz",
+            "doejo_LATE_79_text.html": "doejo",
         },
     ),
     "ILIAS": (
@@ -42,9 +45,21 @@ FOLDERS = {  # name: (layouts, {path: learner})
         ["nbgrader"],
         {"submitted/ada/ps1/20_light.ipynb": "ada", "submitted/bob/ps1/20_light.ipynb": "bob"},
     ),
+    "nbgrader, as learners send it": (
+        ["nbgrader"],
+        {
+            "ada+ps1+2026-11-20 10:00:00.000000 UTC+dGVz/20_light.ipynb": "ada",
+            "bob+ps1+2026-11-20 11:00:00.000000 UTC/20_light.ipynb": "bob",
+        },
+    ),
     "Google Classroom": (
         ["{learner} - *.ipynb"],
-        {"Ada Lovelace - 20_light (1).ipynb": "Ada Lovelace", "Bob - Copy of mine.ipynb": "Bob"},
+        {
+            "Ada Lovelace - 20_light (1).ipynb": "Ada Lovelace",
+            "Bob - Copy of mine.ipynb": "Bob",
+            "Ann - Lee - 20_light - final.ipynb": "Ann - Lee",
+            "Copy of Cy Ray - 20_light.ipynb": "Cy Ray",
+        },
     ),
     "Google Classroom, the name last, in a folder": (
         ["{group}/* - {learner}.ipynb"],
@@ -64,6 +79,9 @@ FOLDERS = {  # name: (layouts, {path: learner})
             "eve/Bob_1_assignsubmission_file_/x.ipynb": "eve",
             "gus.zip/": "gus",
             "my_last_try_3/20_light.ipynb": "my_last_try_3",  # one such folder is not ILIAS
+            "hal - Kopie (2).ipynb": "hal",
+            "Copy of ivy_20_light.ipynb": "ivy",
+            "kim-Copy1/20_light.ipynb": "kim",
         },
     ),
     "a folder a lesson": (
@@ -150,7 +168,7 @@ DOUBTS = {  # name: (paths, lines)
             'nothing says whose these are; 2 others fit --layout "{learner}":',
             "  20_light.ipynb",
             "  21_sound (1).ipynb",
-            'Move or rename them, or give the layout, perhaps with one more for them: --layout "{learner}".',
+            'Move or rename them, or give a layout for them, too: --layout "{learner}".',
         ],
     ),
     "a platform's names beside others": (
@@ -162,7 +180,40 @@ DOUBTS = {  # name: (paths, lines)
         [
             'nothing says whose these are; 2 others fit --layout "Moodle":',
             "  cy.ipynb",
-            'Move or rename them, or give the layout, perhaps with one more for them: --layout "Moodle".',
+            'Move or rename them, or give a layout for them, too: --layout "Moodle" --layout "{learner}".',
+        ],
+    ),
+    "Canvas's names in a folder, Moodle's in another, beside others": (
+        [
+            *("all/raybob_78_101_x.ipynb", "all/lovelaceada_77_100_x.ipynb", "more/cy.ipynb"),
+            "all/Di_1_assignsubmission_file_/x.ipynb",
+        ],
+        [
+            'nothing says whose these are; 1 others fit --layout "Moodle":',
+            "  all/lovelaceada_77_100_x.ipynb",
+            "  all/raybob_78_101_x.ipynb",
+            "  more/cy.ipynb",
+            "Move or rename them, or give a layout for them, too: "
+            '--layout "Moodle" --layout "Canvas" --layout "{learner}".',
+        ],
+    ),
+    "the folder of an nbgrader course": (
+        ["submitted/ada/ps1/x.ipynb", "submitted/bob/ps1/x.ipynb", "release/ps1/20_light.ipynb"],
+        [
+            'nothing says whose these are; 2 others fit --layout "nbgrader":',
+            "  release/ps1/20_light.ipynb",
+            'Move or rename them, or give a layout for them, too: --layout "nbgrader" --layout "{learner}".',
+        ],
+    ),
+    "files as their learners named them": (
+        ["20_light.ipynb", "20_light (1).ipynb", "Copy of 20_light.ipynb", "20_light - Kopie.ipynb"],
+        [
+            "nothing says whose these are:",
+            "  20_light (1).ipynb",
+            "  20_light - Kopie.ipynb",
+            "  20_light.ipynb",
+            "  Copy of 20_light.ipynb",
+            """Put each learner's name into the name of a folder or a file, such as "Ada - FILE.ipynb".""",
         ],
     ),
 }
