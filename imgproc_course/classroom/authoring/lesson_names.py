@@ -45,10 +45,10 @@ def split_repetition(stem):
     return (match["stem"], int(match["copy"] or 0)) if match else (stem, 0)
 
 
-def without_copy_words(name):
+def _without_copy_words(name):
     """A name without what says that its file is a copy: "Copy of ada", "ada - Kopie (2)", "ada-Copy1"."""
     match = _COPY_WORDS.fullmatch(name)
-    return without_copy_words(match["of"] or match["stem"]) if match else name
+    return _without_copy_words(match["of"] or match["stem"]) if match else name
 
 
 def name_in_stem(stem, lessons):
@@ -56,6 +56,7 @@ def name_in_stem(stem, lessons):
 
     student-1 and student-2 are two learners; ada_04_grayscale and ada_04_grayscale-1 are both ada's.
     """
+    stem = _without_copy_words(stem)
     unnumbered, _ = split_repetition(stem)
     named = lessons_named(unnumbered, lessons)
     ending = named and unnumbered.endswith(named[-1])

@@ -13,7 +13,6 @@ import zlib
 from contextlib import ExitStack, contextmanager, suppress
 from datetime import datetime
 from functools import partial
-from pathlib import PurePosixPath
 
 from ..autograder.sanitize import sanitize_line
 
@@ -24,15 +23,12 @@ DEEPEST_ZIPS = 4  # zips in zips
 MOST_RATIO = 200  # unpacked size to packed size
 _LARGEST_CONTENTS = 8_000_000  # bytes of a zip's table of contents; 20,000 files need 3 MB
 _ERRORS = (zipfile.BadZipFile, zlib.error, OSError, ValueError, EOFError, RuntimeError)
-IN_DOUBT = 3  # exit code: nobody knows whose the submissions are, or which of them count
 
 
 class CollectError(ValueError):
     """There is nothing to collect, or it is in doubt; what to do, and the command's exit code."""
 
-    def __init__(self, text, exit_code=1):
-        super().__init__(text)
-        self.exit_code = exit_code
+    exit_code = 1
 
 
 def too_large(size, largest):
@@ -56,20 +52,6 @@ def _open_collected(path, device, inode, largest):
         file.close()
         raise CollectError("it was replaced by another file while it was collected")
     return file
-
-
-def read_collected(path, device, inode):
-    """The bytes of a notebook; CollectError if it cannot be read."""
-    return _read_bounded(partial(_open_collected, path, device, inode, LARGEST))
-
-
-def _read_bounded(open_file):
-    """The bytes of a file; CollectError: it cannot be read, or it has more than the largest notebook may."""
-    with _named_errors("it"), open_file() as file:
-        data = file.read(LARGEST + 1)
-    if len(data) > LARGEST:
-        raise CollectError(too_large(len(data), LARGEST))
-    return data
 
 
 @contextmanager
@@ -102,58 +84,64 @@ class Archives:
     """
 
     def __init__(self):
-        self._opened = []  # (location, ExitStack, ZipFile, members), each inside the one before
+        self._opened = {}  # {location: (ExitStack, ZipFile, members)}
 
     def members(self, location):
         """The members of the zip at a location, without its folders; CollectError: it cannot be read."""
-        while self._opened and self._opened[-1][0] != location[: len(self._opened[-1][0])]:
-            self._opened.pop()[1].close()
-        if not self._opened or self._opened[-1][0] != location:
+        self.close(location)
+        if location not in self._opened:
             self._open(location)
-        return self._opened[-1][-1]
+        return self._opened[location][-1]
 
     def _open(self, location):
         if len(location) > DEEPEST_ZIPS:
             raise CollectError(f"zips in zips are read {DEEPEST_ZIPS} deep; submit the notebook itself")
         with _named_errors("the zip"), ExitStack() as stack:
             inner = io.BytesIO(self.read(location)) if len(location) > 1 else None
-            file = stack.enter_context(
-                _ContentsReader(inner or _open_collected(*location[0], LARGEST_ZIP).detach())
-            )
+            raw = inner or _open_collected(*location[0], LARGEST_ZIP).detach()
+            file = stack.enter_context(_ContentsReader(raw))
             archive = stack.enter_context(zipfile.ZipFile(file))
+            file.limited = False
             # Not is_dir(): in Python 3.11 it fails for a member without a name.
             members = [member for member in archive.infolist() if not member.filename.endswith("/")]
             if len(members) > MOST_MEMBERS:
                 raise CollectError(f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read")
-            file.limited = False
-            self._opened.append((location, stack.pop_all(), archive, members))
+            for member in members:
+                member.filename = _system_name(member).replace("\\", "/")
+            self._opened[location] = (stack.pop_all(), archive, members)
 
     def read(self, location):
-        """The bytes of the member at a location."""
-        member = self.members(location[:-1])[location[-1]]
-        if problem := _member_problem(member):
-            raise CollectError(problem)
-        return _read_bounded(partial(self._opened[-1][2].open, member))
+        """The bytes of the file or the member at a location; CollectError: it cannot be read."""
+        if len(location) == 1:
+            open_file = partial(_open_collected, *location[0], LARGEST)
+        else:
+            member = self.members(location[:-1])[location[-1]]
+            if problem := _member_problem(member):
+                raise CollectError(problem)
+            open_file = partial(self._opened[location[:-1]][1].open, member)
+        with _named_errors("it"), open_file() as file:
+            data = file.read(LARGEST + 1)
+        if len(data) > LARGEST:
+            raise CollectError(too_large(len(data), LARGEST))
+        return data
 
-    def close(self):
-        """Close the zips that are open."""
-        while self._opened:
-            self._opened.pop()[1].close()
+    def close(self, location=()):
+        """Close the zips that are open, except those that the location is in."""
+        for other in [other for other in self._opened if other != location[: len(other)]]:
+            self._opened.pop(other)[0].close()
 
 
-def member_parts(member):
-    """The parts of the name of a member, whatever system wrote it; macOS does not say that it is UTF-8."""
-    name = member.filename
-    if not member.flag_bits & 0x800:  # zipfile has read it as CP437
-        with suppress(UnicodeError):
-            name = name.encode("cp437").decode("utf-8")
-    return PurePosixPath(name.replace("\\", "/")).parts
+def _system_name(member):
+    """The name of a member; macOS does not say that it is UTF-8, and so zipfile has read it as CP437."""
+    with suppress(UnicodeError):
+        return member.filename if member.flag_bits & 0x800 else member.filename.encode("cp437").decode()
+    return member.filename
 
 
 def _member_problem(member):
     """Why a member is not read, or ""."""
-    name, parts = member.filename, member_parts(member)
-    if name.startswith(("/", "\\")) or ".." in parts or re.match(r"[A-Za-z]:", name):
+    name, size = member.filename, member.file_size
+    if name.startswith("/") or ".." in name.split("/") or re.match(r"[A-Za-z]:", name):
         return "its name leads out of the zip"
     if stat.S_IFMT(member.external_attr >> 16) not in (0, stat.S_IFREG):
         return "it is a link or a device in a zip; submit the notebook itself"
@@ -161,9 +149,9 @@ def _member_problem(member):
         return "it is locked with a password"
     if member.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         return "it is packed with an unusual method; make the zip again with the method Deflate"
-    if member.file_size > LARGEST:
-        return too_large(member.file_size, LARGEST)
-    if member.file_size > MOST_RATIO * max(member.compress_size, 1) and member.file_size > 1_000_000:
+    if size > LARGEST:
+        return too_large(size, LARGEST)
+    if size > MOST_RATIO * max(member.compress_size, 1) and size > 1_000_000:
         return f"it unpacks to more than {MOST_RATIO} times its size"
     return ""
 

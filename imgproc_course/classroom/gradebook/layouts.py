@@ -11,38 +11,34 @@ Otherwise nobody knows, and nothing is graded.
 """
 
 import re
+from collections import defaultdict
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import chain
 from pathlib import PurePosixPath
-from string import Formatter
 
-from ..authoring.lesson_names import (
-    lesson_name,
-    lessons_named,
-    name_in_stem,
-    notebook_name,
-    split_repetition,
-    without_copy_words,
-)
+from ..authoring.lesson_names import lessons_named, name_in_stem, notebook_name, split_repetition
 from ..autograder.sanitize import sanitize_line
-from .archives import IN_DOUBT, CollectError
+from .archives import CollectError
 
 _MOST_LISTED = 20  # files, in the list of what is in doubt
 _NAME_THEM = 'Put each learner\'s name into the name of a folder or a file, such as "Ada - FILE.ipynb".'
-_FIELDS = {
-    "learner": r"[^/]+?",
-    "team": r"Team \d+",
-    "anonymous": r"anon_[^/_]+",
-    "last": r"[^/_]+",
-    "first": r"[^/_]+",
-    "login": r"[^/]+?",
-    "id": r"\d{1,20}",  # the platform's number of a person
-    "number": r"\d{1,18}",  # of an upload
-    "late": r"(?:LATE_)?",
+_TOKENS = {  # of patterns; those after {learner} are the platforms' own
+    "**/": r"(?:[^/]+/)*?",
+    "**": r".*",
+    "*": r"[^/]*",
+    "/": r"(?:\.zip)?/",
+    "{group}": r"[^/]+",
+    "{learner}": r"(?P<learner>[^/]+?)",
+    "{team}": r"(?P<learner>Team \d+)",
+    "{anonymous}": r"(?P<learner>anon_[^/_]+)",
+    "{last}": r"(?P<learner>[^/_]+)",
+    "{first}": r"(?P<first>[^/_]+)",
+    "{login}": r"[^/]+?",
+    "{id}": r"(?P<id>\d{1,20})",  # the platform's number of a person
+    "{upload}": r"(?P<upload>\d{1,18})",
+    "{late}": r"(?P<late>LATE_)?",
 }
-_NAMES = ("learner", "team", "anonymous", "last")  # a pattern has one of these
-_WILD = {"**/": r"(?:[^/]+/)*?", "**": r".*", "*": r"[^/]*", "/": r"(?:\.zip)?/"}
 
 
 @dataclass(frozen=True)
@@ -51,13 +47,11 @@ class Layout:
 
     name      what `--layout` takes; of a layout that no platform made it is the pattern
     platform  whose numbers of people are in the names, for tables and exports, or ""
-    versions  what orders the files of one lesson: "date", "upload" (its number), "copy" (the number in "(1)")
     """
 
     name: str
     patterns: tuple
     platform: str = ""
-    versions: str = "copy"
 
 
 def _in_groups(*several):
@@ -69,20 +63,18 @@ def _in_groups(*several):
     )
 
 
-_MOODLE = (
-    "**/{learner}_{id}_assignsubmission_**",
-    "**/{learner}_assignsubmission_**",  # the team of those who are in none
-)
+_PARENTS = ("submitted", "Abgaben", "Submissions")  # folders of platforms that can be given themselves
+_MOODLE = ("**/{learner}_{id}_assignsubmission_**", "**/{learner}_assignsubmission_**")  # of no team
 _CANVAS = (
-    *("**/{late}{anonymous}_{number}_**", "**/{learner}_{late}{id}_{number}_**"),
+    "**/{late}{anonymous}_{upload}_**",
+    "**/{learner}_{late}{id}_{upload}_**",
     "**/{learner}_{late}{id}_*.html",  # what was typed into the platform
 )
 _ILIAS = ("**/Abgaben/{team}/**", "**/Submissions/{team}/**", "**/{last}_{first}_{login}_{id}/**")
-_PARENTS = ("submitted", "Abgaben", "Submissions")  # folders of platforms that can be given themselves
 LAYOUTS = (
     (
-        Layout("Moodle", _MOODLE, "moodle", "date"),
-        Layout("Canvas", _CANVAS, "canvas", "upload"),
+        Layout("Moodle", _MOODLE, "moodle"),
+        Layout("Canvas", _CANVAS, "canvas"),
         Layout("ILIAS", _ILIAS),
         Layout("nbgrader", ("**/submitted/{learner}/*/**", "**/{learner}+*+* UTC*/**")),
     ),
@@ -116,38 +108,46 @@ class FolderLayout:
     def __init__(self, name, lessons):
         self._parent = f"{name}/" if name in _PARENTS else ""
         self._lessons = tuple(lessons)
-        self.layouts = ()
+        self.layouts = []
 
     def choose(self, paths, given=()):
         """Choose those `given` by name or pattern, or else the one that fits the paths of all notebooks.
 
         ValueError: what is given is no layout. CollectError, with a list: nobody knows whose the files are.
         """
-        self.layouts = sorted(map(_layout_named, given), key=lambda layout: layout not in LAYOUTS[0])
-        every = self.layouts or chain(*LAYOUTS)
+        known = {layout.name.casefold(): layout for layout in chain(*LAYOUTS)}
+        self.layouts = [known.get(name.casefold(), Layout(name, (name,))) for name in given]
+        self.layouts.sort(key=lambda layout: layout not in LAYOUTS[0])
+        every = self.layouts or list(chain(*LAYOUTS))
         readings = {layout: [self._sender(path, layout) for path in paths] for layout in every}
         for layouts in () if given else LAYOUTS[: 1 if _have_marks(readings) else None]:
-            fitting = {layout: readings[layout] for layout in layouts if None not in readings[layout]}
-            if fitting:
-                self.layouts = [self._only_one(paths, fitting)]
+            fitting = [layout for layout in layouts if None not in readings[layout]]
+            plain = [layout for layout in fitting if self._is_plain(paths, readings[layout])]
+            self.layouts = fitting if len(fitting) == 1 else plain
+            if len(self.layouts) == 1:
                 return
-        needed, rest = {}, range(len(paths))  # {layout: indices of the paths that it is the first to read}
-        for layout, senders in readings.items():
-            needed[layout] = [index for index in rest if senders[index]]
-            rest = [index for index in rest if not senders[index]]
-        needed = self.layouts or [layout for layout, indices in needed.items() if indices]
-        fitting = self.layouts or needed[:1]
-        unknown = [
-            path
-            for path, *several in zip(paths, *map(readings.get, fitting), strict=True)
-            if not any(several)
-        ]
-        if unknown:
-            text = "nothing says whose these are"
             if fitting:
-                text += f"; {len(paths) - len(unknown)} others fit {_options(fitting, ' ')}"
-            remedy = f"Move or rename them, or give a layout for them, too: {_options(needed, ' ')}."
-            raise doubt(text, map(shown, unknown), remedy if needed else _NAME_THEM)
+                senders = zip(*map(readings.get, fitting), strict=True)
+                names = (
+                    dict.fromkeys(sanitize_line(one.learner, 60) for one in several) for several in senders
+                )
+                lines = (
+                    f"{shown(path)}: {' or '.join(several)}"
+                    for path, several in zip(paths, names, strict=True)
+                )
+                remedy = f"Give one: {_options(fitting, ' or ')}."
+                raise doubt("several layouts fit, and they name different learners", lines, remedy)
+        indices = range(len(paths))
+        firsts = [_first(layout for layout in every if readings[layout][index]) for index in indices]
+        needed = every if given else [layout for layout in every if layout in firsts]
+        fitting = every if given else needed[:1]
+        unknown = [shown(path) for path, first in zip(paths, firsts, strict=True) if first not in fitting]
+        if unknown and not needed:
+            raise doubt("nothing says whose these are", unknown, _NAME_THEM)
+        if unknown:
+            others = f"{len(paths) - len(unknown)} others fit {_options(fitting)}"
+            remedy = f"Move or rename them, or give a layout for them, too: {_options(needed)}."
+            raise doubt(f"nothing says whose these are; {others}", unknown, remedy)
 
     def sender_of(self, path):
         """The Sender of a file, or None if its path names nobody."""
@@ -155,48 +155,42 @@ class FolderLayout:
 
     def _sender(self, path, layout):
         parent = self._parent if layout in LAYOUTS[0] else ""
-        folder, slash, name = f"{parent}{path}".rpartition("/")
-        path = folder + slash + notebook_name(name)
+        path = notebook_name(parent + path)
         match = _first(_expression(pattern, self._lessons).fullmatch(path) for pattern in layout.patterns)
         if match is None:
             return None
-        fields = dict.fromkeys(_FIELDS, "") | match.groupdict()
-        start, end = match.span(next(name for name in _NAMES if fields[name]))
-        learner = path[start:end]
-        if not layout.platform:
-            learner = without_copy_words(learner)
-        if fields["first"]:
+        fields = match.groupdict("")
+        learner, (start, end) = fields["learner"], match.span("learner")
+        if "first" in fields:
             learner = f"{fields['first']} {learner}"
-        elif not layout.platform and path[end:].startswith("/"):
-            learner = "" if lesson_name(learner) in self._lessons else learner
         elif not layout.platform:
             learner = name_in_stem(learner, self._lessons)
+        if not learner.strip():
+            return None
         place = path[: path.rfind("/", 0, start) + 1]
-        version = _version(path, layout.versions, fields["number"], start == len(place) and path[end:])
-        about = {"platform": layout.platform, "platform_id": fields["id"], "late": bool(fields["late"])}
-        sender = Sender(learner=learner, place=place.removeprefix(parent), version=version, **about)
-        return sender if learner.strip() else None
-
-    def _only_one(self, paths, readings):
-        """The layout that remains of {layout: the Senders of all paths}."""
-        plain = [layout for layout, senders in readings.items() if self._is_plain(paths, senders)]
-        for remaining in (list(readings), plain):
-            if len(remaining) == 1:
-                return remaining[0]
-        lines = (
-            f"{shown(path)}: {' or '.join(dict.fromkeys(sanitize_line(one.learner, 60) for one in senders))}"
-            for path, *senders in zip(paths, *readings.values(), strict=True)
+        stem, copy = split_repetition(path.removesuffix(".ipynb"))
+        # Where only the name of a file says whose it is, its number orders nothing: anybody can choose it.
+        version = (path.removesuffix(".ipynb"), 0)
+        if copy and (len(place) < start or path[end:] != ".ipynb"):
+            version = (stem, copy)
+        if upload := fields.get("upload"):
+            version = (stem.partition(f"_{upload}_")[2], int(upload))
+        return Sender(
+            learner=learner,
+            place=place.removeprefix(parent),
+            platform=layout.platform,
+            platform_id=fields.get("id", ""),
+            late=bool(fields.get("late")),
+            version=() if layout.platform == "moodle" else version,
         )
-        text = "several layouts fit, and they name different learners"
-        raise doubt(text, lines, f"Give one: {_options(readings, ' or ')}.")
 
     def _is_plain(self, paths, senders):
         """Whether no learner has two files named after one lesson, and some group has several learners."""
-        files, groups = {}, {}
+        groups, files = defaultdict(set), defaultdict(set)
         for path, sender in zip(paths, senders, strict=True):
-            groups.setdefault(sender.place, set()).add(sender.learner)
+            groups[sender.place].add(sender.learner)
             for lesson in lessons_named(PurePosixPath(path).name, self._lessons):
-                files.setdefault((sender.learner, lesson), set()).add(sender.version[:1])
+                files[sender.learner, lesson].add(sender.version[:1])
         is_grouped = not any(groups) or any(len(learners) > 1 for learners in groups.values())
         return is_grouped and all(len(versions) == 1 for versions in files.values())
 
@@ -204,10 +198,11 @@ class FolderLayout:
 def doubt(text, lines, remedy):
     """The CollectError of what stops a run before anything is graded: a list, and what settles it."""
     lines = sorted(lines)
-    listed = [f"  {line}" for line in lines[:_MOST_LISTED]]
-    if len(lines) > _MOST_LISTED:
-        listed.append(f"  and {len(lines) - _MOST_LISTED} more")
-    return CollectError("\n".join([f"nothing was graded: {text}:", *listed, remedy]), IN_DOUBT)
+    more = [f"and {len(lines) - _MOST_LISTED} more"] if len(lines) > _MOST_LISTED else []
+    listed = (f"  {line}" for line in lines[:_MOST_LISTED] + more)
+    error = CollectError("\n".join([f"nothing was graded: {text}:", *listed, remedy]))
+    error.exit_code = 3
+    return error
 
 
 def shown(path):
@@ -215,7 +210,7 @@ def shown(path):
     return sanitize_line(path, 300)
 
 
-def _options(layouts, separator):
+def _options(layouts, separator=" "):
     return separator.join(f'--layout "{layout.name}"' for layout in layouts)
 
 
@@ -224,53 +219,31 @@ def _first(values):
 
 
 def _have_marks(readings):
-    """Whether no name is alone: names at the top, or in a zip there, or of several in a folder have marks."""
-    learners = {}
+    """Whether platforms' marks are in names at the top, in a zip there, or of several people in a folder."""
+    learners = defaultdict(set)
     for layout in LAYOUTS[0]:
-        for sender in filter(None, readings.get(layout, ())):
-            learners.setdefault((layout.platform, sender.place), set()).add(sender.learner)
-    top = re.compile(r"([^/]+\.zip/)?")
+        for sender in filter(None, readings[layout]):
+            learners[layout, sender.place].add(sender.learner)
     return any(
-        (len(names) > 1 and place) or (platform and top.fullmatch(place))
-        for (platform, place), names in learners.items()
+        place if len(names) > 1 else layout.platform and re.fullmatch(r"([^/]+\.zip/)?", place)
+        for (layout, place), names in learners.items()
     )
-
-
-def _version(path, versions, number, after_name):
-    """See Sender; `after_name` is what follows the learner's name, if no text is before it."""
-    stem, copy = split_repetition(path.removesuffix(".ipynb"))
-    if versions == "date":
-        return ()
-    if versions == "upload" and number:
-        return stem.partition(f"_{number}_")[2], int(number)
-    # Where only the name of a file says whose it is, its number orders nothing: anybody can choose it.
-    return (stem, copy) if copy and after_name != ".ipynb" else (path.removesuffix(".ipynb"), 0)
-
-
-def _layout_named(text):
-    layout = _first(one for one in chain(*LAYOUTS) if one.name.casefold() == text.casefold())
-    if layout is None:
-        _expression(text, ())
-    return layout or Layout(text, (text,))
 
 
 @lru_cache
 def _expression(pattern, lessons):
     """The regular expression of a pattern; ValueError: it is none, or it names no learner."""
     names = "|".join(map(re.escape, sorted(lessons, key=len, reverse=True))) or r"(?!)"
-    unnamed = {"group": r"[^/]+", "lesson": rf"(?:\d\d_)?(?:{names})"}
-    expression = ""
+    tokens = _TOKENS | {"{lesson}": rf"(?:\d\d_)?(?:{names})"}
+    pieces = re.split(f"({'|'.join(map(re.escape, tokens))})", pattern)
+    ending = r"(?:\.ipynb|(?:\.zip)?/.*)" if pattern.endswith("{learner}") else ""
     try:
-        for literal, field, *_ in Formatter().parse(pattern):
-            pieces = re.split(r"(\*\*/|\*\*|\*|/)", literal)
-            expression += "".join(_WILD.get(piece, re.escape(piece)) for piece in pieces)
-            if field is not None:
-                expression += unnamed[field] if field in unnamed else rf"(?P<{field}>{_FIELDS[field]})"
-        ending = r"(?:\.ipynb|(?:\.zip)?/.*)" if pattern.endswith("{learner}") else ""
+        if unknown := re.search(r"[{}]", "".join(piece for piece in pieces if piece not in tokens)):
+            raise KeyError(unknown[0])
+        expression = "".join(tokens.get(piece, re.escape(piece)) for piece in pieces)
         compiled = re.compile(expression + ending, re.S)
-        if not compiled.groupindex.keys() & set(_NAMES):
-            raise ValueError("no learner")
-    except (ValueError, KeyError, re.error) as error:
+        compiled.groupindex["learner"]
+    except (KeyError, re.error) as error:
         text = f"--layout {sanitize_line(pattern, 80)!r} is no layout; give Moodle, Canvas, ILIAS, nbgrader"
         raise ValueError(f"{text}, or a pattern such as {{group}}/{{learner}}/*.ipynb") from error
     return compiled

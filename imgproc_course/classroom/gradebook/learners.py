@@ -3,7 +3,7 @@
 import hashlib
 import re
 import time
-from collections import Counter
+from collections import Counter, defaultdict
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
@@ -51,8 +51,8 @@ class Learner:
     @property
     def files(self):
         """The SubmittedFiles of all submissions, also of those that do not count."""
-        earlier = chain.from_iterable(self.earlier.values())
-        return [one.file for one in (*self.submissions.values(), *earlier, *self.unidentified)]
+        several = chain(self.submissions.values(), *self.earlier.values(), self.unidentified)
+        return [one.file for one in several]
 
     @property
     def digests(self):
@@ -72,28 +72,33 @@ def read_all(collection, answer_keys, store, *, quiet=None):
 
     CollectError, with a list: which of a learner's files counts is unknown.
     """
-    learners, by_lesson, seconds, doubtful = {}, {}, Counter(), []
+    learners, by_lesson, seconds, doubtful = {}, defaultdict(list), Counter(), []
     with NotebookReader(NOTEBOOK_SECONDS) as reader:
         for file in tqdm(collection.files, desc="reading", unit=" files", disable=quiet, leave=False):
             start = time.monotonic()
-            slow = seconds[file.learner] > READING_SECONDS
-            submission = _read(file, answer_keys, store, None if slow else reader)
-            seconds[file.learner] += time.monotonic() - start
             learner = learners.setdefault(file.learner, Learner(file.learner))
+            if seconds[learner.name] > READING_SECONDS:
+                file.reason = file.reason or _TOO_SLOW_TOGETHER
+            submission = _read(file, answer_keys, store, reader)
+            seconds[learner.name] += time.monotonic() - start
             if submission.lesson is not None:
-                by_lesson.setdefault((learner.name, submission.lesson), []).append(submission)
+                by_lesson[learner.name, submission.lesson].append(submission)
             elif not submission.content.is_page:
                 learner.unidentified.append(submission)
     for (name, lesson), several in by_lesson.items():
         latest = _latest(several)
-        counting = _joined(latest, store)
+        counting = learners[name].submissions[lesson] = _joined(latest, store)
         if counting is None:
             doubtful.append(f"{name}, {lesson}: {', '.join(one.file.source for one in latest)}")
-            continue
-        learners[name].submissions[lesson] = counting
-        if earlier := sorted((one for one in several if one not in latest), key=_age):
+        elif earlier := sorted((one for one in several if one not in latest), key=_age):
             learners[name].earlier[lesson] = earlier
-            _report_earlier(counting, earlier)
+            counting.content.add(
+                f"submitted {1 + len(earlier)} times; this one counts: {counting.file.source}"
+            )
+            for other in earlier:
+                if more := sorted(other.answered - counting.answered):
+                    text = f"{other.file.source} answers {', '.join(more)}, and this one does not"
+                    counting.content.add(f"{text}; only one file counts")
     if doubtful:
         text = "these files of one learner have different answers to an exercise, and nothing orders them"
         remedy = "Remove those that do not count; if they are several people's, give the layout, such as"
@@ -102,13 +107,10 @@ def read_all(collection, answer_keys, store, *, quiet=None):
 
 
 def _read(file, answer_keys, store, reader):
-    """The Submission of a file; of one that is not read without a reader."""
     digest = ""
     try:
         data = file.read()
         digest = hashlib.sha256(data).hexdigest()
-        if reader is None:
-            raise CollectError(_TOO_SLOW_TOGETHER)
         content = read_submission(data, answer_keys, reader, file.source)
     except CollectError as error:
         lesson = lesson_by_name(file.source, answer_keys.lessons)
@@ -125,14 +127,13 @@ def _read(file, answer_keys, store, reader):
 
 def _latest(submissions):
     """Of one lesson's submissions those that no later one replaces; one without answers replaces none."""
-    best = max((bool(one.answers_digest), bool(one.answered)) for one in submissions)
-    best = [one for one in submissions if (bool(one.answers_digest), bool(one.answered)) == best]
-    if not best[0].answered:
-        return [max(best, key=_age)]
+    answered = [one for one in submissions if one.answered]
+    if not answered:
+        return [max(submissions, key=lambda one: (bool(one.answers_digest), _age(one)))]
     newest = {}
-    for family, number in (one.file.version for one in best):
+    for family, number in (one.file.version for one in answered):
         newest[family] = max(number, newest.get(family, number))
-    latest = (one for one in best if newest[one.file.version[0]] == one.file.version[1])
+    latest = (one for one in answered if newest[one.file.version[0]] == one.file.version[1])
     return list({one.answers_digest: one for one in latest}.values())
 
 
@@ -160,11 +161,3 @@ def _joined(submissions, store):
     content.add(f"its answers are those of {len(submissions)} files, which have different exercises")
     digest = store.keep_page(first.key, first.lesson, page)
     return replace(first, content=content, answers_digest=digest, answered=frozenset(answered))
-
-
-def _report_earlier(counting, earlier):
-    counting.content.add(f"submitted {1 + len(earlier)} times; this one counts: {counting.file.source}")
-    for other in earlier:
-        if more := sorted(other.answered - counting.answered):
-            text = f"{other.file.source} answers {', '.join(more)}, and this one does not"
-            counting.content.add(f"{text}; only one file counts")

@@ -82,6 +82,7 @@ FOLDERS = {  # name: (layouts, {path: learner})
             "hal - Kopie (2).ipynb": "hal",
             "Copy of ivy_20_light.ipynb": "ivy",
             "kim-Copy1/20_light.ipynb": "kim",
+            "light-leo/20_light.ipynb": "leo",
         },
     ),
     "a folder a lesson": (
