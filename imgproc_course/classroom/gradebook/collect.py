@@ -73,7 +73,7 @@ class Collection(AbstractContextManager):
     """
 
     def __init__(self, search, layout):
-        self.layout = " or ".join(one.name for one in layout.layouts)
+        self.layout = " or ".join(layout.layouts)
         self.files, self.ignored, self._archives = [], [], search.archives
         paths = (file.path for file in search.notebooks + search.others)
         senders = {path: sender for path in paths if (sender := layout.sender_of(path))}
@@ -113,9 +113,8 @@ def collect(path, lessons=(), layouts=()):
     search = _Search(path.resolve())
     if not search.notebooks:
         raise CollectError(f"{path}: no notebooks (*.ipynb) and no zip in it; give the folder of submissions")
-    layout = FolderLayout(path.resolve().stem, lessons)
-    layout.choose([file.path for file in search.notebooks], layouts)
-    return Collection(search, layout)
+    paths = [file.path for file in search.notebooks]
+    return Collection(search, FolderLayout(path.resolve().stem, lessons, paths, layouts))
 
 
 class _Search:

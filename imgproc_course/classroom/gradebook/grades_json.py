@@ -146,13 +146,13 @@ def _nothing_submitted(lesson, submissions):
 
 def _lesson_entry(learner, submission, answer_keys, store, deadlines):
     content = submission.content
-    lesson = (submission.key or answer_keys).lessons.get(submission.lesson)
+    lesson = (submission.key or answer_keys).lessons.get(content.lesson)
     result = store.result(submission.answers_digest) if submission.answers_digest else None
     findings = [*content.findings, *(_contradicted_outputs(content, result) if result else ())]
-    earlier = learner.earlier.get(submission.lesson, ()) if submission.lesson else ()
+    earlier = learner.earlier.get(content.lesson, ())
     earlier = [_file_entry(learner, one, deadlines) | {"reason": one.content.reason} for one in earlier]
     return {
-        "lesson": submission.lesson,
+        "lesson": content.lesson,
         "title": lesson.title if lesson else "",
         "status": "graded" if submission.answers_digest else "not graded",
         "reason": content.reason,
@@ -168,7 +168,7 @@ def _lesson_entry(learner, submission, answer_keys, store, deadlines):
 
 
 def _file_entry(learner, submission, deadlines):
-    file, lesson = submission.file, submission.lesson
+    file, lesson = submission.file, submission.content.lesson
     return {
         "file": file.source,
         "sha256": submission.file_digest or None,

@@ -1,6 +1,6 @@
 """Whose a file is: the layout of the folder of submissions names the learner of every notebook in it.
 
-A layout is a row of LAYOUTS, or a pattern that the teacher gives. In a pattern, {learner} and {group} are
+A layout is an entry of LAYOUTS, or a pattern that the teacher gives. In a pattern, {learner} and {group} are
 names of folders, zips or files, {lesson} is the name of a lesson, * is any text in a name, and ** any folders
 and files. A zip counts as a folder. A pattern that ends with {learner} means their folder, zip or notebook.
 
@@ -14,7 +14,6 @@ import re
 from collections import defaultdict
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import chain
 from pathlib import PurePosixPath
 
 from ..authoring.lesson_names import lessons_named, name_in_stem, notebook_name, split_repetition
@@ -41,46 +40,32 @@ _TOKENS = {  # of patterns; those after {learner} are the platforms' own
 }
 
 
-@dataclass(frozen=True)
-class Layout:
-    """A form of folders: the first of its patterns that fits a path names the learner.
-
-    name      what `--layout` takes; of a layout that no platform made it is the pattern
-    platform  whose numbers of people are in the names, for tables and exports, or ""
-    """
-
-    name: str
-    patterns: tuple
-    platform: str = ""
-
-
-def _in_groups(*several):
-    """Layouts of these patterns, named after the last one of each, in no, one or two folders of groups."""
-    return tuple(
-        Layout(group + patterns[-1], tuple(group + pattern for pattern in patterns))
-        for group in ("", "{group}/", "{group}/{group}/")
-        for patterns in several
-    )
-
-
-_PARENTS = ("submitted", "Abgaben", "Submissions")  # folders of platforms that can be given themselves
-_MOODLE = ("**/{learner}_{id}_assignsubmission_**", "**/{learner}_assignsubmission_**")  # of no team
-_CANVAS = (
-    "**/{late}{anonymous}_{upload}_**",
-    "**/{learner}_{late}{id}_{upload}_**",
-    "**/{learner}_{late}{id}_*.html",  # what was typed into the platform
-)
-_ILIAS = ("**/Abgaben/{team}/**", "**/Submissions/{team}/**", "**/{last}_{first}_{login}_{id}/**")
-LAYOUTS = (
-    (
-        Layout("Moodle", _MOODLE, "moodle"),
-        Layout("Canvas", _CANVAS, "canvas"),
-        Layout("ILIAS", _ILIAS),
-        Layout("nbgrader", ("**/submitted/{learner}/*/**", "**/{learner}+*+* UTC*/**")),
+_MARKED = {
+    "Moodle": (
+        "**/{learner}_{id}_assignsubmission_**",
+        "**/{learner}_assignsubmission_**",  # of those who are in no team
     ),
-    _in_groups(("{learner} - {lesson}*.ipynb", "{learner} - *.ipynb"), ("* - {learner}.ipynb",)),  # Google's
-    _in_groups(("{learner}",)),
-)
+    "Canvas": (
+        "**/{late}{anonymous}_{upload}_**",
+        "**/{learner}_{late}{id}_{upload}_**",
+        "**/{learner}_{late}{id}_*.html",  # what was typed into the platform
+    ),
+    "ILIAS": ("**/Abgaben/{team}/**", "**/Submissions/{team}/**", "**/{last}_{first}_{login}_{id}/**"),
+    "nbgrader": ("**/submitted/{learner}/*/**", "**/{learner}+*+* UTC*/**"),
+}
+_GROUPS = ("", "{group}/", "{group}/{group}/")
+_FORMED = {  # Google Classroom's
+    group + name: (group + with_lesson, group + name)
+    for group in _GROUPS
+    for with_lesson, name in (
+        ("{learner} - {lesson}*.ipynb", "{learner} - *.ipynb"),
+        ("*{lesson} - {learner}.ipynb", "* - {learner}.ipynb"),
+    )
+}
+_NAMED = {f"{group}{{learner}}": (f"{group}{{learner}}",) for group in _GROUPS}
+LAYOUTS = _MARKED | _FORMED | _NAMED  # {name: patterns}; the first that fits a path names the learner
+_PLATFORMS = {"Moodle": "moodle", "Canvas": "canvas"}  # their numbers of people are for tables and exports
+_PARENTS = ("submitted", "Abgaben", "Submissions")  # folders of platforms that can be given themselves
 
 
 @dataclass(kw_only=True)
@@ -100,40 +85,31 @@ class Sender:
 
 
 class FolderLayout:
-    """The `layouts` of a folder of this name, for the names of some lessons; `choose` sets them.
+    """The names of the `layouts` of a folder: those `given`, or the one that fits the paths of all notebooks.
 
     A path has "/" between its parts, and at its end if it is a folder or a zip that cannot be read.
+    ValueError: what is given is no layout. CollectError, with a list: nobody knows whose the files are.
     """
 
-    def __init__(self, name, lessons):
-        self._parent = f"{name}/" if name in _PARENTS else ""
+    def __init__(self, folder, lessons, paths, given=()):
+        self._parent = f"{folder}/" if folder in _PARENTS else ""
         self._lessons = tuple(lessons)
-        self.layouts = []
-
-    def choose(self, paths, given=()):
-        """Choose those `given` by name or pattern, or else the one that fits the paths of all notebooks.
-
-        ValueError: what is given is no layout. CollectError, with a list: nobody knows whose the files are.
-        """
-        known = {layout.name.casefold(): layout for layout in chain(*LAYOUTS)}
-        self.layouts = [known.get(name.casefold(), Layout(name, (name,))) for name in given]
-        self.layouts.sort(key=lambda layout: layout not in LAYOUTS[0])
-        every = self.layouts or list(chain(*LAYOUTS))
+        known = {layout.casefold(): layout for layout in LAYOUTS}
+        self.layouts = [known.get(layout.casefold(), layout) for layout in given]
+        self.layouts.sort(key=lambda layout: layout not in _MARKED)
+        every = self.layouts or list(LAYOUTS)
         readings = {layout: [self._sender(path, layout) for path in paths] for layout in every}
-        for layouts in () if given else LAYOUTS[: 1 if _have_marks(readings) else None]:
+        kinds = () if given else (_MARKED,) if _have_marks(readings) else (_MARKED, _FORMED, _NAMED)
+        for layouts in kinds:
             fitting = [layout for layout in layouts if None not in readings[layout]]
             plain = [layout for layout in fitting if self._is_plain(paths, readings[layout])]
             self.layouts = fitting if len(fitting) == 1 else plain
             if len(self.layouts) == 1:
                 return
             if fitting:
-                senders = zip(*map(readings.get, fitting), strict=True)
-                names = (
-                    dict.fromkeys(sanitize_line(one.learner, 60) for one in several) for several in senders
-                )
                 lines = (
-                    f"{shown(path)}: {' or '.join(several)}"
-                    for path, several in zip(paths, names, strict=True)
+                    shown(f"{path}: {' or '.join(dict.fromkeys(one.learner for one in senders))}")
+                    for path, *senders in zip(paths, *map(readings.get, fitting), strict=True)
                 )
                 remedy = f"Give one: {_options(fitting, ' or ')}."
                 raise doubt("several layouts fit, and they name different learners", lines, remedy)
@@ -142,46 +118,46 @@ class FolderLayout:
         needed = every if given else [layout for layout in every if layout in firsts]
         fitting = every if given else needed[:1]
         unknown = [shown(path) for path, first in zip(paths, firsts, strict=True) if first not in fitting]
-        if unknown and not needed:
-            raise doubt("nothing says whose these are", unknown, _NAME_THEM)
-        if unknown:
-            others = f"{len(paths) - len(unknown)} others fit {_options(fitting)}"
+        text, remedy = "nothing says whose these are", _NAME_THEM
+        if needed:
+            text += f"; {len(paths) - len(unknown)} others fit {_options(fitting)}"
             remedy = f"Move or rename them, or give a layout for them, too: {_options(needed)}."
-            raise doubt(f"nothing says whose these are; {others}", unknown, remedy)
+        if unknown:
+            raise doubt(text, unknown, remedy)
 
     def sender_of(self, path):
         """The Sender of a file, or None if its path names nobody."""
         return _first(self._sender(path, layout) for layout in self.layouts)
 
     def _sender(self, path, layout):
-        parent = self._parent if layout in LAYOUTS[0] else ""
+        parent, platform = self._parent if layout in _MARKED else "", _PLATFORMS.get(layout, "")
         path = notebook_name(parent + path)
-        match = _first(_expression(pattern, self._lessons).fullmatch(path) for pattern in layout.patterns)
+        patterns = LAYOUTS.get(layout, (layout,))
+        match = _first(_expression(pattern, self._lessons).fullmatch(path) for pattern in patterns)
         if match is None:
             return None
         fields = match.groupdict("")
         learner, (start, end) = fields["learner"], match.span("learner")
         if "first" in fields:
             learner = f"{fields['first']} {learner}"
-        elif not layout.platform:
+        elif not platform:
             learner = name_in_stem(learner, self._lessons)
         if not learner.strip():
             return None
         place = path[: path.rfind("/", 0, start) + 1]
         stem, copy = split_repetition(path.removesuffix(".ipynb"))
-        # Where only the name of a file says whose it is, its number orders nothing: anybody can choose it.
-        version = (path.removesuffix(".ipynb"), 0)
-        if copy and (len(place) < start or path[end:] != ".ipynb"):
-            version = (stem, copy)
         if upload := fields.get("upload"):
-            version = (stem.partition(f"_{upload}_")[2], int(upload))
+            stem, copy = stem.partition(f"_{upload}_")[2], int(upload)
+        elif not copy or path == f"{place}{path[start:end]}.ipynb":
+            # If only the name of a file says whose it is, its number orders nothing: anybody can choose it.
+            stem, copy = path.removesuffix(".ipynb"), 0
         return Sender(
             learner=learner,
             place=place.removeprefix(parent),
-            platform=layout.platform,
+            platform=platform,
             platform_id=fields.get("id", ""),
             late=bool(fields.get("late")),
-            version=() if layout.platform == "moodle" else version,
+            version=() if platform == "moodle" else (stem, copy),
         )
 
     def _is_plain(self, paths, senders):
@@ -197,10 +173,10 @@ class FolderLayout:
 
 def doubt(text, lines, remedy):
     """The CollectError of what stops a run before anything is graded: a list, and what settles it."""
-    lines = sorted(lines)
-    more = [f"and {len(lines) - _MOST_LISTED} more"] if len(lines) > _MOST_LISTED else []
-    listed = (f"  {line}" for line in lines[:_MOST_LISTED] + more)
-    error = CollectError("\n".join([f"nothing was graded: {text}:", *listed, remedy]))
+    listed = sorted(lines)
+    if len(listed) > _MOST_LISTED:
+        listed[_MOST_LISTED:] = [f"and {len(listed) - _MOST_LISTED} more"]
+    error = CollectError("\n  ".join([f"nothing was graded: {text}:", *listed]) + f"\n{remedy}")
     error.exit_code = 3
     return error
 
@@ -211,7 +187,7 @@ def shown(path):
 
 
 def _options(layouts, separator=" "):
-    return separator.join(f'--layout "{layout.name}"' for layout in layouts)
+    return separator.join(f'--layout "{layout}"' for layout in layouts)
 
 
 def _first(values):
@@ -221,11 +197,11 @@ def _first(values):
 def _have_marks(readings):
     """Whether platforms' marks are in names at the top, in a zip there, or of several people in a folder."""
     learners = defaultdict(set)
-    for layout in LAYOUTS[0]:
+    for layout in _MARKED:
         for sender in filter(None, readings[layout]):
             learners[layout, sender.place].add(sender.learner)
     return any(
-        place if len(names) > 1 else layout.platform and re.fullmatch(r"([^/]+\.zip/)?", place)
+        place if len(names) > 1 else layout in _PLATFORMS and re.fullmatch(r"([^/]+\.zip/)?", place)
         for (layout, place), names in learners.items()
     )
 

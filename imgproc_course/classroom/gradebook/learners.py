@@ -19,7 +19,6 @@ from .submission import AnswerState, SubmissionContent, lesson_by_name, read_sub
 
 NOTEBOOK_SECONDS = 5  # of processor time, for reading one notebook; a usual one takes 0.02
 READING_SECONDS = 30  # for all notebooks of one sender
-_TOO_SLOW_TOGETHER = "reading the earlier notebooks of this submission took too much time; submit fewer"
 
 
 @dataclass
@@ -32,11 +31,6 @@ class Submission:
     answers_digest: str = ""
     answered: frozenset = frozenset()  # ids of the exercises with more than a stub
     key: Key | None = None
-
-    @property
-    def lesson(self):
-        """The name of its lesson, or None."""
-        return self.content.lesson
 
 
 @dataclass
@@ -51,14 +45,14 @@ class Learner:
     @property
     def files(self):
         """The SubmittedFiles of all submissions, also of those that do not count."""
-        several = chain(self.submissions.values(), *self.earlier.values(), self.unidentified)
-        return [one.file for one in several]
+        lists = (self.submissions.values(), *self.earlier.values(), self.unidentified)
+        return [one.file for one in chain(*lists)]
 
     @property
     def digests(self):
         """{lesson: answers_digest} of the submissions that count and can be graded."""
-        submissions = self.submissions.items()
-        return {name: one.answers_digest for name, one in submissions if one.answers_digest}
+        digests = {lesson: one.answers_digest for lesson, one in self.submissions.items()}
+        return {lesson: digest for lesson, digest in digests.items() if digest}
 
     @property
     def page(self):
@@ -78,11 +72,13 @@ def read_all(collection, answer_keys, store, *, quiet=None):
             start = time.monotonic()
             learner = learners.setdefault(file.learner, Learner(file.learner))
             if seconds[learner.name] > READING_SECONDS:
-                file.reason = file.reason or _TOO_SLOW_TOGETHER
+                text = "reading the earlier notebooks of this submission took too much time; submit fewer"
+                file.reason = file.reason or text
             submission = _read(file, answer_keys, store, reader)
             seconds[learner.name] += time.monotonic() - start
-            if submission.lesson is not None:
-                by_lesson[learner.name, submission.lesson].append(submission)
+            lesson = submission.content.lesson
+            if lesson is not None:
+                by_lesson[learner.name, lesson].append(submission)
             elif not submission.content.is_page:
                 learner.unidentified.append(submission)
     for (name, lesson), several in by_lesson.items():
@@ -92,9 +88,8 @@ def read_all(collection, answer_keys, store, *, quiet=None):
             doubtful.append(f"{name}, {lesson}: {', '.join(one.file.source for one in latest)}")
         elif earlier := sorted((one for one in several if one not in latest), key=_age):
             learners[name].earlier[lesson] = earlier
-            counting.content.add(
-                f"submitted {1 + len(earlier)} times; this one counts: {counting.file.source}"
-            )
+            text = f"submitted {1 + len(earlier)} times; this one counts: {counting.file.source}"
+            counting.content.add(text)
             for other in earlier:
                 if more := sorted(other.answered - counting.answered):
                     text = f"{other.file.source} answers {', '.join(more)}, and this one does not"
@@ -159,5 +154,5 @@ def _joined(submissions, store):
         content.findings += [finding for finding in other.content.findings if finding.exercise in own]
         answered |= own
     content.add(f"its answers are those of {len(submissions)} files, which have different exercises")
-    digest = store.keep_page(first.key, first.lesson, page)
+    digest = store.keep_page(first.key, content.lesson, page)
     return replace(first, content=content, answers_digest=digest, answered=frozenset(answered))

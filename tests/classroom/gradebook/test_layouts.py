@@ -63,7 +63,11 @@ FOLDERS = {  # name: (layouts, {path: learner})
     ),
     "Google Classroom, the name last, in a folder": (
         ["{group}/* - {learner}.ipynb"],
-        {"Week 1/20_light - Ada.ipynb": "Ada", "Week 1/Copy of 20_light - Bob.ipynb": "Bob"},
+        {
+            "Week 1/20_light - Ada.ipynb": "Ada",
+            "Week 1/Copy of 20_light - Bob.ipynb": "Bob",
+            "Week 1/20_light - Ann - Lee.ipynb": "Ann - Lee",
+        },
     ),
     "a folder, a file or a zip a learner": (
         ["{learner}"],
@@ -101,9 +105,8 @@ FOLDERS = {  # name: (layouts, {path: learner})
 
 
 def learners(paths, given=(), folder="submissions"):
-    layout = FolderLayout(folder, LESSONS)
-    layout.choose(list(paths), given)
-    return [one.name for one in layout.layouts], {path: layout.sender_of(path).learner for path in paths}
+    layout = FolderLayout(folder, LESSONS, list(paths), given)
+    return layout.layouts, {path: layout.sender_of(path).learner for path in paths}
 
 
 @pytest.mark.parametrize("name", FOLDERS)
@@ -112,9 +115,8 @@ def test_a_folder_names_its_learners(name):
 
 
 def test_numbers_of_platforms_and_lateness_are_in_the_names():
-    layout = FolderLayout("submissions", LESSONS)
-    layout.choose(["class.zip/lovelaceada_LATE_77_100_20_light-1.ipynb"])
-    sender = layout.sender_of("class.zip/lovelaceada_LATE_77_100_20_light-1.ipynb")
+    path = "class.zip/lovelaceada_LATE_77_100_20_light-1.ipynb"
+    sender = FolderLayout("submissions", LESSONS, [path]).sender_of(path)
     assert (sender.platform, sender.platform_id, sender.late) == ("canvas", "77", True)
     assert (sender.place, sender.version) == ("class.zip/", ("20_light", 100))
 
