@@ -64,6 +64,7 @@ _FORMED = {  # Google Classroom's
 }
 _NAMED = {f"{group}{{learner}}": (f"{group}{{learner}}",) for group in _GROUPS}
 LAYOUTS = _MARKED | _FORMED | _NAMED  # {name: patterns}; the first that fits a path names the learner
+_BY_FOLDED_NAME = {layout.casefold(): layout for layout in LAYOUTS}
 _PLATFORMS = {"Moodle": "moodle", "Canvas": "canvas"}  # their numbers of people are for tables and exports
 _PARENTS = ("submitted", "Abgaben", "Submissions")  # folders of platforms that can be given themselves
 
@@ -94,29 +95,14 @@ class FolderLayout:
     def __init__(self, folder, lessons, paths, given=()):
         self._parent = f"{folder}/" if folder in _PARENTS else ""
         self._lessons = tuple(lessons)
-        known = {layout.casefold(): layout for layout in LAYOUTS}
-        self.layouts = [known.get(layout.casefold(), layout) for layout in given]
-        self.layouts.sort(key=lambda layout: layout not in _MARKED)
-        every = self.layouts or list(LAYOUTS)
-        readings = {layout: [self._sender(path, layout) for path in paths] for layout in every}
-        kinds = () if given else (_MARKED,) if _have_marks(readings) else (_MARKED, _FORMED, _NAMED)
-        for layouts in kinds:
-            fitting = [layout for layout in layouts if None not in readings[layout]]
-            plain = [layout for layout in fitting if self._is_plain(paths, readings[layout])]
-            self.layouts = fitting if len(fitting) == 1 else plain
-            if len(self.layouts) == 1:
-                return
-            if fitting:
-                lines = (
-                    shown(f"{path}: {' or '.join(dict.fromkeys(one.learner for one in senders))}")
-                    for path, *senders in zip(paths, *map(readings.get, fitting), strict=True)
-                )
-                remedy = f"Give one: {_options(fitting, ' or ')}."
-                raise doubt("several layouts fit, and they name different learners", lines, remedy)
+        named = [_BY_FOLDED_NAME.get(layout.casefold(), layout) for layout in given]
+        named.sort(key=lambda layout: layout not in _MARKED)
+        readings = {layout: [self._sender(path, layout) for path in paths] for layout in named or LAYOUTS}
+        self.layouts = named or self._fitting(paths, readings)
         indices = range(len(paths))
-        firsts = [_first(layout for layout in every if readings[layout][index]) for index in indices]
-        needed = every if given else [layout for layout in every if layout in firsts]
-        fitting = every if given else needed[:1]
+        firsts = [_first(one for one in self.layouts or LAYOUTS if readings[one][index]) for index in indices]
+        needed = self.layouts or [layout for layout in LAYOUTS if layout in firsts]
+        fitting = self.layouts or needed[:1]
         unknown = [shown(path) for path, first in zip(paths, firsts, strict=True) if first not in fitting]
         text, remedy = "nothing says whose these are", _NAME_THEM
         if needed:
@@ -124,6 +110,23 @@ class FolderLayout:
             remedy = f"Move or rename them, or give a layout for them, too: {_options(needed)}."
         if unknown:
             raise doubt(text, unknown, remedy)
+
+    def _fitting(self, paths, readings):
+        """A list of the one of LAYOUTS that fits all paths, or an empty one; CollectError: several do."""
+        for layouts in (_MARKED,) if _have_marks(readings) else (_MARKED, _FORMED, _NAMED):
+            fitting = [layout for layout in layouts if None not in readings[layout]]
+            plain = [layout for layout in fitting if self._is_plain(paths, readings[layout])]
+            for remaining in (fitting, plain):
+                if len(remaining) == 1:
+                    return remaining
+            if fitting:
+                lines = (
+                    shown(f"{path}: {' or '.join(dict.fromkeys(one.learner for one in senders))}")
+                    for path, *senders in zip(paths, *map(readings.get, fitting), strict=True)
+                )
+                remedy = f"Give one: {_options(fitting, ' or ')}."
+                raise doubt("several layouts fit, and they name different learners", lines, remedy)
+        return []
 
     def sender_of(self, path):
         """The Sender of a file, or None if its path names nobody."""
