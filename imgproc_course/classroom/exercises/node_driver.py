@@ -5,6 +5,7 @@ The steps of a drive are dicts, in order:
     {"image": array, "encoding": "bgr8", "topic": "/camera/image_raw", "stamp": (sec, nanosec),
      "frame_id": "camera"}       an image on a topic, as a best-effort camera publishes it. With "cut": True
                                  half of its data are missing; with "bad": True the node must survive it
+    {"message": "LaserScan", "topic": "/scan", "fields": {"ranges": [1.0]}}       another message
     {"set": {"low": 20}}         parameters, as `ros2 param set` sets them
     {"get": ["low", "high"]}     parameters, as `ros2 param get` reads them
 
@@ -19,7 +20,7 @@ import threading
 
 import numpy as np
 
-from .recording_node import LEVELS, NodeError, NodeStopped, RecordingNode, refusals, refuse, stop, type_text
+from .recording_node import LEVELS, NodeError, RecordingNode, refuse, takes, type_text
 from .ros_double import offer_modules
 
 _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows", "destroyWindow")
@@ -27,10 +28,13 @@ _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows"
 _TRAPS = {
     "time": {"sleep": "sleeps"},
     "cv2": dict.fromkeys(_WINDOWS, "windows"),
-    "rclpy": dict.fromkeys(("spin", "spin_once", "spin_until_future_complete"), "spins")
-    | {"ok": "is running"},
+    "rclpy": dict.fromkeys(("spin", "spin_once"), "spins"),
     "rclpy.logging": {"get_logger": "loggers"},
 }
+_SPINS = (
+    "rclpy.spin and spin_once wait for messages: they do not belong in the class of a node. __init__ only"
+    " creates, and the callback only answers. main spins the node; here the check does it."
+)
 _POLICIES = ("reliability", "durability", "history", "depth")
 
 
@@ -48,60 +52,48 @@ def drive(node_class, look, steps):
     if not isinstance(node_class, type):
         raise TypeError(f"expected the class of your node, got a value of type {type(node_class).__name__}")
     offer_modules()
-    node_class, patches = _recording(node_class)
-    with contextlib.ExitStack() as stack, _stops_end_here():
-        for owner, name, value in patches:
-            stack.callback(setattr, owner, name, getattr(owner, name))
-            setattr(owner, name, value)
-        used = stack.enter_context(_traps(node_class))
-        node = node_class()
+    with _recording(node_class) as recording_class, _traps(node_class) as used:
+        node = recording_class()
         record = node._node_record
         early, results = len(record.published), []
         for step in steps:
             has_ended = bool(results) and bool(results[-1].get("ended"))
             results.append(results[-1] if has_ended else _take_step(node, record, step))
         if look == "setup":
-            description = describe_node(node.get_name(), record.subscriptions, record.publishers)
-            return description | {"published early": early} | used
+            return _describe(node.get_name(), record) | {"published early": early} | used
         return {"steps": results} | used
-
-
-@contextlib.contextmanager
-def _stops_end_here():
-    NodeStopped.is_driven = True
-    try:
-        yield
-    except NodeStopped as stopped:
-        raise stopped.error.with_traceback(stopped.__traceback__) from None
-    finally:
-        NodeStopped.is_driven = False
 
 
 # ---------------------------------------------------------------- the class that is driven
 
 
+@contextlib.contextmanager
 def _recording(node_class):
-    """(a class like this one that records, what must be patched while it is driven)."""
-    nodes = [kind for kind in node_class.__mro__ if kind.__name__ == "Node"]
-    bases = [kind for kind in nodes if kind.__module__ == "rclpy.node"]
-    if not bases:
+    """A class like this one that records: where rclpy is, a RecordingNode between it and rclpy's Node."""
+    kinds = [
+        kind for kind in node_class.__mro__ if (kind.__module__, kind.__name__) == ("rclpy.node", "Node")
+    ]
+    if not kinds:
         name = node_class.__name__
         raise NodeError(f"{name} is no node. Let it inherit from Node: class {name}(Node):")
-    if issubclass(bases[0], RecordingNode):
-        return node_class, []
-    return _between(node_class, bases[0])
-
-
-def _between(node_class, ros_node):
+    ros_node = kinds[0]
+    if issubclass(ros_node, RecordingNode):
+        yield node_class
+        return
     unknown = {name for name in dir(ros_node) if not name.startswith("_")} - set(dir(RecordingNode))
-    between = type("Node", (RecordingNode, ros_node), refusals(unknown))
+    refusals = {name: property(lambda _, name=name: refuse(f"{name} of a node")) for name in unknown}
+    between = type("Node", (RecordingNode, ros_node), refusals)
     start = ros_node.__init__
 
     def start_recording(node, *arguments, **options):
         (RecordingNode.__init__ if isinstance(node, between) else start)(node, *arguments, **options)
 
     # Node.__init__(self, ...) does not look for the class between, as super() does.
-    return type(node_class.__name__, (node_class, between), {}), [(ros_node, "__init__", start_recording)]
+    ros_node.__init__ = start_recording
+    try:
+        yield type(node_class.__name__, (node_class, between), {})
+    finally:
+        ros_node.__init__ = start
 
 
 @contextlib.contextmanager
@@ -114,11 +106,9 @@ def _traps(node_class):
             if threading.get_ident() != own_thread:  # the camera's thread, or that of a RosSession
                 return function(*arguments, **options)
             if name == "spins":
-                stop(NodeError(_SPINS))
+                raise NodeError(_SPINS)
             if name == "loggers":
-                refuse("get_logger")
-            if name == "is running":
-                return True
+                refuse("get_logger of rclpy.logging")
             used[name] = True
             return -1  # no key was pressed
 
@@ -130,9 +120,10 @@ def _traps(node_class):
         for module_name, module in modules.items()
         for function, name in _TRAPS[module_name].items()
     }
-    namespace = next((value.__globals__ for value in _functions_of(node_class)), {})
+    members = (value for kind in node_class.__mro__ for value in vars(kind).values())
+    own_names = next((value.__globals__ for value in members if hasattr(value, "__globals__")), {})
     with contextlib.ExitStack() as stack:
-        for names in (*map(vars, modules.values()), namespace):
+        for names in (*map(vars, modules.values()), own_names):
             for name, value in list(names.items()):
                 with contextlib.suppress(TypeError):  # no function: it has no hash
                     if value in functions:
@@ -141,27 +132,19 @@ def _traps(node_class):
         yield used
 
 
-_SPINS = (
-    "rclpy.spin and spin_once wait for messages: they do not belong in the class of a node. __init__ only"
-    " creates, and the callback only answers. main spins the node; here the check does it."
-)
-
-
-def _functions_of(node_class):
-    for kind in node_class.__mro__:
-        yield from (value for value in vars(kind).values() if hasattr(value, "__globals__"))
-
-
 # ---------------------------------------------------------------- what it does
 
 
-def describe_node(name, subscriptions, publishers):
+def _describe(name, record):
     """What the constructor of a node made, as plain values."""
-    described = [_endpoint(one) | {name: _policy(one, name) for name in _POLICIES} for one in subscriptions]
+    subscriptions = [
+        _endpoint(endpoint) | {name: _policy(endpoint, name) for name in _POLICIES}
+        for endpoint in record.subscriptions
+    ]
     return {
         "node": name,
-        "subscriptions": sorted(described, key=lambda entry: entry["topic"]),
-        "publishers": sorted(map(_endpoint, publishers), key=lambda entry: entry["topic"]),
+        "subscriptions": sorted(subscriptions, key=lambda entry: entry["topic"]),
+        "publishers": sorted(map(_endpoint, record.publishers), key=lambda entry: entry["topic"]),
     }
 
 
@@ -175,26 +158,41 @@ def _policy(endpoint, name):
 
 
 def _take_step(node, record, step):
-    if "image" not in step:
-        return ask_parameters(node, step)
+    """What came of a step, as plain values; of one that sends a message:
+
+    delivered  how many subscriptions got it
+    ended      the type of the exception that ended the node, ""
+    log        the level of what was logged of a bad message; of a right one only the text of an error counts
+    published  the fields of each message
+    """
+    if "topic" not in step:
+        return _ask_parameters(node, step)
     published, logged = len(record.published), len(record.logged)
     delivered, ended = 0, ""
     for subscription in list(record.subscriptions):
-        if _is_connected(subscription, step["topic"]):
+        if _is_connected(subscription, step):
             delivered += 1
             try:
-                subscription.call(image_message(step, subscription.msg_type))
+                message, callback = _message(step, subscription.msg_type), subscription.callback
+                callback(message) if takes(callback, 1) else callback(message, {})
             except Exception as error:
                 if not step.get("bad"):
                     raise
                 ended = type(error).__name__
     for timer in () if ended else record.timers:
-        if timer.is_on:
+        if not timer.is_canceled():
             timer.callback()
-    return describe_answer(step, delivered, ended, record.logged[logged:], record.published[published:])
+    level, text = max(record.logged[logged:], key=lambda entry: LEVELS.index(entry[0]), default=("", ""))
+    level = "error" if level == "fatal" else level
+    return {
+        "delivered": delivered,
+        "ended": ended,
+        "log": level if step.get("bad") else text if level == "error" else "",
+        "published": [_with_pixels(topic, fields) for topic, fields in record.published[published:]],
+    }
 
 
-def ask_parameters(node, step):
+def _ask_parameters(node, step):
     """What came of a step that sets or gets parameters; None for one that the node does not have."""
     if "get" in step:
         names = filter(node.has_parameter, step["get"])
@@ -208,24 +206,6 @@ def ask_parameters(node, step):
     return {"accepted": accepted}
 
 
-def describe_answer(step, delivered, ended, logged, published):
-    """What came of a step that sent an image, as plain values.
-
-    delivered  how many subscriptions got it
-    ended      the type of the exception that ended the node, ""
-    logged     (level, text) of each message; of a right image only the text of an error counts
-    published  (topic, fields) of each message
-    """
-    level, text = max(logged, key=lambda entry: LEVELS.index(entry[0]), default=("", ""))
-    level = "error" if level == "fatal" else level
-    return {
-        "delivered": delivered,
-        "ended": ended,
-        "log": level if step.get("bad") else text if level == "error" else "",
-        "published": [_with_pixels(topic, fields) for topic, fields in published],
-    }
-
-
 def _with_pixels(topic, fields):
     """A published message; the bytes of an image as "pixels", in rows."""
     fields = {"topic": topic} | fields
@@ -235,15 +215,18 @@ def _with_pixels(topic, fields):
     return fields
 
 
-def _is_connected(subscription, topic):
+def _is_connected(subscription, step):
     """Whether ROS connects a subscription with a camera that offers best effort and volatile."""
-    is_image = subscription.topic_name == topic and subscription.msg_type.__name__ == "Image"
+    sent = (step["topic"], step.get("message", "Image"))
     asks_for_more = {_policy(subscription, "reliability"), _policy(subscription, "durability")}
-    return is_image and not asks_for_more & {"RELIABLE", "TRANSIENT_LOCAL"}
+    is_same = (subscription.topic_name, subscription.msg_type.__name__) == sent
+    return is_same and not asks_for_more & {"RELIABLE", "TRANSIENT_LOCAL"}
 
 
-def image_message(step, kind):
-    """The message of a step that sends an image, of the class `kind`."""
+def _message(step, kind):
+    """The message of a step, of the class `kind`."""
+    if "fields" in step:
+        return kind(**step["fields"])
     pixels = np.ascontiguousarray(step["image"])
     msg = kind()
     msg.height, msg.width = pixels.shape[:2]

@@ -25,5 +25,4 @@ NODE_ATTACKS = (
     ("a class that makes another object", SUBSCRIBES + "\nclass Meta(type):\n    def __call__(cls):\n        return object()\n\n\nclass ImageGrayProcessor(ImageGrayProcessor, metaclass=Meta):\n    pass\n", {"raised", "wrong"}),
     ("an instance that says yes to all", "class ImageGrayProcessor:\n    __mro__ = ()\n\n    def __getattr__(self, name):\n        return lambda *a, **k: True\n", {"raised"}),
     ("not graded, on purpose", in_callback("recording_node = __import__('imgproc_course.classroom.exercises.recording_node', fromlist=['x']); recording_node.refuse('this')"), {"not graded", "wrong"}),
-    ("the end of the drive, swallowed", in_callback("recording_node = __import__('imgproc_course.classroom.exercises.recording_node', fromlist=['x']); recording_node.NodeStopped.is_driven = False"), {"wrong"}),
 )  # fmt: skip
