@@ -173,8 +173,9 @@ class RecordingNode:
         self._declared, self._set_callbacks = {}, []
 
     def __getattr__(self, name):
-        if name == "_node_record":
-            raise NodeError("__init__ of your class must begin with super().__init__(...), and its name.")
+        if name in ("_node_record", "_node_name", "_clock", "_declared", "_set_callbacks"):
+            text = "__init__ of your class must begin with super().__init__(...), and the node's name."
+            raise NodeError(text)
         if OF_ROS.fullmatch(name):
             refuse(f"{name} of a node")
         return object.__getattribute__(self, name)  # raises Python's own error

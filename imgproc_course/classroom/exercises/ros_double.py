@@ -33,7 +33,6 @@ class _Message:
 _DEFINITIONS = """
 builtin_interfaces Time sec:int nanosec:int
 std_msgs Header stamp:Time frame_id:str
-std_msgs String data:str
 sensor_msgs Image header:Header height:int width:int encoding:str is_bigendian:int step:int data:bytes
 sensor_msgs LaserScan header:Header angle_min:float angle_max:float angle_increment:float
     time_increment:float scan_time:float range_min:float range_max:float ranges:floats intensities:floats
