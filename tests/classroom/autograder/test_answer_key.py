@@ -13,7 +13,7 @@ from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFac
 from imgproc_course.classroom.exercises import MasterError, read_exercises
 from imgproc_course.classroom.exercises.input_encoding import decode
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("key")]
+pytestmark = pytest.mark.sandbox
 MASTERS = Path(__file__).parent / "masters"
 SEED = 8_675_309
 

@@ -4,7 +4,7 @@ import pytest
 from attacks import ATTACKS, grade_attacks
 
 # All are graded in one fixture; what is out of time is run twice.
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("attacks"), pytest.mark.timeout(900)]
+pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(900)]
 
 
 @pytest.fixture(scope="module")

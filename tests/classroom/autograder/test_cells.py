@@ -12,7 +12,7 @@ from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises import read_exercises
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("cells")]
+pytestmark = pytest.mark.sandbox
 MASTERS = Path(__file__).parents[3] / "notebooks" / "masters"
 
 

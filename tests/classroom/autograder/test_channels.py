@@ -13,7 +13,6 @@ from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFac
 
 pytestmark = [
     pytest.mark.sandbox,
-    pytest.mark.xdist_group("channels"),
     pytest.mark.skipif(platform.machine() != "x86_64", reason="some calls are made by their numbers"),
 ]
 # A process that stays as long as it can; `run` is what it does first.

@@ -15,7 +15,7 @@ from imgproc_course.classroom.autograder.sandbox.fork_server_client import Forke
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises.page import page_of
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("isolation")]
+pytestmark = pytest.mark.sandbox
 MEAN = "float(np.mean(values))"
 ANSWERS = {
     "works once": "done = []\ndef mean(values):\n    if done: raise RuntimeError\n    done.append(1)\n"

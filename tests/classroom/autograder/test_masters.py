@@ -6,7 +6,7 @@ from sample_answers import FOLDERS, ROOT, fault_of, grade_samples, samples, titl
 
 from imgproc_course.classroom.exercises.checking import run_cases as check_answer
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("masters"), pytest.mark.timeout(1800)]
+pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(1800)]
 
 
 def is_quick(sample):

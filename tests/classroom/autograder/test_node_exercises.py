@@ -12,7 +12,7 @@ from imgproc_course.classroom.autograder.outcomes import Outcome
 from imgproc_course.classroom.autograder.pool import autograde, grade_one
 from imgproc_course.classroom.exercises.page import page_of
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("node exercises"), pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(600)]
 
 MASTERS = Path(__file__).parents[3] / "notebooks/masters"
 LESSONS = {"node-class": "grayscale_node", "edges-class": "edge_detection_node"}

@@ -11,7 +11,7 @@ from imgproc_course.classroom.autograder.sandbox import fork_server_client
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises.page import page_below, page_of
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("isolation")]
+pytestmark = pytest.mark.sandbox
 OWN_CELLS = {
     "a copy of the process goes on": "import os\nchild = os.fork()\nx = 1",
     "a thread": "import threading, time\nthreading.Thread(target=time.sleep, args=(9,), daemon=True).start()",

@@ -27,7 +27,7 @@ from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFac
 from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
 from imgproc_course.classroom.exercises.page import page_of
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
+pytestmark = pytest.mark.sandbox
 LESSON = "attacked"
 DOUBLED = "np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)"
 DOUBLES = f"def double(pixels):\n    return {DOUBLED}\n"

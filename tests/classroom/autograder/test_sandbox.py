@@ -16,7 +16,7 @@ from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.classroom.autograder.sandbox.cgroups import ProcessGroup
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("sandbox")]
+pytestmark = pytest.mark.sandbox
 
 
 def test_the_environment_and_the_paths_reveal_nothing():

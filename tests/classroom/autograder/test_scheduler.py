@@ -9,7 +9,7 @@ import pytest
 
 from imgproc_course.classroom.autograder.pool import Limits, autograde, open_scheduler
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
+pytestmark = pytest.mark.sandbox
 PATIENT = Limits(grace=4.0)
 
 

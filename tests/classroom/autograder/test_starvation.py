@@ -12,7 +12,7 @@ from imgproc_course.classroom.autograder.pool import Limits, autograde
 from imgproc_course.classroom.autograder.sandbox import cgroups
 from imgproc_course.classroom.autograder.sandbox.cgroups import ProcessGroup
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("starvation")]
+pytestmark = pytest.mark.sandbox
 
 
 def cases_of(result, exercise_id):

@@ -1,5 +1,6 @@
 """A key of two small lessons, made once per session, and fixtures that grade with it."""
 
+import contextlib
 import json
 import sys
 from pathlib import Path
@@ -12,11 +13,35 @@ from submissions import MASTERS, SEED
 from template_master import write_carried_files, write_master
 
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.autograder import pool
 from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
+from imgproc_course.classroom.gradebook import check
 from imgproc_course.classroom.gradebook.answer_keys import load_keys
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 
 __all__ = ["write_master"]
+
+
+@pytest.fixture(scope="session", autouse=True)
+def one_worker():
+    """All runs with one worker share an nbval process and its fork server: two seconds to start them."""
+    with open_worker_threads(1) as shared, pytest.MonkeyPatch.context() as patch:
+
+        def open_shared(workers):
+            return contextlib.nullcontext(shared) if workers == 1 else open_worker_threads(workers)
+
+        patch.setattr(pool, "open_worker_threads", open_shared)
+        yield
+
+
+@pytest.fixture(scope="module")
+def one_fork_server():
+    """All runs of `check --run` in a module take their kernels from one fork server."""
+    with KernelFactory(unsafe=True) as shared, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(check, "KernelFactory", lambda unsafe: contextlib.nullcontext(shared))
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -15,6 +15,8 @@ from imgproc_course.classroom.gradebook import check as check_module
 from imgproc_course.classroom.gradebook.check import LessonFileError, check_lesson, report_lines, run_answers
 from imgproc_course.cli import check
 
+pytestmark = pytest.mark.usefixtures("one_fork_server")
+
 
 @pytest.fixture
 def lesson(write_master, tmp_path):

@@ -21,7 +21,7 @@ from imgproc_course.classroom.gradebook import grade, result_store
 from imgproc_course.classroom.gradebook.teacher_tables import local_time_of
 from imgproc_course.cli import main
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
+pytestmark = pytest.mark.sandbox
 
 
 @pytest.fixture

@@ -22,7 +22,7 @@ from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.grades_json import lesson_names
 from imgproc_course.classroom.gradebook.result_store import GradesFolderError, ResultStore, show_time
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
+pytestmark = pytest.mark.sandbox
 
 
 def lesson_of(grades, learner, lesson="light"):

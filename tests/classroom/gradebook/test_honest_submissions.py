@@ -18,7 +18,7 @@ from imgproc_course.classroom.authoring.build import lesson_notebook
 from imgproc_course.classroom.gradebook.check import check_lesson, run_answers
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]  # the key is made in a sandbox
+pytestmark = [pytest.mark.sandbox, pytest.mark.usefixtures("one_fork_server")]  # the key is made in a sandbox
 
 DOUBLE, HALVES, MEAN = "answer-light-double", "answer-light-halves", "answer-sound-mean"
 RIGHT = {

@@ -9,7 +9,7 @@ import psutil
 import pytest
 from kills import COMMAND, GUARD, KINDS, Run, write_submissions
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("kills")]
+pytestmark = pytest.mark.sandbox
 
 
 def results_in(out):

@@ -22,7 +22,7 @@ from imgproc_course.classroom.gradebook.collect import collect
 from imgproc_course.classroom.gradebook.learners import read_all
 from imgproc_course.classroom.gradebook.syntax_shapes import syntax_tokens
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]  # the key is made in a sandbox
+pytestmark = [pytest.mark.sandbox, pytest.mark.usefixtures("one_fork_server")]  # the key is made in a sandbox
 
 
 class PageStore:
