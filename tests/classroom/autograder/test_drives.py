@@ -16,7 +16,7 @@ from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises.declaration import MasterError
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(600)]
+pytestmark = pytest.mark.sandbox
 ATTACKED = tuple(replace(case, calls=8) for case in (PUBLIC, HIDDEN))  # a second of processor time
 BESIDE = """
 import os, time

@@ -75,7 +75,9 @@ class Connection:
         case = {"layout": robot.layout, "seconds": look_seconds}
         data = _line_of({"case": case, "cells": [code]})
         cpu_end = (group.cpu_seconds() or 0.0) + seconds + self._limits.grace
-        self._deadline += robot.seconds
+        # The page's time is not the drive's: a controller that sends and never reads waits for its end.
+        deadline = time.monotonic() + self._limits.deadline(seconds)
+        self._deadline = min(self._deadline, deadline) + robot.seconds
         self._bytes_left = self._limits.output
         while (action := self._run_until_action(run, data)) is not None:
             self._most_cpu = min(cpu_end, (group.cpu_seconds() or 0.0) + look_seconds) + _OWN_SECONDS
