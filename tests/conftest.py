@@ -13,7 +13,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))  # for the modules beside this one
 from progress import Progress
-from selection import IS_SHORT, ONLY_IN_ALL, is_left_out, is_of_lesson, place_of, scope_of
+from selection import IS_SHORT, ONLY_IN_ALL, is_left_out, is_of_lesson, places_of, scope_of
 
 
 def _take_domain():
@@ -85,7 +85,8 @@ def pytest_collection_modifyitems(config, items):
         chosen = [item for item in chosen if item in firsts]
     kept = set(chosen)
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
-    items[:] = sorted(chosen, key=lambda item: place_of(item.nodeid))
+    places = places_of(dict.fromkeys(scope_of(item.nodeid) for item in chosen))
+    items[:] = sorted(chosen, key=lambda item: places[scope_of(item.nodeid)])
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -25,7 +25,11 @@ IN_EVERY_RUN = {
 }
 
 # Long tests start first: if they started last, the other workers would wait for them without work.
-LONGEST_FIRST = ("ros_packages", "browser", "classroom/gradebook/test_teach", "classroom", "notebooks", "ros")
+LONGEST_FIRST = (
+    *("ros_packages", "browser", "classroom/gradebook/test_teach", "classroom", "notebooks", "simulation"),
+)
+# Files whose tests wait more than they compute are spread among the others, which use the cores meanwhile.
+WAITING = ("ros/",)
 # A worker takes one file at a time. Of WHOLE_FOLDERS it takes all files, because what they share (a colcon
 # workspace, a JupyterLab with its browser) takes long to make. Of SINGLE_TESTS it takes one test, a lesson.
 WHOLE_FOLDERS = ("ros_packages", "browser")
@@ -62,9 +66,19 @@ def is_of_lesson(nodeid, number):
     return names_lesson or parameter.rstrip("]") in [master.stem, master.stem[3:], *exercises]
 
 
-def place_of(nodeid):
-    """The place in LONGEST_FIRST of the first name with which the path of a test begins."""
-    begins = (path_of(nodeid).startswith(name) for name in LONGEST_FIRST)
+def places_of(scopes):
+    """{scope: its place among all, from 0 to 1}; those of WAITING are evenly spread over the first part."""
+    ordered = sorted(scopes, key=_place_in_longest_first)
+    waits = {scope: path_of(scope).startswith(WAITING) for scope in ordered}
+    places = {}
+    for is_waiting, end in ((False, 1.0), (True, 0.8)):  # no long file begins last
+        same = [scope for scope in ordered if waits[scope] == is_waiting]
+        places |= {scope: end * number / len(same) for number, scope in enumerate(same)}
+    return places
+
+
+def _place_in_longest_first(scope):
+    begins = (path_of(scope).startswith(name) for name in LONGEST_FIRST)
     return next((place for place, is_it in enumerate(begins) if is_it), len(LONGEST_FIRST))
 
 
