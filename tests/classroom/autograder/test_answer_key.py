@@ -1,5 +1,6 @@
 """A key contains what the autograder needs, and nothing that reveals its seed."""
 
+import contextlib
 import json
 import shutil
 from pathlib import Path
@@ -7,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from imgproc_course.classroom.autograder import make_answer_key
 from imgproc_course.classroom.autograder.answer_key import KeyFolderError, load_key
 from imgproc_course.classroom.autograder.make_answer_key import make_key
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
@@ -20,6 +22,14 @@ SEED = 8_675_309
 
 def files(folder):
     return {path.relative_to(folder).as_posix(): path.read_text() for path in sorted(folder.rglob("*.*"))}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def one_fork_server():
+    """All keys of this module are made with one fork server, which takes a second to start."""
+    with KernelFactory() as shared, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(make_answer_key, "KernelFactory", lambda unsafe: contextlib.nullcontext(shared))
+        yield
 
 
 @pytest.fixture
