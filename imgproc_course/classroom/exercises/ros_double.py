@@ -83,8 +83,8 @@ class _Parameter:
 _POLICIES = {
     name.lower(): enum.IntEnum(f"{name}Policy", values, start=0)
     for name, values in {
-        "Reliability": "SYSTEM_DEFAULT RELIABLE BEST_EFFORT",
-        "Durability": "SYSTEM_DEFAULT TRANSIENT_LOCAL VOLATILE",
+        "Reliability": "SYSTEM_DEFAULT RELIABLE BEST_EFFORT UNKNOWN BEST_AVAILABLE",
+        "Durability": "SYSTEM_DEFAULT TRANSIENT_LOCAL VOLATILE UNKNOWN BEST_AVAILABLE",
         "History": "SYSTEM_DEFAULT KEEP_LAST KEEP_ALL",
     }.items()
 }
@@ -129,7 +129,8 @@ class _Module(types.ModuleType):
 # They can be imported; what is in them cannot be used.
 _EMPTY_MODULES = re.findall(
     r"\w+",
-    "action client clock context duration exceptions executors lifecycle logging service task time timer",
+    "action client clock context duration exceptions executors lifecycle logging publisher service"
+    " subscription task time timer utilities",
 )
 
 

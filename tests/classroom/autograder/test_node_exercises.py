@@ -17,12 +17,12 @@ pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(600)]
 MASTERS = Path(__file__).parents[3] / "notebooks/masters"
 LESSONS = {"node-class": "grayscale_node", "edges-class": "edge_detection_node"}
 ATTACKS = {name: outcomes for name, _, outcomes in NODE_ATTACKS}
-UNGRADED = ("a service", "logging by rclpy")  # they use what the double does not have
+UNGRADED = "a service"  # the double does not have it
 # test_node_exercises.py beside `check` has all of them.
 SAMPLE = [
     answer
     for number, answer in enumerate(ANSWERS)
-    if number % 5 == 0 or answer.name in ("a service", "reliable")
+    if number % 5 == 0 or answer.name in (UNGRADED, "reliable")
 ]
 
 
@@ -53,7 +53,7 @@ def test_grading_says_what_check_says(answer, exercises):
     )
     assert passes == answer.passes
     outcomes = {case.outcome.value for case in exercise.cases if not case.passed}
-    assert ("not graded" in outcomes) == (answer.name in UNGRADED)
+    assert ("not graded" in outcomes) == (answer.name == UNGRADED)
     messages = [case.message for case in exercise.cases]
     assert not any("a dict" in message or "in answer[" in message for message in messages)
 
@@ -70,7 +70,7 @@ def test_a_message_is_the_sentence_of_check(exercises):
 
 
 def test_what_the_check_does_not_know_is_graded_once(key):
-    source = next(answer.source for answer in ANSWERS if answer.name == "a service")
+    source = next(answer.source for answer in ANSWERS if answer.name == UNGRADED)
     page = page_of({"node-class": source}, key.lessons["grayscale_node"])
     process = nbval_process_of_thread(False, None)
     result = grade_one(("a", "grayscale_node", page), key.path, key.digest)
