@@ -107,7 +107,10 @@ class Archives:
             if len(members) > MOST_MEMBERS:
                 raise CollectError(f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read")
             for member in members:
-                member.filename = _system_name(member).replace("\\", "/")
+                member.filename = member.filename.replace("\\", "/")
+                with suppress(UnicodeError):
+                    if not member.flag_bits & 0x800:  # macOS writes UTF-8 and does not say so
+                        member.filename = member.filename.encode("cp437").decode()
             self._opened[location] = (stack.pop_all(), archive, members)
 
     def read(self, location):
@@ -129,13 +132,6 @@ class Archives:
         """Close the zips that are open, except those that the location is in."""
         for other in [other for other in self._opened if other != location[: len(other)]]:
             self._opened.pop(other)[0].close()
-
-
-def _system_name(member):
-    """The name of a member; macOS does not say that it is UTF-8, and so zipfile has read it as CP437."""
-    with suppress(UnicodeError):
-        return member.filename if member.flag_bits & 0x800 else member.filename.encode("cp437").decode()
-    return member.filename
 
 
 def _member_problem(member):

@@ -163,9 +163,9 @@ class _Search:
     def _add(self, file, location, budget):
         """Add a file, or what is in a zip: see Archives for the location; `budget` is a key of `_members`."""
         name = PurePosixPath(notebook_name(file.path).lower())
-        if name.suffix != ".zip" or name.name.startswith("."):
-            is_notebook = name.suffix == ".ipynb" and not name.name.startswith(".")
-            (self.notebooks if is_notebook else self.others).append(file)
+        suffix = "" if name.name.startswith(".") else name.suffix
+        if suffix != ".zip":
+            (self.notebooks if suffix == ".ipynb" else self.others).append(file)
             return
         try:
             if file.reason or self._members[budget] > MOST_FILES:
