@@ -3,7 +3,7 @@
 from .sandbox.cell_run import CellRun
 
 _PAGE_SECONDS = 60.0  # of processor time, that a page may take beside its checks; see `exercises.page_run`
-_MOST_SKIPPED = 5  # statements that end the process
+_MOST_ENDS = 10  # of kernels by statements of one page
 
 
 class PageKernels:
@@ -16,7 +16,10 @@ class PageKernels:
     def __init__(self, page, kernel_factory):
         self._page, self._kernel_factory = page, kernel_factory
         self._kernel, self._allowed, self._place = None, (), []
-        self._skip = []  # statements that ended the process
+        self._skip, self._ended_at = (
+            [],
+            set(),
+        )  # statements that end the process; those at which one ended once
 
     def in_order(self, exercises):
         """Exercises in the order in which their checks are to run."""
@@ -57,16 +60,25 @@ class PageKernels:
 
     def _start(self, place, allowed, seconds, *, alone=False):
         """(a kernel, the CellRun of the page up to a place in it), without what ends the process."""
-        for _ in range(_MOST_SKIPPED):
+        for _ in range(_MOST_ENDS):
             kernel = self._kernel_factory.start(allowed, _PAGE_SECONDS + seconds, alone=alone)
             run = kernel.open_page(self._page, self._skip)
             run = run if run.ended else kernel.run_page(place)
             if not run.ended or (not run.place and run.ended != "gone"):
                 break
-            if run.ended != "gone":  # the statement ended it, and not somebody else
-                self._skip.append(run.place)
+            self._note_end(run)
             kernel.stop()
         return kernel, run
+
+    def _note_end(self, run):
+        """Leave out the statement that ended a process; after an end of another kind only the second time.
+
+        Somebody else may have ended it, for example the system, which had no memory left.
+        """
+        if run.ended == "time" or run.place in self._ended_at:
+            self._skip.append(run.place)
+        elif run.ended != "gone":
+            self._ended_at.add(run.place)
 
     def _about(self, exercise, run, below):
         """The CellRun of an exercise's answer: its first error, and how it ended."""

@@ -8,6 +8,7 @@ from attacks import LESSON, SHORT
 from imgproc_course.classroom.autograder.page_kernels import PageKernels
 from imgproc_course.classroom.autograder.pool import autograde
 from imgproc_course.classroom.autograder.sandbox import fork_server_client
+from imgproc_course.classroom.autograder.sandbox.fork_server_client import ForkedKernel
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises.page import page_below, page_of
 
@@ -52,6 +53,28 @@ def test_a_statement_that_cannot_be_stopped_is_left_out_of_a_second_run(key, rig
         process, answer = kernels.open_check(exercise, 1.0)
         assert (answer.ended, answer.error) == ("", ("", ""))
         assert process.run("print(x)").printed == "2\n"
+        process.stop()
+        kernels.close()
+
+
+def test_a_kernel_that_somebody_else_ends_costs_no_statement(key, right):
+    exercise, run_page, ends = (
+        key.lessons[LESSON].exercises[0],
+        ForkedKernel.run_page,
+        [(0, 0), (1, 0), (1, 0)],
+    )
+
+    def end_first(kernel, place):
+        run = run_page(kernel, place)
+        if ends:
+            run.ended, run.place = "crashed", ends.pop(0)
+        return run
+
+    with patch.object(ForkedKernel, "run_page", end_first), KernelFactory(limits=SHORT) as factory:
+        kernels = PageKernels(page_with(key, "x = 2", right), factory)
+        process, _ = kernels.open_check(exercise, 1.0)
+        assert process.run("print(x)").printed == "2\n"
+        assert kernels._skip == [(1, 0)] and not ends  # it ended a process twice
         process.stop()
         kernels.close()
 
