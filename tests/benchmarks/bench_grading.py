@@ -37,7 +37,6 @@ from imgproc_course.classroom.authoring.masters import find_masters, read_master
 from imgproc_course.classroom.autograder.make_answer_key import make_key
 from imgproc_course.classroom.autograder.pool import autograde
 from imgproc_course.classroom.exercises import array_of, read_exercises
-from imgproc_course.classroom.exercises.input_encoding import decode
 
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "classroom" / "gradebook"))
@@ -87,12 +86,7 @@ def nbgrader_notebook(key, lesson, answers=None):
     for exercise in key.lessons[lesson].exercises:
         if exercise.practice:
             continue
-        content = key.content(exercise.id)
-        cells += [
-            nbformat.v4.new_code_cell("".join(cell["source"]))
-            for cell in content.notebook["cells"]
-            if cell["id"].startswith("given-")
-        ]
+        cells += map(nbformat.v4.new_code_cell, exercise.given)
         source = answers[exercise.id] if answers else exercise.stub
         # nbgrader also runs what is beside a declaration, but its environment has no course installed.
         source = source.replace(
@@ -101,9 +95,9 @@ def nbgrader_notebook(key, lesson, answers=None):
         cells.append(_cell(source, f"answer-{exercise.id}", solution=True))
         for case in exercise.cases:
             tests = [
-                f"_same({exercise.function}(*{_literal(decode(call))}),"
-                f" {_literal(_value(form))}, {case.tolerance}, {exercise.exact_type})"
-                for call, form in zip(content.inputs[case.id], content.expected[case.id], strict=True)
+                f"_same({exercise.function}(*{_literal(call.arguments)}),"
+                f" {_literal(_value(call.result.value))}, {case.tolerance}, {exercise.exact_type})"
+                for call in case.calls
             ]
             cells.append(
                 _cell("\n".join([_SAME, *tests]), case.id, grade=True, locked=True, points=case.points)

@@ -1,4 +1,4 @@
-"""Write the files that a lesson carries, and compare stored ones.
+"""Write the files that a lesson carries, and those of an answer key; compare stored ones.
 
 texts/<lesson>.json holds {name of a figure: its "caption" and "alt"}, and its questions' answers and replies;
 <lesson>.py, written by hand, is code that the lesson imports; `exercises.check_files` describes the others.
@@ -6,11 +6,10 @@ texts/<lesson>.json holds {name of a figure: its "caption" and "alt"}, and its q
 
 import hashlib
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from importlib.metadata import version
 
 from ..exercises.canonical import array_of, canonical
-from ..exercises.check_data import CheckData, shared_fields
 from ..exercises.check_files import (
     CHECKS,
     FORMAT,
@@ -23,9 +22,13 @@ from ..exercises.check_files import (
 from ..exercises.comparison import compare
 from ..exercises.expected_results import check_data_of
 from ..exercises.input_encoding import decode, encode
+from ..exercises.lesson import Exercise
 from .learner_files import TEXTS
 
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
+# Fields of an Exercise that no checks file has as they are, and those that only some have.
+_LEFT_OUT = ("id", "mistakes", "master", "preparation", "solution", "explanation", "helpers")
+_FOR_SOME = {"subject": "function", "sensors": ()}
 
 
 def lesson_files(master):
@@ -36,30 +39,33 @@ def lesson_files(master):
         texts = {name: {"caption": caption, "alt": alt} for name, (caption, alt) in master.texts.items()}
         files[f"{TEXTS}/{master.name}.json"] = _text_of(texts | master.questions)
     if master.exercises:
-        files[f"{CHECKS}/{master.name}.json"] = _check_file_text(master)
-        files[f"{SOLUTIONS}/{master.name}.json"] = _solution_file_text(master)
+        stored = {exercise.id: stored_exercise(check_data_of(exercise)) for exercise in master.exercises}
+        files |= exercise_files(master, stored)
     return files
 
 
-def _check_file_text(master):
-    values = {}
-    entries = {exercise.id: _exercise_entry(exercise, values) for exercise in master.exercises}
-    head = {"format": FORMAT, "lesson": master.name, "version": version("imgproc-course")}
+def exercise_files(master, stored, **about):
+    """{relative path: text} of a lesson's exercises and solutions; `stored` has each exercise's stored form.
+
+    A key has more `about` the lesson (see `exercises.check_files`).
+    """
+    entries = {id: entry for id, (entry, _) in stored.items()}
+    values = {key: value for _, own in stored.values() for key, value in own.items()}
+    head = {"format": FORMAT, "lesson": master.name, "version": version("imgproc-course")} | about
     parts = {name: _dumps(value) for name, value in head.items()}
     parts |= {
         "cells": _lines(master.handed_out),
         "exercises": _lines(entries),
         "values": _lines(dict(sorted(values.items()))),
     }
-    return "{\n" + ",\n".join(f"{_dumps(name)}: {text}" for name, text in parts.items()) + "\n}\n"
-
-
-def _solution_file_text(master):
+    checks = "{\n" + ",\n".join(f"{_dumps(name)}: {text}" for name, text in parts.items()) + "\n}\n"
     solutions = {
         exercise.id: {"code": exercise.solution, "explanation": exercise.explanation}
         for exercise in master.exercises
     }
-    return _text_of({"format": FORMAT, "lesson": master.name, "solutions": solutions})
+    solutions_text = _text_of({"format": FORMAT, "lesson": master.name, "solutions": solutions})
+    paths = (f"{folder}/{master.name}.json" for folder in (CHECKS, SOLUTIONS))
+    return dict(zip(paths, (checks, solutions_text), strict=True))
 
 
 def _text_of(data):
@@ -75,23 +81,21 @@ def _lines(mapping):
     return "{\n" + ",\n".join(f" {_dumps(key)}: {_dumps(mapping[key])}" for key in mapping) + "\n}"
 
 
-def _exercise_entry(exercise, values):
-    data = check_data_of(exercise)
-    entry = shared_fields(data, CheckData)
-    del entry["id"], entry["mistakes"]  # the mistakes come last
-    if entry["subject"] == "function":
-        del entry["subject"]
-    if not entry["sensors"]:
-        del entry["sensors"]
-    entry["cases"] = [_case_entry(case) for case in data.cases]
+def stored_exercise(exercise):
+    """(The entry of an Exercise that has its results, {key: value} of the values in it), plain data."""
+    values = {}
+    names = [field.name for field in fields(Exercise) if field.name not in _LEFT_OUT]
+    entry = {name: value for name in names if (value := getattr(exercise, name)) != _FOR_SOME.get(name)}
+    entry["cases"] = list(map(_case_entry, exercise.cases))
     if any("inputs" in case for case in entry["cases"]):
         entry["preparation"] = exercise.preparation
-    entry["mistakes"] = [_mistake_entry(mistake, data.cases) for mistake in data.mistakes]
-    return change_values(entry, lambda value, _tolerance: _keep(values, value))
+    entry["mistakes"] = [_mistake_entry(mistake, exercise.cases) for mistake in exercise.mistakes]
+    return change_values(entry, lambda value, _tolerance: _keep(values, value)), values
 
 
 def _case_entry(case):
     entry = {name: getattr(case, name) for name in ("id", "title", "points", "hint", "tolerance")}
+    entry |= {"hidden": True} if case.hidden else {}
     entry["expected"] = [call.result.value for call in case.calls]
     try:
         return entry | {"arguments": [list(map(encode, call.arguments)) for call in case.calls]}

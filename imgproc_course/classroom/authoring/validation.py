@@ -9,9 +9,10 @@ import numpy as np
 from ..exercises.canonical import array_of, canonical
 from ..exercises.checking import run_cases, run_mistake
 from ..exercises.comparison import as_float, compare, describe, kind_of, named_items
-from ..exercises.declaration import PUBLIC_SEED, MasterError
 from ..exercises.feedback import explain_failure
+from ..exercises.lesson import PUBLIC_SEED
 from ..exercises.names_read import NamesRead
+from ..exercises.percent_script import MasterError
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
 _MOST_BYTES = 65_536  # of an answer that is compared with a tolerance

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 
 from imgproc_course.classroom import course
-from imgproc_course.classroom.autograder.answer_key import ExerciseContent, KeyCase, KeyExercise
 from imgproc_course.classroom.autograder.drives import environment
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.outcomes import Outcome
@@ -21,9 +20,9 @@ from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.classroom.autograder.sandbox.inside import confine
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.autograder.verdict import CaseRun
-from imgproc_course.classroom.exercises.drive import SENSORS, load, looks_of
+from imgproc_course.classroom.exercises.drive import SENSORS, load
 from imgproc_course.classroom.exercises.drive_images import draw_film, draw_map
-from imgproc_course.classroom.exercises.input_encoding import encode
+from imgproc_course.classroom.exercises.lesson import Case, Exercise, ExpectedCall
 from imgproc_course.classroom.exercises.page import page_of
 
 FUNCTION = "control"
@@ -61,9 +60,8 @@ def start(unsafe):
 def explore(source, scenario):
     """The Exploration of a controller, by its source."""
     exercise = _exercise(scenario)
-    content = ExerciseContent({}, {_CASE: [encode((scenario,))]}, {}, {})
     page = page_of({exercise.id: source}, SimpleNamespace(exercises=[exercise]))
-    exercise_run = ExerciseRun(exercise, content, PageKernels(page, _factories[0]))
+    exercise_run = ExerciseRun(exercise, PageKernels(page, _factories[0]))
     try:
         run = exercise_run.run(exercise.cases[0], _CHECK)
     finally:
@@ -72,7 +70,7 @@ def explore(source, scenario):
     exercise_run.passed |= {_CASE} if is_whole else set()
     found = _found(run) if is_whole else None
     values = load(course.LEAGUE_SCORE)(environment(SENSORS), found) if is_whole else {}
-    (case,) = graded_exercise(exercise, content, exercise_run).cases
+    (case,) = graded_exercise(exercise, exercise_run).cases
     record = getattr(run.verdict, "record", None)
     return Exploration(case.outcome, case.message, values, found is not None, record)
 
@@ -84,21 +82,14 @@ def draw(record, scenario, *, with_film):
 
 
 def _exercise(scenario):
-    case = KeyCase(_CASE, "", "", 1, False, 0.0, looks_of(scenario))
-    return KeyExercise(
+    case = Case(_CASE, "", 1, "", 0.0, calls=(ExpectedCall((scenario,)),))
+    return Exercise(
         id="league",
-        title="",
         function=FUNCTION,
-        points=1,
-        allowed=course.LEAGUE_ALLOWED,
-        time_limit=0.0,
-        practice=False,
-        stub="",
-        arguments=("observation", "memory"),
-        cases=(case,),
-        mistakes=(),
         subject="drive",
         sensors=SENSORS,
+        allowed=course.LEAGUE_ALLOWED,
+        cases=(case,),
     )
 
 

@@ -7,33 +7,30 @@ import contextlib
 import hashlib
 import json
 import shutil
-from dataclasses import asdict
+from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 
-import nbformat
-from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 from tqdm import tqdm
 
+from ..authoring.lesson_files import exercise_files, stored_exercise
 from ..authoring.masters import find_masters, read_master
-from ..exercises import running
 from ..exercises.atomic_write import write_file, write_folder
-from ..exercises.check_data import shared_fields
-from ..exercises.declaration import MasterError
 from ..exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS, looks_of
-from ..exercises.input_encoding import decode, encode
+from ..exercises.expected_results import results_of_mistake, with_results
+from ..exercises.input_encoding import encode
+from ..exercises.lesson import ExpectedCall
+from ..exercises.percent_script import MasterError
 from . import answer_key
-from .answer_forms import read_answer
+from .answer_forms import read_answer, read_calls
 from .draw_scenarios import draw_scenario, public_drives
-from .drives import CHECK, GradedDrive
+from .drives import GradedDrive
+from .exercise_notebook import check_source
 from .sandbox import bubblewrap
-from .sandbox.inside.answer_mime import MIME
 from .sandbox.inside.check_cell import call_to_json
 from .sandbox.kernel_factory import KernelFactory
 from .verdict import verdict_on
 
-_EMIT_IMPORT = "from imgproc_course.classroom.autograder.sandbox.inside.check_cell import emit"
-_PLACEHOLDER = "# the learner's answer"
 _SECONDS_PER_EXERCISE, _SECONDS_PER_DRIVE = 2.5, 2.2  # fitted to the course's own lessons
 
 
@@ -56,19 +53,19 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, s
     if not unsafe:
         bubblewrap.require_sandbox()
     masters = [read_master(path) for path in find_masters(masters_dir, names)]
-    solutions = {exercise.id: exercise.solution for master in masters for exercise in master.exercises}
-    files = {
-        answer_key.HANDED_OUT: _dumps({master.name: master.handed_out for master in masters}),
-        answer_key.SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
-    }
     unfinished = out.with_name(f"{out.name}.unfinished")
     jobs = _jobs(masters, seed, unfinished, unsafe)
-    seconds = [_seconds_of(exercise) for path, (_, exercise, _) in jobs.values() if not path.exists()]
+    seconds = [_seconds_of(exercise) for exercise, path in jobs if not path.exists()]
     minutes = max(1, round(sum(seconds) / 60))
     say(f"{len(seconds)} of {len(jobs)} exercises to run, about {minutes} min on two quiet cores.")
     unfinished.mkdir(mode=0o700, parents=True, exist_ok=True)
     with KernelFactory(unsafe=unsafe) as kernel_factory:
-        files |= _key_files(masters, jobs, kernel_factory)
+        _run(jobs, _numpy_seed(seed), kernel_factory)
+    stored = {exercise.id: json.loads(path.read_text(encoding="utf-8")) for exercise, path in jobs}
+    files = {}
+    for master in masters:
+        own = {exercise.id: stored[exercise.id] for exercise in master.exercises}
+        files |= exercise_files(master, own, number=master.number, title=master.title)
     try:
         write_folder(out, files, permissions=0o700)
     except OSError as error:
@@ -78,14 +75,14 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, s
 
 
 def _jobs(masters, seed, folder, unsafe):
-    """{exercise id: (the file that keeps its part of the key, the arguments of what makes it)}."""
-    jobs, own_seed = {}, _numpy_seed(seed)
+    """[(an Exercise, the file that keeps its stored form)]."""
+    jobs = []
     for master in masters:
         text = master.path.read_text(encoding="utf-8")
         for exercise in master.exercises:
-            about = repr([text, exercise.id, exercise.mistakes, own_seed, unsafe, version("imgproc-course")])
-            path = folder / f"{hashlib.sha256(about.encode()).hexdigest()}.json"
-            jobs[exercise.id] = path, (master, exercise, own_seed)
+            about = [text, exercise.id, exercise.mistakes, _numpy_seed(seed), unsafe]
+            digest = hashlib.sha256(repr([*about, version("imgproc-course")]).encode())
+            jobs.append((exercise, folder / f"{digest.hexdigest()}.exercise.json"))
     return jobs
 
 
@@ -95,22 +92,17 @@ def _seconds_of(exercise):
     return 0 if exercise.practice else _SECONDS_PER_EXERCISE + _SECONDS_PER_DRIVE * drives
 
 
-def _key_files(masters, jobs, kernel_factory):
-    """{relative name: text} of the exercises, and of key.json."""
-    missing = [job for job in jobs.values() if not job[0].exists()]
+def _run(jobs, seed, kernel_factory):
+    """Keep the stored form of each exercise whose file does not exist."""
+    missing = [job for job in jobs if not job[1].exists()]
     # Each one as often as it takes seconds: so the bar knows how much time is left.
-    seconds = [job for job in missing for _ in range(1 + round(_seconds_of(job[1][1])))]
-    for path, job in tqdm(seconds, desc="key", unit=" s", smoothing=0, delay=2, leave=False):
+    seconds = [job for job in missing for _ in range(1 + round(_seconds_of(job[0])))]
+    for exercise, path in tqdm(seconds, desc="key", unit=" s", smoothing=0, delay=2, leave=False):
         if not path.exists():
-            write_file(path, json.dumps(_ExerciseKeyMaker(*job, kernel_factory).part()), permissions=0o600)
-    parts = {id: json.loads(path.read_text(encoding="utf-8")) for id, (path, _) in jobs.items()}
-    files = {name: text for part in parts.values() for name, text in part["files"].items()}
-    lessons = [_lesson_entry(master, parts) for master in masters]
-    return files | {"key.json": _dumps({"format": answer_key.FORMAT, "lessons": lessons})}
-
-
-def _dumps(content):
-    return json.dumps(content, indent=1, sort_keys=True) + "\n"
+            if exercise.practice:
+                exercise = replace(exercise, cases=(), mistakes=())
+            stored = stored_exercise(_Solutions(exercise, seed, kernel_factory).exercise())
+            write_file(path, json.dumps(stored), permissions=0o600)
 
 
 def _numpy_seed(seed):
@@ -118,31 +110,24 @@ def _numpy_seed(seed):
     return int.from_bytes(hashlib.sha256(f"imgproc-course {seed}".encode()).digest()[:16])
 
 
-def _lesson_entry(master, parts):
-    return shared_fields(master, answer_key.KeyLesson) | {
-        "version": version("imgproc-course"),
-        "digest": hashlib.sha256(master.path.read_bytes()).hexdigest(),
-        "exercises": [parts[exercise.id]["entry"] for exercise in master.exercises],
-    }
+class _Solutions:
+    """What the solution and the mistakes of one exercise give with a key's seed."""
 
+    def __init__(self, exercise, seed, kernel_factory):
+        self._exercise, self._seed, self._kernel_factory = exercise, seed, kernel_factory
+        self._drawn = dict(self._drawn_scenarios()) if exercise.drives else {}
 
-class _ExerciseKeyMaker:
-    """Makes the key's part of one exercise."""
-
-    def __init__(self, master, exercise, seed, kernel_factory):
-        self._master, self._exercise = master, exercise
-        self._seed, self._kernel_factory = seed, kernel_factory
-        self._cases = () if exercise.practice else exercise.cases
-        self._drawn = dict(self._drawn_scenarios()) if exercise.subject == "drive" else {}
-        self._inputs = {case.id: self._encoded_inputs(case) for case in self._cases}
+    def exercise(self):
+        """The Exercise with them."""
+        return with_results(self._exercise, self._exercise.cases, self._solve, self._results_of)
 
     def _drawn_scenarios(self):
         """(id of a case, its DrawnScenario) of an exercise that drives."""
-        exercise, cases, drive = self._exercise, self._cases, self._drive_solution
-        least = len(cases) * (1 + len(exercise.mistakes))
+        exercise, drive = self._exercise, self._drive_solution
+        least = len(exercise.cases) * (1 + len(exercise.mistakes))
         with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
-            public = list(public_drives(exercise)) if cases else []
-            for case in cases:
+            public = list(public_drives(exercise))
+            for case in exercise.cases:
                 yield case.id, draw_scenario(exercise, case, self._seed, drive, public, bar.update)
 
     def _drive_solution(self, scenario):
@@ -151,79 +136,39 @@ class _ExerciseKeyMaker:
         robot = GradedDrive(exercise.sensors, scenario)
         seconds = MEAN_LOOK_SECONDS * looks_of(scenario)
         subject = f"{exercise.master.name}: the solution of {exercise.id}"
-        with self._kernel_after_solution(seconds, subject) as (kernel, check):
-            _require_run(kernel.run_drive(check, robot, seconds, LOOK_SECONDS), subject)
+        with self._kernel_after_solution(seconds, subject) as kernel:
+            _require_run(kernel.run_drive(check_source(exercise), robot, seconds, LOOK_SECONDS), subject)
         return robot.verdict().record
 
     @contextlib.contextmanager
     def _kernel_after_solution(self, seconds, subject):
-        """A kernel like those that grade, which has run the solution, and the source of the check cell."""
+        """A kernel like those that grade, which has run the solution."""
         exercise = self._exercise
         kernel = self._kernel_factory.start(exercise.allowed, seconds)
         try:
             for source in (*exercise.given, exercise.solution):
                 _require_run(kernel.run(source), subject)
-            yield kernel, check_source(exercise)
+            yield kernel
         finally:
             kernel.stop()
 
-    def part(self):
-        """The key's part of the exercise, plain data."""
-        return {"entry": self._entry(), "files": {} if self._exercise.practice else self._files()}
-
-    def _entry(self):
-        """The exercise's entry in key.json; a practice exercise has no cases there."""
-        exercise = self._exercise
-        mistakes = () if exercise.practice else exercise.mistakes
-        solution = exercise.function_of(exercise.solution, "solution")
-        own_fields = {
-            "points": sum(case.points for case in self._cases),
-            "arguments": tuple(running.argument_names(solution, exercise.subject)),
-            "cases": tuple(map(self._key_case, self._cases)),
-            "mistakes": tuple(answer_key.KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
-        }
-        return asdict(answer_key.KeyExercise(**shared_fields(exercise, answer_key.KeyExercise) | own_fields))
-
-    def _files(self):
-        """{relative name: text} of a graded exercise's files."""
-        exercise = self._exercise
-        payloads = {case.id: self._solution_payload(case) for case in exercise.cases}
-        mistakes = {
-            mistake.name: {case.id: self._calls_of(mistake, case) for case in exercise.cases}
-            for mistake in exercise.mistakes
-        }
-        prefix = f"{self._master.name}/{exercise.id}"
-        return {
-            f"{prefix}.ipynb": nbformat.writes(self._notebook(payloads)) + "\n",
-            f"{prefix}.inputs.json": json.dumps(self._inputs, sort_keys=True) + "\n",
-            f"{prefix}.mistakes.json": json.dumps(mistakes, sort_keys=True) + "\n",
-        }
-
-    def _key_case(self, case):
-        drawn = self._drawn.get(case.id)
-        calls = looks_of(drawn.scenario) if drawn else len(self._inputs[case.id])
-        return answer_key.KeyCase(**shared_fields(case, answer_key.KeyCase) | {"calls": calls})
-
-    def _encoded_inputs(self, case):
-        exercise = self._exercise
-        if case.id in self._drawn:
-            return [encode((self._drawn[case.id].scenario,))]
+    def _solve(self, exercise, case):
+        """The ExpectedCalls of a case, of what the solution's check cell shows in such a kernel."""
+        if exercise.drives:
+            return [ExpectedCall((self._drawn[case.id].scenario,))]
+        drawn, subject = (
+            exercise.arguments(case, self._seed),
+            f"{exercise.master.name}, {case.id}: the solution",
+        )
         try:
-            return [encode(arguments) for arguments in exercise.arguments(case, self._seed)]
+            inputs = [encode(arguments) for arguments in drawn]
         except TypeError as error:
             raise MasterError(
                 f"{exercise.master.name}, line {case.line}: {case.id}: {error}; or make the exercise"
                 " practice=True"
             ) from error
-
-    def _solution_payload(self, case):
-        """What the solution's check cell shows, in a kernel like those that grade."""
-        if case.id in self._drawn:
-            return {"calls": [], "metrics": self._drawn[case.id].record["metrics"]}
-        exercise, inputs = self._exercise, self._inputs[case.id]
-        subject = f"{exercise.master.name}, {case.id}: the solution"
-        with self._kernel_after_solution(exercise.time_limit * len(inputs), subject) as (kernel, check):
-            run = kernel.run_check(check, inputs, exercise.time_limit)
+        with self._kernel_after_solution(exercise.time_limit * len(inputs), subject) as kernel:
+            run = kernel.run_check(check_source(exercise), inputs, exercise.time_limit)
             _require_run(run, subject)
         calls = read_answer(run.answers)
         if calls is None:
@@ -232,53 +177,21 @@ class _ExerciseKeyMaker:
             problem = _comparison_problem(call)
             if problem:
                 raise MasterError(f"{subject} returns nothing that can be compared: {problem}")
-        expected = [call.value for call in calls]
-        if not verdict_on(run.answers, expected, case.tolerance, exact_type=True).passed:
+        if not verdict_on(run.answers, [call.value for call in calls], case.tolerance).passed:
             raise MasterError(f"{subject} does not equal itself")
-        return {"calls": [call_to_json(call) for call in calls]}
+        return map(ExpectedCall, drawn, calls)
 
-    def _calls_of(self, mistake, case):
-        exercise = self._exercise
-        if case.id in self._drawn:
-            return [call_to_json(self._drawn[case.id].mistakes[mistake.name])]
-        function = exercise.function_of_mistake(mistake)
-        names = running.argument_names(function, exercise.subject)
-        how = exercise.time_limit, exercise.subject
-        inputs = map(decode, self._inputs[case.id])
-        return [call_to_json(running.call(function, arguments, names, *how)) for arguments in inputs]
-
-    def _notebook(self, payloads):
-        exercise = self._exercise
-        cells = [new_markdown_cell(f"# {exercise.title}", id=f"{exercise.id}-title"[:64])]
-        for number, source in enumerate(exercise.given, 1):
-            cells.append(_code_cell(f"given-{exercise.id}-{number}", source, len(cells), compared=False))
-        cells.append(_code_cell(f"answer-{exercise.id}", _PLACEHOLDER, len(cells), compared=False))
-        for case in exercise.cases:
-            cell = _code_cell(case.id, check_source(exercise), len(cells))
-            cell.outputs = [new_output("display_data", {MIME: payloads[case.id]})]
-            cells.append(cell)
-        kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
-        origin = {"exercise": exercise.id, "version": version("imgproc-course")}
-        return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": origin})
+    def _results_of(self, exercise, mistake, cases):
+        if exercise.drives:
+            return {case.id: [self._drawn[case.id].mistakes[mistake.name]] for case in cases}
+        results = {case.id: results_of_mistake(exercise, mistake, case) for case in cases}
+        # As a check cell would show them: answers are compared with them.
+        return {id: read_calls(map(call_to_json, calls)) for id, calls in results.items()}
 
 
 def _require_run(run, subject):
     if run.ended or run.error[0]:
         raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
-
-
-def check_source(exercise):
-    """The source of an exercise's check cells."""
-    if exercise.subject == "drive":
-        return CHECK.format(function=exercise.function)
-    subject = "" if exercise.subject == "function" else f', "{exercise.subject}"'
-    return f"{_EMIT_IMPORT}\n\nemit({exercise.function}{subject})"
-
-
-def _code_cell(id, source, count, *, compared=True):
-    """A cell that has been run; nbval never compares a cell that is run only for what it defines."""
-    tags = [] if compared else ["nbval-ignore-output", "nbval-raises-exception"]
-    return new_code_cell(source, id=id, execution_count=count, metadata={"tags": tags} if tags else {})
 
 
 def _comparison_problem(call):

@@ -12,14 +12,16 @@ import ast
 import json
 import math
 import os
-import re
 import time
 from pathlib import Path
 
 import pytest
 
 from ..exercises.drive import LOOK_SECONDS
+from ..exercises.input_encoding import encode
+from ..exercises.lesson import scenario_of
 from .drives import GradedDrive
+from .exercise_notebook import notebook_of
 from .outcomes import Outcome
 from .page_kernels import PageKernels
 from .pool import expected_key
@@ -32,7 +34,6 @@ from .verdict import CaseRun, ShownAnswer, StoredAnswer
 _RUN_AGAIN_AFTER = (("crashed", "memory"), ("crashed", "gone"), ("crashed", "gone"))
 _MESSAGE_ID = "a cell's run"
 MAX_ANSWER = 200_000  # characters
-_NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 
 
 class ExerciseKernel:
@@ -48,7 +49,7 @@ class ExerciseKernel:
     def __init__(self, exercise_run):
         self._exercise_run = exercise_run
         self._messages = []
-        self.case = None  # the KeyCase that the next cell checks
+        self.case = None  # the Case that the next cell checks
 
     def is_alive(self):
         return True
@@ -93,9 +94,8 @@ class ExerciseRun:
     thread in one check costs no other check anything. Each drive has a new kernel.
     """
 
-    def __init__(self, exercise, content, kernels, stop_at=math.inf):
-        self._exercise, self._content = exercise, content
-        self._kernels = kernels  # PageKernels
+    def __init__(self, exercise, kernels, stop_at=math.inf):
+        self._exercise, self._kernels = exercise, kernels  # PageKernels
         self._process, self._seconds, self._answer_run = None, 0.0, None
         self.stop_at = stop_at  # on time.monotonic(): then no further case is run; robots' time is added
         self.runs = {}  # {case id: CaseRun}
@@ -150,18 +150,19 @@ class ExerciseRun:
         exercise = self._exercise
         if exercise.drives:
             return self._run_drive(run, case, source)
-        inputs = self._content.inputs[case.id]
+        inputs = [encode(call.arguments) for call in case.calls]
         run.check = self._process.run_check(source, inputs, exercise.time_limit)
         if not run.ended:
             run.verdict = self.stored(case).verdict(run)
 
     def stored(self, case):
         """The StoredAnswer of a case, with which nbval compares."""
-        return StoredAnswer(self._content.expected[case.id], case.tolerance, self._exercise.exact_type)
+        expected = [call.result.value for call in case.calls]
+        return StoredAnswer(expected, case.tolerance, self._exercise.exact_type)
 
     def _run_drive(self, run, case, source):
         """Drive through a case's scenario. What fails in the environment is raised: no answer causes it."""
-        robot = GradedDrive(self._exercise.sensors, self._content.scenario(case.id))
+        robot = GradedDrive(self._exercise.sensors, scenario_of(case))
         run.check = self._process.run_drive(source, robot, self._exercise.seconds_of(case), LOOK_SECONDS)
         run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
         self.stop_at += robot.seconds
@@ -214,24 +215,23 @@ class GradingPlugin:
             source = page["answers"].get(exercise.id)
             reason = _reason_not_to_run(exercise, source)
             if reason is None:
-                result, stop_at = self._grade_exercise(key, exercise, source, kernels, stop_at)
-                results[exercise.id] = result
+                exercise_run = ExerciseRun(exercise, kernels, stop_at)
+                results[exercise.id] = self._grade_exercise(exercise, source, exercise_run)
+                stop_at = exercise_run.stop_at
             else:
                 results[exercise.id] = ungraded_exercise(exercise, *reason)
         kernels.close()
         return GradedSubmission(job["submission"], lesson.name, tuple(results[one.id] for one in graded))
 
-    def _grade_exercise(self, key, exercise, source, kernels, stop_at):
-        content = key.content(exercise.id)
-        exercise_run = ExerciseRun(exercise, content, kernels, stop_at)
+    def _grade_exercise(self, exercise, source, exercise_run):
         self._exercise_kernel = ExerciseKernel(exercise_run)
         path = self._folder / "exercise.ipynb"
-        path.write_text(json.dumps(_with_answer(content.notebook, exercise, source)), encoding="utf-8")
+        path.write_text(json.dumps(notebook_of(exercise, source)), encoding="utf-8")
         try:
             self._run_nbval(path, exercise, exercise_run)
         finally:
             exercise_run.close()
-        return graded_exercise(exercise, content, exercise_run), exercise_run.stop_at
+        return graded_exercise(exercise, exercise_run)
 
     def _run_nbval(self, path, exercise, exercise_run):
         cases = {case.id: case for case in exercise.cases}
@@ -291,12 +291,3 @@ def _is_stub(source, stub):
         return ast.dump(ast.parse(source)) == ast.dump(ast.parse(stub))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return False
-
-
-def _with_answer(notebook, exercise, source):
-    """The exercise's notebook with the learner's answer, without the comments that nbval obeys."""
-    cells = [dict(cell) for cell in notebook["cells"]]
-    for cell in cells:
-        if cell["id"] == f"answer-{exercise.id}":
-            cell["source"] = _NBVAL_COMMENT.sub(r"\1-\3", source)
-    return notebook | {"cells": cells}

@@ -16,12 +16,11 @@ from types import SimpleNamespace
 
 import msgspec
 
-from ..exercises.check_data import shared_fields
+from ..exercises.canonical import canonical
 from ..exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
 from ..exercises.node_feedback import sentence_on_node
 from ..exercises.recording_node import UNKNOWN_PART
 from ..exercises.running import NODES, CallResult
-from .answer_key import known_mistake
 from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
 from .sanitize import sanitize_text
 from .verdict import CaseRun, DriveVerdict
@@ -45,7 +44,7 @@ _EXCEPTIONS = {CELL_FAILS} | {name for name, kind in vars(builtins).items() if i
 class FailedCall:
     """The first call of a public case that failed; values are canonical forms."""
 
-    arguments: list  # their names: `KeyExercise.arguments`
+    arguments: list  # their names: `Exercise.names`
     expected: dict
     actual: dict | None  # None if nothing was returned
     printed: str  # shortened
@@ -144,29 +143,44 @@ def ungraded_exercise(exercise, outcome, message):
     return GradedExercise(exercise.id, exercise.title, exercise.points, cases, message=message)
 
 
-def graded_exercise(exercise, content, exercise_run):
+def graded_exercise(exercise, exercise_run):
     """The GradedExercise of an exercise whose cases all have run."""
     runs = exercise_run.runs
     cases = tuple(
-        _case_of_run(exercise, content, case, runs[case.id], case.id in exercise_run.passed)
+        _case_of_run(exercise, case, runs[case.id], case.id in exercise_run.passed)
         if case.id in runs
         else _faulty_case(case, exercise_run.faults[case.id])
         for case in exercise.cases
     )
     mistake = None
     if not all(case.passed for case in cases):
-        if exercise.drives:
-            mistake = _mistake_in_drives(exercise, content, runs)
-        else:
-            calls = {id: run.verdict.calls for id, run in runs.items()}
-            mistake = known_mistake(exercise, content, calls)
-    known = (mistake.name, mistake.explanation) if mistake else ("", "")
+        mistake = (_mistake_in_drives if exercise.drives else _mistake_in_calls)(exercise, runs)
+    known = (mistake.name, mistake.says) if mistake else ("", "")
     message = _message_about_cell(runs)
     return GradedExercise(exercise.id, exercise.title, exercise.points, cases, *known, message)
 
 
-def _mistake_in_drives(exercise, content, runs):
-    """The KeyMistake that drives as the answer does where it fails, by the rule of `check`."""
+def _mistake_in_calls(exercise, runs):
+    """The declared mistake (or None) that did, on every public call, exactly what the answer did.
+
+    A mistake that agrees on the hidden calls too is preferred to one that does not. `check` has the same
+    rule, so a lesson and a report name the same mistake.
+    """
+    calls = {id: run.verdict.calls for id, run in runs.items()}
+    for cases in (exercise.cases, exercise.public):
+        for mistake in exercise.mistakes:
+            if all(_agree(calls.get(case.id) or (), mistake.results[case.id], case) for case in cases):
+                return mistake
+    return None
+
+
+def _agree(calls, others, case):
+    pairs = zip(calls, others, strict=False)
+    return len(calls) == len(others) and all(call.matches(other, case.tolerance) for call, other in pairs)
+
+
+def _mistake_in_drives(exercise, runs):
+    """The declared mistake that drives as the answer does where it fails, by the rule of `check`."""
     from ..exercises.drive_check import form_of, known_mistake
 
     calls = [
@@ -175,30 +189,27 @@ def _mistake_in_drives(exercise, content, runs):
         if isinstance((run := runs.get(case.id, CaseRun())).verdict, DriveVerdict)
         for result in [run.verdict.ending or CallResult(value=form_of(run.verdict.record))]
     ]
-    results = content.mistakes
-    mistakes = [SimpleNamespace(key=key, results=results[key.name]) for key in exercise.mistakes]
-    mistake = known_mistake(SimpleNamespace(mistakes=mistakes), calls)
-    return mistake.key if mistake else None
+    return known_mistake(exercise, calls)
 
 
 def _graded_case(case, outcome, message="", failed_call=None):
-    fields = shared_fields(case, GradedCase) | {"max_points": case.points}
-    fields |= {"hint": ""} if outcome == Outcome.PASSED else {"points": 0}
-    return GradedCase(**fields, outcome=outcome, message=message, failed_call=failed_call)
+    points, hint = (case.points, "") if outcome == Outcome.PASSED else (0, case.hint)
+    about = (case.id, case.title, case.hidden, points, case.points)
+    return GradedCase(*about, outcome, hint, message, failed_call)
 
 
-def _case_of_run(exercise, content, case, run, passed):
+def _case_of_run(exercise, case, run, passed):
     if exercise.drives:
         return _case_of_drive(exercise, case, run, passed)
     if passed:
         return _graded_case(case, Outcome.PASSED)
     outcome, message = _outcome_of_run(exercise, run)
-    failed_call = _failed_call(content, case, run.verdict)
+    failed_call = _failed_call(case, run.verdict)
     shown_call = failed_call if exercise.subject == "function" else None  # a node's record is no reading
     if case.hidden:
         message = _message_of_hidden(outcome, message)
     elif not shown_call:
-        message = _message_on_node(content, case, run.verdict, failed_call) or message
+        message = _message_on_node(case, run.verdict, failed_call) or message
     return _graded_case(case, outcome, message, shown_call)
 
 
@@ -257,11 +268,11 @@ def _drawn(verdict):
     return drawn | {name: scenario.get(name) for name in ("room", "goal", "ball")}
 
 
-def _message_on_node(content, case, verdict, failed_call):
+def _message_on_node(case, verdict, failed_call):
     """What a node does wrong, in a sentence; "" if it gave no record, or if there is no sentence."""
     if verdict.difference is None or failed_call.actual is None:
         return ""
-    arguments = content.arguments(case.id, verdict.failed_call)
+    arguments = case.calls[verdict.failed_call].arguments
     return reproducible_text(sentence_on_node(failed_call.expected, failed_call.actual, arguments))
 
 
@@ -345,16 +356,15 @@ def _message_of_hidden(outcome, message):
     return message if TEXTS[outcome].message or outcome == Outcome.MISSING else ""
 
 
-def _failed_call(content, case, verdict):
+def _failed_call(case, verdict):
     """The call to show for a public case: the one that failed, else the first one."""
-    expected = content.expected[case.id]
-    number = min(verdict.failed_call or 0, len(expected) - 1)
-    calls = verdict.calls or []
+    number = min(verdict.failed_call or 0, len(case.calls) - 1)
+    expected, calls = case.calls[number], verdict.calls or []
     call = calls[number] if number < len(calls) else None
     return FailedCall(
-        content.canonical_arguments(case.id, number),
-        expected[number],
-        form_to_show(call.value, expected[number]) if call else None,
+        [canonical(value, limit=None) for value in expected.arguments],
+        expected.result.value,
+        form_to_show(call.value, expected.result.value) if call else None,
         reproducible_text(call.printed, 2000) if call else "",
     )
 

@@ -15,7 +15,7 @@ _numbers = itertools.count(1)
 
 
 def usual_workers(lessons):
-    """How many submissions to grade at once; `lessons` are the KeyLessons.
+    """How many submissions to grade at once; `lessons` are those of keys.
 
     A worker with its kernels, the next submission and the pages keep two cores busy; a robot keeps one.
     """

@@ -1,16 +1,18 @@
-"""The files that a lesson carries: checks/<lesson>.json and solutions/<lesson>.json beside the notebooks.
+"""The files of a lesson's exercises: checks/<lesson>.json and solutions/<lesson>.json.
 
-`imgproc_course.classroom.authoring.lesson_files` writes them; `check`, `hint` and `solution` read them. A
-checks file holds, as text:
+`authoring.lesson_files` writes them, beside the notebooks and in an answer key: a key is the same with the
+hidden cases, and with inputs from a secret seed. `check`, `hint` and `solution` read the lesson's, grading
+reads the key's. A checks file holds, as text:
 
-    format, lesson, version
+    format, lesson, version; a key's has `number` and `title` of the lesson, too
     cells      {cell id: source of a check or given cell, null for the others}
-    exercises  {id: the fields of CheckData, with a key of `values` in the place of each value; in addition a
+    exercises  {id: the fields of Exercise, with a key of `values` in the place of each value; in addition a
                 case has `expected`, one result for each call, and `arguments`, one list for each call}
     values     {key: an argument (see `input_encoding`) or a result (see `canonical`)}, each value once
 
 An argument that is no data (a function, an open recording) is made again: then the case has no `arguments`,
-but `inputs`, a source that runs after `preparation`, the source of the declaration's cell.
+but `inputs`, a source that runs after `preparation`, the source of the declaration's cell. A key has no such
+case: reading one runs nothing, and an altered key can at most grade wrongly.
 """
 
 import contextlib
@@ -22,9 +24,9 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
-from .check_data import CheckData, ExpectedCall, LessonDescription
-from .declaration import Exercise, MasterError
 from .input_encoding import decode
+from .lesson import Exercise, ExpectedCall, Lesson
+from .percent_script import MasterError
 from .running import CallResult
 
 FORMAT = 1
@@ -35,12 +37,18 @@ NO_CHECKS = (
     " environment/lab, or take the folder again from what your teacher handed out"
 )
 
-_NO_CASES = {"cases": (), "mistakes": ()}
 DAMAGED = (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError, SyntaxError)
 
 
 class CheckFileError(ValueError):
-    """A file that a lesson carries is missing or damaged, or does not know the exercise; says what to do."""
+    """A file that a lesson carries is missing or damaged, or does not know the exercise; says what to do.
+
+    `problem` does not.
+    """
+
+    def __init__(self, problem, remedy=""):
+        super().__init__("; ".join(filter(None, (problem, remedy))))
+        self.problem = problem
 
     def _render_traceback_(self):
         """IPython calls it: one line, because a traceback would show nothing that the learner did."""
@@ -57,18 +65,21 @@ class CheckFile:
     cells: dict
     entries: dict
     values: dict
+    number: str = ""
+    title: str = ""
 
-    def description(self):
-        """The LessonDescription; its exercises have no cases and no mistakes."""
-        with reading(self.path):
-            exercises = tuple(_read_record(id, entry | _NO_CASES) for id, entry in self.entries.items())
-        return LessonDescription(self.lesson, self.version, exercises, self.cells)
+    def read(self):
+        """The whole Lesson; errors as in `exercise`."""
+        exercises = tuple(map(self.exercise, self.entries))
+        return Lesson(self.lesson, self.version, exercises, self.cells, self.number, self.title)
 
     def exercise(self, id):
-        """The CheckData of one of its exercises; CheckFileError: the file is damaged."""
+        """One of its exercises; CheckFileError: the file is damaged."""
+        import msgspec  # here, because the kernels that grade import this module too
+
         with reading(self.path):
             entry = change_values(self.entries[id], lambda key, _tolerance: self.values[key])
-            exercise = _read_record(id, entry)
+            exercise = replace(msgspec.convert(entry | {"id": id}, Exercise), master=self.path)
             pairs = zip(exercise.cases, entry["cases"], strict=True)
             cases = [replace(case, calls=self._calls(exercise, case, stored)) for case, stored in pairs]
             return replace(exercise, cases=tuple(cases))
@@ -76,19 +87,11 @@ class CheckFile:
     def _calls(self, exercise, case, stored_case):
         """The calls of a case, as a tuple of ExpectedCall."""
         if "inputs" in stored_case:
-            preparation = self.entries[exercise.id]["preparation"]
-            declared = Exercise(**vars(exercise), master=self.path, preparation=preparation)
-            calls_arguments = declared.arguments(replace(case, source=stored_case["inputs"]))
+            calls_arguments = exercise.arguments(replace(case, source=stored_case["inputs"]))
         else:
             calls_arguments = [tuple(map(decode, forms)) for forms in stored_case["arguments"]]
         results = map(CallResult, stored_case["expected"])
         return tuple(ExpectedCall(*pair) for pair in zip(calls_arguments, results, strict=True))
-
-
-def _read_record(id, entry):
-    import msgspec  # here, because the kernels that grade import this module too
-
-    return msgspec.convert(entry | {"id": id}, CheckData)  # without the keys that are no fields of it
 
 
 def change_values(entry, change):
@@ -122,8 +125,8 @@ def reading(path):
     except (OSError, *DAMAGED) as error:
         reason = error.strerror if isinstance(error, OSError) else f"{type(error).__name__}: {error}"
         raise CheckFileError(
-            f"{path.parent.name}/{path.name} cannot be read ({str(reason)[:120]}); take the folder"
-            f" {path.parent.name}/ again from the course or from your teacher"
+            f"{path.parent.name}/{path.name} cannot be read ({str(reason)[:120]})",
+            f"take the folder {path.parent.name}/ again from the course or from your teacher",
         ) from error
 
 
@@ -153,7 +156,8 @@ def read_check_file(path):
 def _read_check_file(path, _version):
     data = read_lesson_file(path)
     cells, entries, values = (dict(data[name]) for name in ("cells", "exercises", "values"))
-    return CheckFile(path, str(data["lesson"]), str(data["version"]), cells, entries, values)
+    head = (str(data.get(name, "")) for name in ("number", "title"))
+    return CheckFile(path, str(data["lesson"]), str(data["version"]), cells, entries, values, *head)
 
 
 def checks_folders(beside=None):

@@ -14,15 +14,14 @@ from . import feedback, running
 from .canonical import array_of
 from .cell_runs import RUNS
 from .cell_syntax import function_definitions, plain_python, program_lines
-from .check_data import Case, CheckData, Mistake
 from .check_files import find_check_file
 from .comparison import Difference, compare
-from .declaration import PUBLIC_SEED
 from .diagnosis import Diagnosis, diagnose
 from .drive import passes, sentences_of
 from .drive_check import drive_scenarios, known_mistake, progress_bar
 from .expected_results import check_data_of
 from .last_resort import with_last_resort
+from .lesson import PUBLIC_SEED, Case, Exercise, Mistake
 from .names_read import NamesRead, with_own_globals
 from .one_change import sentence_on_change
 from .progress import ExerciseProgress, content_of, digest_of, note_progress
@@ -69,7 +68,7 @@ class CaseResult:
 class CheckResult:
     """The result of `check`. A notebook shows it as HTML; `print(result)` gives the same as plain text.
 
-    exercise      CheckData
+    exercise      Exercise
     attempted     False for the unchanged stub
     results       tuple of CaseResult, one for each public case
     mistake       the known mistake that explains the answer, or None
@@ -82,7 +81,7 @@ class CheckResult:
     drives        the calls if they are drives, those that passed too
     """
 
-    exercise: CheckData
+    exercise: Exercise
     attempted: bool
     results: tuple = ()
     mistake: Mistake | None = None
@@ -210,7 +209,7 @@ def run_mistake(exercise, mistake):
 
 
 def run_check(exercise, function, progress=None, *, searches=True):
-    """The CheckResult of an answer on the cases of a CheckData.
+    """The CheckResult of an answer on the cases of an Exercise.
 
     `function` is as the notebook has it. `progress` takes the share of the drives that is done. `searches`:
     whether one change is looked for that makes it right.

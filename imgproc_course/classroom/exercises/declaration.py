@@ -2,20 +2,14 @@
 
 import ast
 import re
-import zlib
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-import numpy as np
-
 from .. import course
-from .check_data import Case, CheckData, Mistake
 from .drive import PATH_TOLERANCE, SENSORS
+from .lesson import Case, Exercise, Mistake
 from .percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
 from .running import NODES, SUBJECTS
-
-PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
 
 _MODULE = re.compile(r"(?!imgproc_course$)[A-Za-z_]\w*|imgproc_course\.\w+")
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
@@ -116,105 +110,6 @@ def _declaration_rules(function, subject, sensors, time_limit, tolerance, allowe
         ' ("scipy", "imgproc_course.imaging")',
     )
     yield isinstance(hints, str), f"hints={hints!r}, expected a tuple of texts, one for each step"
-
-
-@dataclass(frozen=True, kw_only=True)
-class Exercise(CheckData):
-    """An exercise as its master declares it.
-
-    `preparation` runs before each case and mistake, and then `helpers` before each mistake.
-    """
-
-    master: Path
-    preparation: str
-    solution: str = ""
-    explanation: str = ""
-    helpers: str = ""
-
-    @property
-    def public(self):
-        return tuple(case for case in self.cases if not case.hidden)
-
-    @property
-    def hidden(self):
-        return tuple(case for case in self.cases if case.hidden)
-
-    def run_part(self, source, names, label):
-        """Run a part of the master in a namespace; MasterError if it fails."""
-        place = f"{self.master.name}, {label}"
-        try:
-            super().run_part(source, names, place)
-        except Exception as error:
-            raise MasterError(f"{place}: {type(error).__name__}: {error}") from error
-
-    def _prepared(self):
-        """A new namespace for the master's own cases and mistakes."""
-        names = self.namespace() | {"exercise": exercise}
-        self.run_part(self.preparation, names, f"declaration of {self.id}")
-        return names
-
-    def function_of(self, source, label, *, prepared=False):
-        """The exercise's function as a source defines it in a new namespace; MasterError if it does not.
-
-        Prepared, as for a mistake, it has the helpers, and the right answer as `solution`.
-        """
-        names = self._prepared() if prepared else self.namespace()
-        if prepared:
-            self.run_part(self.helpers, names, f"helpers of the mistakes of {self.id}")
-            names["solution"] = self.function_of(self.solution, "solution")
-        self.run_part(source, names, f"{label} of {self.id}")
-        answer = names.get(self.function)
-        if not self.can_be_answer(answer):
-            place = f"{self.master.name}: the {label} of {self.id}"
-            raise MasterError(f"{place} does not define the {self.kind} {self.answer_name}")
-        return answer
-
-    def function_of_mistake(self, mistake):
-        """The function of a declared mistake, prepared."""
-        return self.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-
-    def arguments(self, case, seed=PUBLIC_SEED):
-        """A tuple of arguments for each call that a case makes; it depends only on the seed and the case.
-
-        A key's seed shuffles the calls. The seed of the lesson keeps the master's order: the simplest first.
-        """
-        return next(self.draws(case, seed))
-
-    def draws(self, case, seed=PUBLIC_SEED):
-        """The arguments of a case again and again, each time drawn on from the same generator."""
-        label = f"line {case.line}: {case.id}"
-        place, names = f"{self.master.name}, {label}", self._prepared()
-        self.run_part(case.source, names, label)
-        if "inputs" not in names:
-            raise MasterError(f"{place} does not define inputs(rng)")
-        rng = np.random.default_rng([seed, zlib.crc32(case.id.encode())])
-        while True:
-            yield self._draw(case, seed, names["inputs"], rng, place)
-
-    def _draw(self, case, seed, inputs_of, rng, place):
-        try:
-            inputs = inputs_of(rng)
-        except Exception as error:
-            raise MasterError(f"{place}: inputs(rng) raised {type(error).__name__}: {error}") from error
-        calls = inputs if isinstance(inputs, list) else [inputs]
-        if not calls or not all(isinstance(call, tuple) for call in calls):
-            text = "inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
-            raise MasterError(f"{place}: {text}")
-        if self.subject == "drive":
-            return [(_scenario(case, calls, place),)]
-        return calls if seed == PUBLIC_SEED else [calls[number] for number in rng.permutation(len(calls))]
-
-
-def _scenario(case, calls, place):
-    # Here, because the kernels that grade import this module too.
-    from .scenario import read_scenario
-
-    if len(calls) != 1 or len(calls[0]) != 1 or not isinstance(calls[0][0], dict):
-        raise MasterError(f"{place}: inputs(rng) of a drive returns one scenario, a dict: return (scenario,)")
-    try:
-        return read_scenario({"title": case.title} | calls[0][0])
-    except ValueError as error:
-        raise MasterError(f"{place}: {error}") from error
 
 
 def read_exercises(path):

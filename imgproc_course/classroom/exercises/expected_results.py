@@ -4,10 +4,10 @@ from dataclasses import replace
 from functools import lru_cache, wraps
 
 from . import feedback
-from .check_data import ExpectedCall
-from .declaration import PUBLIC_SEED, MasterError
 from .drive_check import drive_scenarios
-from .running import CallResult, argument_names
+from .lesson import PUBLIC_SEED, ExpectedCall, scenario_of
+from .percent_script import MasterError
+from .running import argument_names
 
 
 class MistakeResults(dict):
@@ -17,7 +17,7 @@ class MistakeResults(dict):
         self._exercise, self._mistake, self._cases, self._seed = exercise, mistake, cases, seed
 
     def __missing__(self, case_id):
-        if self._exercise.subject == "drive":
+        if self._exercise.drives:
             for case, (_record, result) in zip(self._cases, self.drives(), strict=True):
                 self[case.id] = (result,)
             return self[case_id]
@@ -35,26 +35,47 @@ def _cached(function):
     return wraps(function)(lambda exercise, *arguments: cached(replace(exercise, mistakes=()), *arguments))
 
 
-# Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
-@lru_cache(maxsize=256)
-def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
-    """The CheckData of an Exercise, for these cases (the public ones if omitted) with inputs from this seed.
+def with_results(exercise, cases, solve, results_of):
+    """An Exercise with these cases, and with what its solution and its mistakes do in them.
 
-    MasterError: the solution or a case fails.
+    `solve(exercise, case)` gives ExpectedCalls; `results_of(exercise, mistake, cases)`, of cases that have
+    them, gives {id of a case: CallResults}. MasterError: the solution or a case fails.
     """
-    cases = exercise.public if cases is None else cases
     solution = exercise.function_of(exercise.solution, "solution")
     names, provided = argument_names(solution, exercise.subject), sorted(exercise.namespace())
     exercise = replace(exercise, names=tuple(names), provided=tuple(provided))
-    solved = [replace(case, calls=_solve(exercise, case, seed)) for case in cases]
-    mistakes = [replace(one, results=MistakeResults(exercise, one, cases, seed)) for one in exercise.mistakes]
-    return replace(exercise, cases=tuple(solved), mistakes=tuple(mistakes))
+    cases = tuple(replace(case, calls=tuple(solve(exercise, case))) for case in cases)
+    mistakes = [replace(one, results=results_of(exercise, one, cases)) for one in exercise.mistakes]
+    return replace(exercise, cases=cases, mistakes=tuple(mistakes))
+
+
+def results_of_mistake(exercise, mistake, case):
+    """What a declared mistake does in a case that has its calls, a tuple of CallResult."""
+    wrong_function = exercise.function_of_mistake(mistake)
+    return tuple(exercise.call(wrong_function, expected.arguments) for expected in case.calls)
+
+
+# Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
+@lru_cache(maxsize=256)
+def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
+    """The Exercise `with_results` in these cases (the public ones if omitted), with inputs from this seed.
+
+    A mistake runs when its results are asked for. MasterError: the solution or a case fails.
+    """
+
+    def solve(exercise, case):
+        return _solve(exercise, case, seed)
+
+    def results_of(exercise, mistake, cases):
+        return MistakeResults(exercise, mistake, cases, seed)
+
+    return with_results(exercise, exercise.public if cases is None else cases, solve, results_of)
 
 
 @_cached
 def _solve(exercise, case, seed):
-    if exercise.subject == "drive":  # thresholds judge it
-        return tuple(ExpectedCall(arguments, CallResult()) for arguments in exercise.arguments(case, seed))
+    if exercise.drives:
+        return tuple(ExpectedCall(arguments) for arguments in exercise.arguments(case, seed))
     solution = exercise.function_of(exercise.solution, "solution")
     calls = []
     for arguments in exercise.arguments(case, seed):
@@ -67,13 +88,11 @@ def _solve(exercise, case, seed):
 
 
 @_cached
-def _drive_mistake(exercise, mistake, cases, seed):
-    scenarios = [_solve(exercise, case, seed)[0].arguments[0] for case in cases]
+def _drive_mistake(exercise, mistake, cases, _seed):
+    scenarios = list(map(scenario_of, cases))
     return drive_scenarios(exercise, scenarios, lambda: exercise.function_of_mistake(mistake))
 
 
 @_cached
-def _results_of_mistake(exercise, mistake, case, seed):
-    wrong_function = exercise.function_of_mistake(mistake)
-    calls = _solve(exercise, case, seed)
-    return tuple(exercise.call(wrong_function, expected.arguments) for expected in calls)
+def _results_of_mistake(exercise, mistake, case, _seed):
+    return results_of_mistake(exercise, mistake, case)

@@ -9,18 +9,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..authoring.lesson_names import notebook_name
-from ..autograder.answer_key import ExerciseContent, KeyCase, KeyExercise
-from ..autograder.make_answer_key import check_source
+from ..autograder.exercise_notebook import check_source
 from ..autograder.nbval_plugin import ExerciseRun
 from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from ..autograder.page_kernels import PageKernels
 from ..autograder.results import GradedExercise, graded_exercise
 from ..autograder.sandbox.kernel_factory import KernelFactory
 from ..exercises import check_files
-from ..exercises.check_data import CheckData, shared_fields
-from ..exercises.drive import looks_of
 from ..exercises.error_advice import advice_on
 from ..exercises.input_encoding import encode
+from ..exercises.lesson import Exercise
 from .archives import LARGEST, too_large
 from .notebook_reader import NotebookReader
 from .submission import AnswerState, SubmissionContent, read_submission
@@ -39,7 +37,7 @@ class LessonFileError(ValueError):
 class ExerciseCheck:
     """One exercise of a checked lesson; `result` is of the public checks, None if they were not run."""
 
-    exercise: CheckData
+    exercise: Exercise
     state: AnswerState
     source: str
     notes: list = field(default_factory=list)
@@ -87,8 +85,8 @@ class CheckFileCatalog:
         return {(id, entry.get("function", "")) for id, entry in self.lessons[lesson].entries.items()}
 
     def describe(self, lesson, _version):
-        """The LessonDescription of a lesson, in the version that its checks were built with."""
-        return self.lessons[lesson].description()
+        """The Lesson, in the version that its checks were built with."""
+        return self.lessons[lesson].read()
 
 
 def check_lesson(path, folders=None):
@@ -110,8 +108,8 @@ def check_lesson(path, folders=None):
         raise catalog.damage[0]  # it may be the file of this lesson
     if content.reason:
         raise LessonFileError(f"{path}: {content.reason}")
-    file = catalog.lessons[content.lesson]
-    checks = [_exercise_check(file.exercise(id), content) for id in file.entries]
+    lesson = catalog.describe(content.lesson, content.version)
+    checks = [_exercise_check(exercise, content) for exercise in lesson.exercises]
     return LessonCheck(path, content, checks, deeper=_deeper_exercises(data))
 
 
@@ -164,17 +162,18 @@ def run_answers(lesson_check):
 
 
 def _run_answer(entry, kernels):
+    exercise = entry.exercise
     try:
-        exercise, content = _as_in_a_key(entry.exercise)
+        encode([call.arguments for case in exercise.cases for call in case.calls])
     except TypeError:  # an argument that is no data, such as an open recording
         entry.notes.append("it is not run here; its check in the lesson runs it")
         return
-    exercise_run = ExerciseRun(exercise, content, kernels)
+    exercise_run = ExerciseRun(exercise, kernels)
     for case in exercise.cases:
         run = exercise_run.run(case, check_source(exercise))
         exercise_run.passed |= {case.id} if run.passed else set()
     exercise_run.close()
-    entry.result = result = graded_exercise(exercise, content, exercise_run)
+    entry.result = result = graded_exercise(exercise, exercise_run)
     failed = [case for case in result.cases if not case.passed]
     outcomes = {case.outcome for case in failed}
     is_said = any(case.message.startswith(CELL_FAILS) for case in failed)
@@ -187,23 +186,6 @@ def _run_answer(entry, kernels):
         text = " ".join(filter(None, [explanation.removesuffix("."), advice_on(name, text)]))
         count = f"{len(failed)} of {len(result.cases)} checks fail"
         entry.notes.append(f"{count}: {failed[0].title}: {text}")
-
-
-def _as_in_a_key(exercise):
-    """(KeyExercise, ExerciseContent) of a CheckData; TypeError: an argument is no data."""
-    inputs = {case.id: [encode(call.arguments) for call in case.calls] for case in exercise.cases}
-    expected = {case.id: [call.result.value for call in case.calls] for case in exercise.cases}
-    cases = tuple(
-        KeyCase(**shared_fields(case, KeyCase) | {"calls": _count_of_calls(exercise, case)})
-        for case in exercise.cases
-    )
-    about = {"arguments": exercise.names, "cases": cases, "mistakes": (), "points": exercise.points}
-    key_exercise = KeyExercise(**shared_fields(exercise, KeyExercise) | about)
-    return key_exercise, ExerciseContent({}, inputs, {}, expected)
-
-
-def _count_of_calls(exercise, case):
-    return looks_of(case.calls[0].arguments[0]) if exercise.subject == "drive" else len(case.calls)
 
 
 def report_lines(lesson_check):

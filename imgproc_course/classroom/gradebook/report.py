@@ -247,7 +247,7 @@ def _values_view(case, key_exercise):
     from ..exercises.answer_images import answer_images
 
     call = case.failed_call
-    names = [*key_exercise.arguments, *("" for _ in call.arguments)]
+    names = [*key_exercise.names, *("" for _ in call.arguments)]
     tolerance = next((declared.tolerance for declared in key_exercise.cases if declared.id == case.id), 0.0)
     given = zip(names, call.arguments, strict=False)
     rows = [[value_of(f"given {name}".strip(), form) for name, form in given]]

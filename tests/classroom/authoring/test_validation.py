@@ -10,7 +10,8 @@ from imgproc_course.classroom.authoring.validation import validate_exercise
 from imgproc_course.classroom.exercises import read_exercises, running
 from imgproc_course.classroom.exercises.canonical import canonical
 from imgproc_course.classroom.exercises.comparison import compare
-from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
+from imgproc_course.classroom.exercises.declaration import MasterError
+from imgproc_course.classroom.exercises.lesson import PUBLIC_SEED
 
 HIDDEN_INPUTS = "return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),) for _ in range(3)]"
 BRIGHT = "return (rng.integers(128, 256, (5, 5), dtype=np.uint8),)"  # whose doubles are all 255

@@ -280,7 +280,7 @@ attack(
     """
     def double(pixels):
         import os
-        ends = (".ipynb", ".seed", "inputs.json", "key.json", "mistakes.py", "answer_key.py")
+        ends = (".ipynb", ".seed", ".json", "mistakes.py", "answer_key.py")
         found = [folder for folder in ("/work", "/home", "/root", "/srv", "/mnt", "/opt", "/var") if os.path.exists(folder)]
         for top in ("/course/packages", "/tmp", "/dev/shm", "/etc"):
             for folder, _, names in os.walk(top):

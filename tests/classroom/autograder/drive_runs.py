@@ -2,6 +2,7 @@
 
 import time
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import patch
@@ -9,12 +10,11 @@ from unittest.mock import patch
 from plane_env import PlaneEnv
 
 from imgproc_course.classroom import course
-from imgproc_course.classroom.autograder.answer_key import ExerciseContent, KeyCase, KeyExercise
 from imgproc_course.classroom.autograder.drives import CHECK, environment
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.page_kernels import PageKernels
 from imgproc_course.classroom.autograder.results import graded_exercise
-from imgproc_course.classroom.exercises.input_encoding import encode
+from imgproc_course.classroom.exercises.lesson import Case, Exercise, ExpectedCall
 from imgproc_course.classroom.exercises.page import page_of
 
 MASTERS = Path(__file__).parent / "driving/masters"
@@ -25,8 +25,8 @@ SCENARIO = {
     "duration": 4.0,
     "thresholds": {"bumps": ["<=", 0], "clearance": [">=", 0.3], "reach": [">=", 0.8]},
 }
-PUBLIC = KeyCase("case-plane-drive-1", "a wall", "Look ahead.", 2, False, 0.1, 40)
-HIDDEN = KeyCase("hidden-plane-drive-1", "another wall", "Look ahead.", 3, True, 0.1, 40)
+PUBLIC = Case("case-plane-drive-1", "a wall", 2, "Look ahead.", 0.1)
+HIDDEN = Case("hidden-plane-drive-1", "another wall", 3, "Look ahead.", 0.1, hidden=True)
 GOOD = "def control(observation, memory):\n    return 0.25, 0.0"
 
 
@@ -64,31 +64,23 @@ def on_the_plane(kind="plane_env:PlaneEnv"):
 
 def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, hidden=None, sensors=("scan",)):
     """(ExerciseRun, GradedExercise) of a controller; `scenario` changes all, `hidden` the hidden."""
-    exercise = KeyExercise(
+    changes = {False: scenario or {}, True: (scenario or {}) | (hidden or {})}
+    cases = tuple(replace(case, calls=(ExpectedCall((SCENARIO | changes[case.hidden],)),)) for case in cases)
+    exercise = Exercise(
         id="plane-drive",
         title="Drive",
         function="control",
-        points=sum(case.points for case in cases),
-        allowed=(),
-        time_limit=5.0,
-        practice=False,
-        stub="def control(observation, memory):\n    raise NotImplementedError",
-        arguments=("observation", "memory"),
-        cases=cases,
-        mistakes=(),
         subject="drive",
         sensors=sensors,
+        cases=cases,
     )
-    changes = {False: scenario or {}, True: (scenario or {}) | (hidden or {})}
-    inputs = {case.id: [encode((SCENARIO | changes[case.hidden],))] for case in cases}
-    content = ExerciseContent({}, inputs, {}, {})
     page = page_of({exercise.id: source}, SimpleNamespace(exercises=[exercise]))
     kernels = PageKernels(page, factory)
-    exercise_run = ExerciseRun(exercise, content, kernels, stop_at=time.monotonic() + 1000)
+    exercise_run = ExerciseRun(exercise, kernels, stop_at=time.monotonic() + 1000)
     try:
         for case in cases:
             run = exercise_run.run(case, CHECK.format(function="control"))
             exercise_run.passed |= {case.id} if run.passed else set()
     finally:
         exercise_run.close()
-    return exercise_run, graded_exercise(exercise, content, exercise_run)
+    return exercise_run, graded_exercise(exercise, exercise_run)

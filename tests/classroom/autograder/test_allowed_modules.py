@@ -125,8 +125,8 @@ def test_using_a_module_says_which_one(grade):
 def test_no_key_no_master_and_no_check_of_a_lesson_is_visible(kernel_factory):
     code = """
     import os
-    wanted = ("key.json", "handed_out.json", "checks", "masters", "solutions", "my_lessons")
-    ends = (".inputs.json", ".mistakes.json", ".seed", ".ipynb", "answer_key.py", "declaration.py")
+    wanted = ("checks", "masters", "solutions", "my_lessons")
+    ends = (".seed", ".ipynb", "answer_key.py", "declaration.py", "lesson.py")
     systems = {"proc", "sys", "usr", "python", "lib", "lib64", "bin", "sbin", "etc", "dev"}
     walks = (step for top in set(os.listdir("/")) - systems for step in os.walk("/" + top))
     ours = [(f, name) for f, *names in walks for name in sum(names, []) if "/course/site" not in f]

@@ -12,8 +12,7 @@ from imgproc_course.classroom.autograder import make_answer_key
 from imgproc_course.classroom.autograder.answer_key import KeyFolderError, load_key
 from imgproc_course.classroom.autograder.make_answer_key import make_key
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.exercises import MasterError, read_exercises
-from imgproc_course.classroom.exercises.input_encoding import decode
+from imgproc_course.classroom.exercises import MasterError, array_of, read_exercises
 
 pytestmark = pytest.mark.sandbox
 MASTERS = Path(__file__).parent / "masters"
@@ -39,11 +38,11 @@ def copy(key, tmp_path):
 
 def test_it_contains_exercises_cases_and_mistakes(key):
     lesson = key.lessons["attacked"]
-    assert (lesson.title, lesson.points, len(lesson.digest)) == ("Attacked", 10, 64)
+    assert (lesson.title, lesson.number, lesson.points) == ("Attacked", "10", 10)
     double, mean, apply = lesson.exercises
     assert double.allowed == ()
-    assert double.arguments == ("pixels",)
-    assert [(c.id, c.points, c.hidden, c.calls) for c in double.cases] == [
+    assert double.names == ("pixels",)
+    assert [(c.id, c.points, c.hidden, len(c.calls)) for c in double.cases] == [
         ("case-attacked-double-1", 1, False, 1),
         ("hidden-attacked-double-1", 2, True, 2),
     ]
@@ -54,20 +53,18 @@ def test_it_contains_exercises_cases_and_mistakes(key):
 
 
 def test_its_expected_values_are_the_solutions(key):
-    content = key.content("attacked-double")
-    (pixels,) = decode(content.inputs["case-attacked-double-1"][0])
+    (call,) = key.exercise("attacked-double").cases[0].calls
+    (pixels,) = call.arguments
     assert pixels.min() >= 100
     twice = np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)
-    from imgproc_course.classroom.exercises import array_of
-
-    assert array_of(content.expected["case-attacked-double-1"][0]).tolist() == twice.tolist()
+    assert array_of(call.result.value).tolist() == twice.tolist()
 
 
 def test_its_inputs_are_not_those_of_the_public_lesson(key):
     (declared, *_) = read_exercises(MASTERS / "10_attacked.py")
     public = [pixels for (pixels,) in declared.arguments(declared.cases[0])]
-    secret = [decode(call)[0] for call in key.content(declared.id).inputs[declared.cases[0].id]]
-    assert public[0].tolist() != secret[0].tolist()
+    (secret,) = key.exercise(declared.id).cases[0].calls[0].arguments
+    assert public[0].tolist() != secret.tolist()
 
 
 def test_the_seed_is_in_no_file(key):
@@ -79,12 +76,11 @@ def test_everything_in_it_is_json(key):
         assert json.loads(text), name
 
 
-def test_its_notebooks_contain_no_inputs_and_no_hints(key):
-    notebook = json.loads((key.path / "attacked" / "attacked-double.ipynb").read_text())
-    code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
-    assert [cell["execution_count"] for cell in code] == [1, 2, 3, 4]
-    assert [cell["id"] for cell in code][2:] == ["case-attacked-double-1", "hidden-attacked-double-1"]
-    assert "".join(code[3]["source"]).endswith("emit(double)")
+def test_its_solutions_are_in_files_of_their_own(key):
+    texts = files(key.path)
+    assert [*texts] == ["checks/attacked.json", "solutions/attacked.json"]
+    assert "np.minimum(pixels.astype(" not in texts["checks/attacked.json"]
+    assert "np.minimum(pixels.astype(" in key.solutions("attacked")["attacked-double"]
 
 
 def test_the_same_seed_gives_the_same_key_and_another_another(key, tmp_path):
@@ -159,39 +155,40 @@ def test_a_master_that_cannot_be_graded_is_refused(tmp_path, old, new, message):
         make_key(tmp_path, 1, tmp_path / "key")
 
 
-def change(path, edit):
-    notebook = json.loads(path.read_text())
-    edit(notebook["cells"])
-    path.write_text(json.dumps(notebook))
-
-
-@pytest.mark.parametrize(
-    "edit",
-    [
-        lambda cells: cells[-1].update(execution_count=None),
-        lambda cells: cells[-1].update(execution_count=None, outputs=[]),
-        lambda cells: cells[-1].update(outputs=[]),
-        lambda cells: cells[1].update(execution_count=None),
-    ],
-)
-def test_a_key_whose_cells_were_not_run_is_refused(copy, edit):
-    change(copy / "attacked" / "attacked-mean.ipynb", edit)
-    with pytest.raises(KeyFolderError, match=r"has no execution count.*make the key again"):
-        load_key(copy)
-
-
 def test_a_folder_without_a_readable_key_is_reported(tmp_path, copy):
-    with pytest.raises(KeyFolderError, match="there is no key; make one: imgproc-course key"):
+    with pytest.raises(KeyFolderError, match="there is no key; make one: imgproc-course key --out nowhere"):
         load_key(tmp_path / "nowhere")
-    (copy / "attacked" / "attacked-mean.ipynb").write_text("{")
-    with pytest.raises(KeyFolderError, match="cannot be read"):
+    path = copy / "checks" / "attacked.json"
+    text = path.read_text()
+    path.write_text("{")
+    with pytest.raises(KeyFolderError, match=r"checks/attacked.json cannot be read .*; make the key again$"):
         load_key(copy)
-    (copy / "key.json").write_text('{"format": 99}')
-    with pytest.raises(KeyFolderError, match="a key of format 99, expected 4"):
+    path.write_text(text)
+    (copy / "key.json").write_text('{"format": 4}')
+    with pytest.raises(
+        KeyFolderError, match=r"a key of an earlier version.*: imgproc-course key --out copy -"
+    ):
         load_key(copy)
+
+
+def change(path, edit):
+    data = json.loads(path.read_text())
+    edit(data["exercises"]["attacked-mean"]["cases"])
+    path.write_text(json.dumps(data))
+
+
+def test_checks_that_learners_have_are_no_key(copy):
+    """Without the hidden cases, or with a source of inputs, which reading would run."""
+    path = copy / "checks" / "attacked.json"
+    text = path.read_text()
+    for edit in (lambda cases: cases.pop(), lambda cases: cases[0].update(inputs="1 / 0")):
+        path.write_text(text)
+        change(path, edit)
+        with pytest.raises(KeyFolderError, match="these are checks as learners have them; make a key: imgp"):
+            load_key(copy)
 
 
 def test_an_altered_key_is_another_key(copy):
     before = load_key(copy).digest
-    change(copy / "attacked" / "attacked-mean.ipynb", lambda cells: cells[0].update(source="# other"))
+    change(copy / "checks" / "attacked.json", lambda cases: cases[0].update(tolerance=1.0))
     assert load_key(copy).digest != before

@@ -15,6 +15,7 @@ from imgproc_course.classroom.autograder.pool import autograde
 from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises.declaration import MasterError
+from imgproc_course.classroom.exercises.lesson import scenario_of
 
 pytestmark = pytest.mark.sandbox
 ATTACKED = tuple(replace(case, calls=8) for case in (PUBLIC, HIDDEN))  # a second of processor time
@@ -244,12 +245,12 @@ def key_of(tmp_path):
 # The fourth draw of b: in the third one, the mistake that stands fails, but a repeated drive passes.
 @pytest.mark.parametrize(("seed", "speed", "fits"), [("a", "0.25", 19), ("b", "0.25", 16), ("b", "0.0", 16)])
 def test_a_hidden_scenario_is_drawn_until_only_the_solution_passes(key_of, seed, speed, fits):
-    content = key_of(seed=seed, mistake=MISTAKE.replace("0.25", speed)).content("plane-drive")
-    wall = content.scenario("hidden-plane-drive-1")["room"]
+    key = key_of(seed=seed, mistake=MISTAKE.replace("0.25", speed))
+    public_wall, wall = (scenario_of(case)["room"] for case in key.exercise("plane-drive").cases)
     # The solution stops 0.6 m before a wall: one less than 1.2 m away leaves it no margin to 0.5 m. The blind
     # one drives 2 m: it passes where the wall is more than 2.2 m away.
     assert wall == fits
-    assert content.scenario("case-plane-drive-1")["room"] == 30  # the blind one passes
+    assert public_wall == 30  # the blind one passes
 
 
 def test_the_margin_makes_each_threshold_stricter():
@@ -277,9 +278,8 @@ def test_a_key_names_the_case_that_no_draw_fits(key_of):
         key_of(hidden=near)
 
 
-def test_a_key_has_the_number_of_steps_of_each_drive(key_of):
-    key = key_of()
-    assert [case.calls for case in key.exercise("plane-drive").cases] == [80, 80]
+def test_a_key_knows_how_long_each_drive_is(key_of):
+    assert key_of().exercise("plane-drive").simulated_seconds == 16.0
 
 
 # ---------------------------------------------------------------- nbval, and the room
@@ -304,9 +304,9 @@ def test_nbval_grades_drives_through_the_room(room_key):
 
 
 def test_an_environment_that_fails_leaves_the_drive_to_the_teacher(room_key):
-    file = room_key.path / "driven/driven-control.inputs.json"
+    file = room_key.path / "checks/driven.json"
     text = file.read_text(encoding="utf-8")
-    file.write_text(text.replace('["room", null]', '["room", "none"]'), encoding="utf-8")
+    file.write_text(text.replace('["room",null]', '["room","none"]'), encoding="utf-8")
     (result,) = autograde([("one", "driven", {"driven-control": GOOD})], load_key(room_key.path), workers=1)
     file.write_text(text, encoding="utf-8")
     assert {case.outcome.value for case in result.exercises[0].cases} == {"not graded"}

@@ -8,6 +8,7 @@ import pytest
 from attacks import LESSON, RIGHT, SHORT
 from jupyter_kernel import JupyterKernels
 
+from imgproc_course.classroom.autograder.exercise_notebook import check_source
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.page_kernels import PageKernels
 from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde
@@ -63,13 +64,11 @@ def sandbox_kernels(page):
 
 @contextlib.contextmanager
 def exercise_run_of(key, source, kind_of_kernels=sandbox_kernels, id="attacked-mean"):
-    """(ExerciseRun of an answer, list of (KeyCase, source of its check cell))."""
-    (exercise,) = [exercise for exercise in key.lessons[LESSON].exercises if exercise.id == id]
-    content = key.content(exercise.id)
-    cells = {cell["id"]: "".join(cell["source"]) for cell in content.notebook["cells"]}
+    """(ExerciseRun of an answer, list of (Case, source of its check cell))."""
+    exercise = key.exercise(id)
     with kind_of_kernels(page_of({id: source}, key.lessons[LESSON])) as kernels:
-        exercise_run = ExerciseRun(exercise, content, kernels)
-        yield exercise_run, [(case, cells[case.id]) for case in exercise.cases]
+        exercise_run = ExerciseRun(exercise, kernels)
+        yield exercise_run, [(case, check_source(exercise)) for case in exercise.cases]
         exercise_run.close()
 
 

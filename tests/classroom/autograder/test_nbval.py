@@ -1,18 +1,19 @@
 """nbval compares: a wrong answer is a cell that it lets fail, ours in grading and stock nbval alike."""
 
 import json
-import shutil
 import subprocess
 import sys
 
 import pytest
 from attacks import LESSON
 
-from imgproc_course.classroom.autograder.answer_key import load_key
+from imgproc_course.classroom.autograder import nbval_process
+from imgproc_course.classroom.autograder.exercise_notebook import notebook_of
 from imgproc_course.classroom.autograder.pool import autograde
 from imgproc_course.classroom.autograder.sandbox.cell_run import MIME, CellRun
 from imgproc_course.classroom.autograder.verdict import CaseRun, ShownAnswer, StoredAnswer
 from imgproc_course.classroom.exercises.canonical import canonical
+from imgproc_course.classroom.exercises.input_encoding import encode
 
 pytestmark = pytest.mark.sandbox
 PREPARED = """import json
@@ -36,21 +37,17 @@ def test_the_stored_answer_equals_what_is_within_the_tolerance():
     assert stored != ShownAnswer(CaseRun())
 
 
-def exercise_of(key, id):
-    (exercise,) = (one for one in key.lessons[LESSON].exercises if one.id == id)
-    return exercise, key.content(id)
+ONE_MORE_OUTPUT = """
+from imgproc_course.classroom.autograder import exercise_notebook
+outputs_of = exercise_notebook._stored_outputs
+exercise_notebook._stored_outputs = lambda case: outputs_of(case) * (1 + (case.id == "case-attacked-mean-1"))
+"""
 
 
-def test_a_cell_that_nbval_lets_fail_costs_its_points(key, right, tmp_path):
+def test_a_cell_that_nbval_lets_fail_costs_its_points(key, right, monkeypatch):
     """One more stored output: our comparison finds the values right, and nbval finds an output missing."""
-    folder = tmp_path / "key"
-    shutil.copytree(key.path, folder)
-    path = folder / LESSON / "attacked-mean.ipynb"
-    notebook = json.loads(path.read_text())
-    checks = [cell for cell in notebook["cells"] if cell.get("outputs")]
-    checks[0]["outputs"] *= 2
-    path.write_text(json.dumps(notebook))
-    (graded,) = autograde([("one", LESSON, right)], load_key(folder), workers=1)
+    monkeypatch.setattr(nbval_process, "_PROGRAM", f"{ONE_MORE_OUTPUT}\n{nbval_process._PROGRAM}")
+    (graded,) = autograde([("one", LESSON, right)], key, workers=1)
     _, mean = graded.exercises
     assert [(case.outcome, case.points) for case in mean.cases] == [("not graded", 0), ("passed", 4)]
     assert mean.cases[0].message.startswith("its values are right, but nbval did not let it pass")
@@ -58,14 +55,12 @@ def test_a_cell_that_nbval_lets_fail_costs_its_points(key, right, tmp_path):
 
 def stock_notebook(key, id, source):
     """An exercise's notebook with an answer and the inputs in place, for nbval without our plugin."""
-    exercise, content = exercise_of(key, id)
-    notebook = json.loads(json.dumps(content.notebook))
-    for cell in notebook["cells"]:
-        if cell["id"] == f"answer-{id}":
-            cell["source"] = source
-        elif cell["id"] in content.inputs:
-            case = {"calls": content.inputs[cell["id"]], "seconds": exercise.time_limit}
-            cell["source"] = PREPARED.format(json.dumps(case)) + "".join(cell["source"])
+    exercise = key.exercise(id)
+    notebook = json.loads(json.dumps(notebook_of(exercise, source)))
+    for cell, case in zip(notebook["cells"][-len(exercise.cases) :], exercise.cases, strict=True):
+        calls = [encode(call.arguments) for call in case.calls]
+        delivered = {"calls": calls, "seconds": exercise.time_limit}
+        cell["source"] = PREPARED.format(json.dumps(delivered)) + cell["source"]
     return notebook
 
 
@@ -79,8 +74,7 @@ def run_stock(notebook, folder):
 
 @pytest.mark.parametrize("id", ["attacked-double", "attacked-mean"])
 def test_stock_nbval_passes_with_the_solution_and_fails_with_one_changed_value(key, tmp_path, id):
-    solution = json.loads((key.path / "solutions.json").read_text())[id]
-    notebook = stock_notebook(key, id, solution)
+    notebook = stock_notebook(key, id, key.solutions(LESSON)[id])
     count = sum(cell["cell_type"] == "code" for cell in notebook["cells"])
     output = run_stock(notebook, tmp_path)
     assert f"{count} passed" in output, output

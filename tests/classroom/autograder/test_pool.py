@@ -16,6 +16,7 @@ import psutil
 import pytest
 
 from imgproc_course.classroom.autograder import nbval_process
+from imgproc_course.classroom.autograder.exercise_notebook import check_source
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.classroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
 from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
@@ -391,13 +392,11 @@ def kernels_running():
 
 
 def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
-    (exercise,) = [each for each in key.lessons[LESSON].exercises if each.id == "attacked-double"]
-    content = key.content(exercise.id)
-    (check,) = [cell for cell in content.notebook["cells"] if cell["id"] == exercise.cases[0].id]
+    exercise = key.exercise("attacked-double")
     with KillsKernels() as kernels:
         page = page_of({exercise.id: right[exercise.id]}, key.lessons[LESSON])
-        exercise_run = ExerciseRun(exercise, content, PageKernels(page, kernels))
-        run = exercise_run.run(exercise.cases[0], "".join(check["source"]))
+        exercise_run = ExerciseRun(exercise, PageKernels(page, kernels))
+        run = exercise_run.run(exercise.cases[0], check_source(exercise))
         exercise_run.close()
         assert kernels.kills_left == 0
     assert (run.ended, run.passed) == ("", True)

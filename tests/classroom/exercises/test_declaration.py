@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from imgproc_course.classroom.exercises.declaration import (
-    PUBLIC_SEED,
     MasterError,
     exercise,
     read_exercises,
 )
+from imgproc_course.classroom.exercises.lesson import PUBLIC_SEED
 
 
 def test_a_whole_exercise_is_read(write_master):

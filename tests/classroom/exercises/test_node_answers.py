@@ -7,7 +7,7 @@ import pytest
 
 from imgproc_course.classroom.authoring.lesson_files import lesson_files
 from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.autograder.make_answer_key import check_source
+from imgproc_course.classroom.autograder.exercise_notebook import check_source
 from imgproc_course.classroom.exercises import progress
 from imgproc_course.classroom.exercises.cell_runs import CellRuns
 from imgproc_course.classroom.exercises.check_files import read_check_file

@@ -82,9 +82,9 @@ def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_pa
     )
     assert "Its seed is not saved" in other.output
     assert load_key(tmp_path / "k").digest != first
-    handed_out = json.loads((tmp_path / "k" / "handed_out.json").read_text())
-    assert handed_out["sound"]["check-sound-mean-1"] == 'check("sound-mean", mean)'
-    assert handed_out["sound"]["answer-sound-mean"] is None
+    cells = load_key(tmp_path / "k").lessons["sound"].cells
+    assert cells["check-sound-mean-1"] == 'check("sound-mean", mean)'
+    assert cells["answer-sound-mean"] is None
 
 
 def test_a_seed_that_can_be_guessed_is_refused(run, tmp_path):

@@ -26,6 +26,7 @@ from imgproc_course.classroom.autograder.sanitize import (
 )
 from imgproc_course.classroom.exercises.answer_images import answer_images
 from imgproc_course.classroom.exercises.canonical import canonical
+from imgproc_course.classroom.exercises.input_encoding import encode
 from imgproc_course.classroom.exercises.values import differing_elements
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.report import _advice_on, learner_page, value_of
@@ -156,10 +157,17 @@ def test_a_page_contains_nothing_of_other_learners_or_the_key(pages, key_path, a
         "rng",
     ):
         assert secret not in text
-    for path in key_path.rglob("*.inputs.json"):
-        hidden = re.findall(r'"hidden-[^"]+": \[\[.*?"data": "([^"]{12,})"', path.read_text())
-        for data in hidden:
-            assert data not in text
+    hidden = [
+        form["data"] if "data" in form else form["array"]
+        for lesson in answer_keys.lessons.values()
+        for exercise in lesson.exercises
+        for case in exercise.hidden
+        for call in case.calls
+        for form in (call.result.value, *map(encode, call.arguments))
+        if "data" in form or "array" in form
+    ]
+    assert len(hidden) > 3
+    assert not [data for data in hidden if data in text]
 
 
 def test_the_teachers_page_has_the_totals_and_the_mistakes(pages):

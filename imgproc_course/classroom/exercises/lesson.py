@@ -1,0 +1,248 @@
+"""A lesson's exercises: one record, from its declaration to its grade.
+
+A master declares an Exercise (`declaration`), `expected_results` runs its solution and its mistakes, and
+`authoring.lesson_files` writes it. `check_files` reads it again: for `check` beside a lesson, for grading in
+an answer key, with the hidden cases. Then it has neither the solution nor what makes inputs.
+"""
+
+import zlib
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from .drive import LOOK, MEAN_LOOK_SECONDS, looks_of
+from .percent_script import MasterError
+from .ros_double import offer_modules
+from .running import NODES, CallResult, answer_name, bytes_allowed, call
+
+PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
+
+
+@dataclass(frozen=True, eq=False)
+class ExpectedCall:
+    """One call of a case: its arguments, and what a right answer does with them."""
+
+    arguments: tuple
+    result: CallResult = field(default_factory=CallResult)  # of a drive nothing: thresholds judge it
+
+
+@dataclass(frozen=True)
+class Case:
+    """One check of an exercise; `calls` are ExpectedCalls, once the solution has run."""
+
+    id: str
+    title: str
+    points: int
+    hint: str
+    tolerance: float
+    hidden: bool = False
+    source: str = ""  # defines `inputs(rng)`
+    line: int = 0  # of the master
+    calls: tuple = field(default=(), compare=False)
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A usual wrong answer, what it `says` to the learner, and {id of a case: a CallResult for each call}."""
+
+    name: str
+    says: str
+    source: str = ""
+    results: dict[str, tuple[CallResult, ...]] = field(default_factory=dict, compare=False)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Exercise:
+    """An exercise; `declaration.exercise` documents most fields.
+
+    `names` are those of the function's arguments, `given` the sources of the given cells, and `provided` the
+    names that an answer may use from outside its cell. Only grading runs the hidden cases; a key has no case
+    of an exercise for practice. The fields from `master` on are its master's alone: `preparation` runs before
+    each case and mistake, and then `helpers` before each mistake.
+    """
+
+    id: str
+    title: str = ""
+    function: str
+    subject: str = "function"
+    sensors: tuple[str, ...] = ()
+    names: tuple[str, ...] = ()
+    stub: str = ""
+    given: tuple[str, ...] = ()
+    provided: tuple[str, ...] = ()
+    allowed: tuple[str, ...] = ()
+    time_limit: float = 5.0
+    practice: bool = False
+    hidden_count: int = 0
+    hidden_points: int = 0
+    border_hint: str = ""
+    hints: tuple[str, ...] = ()
+    another_way: str = ""
+    exact_type: bool = False
+    cases: tuple[Case, ...] = ()
+    mistakes: tuple[Mistake, ...] = ()
+    master: Any = None  # the Path of the file that it was read from
+    preparation: str = ""
+    solution: str = ""
+    explanation: str = ""
+    helpers: str = ""
+
+    @property
+    def points(self):
+        """Points of all its cases."""
+        return sum(case.points for case in self.cases)
+
+    @property
+    def public(self):
+        return tuple(case for case in self.cases if not case.hidden)
+
+    @property
+    def hidden(self):
+        return tuple(case for case in self.cases if case.hidden)
+
+    @property
+    def drives(self):
+        """Whether its answer is a controller."""
+        return self.subject == "drive"
+
+    @property
+    def answer_name(self):
+        """How texts name its answer, double() or Doubler."""
+        return answer_name(self.function, self.subject)
+
+    @property
+    def kind(self):
+        """What texts call its answer."""
+        return "class" if self.subject == "node" else "function"
+
+    def can_be_answer(self, value):
+        """Whether a value is of the kind of its answers."""
+        return isinstance(value, type) if self.subject == "node" else callable(value)
+
+    def seconds_of(self, case):
+        """Processor time of a case in grading: the time limit for each call; a drive has its own."""
+        if self.drives:
+            return MEAN_LOOK_SECONDS * looks_of(scenario_of(case))
+        return self.time_limit * len(case.calls)
+
+    @property
+    def simulated_seconds(self):
+        """How long its drives are, together."""
+        return LOOK * sum(looks_of(scenario_of(case)) for case in self.cases) if self.drives else 0.0
+
+    def namespace(self):
+        """A new namespace as an answer gets it in grading: np, and what the given cells define."""
+        if self.subject in NODES:
+            offer_modules()
+        names = {"np": np, "__name__": self.id}
+        for number, source in enumerate(self.given, 1):
+            self.run_part(source, names, f"given cell {number} of {self.id}")
+        return names
+
+    def run_part(self, source, names, label):
+        """Run a part of the master in a namespace; MasterError if it fails."""
+        place = f"{self.master.name}, {label}"
+        try:
+            exec(compile(source, f"<{place}>", "exec", dont_inherit=True), names)
+        except Exception as error:
+            raise MasterError(f"{place}: {type(error).__name__}: {error}") from error
+
+    def _prepared(self):
+        """A new namespace for the master's own cases and mistakes."""
+        names = self.namespace() | {"exercise": lambda *_arguments, **_options: None}
+        self.run_part(self.preparation, names, f"declaration of {self.id}")
+        return names
+
+    def function_of(self, source, label, *, prepared=False):
+        """The exercise's function as a source defines it in a new namespace; MasterError if it does not.
+
+        Prepared, as for a mistake, it has the helpers, and the right answer as `solution`.
+        """
+        names = self._prepared() if prepared else self.namespace()
+        if prepared:
+            self.run_part(self.helpers, names, f"helpers of the mistakes of {self.id}")
+            names["solution"] = self.function_of(self.solution, "solution")
+        self.run_part(source, names, f"{label} of {self.id}")
+        answer = names.get(self.function)
+        if not self.can_be_answer(answer):
+            place = f"{self.master.name}: the {label} of {self.id}"
+            raise MasterError(f"{place} does not define the {self.kind} {self.answer_name}")
+        return answer
+
+    def function_of_mistake(self, mistake):
+        """The function of a declared mistake, prepared."""
+        return self.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+
+    def call(self, function, arguments, seconds=None, expected=None):
+        """The CallResult of one call of an answer, within its time limit, or within these seconds.
+
+        Of a value that is much larger than the `expected` form, the arrays are given without their values.
+        """
+        most = None if expected is None else bytes_allowed(expected)
+        return call(function, arguments, self.names, seconds or self.time_limit, self.subject, most)
+
+    def arguments(self, case, seed=PUBLIC_SEED):
+        """A tuple of arguments for each call that a case makes; it depends only on the seed and the case.
+
+        A key's seed shuffles the calls. The seed of the lesson keeps the master's order: the simplest first.
+        """
+        return next(self.draws(case, seed))
+
+    def draws(self, case, seed=PUBLIC_SEED):
+        """The arguments of a case again and again, each time drawn on from the same generator."""
+        label = f"line {case.line}: {case.id}"
+        place, names = f"{self.master.name}, {label}", self._prepared()
+        self.run_part(case.source, names, label)
+        if "inputs" not in names:
+            raise MasterError(f"{place} does not define inputs(rng)")
+        rng = np.random.default_rng([seed, zlib.crc32(case.id.encode())])
+        while True:
+            yield self._draw(case, seed, names["inputs"], rng, place)
+
+    def _draw(self, case, seed, inputs_of, rng, place):
+        try:
+            inputs = inputs_of(rng)
+        except Exception as error:
+            raise MasterError(f"{place}: inputs(rng) raised {type(error).__name__}: {error}") from error
+        calls = inputs if isinstance(inputs, list) else [inputs]
+        if not calls or not all(isinstance(call, tuple) for call in calls):
+            text = "inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
+            raise MasterError(f"{place}: {text}")
+        if self.drives:
+            return [(_scenario(case, calls, place),)]
+        return calls if seed == PUBLIC_SEED else [calls[number] for number in rng.permutation(len(calls))]
+
+
+def _scenario(case, calls, place):
+    # Here, because the kernels that grade import this module too.
+    from .scenario import read_scenario
+
+    if len(calls) != 1 or len(calls[0]) != 1 or not isinstance(calls[0][0], dict):
+        raise MasterError(f"{place}: inputs(rng) of a drive returns one scenario, a dict: return (scenario,)")
+    try:
+        return read_scenario({"title": case.title} | calls[0][0])
+    except ValueError as error:
+        raise MasterError(f"{place}: {error}") from error
+
+
+def scenario_of(case):
+    """What a case of an exercise that drives lets an answer drive through, a dict."""
+    ((scenario,),) = (call.arguments for call in case.calls)
+    return scenario
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """A lesson as it was handed out, or as a key grades it; its name identifies it."""
+
+    name: str
+    version: str  # of the course
+    exercises: tuple
+    cells: dict  # {cell id: source of a check or given cell, None for the others}
+    number: str = ""  # only its place in the course: "04"; number and title are in keys alone
+    title: str = ""
+
+    @property
+    def points(self):
+        return sum(exercise.points for exercise in self.exercises)
