@@ -2,10 +2,9 @@
 
 messages    sensor_msgs/Image <-> NumPy      imaging     the mathematics, by hand
 recording   the recorded drive               ros         a running graph
-display     what a notebook shows            exercises   exercises, and checking an answer
-authoring   masters -> lessons               autograder  answer key, running answers
-gradebook   submissions -> grades            cli         the command imgproc-course
-doctor      checks of the machine            lab         starts JupyterLab
+simulation  the room, without ROS            geometry    from pixels to the room
+display     what a notebook shows            exercises   what lessons import of nbclassroom
+cli         the command imgproc-course       doctor      checks of the machine
 """
 
 

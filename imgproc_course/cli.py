@@ -1,74 +1,30 @@
-"""The command line `imgproc-course`. Each command imports what it calls when it runs."""
+"""The command line `imgproc-course`: the classroom's commands, and the course's own.
+
+Each command imports what it calls when it runs.
+"""
 
 import contextlib
-import subprocess
 from pathlib import Path
 
 import click
 from click import option
 
-CHECKOUT = Path(__file__).resolve().parents[1]
-_PATH = click.Path(path_type=Path)
+from imgproc_course.course_file import COURSE_FILE
+from nbclassroom import course
+
+course.use(COURSE_FILE)
+from nbclassroom.cli import CourseGroup, in_one_line  # noqa: E402
+from nbclassroom.cli import main as classroom  # noqa: E402
+
 _FOLDER = click.Path(path_type=Path, file_okay=False)
-_FILE = click.Path(path_type=Path, dir_okay=False)
 _IMAGES = "/kachaka/front_camera/image_raw"
-_COULD_NOT_GRADE = 3
 
 
-class CourseGroup(click.Group):
-    """The commands. If a package is not installed, they print one line instead of a traceback."""
-
-    def invoke(self, ctx):
-        try:
-            return super().invoke(ctx)
-        except ModuleNotFoundError as error:
-            # A robot's environment, for example, has the course but not all the packages that it needs.
-            package = (error.name or "").partition(".")[0]
-            if package in ("", "imgproc_course"):
-                raise
-            raise click.ClickException(
-                f"this command needs {package}, which is not installed for this Python; use the "
-                "imgproc-course in the course's own .venv, which environment/setup makes"
-            ) from error
-
-
-@contextlib.contextmanager
-def _in_one_line(*errors, written=""):
-    """Prints these errors as one line, without a traceback; so too what stops the writing of `written`."""
-    try:
-        yield
-    except errors as error:
-        exception = click.ClickException(str(error))
-        exception.exit_code = getattr(error, "exit_code", 1)
-        raise exception from error
-    except OSError as error:
-        if not written:
-            raise
-        raise click.ClickException(f"{written} cannot be written: {error}") from error
-
-
-@contextlib.contextmanager
-def _until_ctrl_c(text):
-    """Prints a line if Ctrl-C ends what runs inside."""
-    try:
-        yield
-    except KeyboardInterrupt:
-        click.echo(f"\n{text}", err=True)
-        raise SystemExit(130) from None
-
-
-_masters_option = option(
-    "--masters",
-    type=_FOLDER,
-    default=CHECKOUT / "notebooks" / "masters",
-    show_default=False,
-    help="Folder of the masters.  [default: the course's own]",
+@click.group(
+    cls=CourseGroup,
+    commands=classroom.commands,
+    context_settings={"help_option_names": ["-h", "--help"], "show_default": True},
 )
-_unsafe_help = "Run the learners' code without a sandbox: it can read and change your files."
-_unsafe_option = option("--unsafe", is_flag=True, help=_unsafe_help)
-
-
-@click.group(cls=CourseGroup, context_settings={"help_option_names": ["-h", "--help"], "show_default": True})
 @click.version_option(package_name="imgproc-course")
 def main():
     """Commands of the course "Image processing in ROS 2"."""
@@ -85,21 +41,6 @@ def doctor():
         raise SystemExit(1)
 
 
-@main.command(context_settings={"ignore_unknown_options": True})
-@click.argument("jupyter_options", nargs=-1, type=click.UNPROCESSED)
-def start(jupyter_options):
-    """Copy the lessons into my_lessons/ and open JupyterLab there.
-
-    An update of the course never overwrites your work: an updated lesson is added under a new name.
-    JupyterLab gets all options: --no-browser, --port 8890, --ip ADDRESS, and so on.
-    """
-    from imgproc_course.lab.server import LabError
-    from imgproc_course.lab.server import start as start_lab
-
-    with _in_one_line(LabError):
-        start_lab(jupyter_options, say=click.echo)
-
-
 @contextlib.contextmanager
 def _with_ros():
     """Requires ROS, and prints errors as one line."""
@@ -108,7 +49,7 @@ def _with_ros():
     problem = ros_problem()
     if problem is not None:
         raise click.ClickException(problem)
-    with _in_one_line(ValueError, RuntimeError):
+    with in_one_line(ValueError, RuntimeError):
         yield
 
 
@@ -177,361 +118,3 @@ def record(path, topics):
         from imgproc_course.ros.recorder import record_until_signal
 
         raise SystemExit(record_until_signal(list(topics) or None, path, say=click.echo))
-
-
-# ---------------------------------------------------------------- lessons and grades
-
-
-@main.command()
-@click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@option(
-    "--check",
-    "only_check",
-    is_flag=True,
-    help="Write nothing; fail if a stored lesson differs from its master.",
-)
-@_masters_option
-@option("--out", type=_FOLDER, help="Folder for the lessons.  [default: the parent of the masters' folder]")
-@option("--solved", type=_FOLDER, help="Folder for the solved lessons.  [default: solved/]")
-@option(
-    "--with-solutions",
-    is_flag=True,
-    help="Also write solutions/, which solution() opens. The course's own lessons always get them.",
-)
-def build(lessons, only_check, masters, out, solved, with_solutions):
-    """Build the lessons from their masters, and each lesson a second time with solutions.
-
-    Beside the lessons, checks/ gets what `check` and `hint` need.
-
-    LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, all lessons are built.
-    """
-    from imgproc_course.classroom.authoring.build import build as build_lessons
-    from imgproc_course.classroom.authoring.build import compare_lessons
-    from imgproc_course.classroom.exercises.declaration import MasterError
-
-    out = out or masters.parent
-    solved = solved or CHECKOUT / "solved"
-    with _in_one_line(MasterError, written="the lessons"):
-        if only_check:
-            result = compare_lessons(masters, out, lessons, progress=click.echo)
-        else:
-            with_solutions |= masters.resolve() == CHECKOUT / "notebooks" / "masters"
-            options = {"progress": click.echo, "with_solutions": with_solutions}
-            result = build_lessons(masters, out, solved, lessons, **options)
-    for problem in result.problems:
-        click.echo(problem, err=True)
-    if result.problems:
-        raise SystemExit(1)
-    verdict = "equal to their masters" if only_check else f"built into {out}"
-    click.echo(f"Lessons {verdict}: {len(result.built)}.")
-
-
-@main.command()
-@click.argument("folder", type=_FOLDER)
-@click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@option(
-    "--from",
-    "source",
-    type=_FOLDER,
-    default=CHECKOUT / "notebooks",
-    show_default=False,
-    help="Folder of the built lessons.  [default: the course's own]",
-)
-@option("--with-solutions", is_flag=True, help="Let learners open solutions after three tries.")
-@option("--zip", "zipped", is_flag=True, help="Also write FOLDER.zip.")
-def handout(folder, lessons, source, with_solutions, zipped):
-    """Write what learners get into FOLDER: the lessons without outputs, and what their checks need.
-
-    LESSON is a number or a name: 03 or images_as_messages. Without LESSON, all lessons are handed out.
-    A file in FOLDER that differs is never replaced.
-    """
-    from imgproc_course.classroom.authoring.handout import HandoutError, hand_out
-    from imgproc_course.classroom.exercises.declaration import MasterError
-
-    with _in_one_line(HandoutError, MasterError, written="the lessons"):
-        options = {"with_solutions": with_solutions, "zipped": zipped}
-        count, archive = hand_out(folder, source, lessons, **options)
-    place = f"{folder}/ and {archive}" if zipped else f"{folder}/"
-    solutions = "with" if with_solutions else "without"
-    click.echo(f"Lessons handed out: {count}, {solutions} solutions, in {place}")
-
-
-@main.command()
-@click.argument("notebooks", nargs=-1, required=True, type=_PATH, metavar="LESSON.ipynb...")
-@option("--run", "and_run", is_flag=True, help="Also run the checks on your answers.")
-def check(notebooks, and_run):
-    """Check a lesson before you submit it: is every answer present, and in its answer cell?"""
-    from imgproc_course.classroom.exercises.check_files import CheckFileError
-    from imgproc_course.classroom.gradebook import check
-
-    is_ready = []
-    for path in notebooks:
-        try:
-            lesson_check = check.check_lesson(path)
-            if and_run:
-                check.run_answers(lesson_check)
-        except (check.LessonFileError, CheckFileError) as error:
-            is_ready.append(False)
-            click.echo(f"Error: {error}", err=True)
-        else:
-            is_ready.append(lesson_check.ready)
-            click.echo("\n".join(check.report_lines(lesson_check)))
-    if not all(is_ready):
-        raise SystemExit(1)
-
-
-def _local_time(ctx, param, value):
-    from imgproc_course.classroom.gradebook.teacher_tables import local_time_of
-
-    try:
-        return value and local_time_of(value)
-    except ValueError as error:
-        raise click.BadParameter(
-            f"{value!r} is not a date and time; write it like 2026-12-01T23:59"
-        ) from error
-
-
-@main.command()
-@click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@option(
-    "--seed",
-    help="Secret seed of the inputs, 32 random hexadecimal digits or more.  [default: a new one, saved beside"
-    " the key]",
-)
-@option("--out", type=_FOLDER, default="key", help="Folder for the key.")
-@_masters_option
-@option("--replace", is_flag=True, help="Replace an existing key.")
-@option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
-def key(lessons, seed, out, masters, replace, unsafe):
-    """Make the answer key: run the solutions on inputs drawn from a secret seed.
-
-    LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons, which
-    take about ten minutes on two quiet cores. After Ctrl-C, the same command goes on where it stopped.
-    """
-    from imgproc_course.classroom.autograder import key_seed
-    from imgproc_course.classroom.autograder.answer_key import KeyFolderError
-    from imgproc_course.classroom.autograder.make_answer_key import make_key
-    from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
-    from imgproc_course.classroom.exercises.declaration import MasterError
-
-    seed_file, is_seed_saved = key_seed.seed_file_of(out), seed is None
-    stopped = "Stopped. Finished exercises are kept: run the same command again to continue."
-    with _until_ctrl_c(stopped), _in_one_line(KeyFolderError, SandboxError, MasterError, written="the key"):
-        seed = key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed
-        key_seed.require_unguessable(seed)
-        options = {"unsafe": unsafe, "replace": replace, "say": click.echo}
-        answer_key = make_key(masters, seed, out, lessons, **options)
-    click.echo("\n".join(_lines_about_key(answer_key, out)))
-    if is_seed_saved:
-        click.echo(f"Its secret seed is saved in {seed_file}: you need it to make the same key again.")
-    else:
-        click.echo("Its seed is not saved: remember it, you need it to make the same key again.")
-    for path in (out, *([seed_file] if is_seed_saved else ())):
-        if _would_be_committed(path):
-            text = "is in a git checkout and git does not ignore it: add it to .gitignore"
-            click.echo(f"Warning: {path} {text}", err=True)
-
-
-def _lines_about_key(answer_key, folder):
-    lessons = answer_key.lessons.values()
-    count = sum(not exercise.practice for lesson in lessons for exercise in lesson.exercises)
-    yield f"Key in {folder}/: lessons {len(lessons)}, exercises with points {count}."
-    without_points = [lesson.name for lesson in lessons if not lesson.points]
-    if without_points:
-        yield f"Lessons without points: {', '.join(without_points)}."
-
-
-def _would_be_committed(path):
-    command, folder = ["git", "check-ignore", "-q", path.name], path.resolve().parent
-    try:
-        process = subprocess.run(command, cwd=folder, capture_output=True, check=False, timeout=20)
-    except (OSError, subprocess.TimeoutExpired):
-        return False
-    return process.returncode == 1  # 0: ignored; 128: not a git checkout
-
-
-@main.command()
-@click.argument("submissions", type=_PATH)
-@option(
-    "--key",
-    "keys",
-    type=_FOLDER,
-    multiple=True,
-    help="Folder of a key; repeat the option for keys of other versions or other lessons.  [default: key]",
-)
-@option("--out", type=_FOLDER, default="grades", help="Folder for the grades.")
-@option(
-    "--workers",
-    type=click.IntRange(1),
-    help="Number of submissions graded at once.  [default: one for two cores; if robots drive, one per core]",
-)
-@option(
-    "--deadline",
-    callback=_local_time,
-    metavar="TIME",
-    help="Mark later submissions as late. In local time: 2026-12-01T23:59; a date alone is its end.",
-)
-@option(
-    "--late",
-    metavar="POLICY",
-    help='What lateness costs: "10% a day", or "10% a day, 3 days" and then all points.',
-)
-@option(
-    "--extensions", type=_FILE, help="CSV of learners' own deadlines: learner, lesson (or empty), deadline."
-)
-@option(
-    "--decisions",
-    type=_FILE,
-    help="CSV of your decisions by hand.  [default: decisions.csv in the folder of grades]",
-)
-@option("--anonymous", is_flag=True, help="Show an id instead of the name on every page.")
-@_unsafe_option
-@option("--fresh", is_flag=True, help="Grade again what was graded before.")
-@option(
-    "--platform-table",
-    "platform_tables",
-    type=_FILE,
-    multiple=True,
-    help="Gradebook of Canvas or grading worksheet of Moodle, as exported: it is returned with points.",
-)
-@option(
-    "--roster",
-    type=_FILE,
-    help="Table of all learners, as Moodle or Canvas exports it: who has not submitted is reported.",
-)
-@option(
-    "--layout",
-    "layouts",
-    multiple=True,
-    help="How the folder names its learners: Moodle, Canvas, ILIAS, nbgrader, or a pattern such as"
-    " {group}/{learner}/*.ipynb; repeat it for files of another layout.  [default: the one that fits]",
-)
-@option("--dry-run", is_flag=True, help="Print who sent what and what is left out, and grade nothing.")
-@option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
-@option(
-    "--review",
-    is_flag=True,
-    help="Afterwards, serve the pages on this machine until Ctrl-C, and count what you decide on them.",
-)
-@option("--forget-rules", is_flag=True, help="Do not use the rules of the run before.")
-@option("--yes", is_flag=True, help="Ask nothing, even if a rule of the run before gets lost.")
-def grade(submissions, keys, out, review, forget_rules, yes, dry_run, **options):
-    """Grade everything in SUBMISSIONS: a folder, or the zip file of a learning platform.
-
-    A submission that was graded before, with the same key and the same answers, is not graded again: after an
-    interruption, the same command continues. Key, deadline, late policy, extensions, decisions, roster and
-    layout are those of the run before into the same folder, unless you give others. Exit codes: 0 all graded,
-    3 some could not be graded (they get 0 points and a reason) or a page is incomplete, or nothing was graded
-    since it is in doubt whose a file is, 1 nothing was graded, 130 interrupted.
-    """
-    from imgproc_course.classroom.autograder.worker_threads import usual_workers
-    from imgproc_course.classroom.gradebook.answer_keys import load_keys
-
-    rules = _rules_of_run(out, options | {"keys": keys}, forget_rules, yes)
-    options |= rules.rules
-    keys = options.pop("keys")
-    if dry_run:
-        from imgproc_course.classroom.gradebook.grade import who_sent_what
-
-        with _in_one_line(ValueError):
-            click.echo(who_sent_what(submissions, keys, layouts=options["layouts"] or ()))
-        return
-    if not options["workers"]:
-        with _in_one_line(ValueError):
-            options["workers"] = usual_workers(load_keys(keys).lessons.values())
-    with _until_ctrl_c("Stopped. Finished grades are saved: run the same command again to continue."):
-        report = _grade_and_review(submissions, keys, out, rules, review, options)
-    click.echo(report.text)
-    if report.not_graded or report.failed_pages:
-        raise SystemExit(_COULD_NOT_GRADE)
-
-
-def _grade_and_review(submissions, keys, out, rules, review, options):
-    """The GradingSummary of a run, or of the second one after a review."""
-    from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
-
-    with contextlib.ExitStack() as stack:
-        if not options["scheduler"]:
-            # After a first run, perhaps nothing is left to do.
-            is_first = options["fresh"] or not (out / "results").exists()
-            settings = {name: options[name] for name in ("workers", "unsafe")}
-            options["executor"] = stack.enter_context(open_worker_threads(early=is_first, **settings))
-        # Imported while the workers start.
-        from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
-        from imgproc_course.classroom.gradebook.grade import grade_submissions
-        from imgproc_course.classroom.gradebook.review_server import serve_review
-
-        # The other errors of grading are ValueErrors.
-        with _in_one_line(SandboxError, ValueError, written="the grades"):
-            report = grade_submissions(submissions, keys, out, **options)
-            rules.keep()
-            if review:
-                click.echo(report.text)
-                serve_review(out, keys, options["decisions"], say=click.echo)
-                options["fresh"] = False
-                report = grade_submissions(submissions, keys, out, **options)
-    return report
-
-
-def _rules_of_run(out, given, forget, yes):
-    """The RunRules; asks if a rule of the run before would be lost."""
-    from imgproc_course.classroom.gradebook.run_rules import NAMES, RunRules
-
-    with _in_one_line(ValueError):
-        rules = RunRules(out, {name: given[name] for name in NAMES}, forget=forget)
-    if rules.kept:
-        click.echo(f"As in the run before: {', '.join(rules.kept)}.")
-    if rules.lost and not yes:
-        text = f"The run before had {', '.join(rules.lost)}; this one would not. Grade all the same (--yes)?"
-        click.confirm(text, abort=True, err=True)
-    return rules
-
-
-@main.command()
-@click.argument("folder", type=_FOLDER)
-@option("--out", type=_FOLDER, default="league", help="Folder for the page and the table.")
-@option("--rooms", type=click.IntRange(1, 100), default=10, help="Number of secret rooms.")
-@option(
-    "--seed",
-    help="Secret seed of rooms and aliases, 32 random hexadecimal digits or more.  [default: a new one, saved"
-    " in the folder: the next run has the same rooms]",
-)
-@option("--workers", type=click.IntRange(1), help="Number of drives at once.  [default: one per core]")
-@option("--names", is_flag=True, help="Show the learners' names instead of aliases.")
-@option(
-    "--baseline",
-    type=_FILE,
-    default=CHECKOUT / "notebooks" / "controllers" / "baseline.py",
-    show_default=False,
-    help="Controller that drives beside the class.  [default: the course's own]",
-)
-@_unsafe_option
-def league(folder, out, **options):
-    """Rank a class's controllers on secret rooms, on a page that you can show to the class.
-
-    FOLDER has one file for each learner, NAME.py, with a function control(observation, memory). The page,
-    league.html, has aliases, maps and films; league.csv says whose alias it is. A controller that fails or
-    never ends costs only its own points.
-    """
-    from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
-    from imgproc_course.classroom.gradebook.league import run_league
-
-    in_one_line = _in_one_line(SandboxError, ValueError, written="the league")
-    with _until_ctrl_c("Stopped; nothing is written."), in_one_line:
-        lines = run_league(folder, out, **options)
-    click.echo("\n".join(lines))
-
-
-@main.command("new-lesson")
-@click.argument("name")
-@option("--out", type=_FOLDER, required=True, help="Folder of your masters; created if it does not exist.")
-def new_lesson(name, out):
-    """Create a lesson of your own: a master that you can build and grade at once."""
-    from imgproc_course.classroom.authoring.new_lesson import new_lesson as write
-    from imgproc_course.classroom.exercises.declaration import MasterError
-
-    with _in_one_line(MasterError):
-        path = write(name, out)
-    click.echo(f"{path}: change it, then run")
-    click.echo(f"  imgproc-course build --masters {out} --out LESSONS --solved SOLVED")
-    click.echo(f"  imgproc-course key --masters {out} --out KEY")

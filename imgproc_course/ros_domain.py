@@ -1,6 +1,7 @@
 """The ROS domain of a user who chose none, who else is in it, and what keeps programs from each other."""
 
 import contextlib
+import importlib.util
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -8,6 +9,7 @@ from pathlib import Path
 # The id of a machine's first ordinary user, who stays in ROS's own default, 0, as plain ROS programs do.
 FIRST_USER = 1000
 DOMAINS = 102  # ROS allows 0 to 101
+VARIABLES = ("ROS_DOMAIN_ID", "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_LOCALHOST_ONLY", "ROS_STATIC_PEERS")
 RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
 SOCKETS = Path("/proc/net/udp")  # of all users of this machine
 
@@ -27,6 +29,26 @@ def choose_domain(say: Callable[[str], object]) -> str:
             own = f"your programs take domain {domain}: for plain ROS programs, export ROS_DOMAIN_ID={domain}"
             say(problem if domain == default else f"{problem.partition('; ')[0]}; {own}")
     return os.environ["ROS_DOMAIN_ID"]
+
+
+def prepare_lab(say: Callable[[str], object]) -> None:
+    """Keeps the lessons' topics on this machine, unless the learner chose a domain or a range.
+
+    All computers of a classroom start in domain 0: each would receive the images of all the others.
+    """
+    if importlib.util.find_spec("rclpy") is None:
+        say(
+            "ROS 2 is not installed: everything works from the recording, live topics do not. "
+            "environment/pixi.toml says how to install it."
+        )
+    elif not any(os.environ.get(name) for name in VARIABLES):
+        os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+        domain = choose_domain(say)
+        others = "" if domain == "0" else f", in domain {domain}, which is yours alone"
+        say(
+            f"ROS topics stay on this machine{others}. To subscribe to a robot's topics, start with its "
+            "domain: ROS_DOMAIN_ID=7 environment/lab"
+        )
 
 
 def _domain_beside_others(default, user):

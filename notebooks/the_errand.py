@@ -21,9 +21,9 @@ import cv2
 import numpy as np
 import rapidocr
 from matplotlib.figure import Figure
+from nbclassroom.exercises.progress import TEST_VARIABLE
 
 from imgproc_course import geometry
-from imgproc_course.classroom.exercises.progress import TEST_VARIABLE
 from imgproc_course.display import show_figure
 from imgproc_course.geometry import CameraModel, LocalMap, Pose, compose_poses, free_way, relative_pose
 from imgproc_course.ros import Robot, RosSession, ros_available

@@ -3,7 +3,7 @@
 from functools import cache
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from nbclassroom.authoring.masters import find_masters, read_master
 
 PATHS = find_masters(Path(__file__).parents[1] / "notebooks" / "masters")
 

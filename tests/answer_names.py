@@ -4,8 +4,8 @@ import sys
 import types
 from types import SimpleNamespace
 
-from imgproc_course.classroom.exercises.page import page_of
-from imgproc_course.classroom.exercises.page_run import PageRun, is_missing
+from nbclassroom.exercises.page import page_of
+from nbclassroom.exercises.page_run import PageRun, is_missing
 
 
 def names_of_answer(exercise, source):

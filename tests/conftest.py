@@ -39,6 +39,8 @@ os.environ["ROS_DOMAIN_ID"] = str(sys._ros_domain_of_tests)
 os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
 os.environ.pop("ROS_LOCALHOST_ONLY", None)
 os.environ.setdefault("MPLBACKEND", "agg")
+# Processes that tests start in folders of their own belong to this course, too.
+os.environ["NBCLASSROOM_COURSE"] = str(Path(__file__).parents[1] / "notebooks" / "course.toml")
 # In the background of a script pytest ignores Ctrl-C, and its child processes would too; some tests send it.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -70,7 +72,7 @@ def pytest_configure(config):
 
 def pytest_ignore_collect(collection_path, config):
     """A file of which no test will run is not even read."""
-    path = collection_path.relative_to(Path(__file__).parent).as_posix()
+    path = collection_path.relative_to(config.rootpath).as_posix()
     return (config.stash[IS_SHORT] and is_left_out(path)) or None
 
 

@@ -5,9 +5,9 @@ import io
 import json
 import zipfile
 
-from imgproc_course.classroom.exercises.cell_syntax import plain_python
-from imgproc_course.classroom.exercises.input_encoding import encode
-from imgproc_course.classroom.gradebook.syntax_shapes import syntax_tokens
+from nbclassroom.exercises.cell_syntax import plain_python
+from nbclassroom.exercises.input_encoding import encode
+from nbclassroom.gradebook.syntax_shapes import syntax_tokens
 
 RUN = 16  # tokens; a line of code has about ten
 COPIED = 0.8  # of a solution's runs of tokens: a text that shares more contains it

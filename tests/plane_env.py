@@ -2,6 +2,8 @@
 
 import contextlib
 import math
+import re
+import tempfile
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -102,22 +104,31 @@ def draw_map(path, bumps=(), *, room=None, goal=None, ball=None, mark=None):
 def driving_on_a_plane():
     """Exercises that drive use this environment."""
     import pytest  # here, because simulators import this module
+    from nbclassroom.exercises import drive_check
 
-    from imgproc_course.classroom import course
-    from imgproc_course.classroom.exercises import drive_check
-    from imgproc_course.classroom.exercises.drive import PLACES
-
-    with pytest.MonkeyPatch.context() as patch:
-        for name, place in zip(PLACES, ON_A_PLANE, strict=True):
-            patch.setattr(course, name, place)
-        patch.setenv("PYTHONPATH", TESTS)
+    with pytest.MonkeyPatch.context() as patch, course_on_a_plane() as variables:
+        for name, value in variables.items():
+            patch.setenv(name, value)
         drive_check.close_simulators()
         yield
         drive_check.close_simulators()
 
 
-TESTS = str(Path(__file__).parent)
-ON_A_PLANE = [f"plane_env:{name}" for name in ("PlaneEnv", "controller_observation", "room_of", "draw_map")]
+@contextlib.contextmanager
+def course_on_a_plane(environment="plane_env:PlaneEnv"):
+    """The environment variables of a course like this one, whose drives are in another environment."""
+    places = {"environment": environment, "observation": "plane_env:controller_observation"}
+    places |= {"room": "plane_env:room_of", "map": "plane_env:draw_map"}
+    text = (TESTS.parent / "notebooks" / "course.toml").read_text(encoding="utf-8")
+    for name, place in places.items():
+        text = re.sub(rf"^drive_{name} = .*$", f'drive_{name} = "{place}"', text, flags=re.M)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "course.toml"
+        path.write_text(text, encoding="utf-8")
+        yield {"NBCLASSROOM_COURSE": str(path), "PYTHONPATH": str(TESTS)}
+
+
+TESTS = Path(__file__).parent
 BLIND = "def control(observation, memory):\n    return 0.3, 0.0\n"
 STOPS = """def control(observation, memory):
     return (0.3 if observation["scan"][0] > {} else 0.0), 0.0

@@ -7,12 +7,13 @@ import sys
 
 import pytest
 from click.testing import CliRunner
+from nbclassroom.lab.server import LabError
 
 import imgproc_course
 from imgproc_course.cli import main
+from imgproc_course.course_file import COURSE_FILE
 from imgproc_course.doctor import Report
 from imgproc_course.doctor.report import failure, ok, warning
-from imgproc_course.lab.server import LabError
 
 COMMAND = [sys.executable, "-c", "from imgproc_course.cli import main; main()"]
 
@@ -58,7 +59,7 @@ def test_a_command_whose_packages_are_not_installed_says_so_in_one_line():
         assert (result.returncode, result.stdout) == (1, "")
         assert result.stderr == (
             "Error: this command needs nbformat, which is not installed for this Python; use the "
-            "imgproc-course in the course's own .venv, which environment/setup makes\n"
+            "imgproc-course in the course's own .venv\n"
         )
 
 
@@ -80,9 +81,7 @@ def test_the_doctor_command_fails_only_if_a_check_fails(call, monkeypatch, diagn
 
 def test_jupyterlab_gets_its_options(call, monkeypatch):
     passed_options = []
-    monkeypatch.setattr(
-        "imgproc_course.lab.server.start", lambda options, say: passed_options.extend(options)
-    )
+    monkeypatch.setattr("nbclassroom.lab.server.start", lambda options, say: passed_options.extend(options))
     options = ["--no-browser", "--port", "8890", "--ip=127.0.0.1", "--ServerApp.token=x", "--debug"]
     assert call("start", *options).exit_code == 0
     assert passed_options == options
@@ -93,7 +92,7 @@ def test_why_jupyterlab_cannot_start_is_one_line(call, monkeypatch):
         say("New in my_lessons/: a.ipynb")
         raise LabError("the disk is full; free some space")
 
-    monkeypatch.setattr("imgproc_course.lab.server.start", refuse)
+    monkeypatch.setattr("nbclassroom.lab.server.start", refuse)
     result = call("start")
     assert result.exit_code == 1
     assert result.output == "New in my_lessons/: a.ipynb\nError: the disk is full; free some space\n"
@@ -103,13 +102,14 @@ def test_start_copies_the_lessons_before_it_runs_jupyterlab(call, monkeypatch, t
     lesson = '{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}'
     (tmp_path / "notebooks").mkdir()
     (tmp_path / "notebooks" / "00_start_here.ipynb").write_text(lesson)
-    monkeypatch.setattr("imgproc_course.lab.server.CHECKOUT", tmp_path)
-    monkeypatch.setattr("imgproc_course.lab.working_copies.CHECKOUT", tmp_path)
+    course_file = tmp_path / "notebooks" / "course.toml"
+    course_file.write_bytes(COURSE_FILE.read_bytes())
+    monkeypatch.setenv("NBCLASSROOM_COURSE", str(course_file))
     monkeypatch.setenv("JUPYTER_DATA_DIR", str(tmp_path / "data"))
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path / "runtime"))
     runs = []
     monkeypatch.setattr(
-        "imgproc_course.lab.server.run", lambda folder, options, say: runs.append((folder, options))
+        "nbclassroom.lab.server.run", lambda folder, options, say: runs.append((folder, options))
     )
     result = call("start", "--no-browser")
     assert result.output == "New in my_lessons/: 00_start_here.ipynb\n"

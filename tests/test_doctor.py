@@ -15,16 +15,16 @@ import pytest
 from rich.console import Console
 
 from imgproc_course import doctor as doctor_package
-from imgproc_course.doctor import Diagnosis, Report, doctor, graph, software
+from imgproc_course.doctor import Finding, Report, doctor, graph, software
 from imgproc_course.doctor.report import failure, ok, warning
 from imgproc_course.messages import ConversionError
 
 ROOT = Path(__file__).parents[1]
 
 
-def diagnoses_of(check):
+def findings_of(check):
     """What a check reports, by name."""
-    return {diagnosis.name: diagnosis for diagnosis in check()}
+    return {finding.name: finding for finding in check()}
 
 
 @pytest.fixture(scope="module")
@@ -35,15 +35,15 @@ def report():
 @pytest.mark.ros
 def test_on_a_machine_that_is_set_up_nothing_fails(report):
     assert report.ready
-    assert [each.name for each in report.diagnoses if each.verdict == "failure"] == []
-    diagnoses = {diagnosis.name: diagnosis.observation for diagnosis in report.diagnoses}
-    assert {"kernel", "ROS 2", "DDS profile", "domain"} < diagnoses.keys()
-    assert diagnoses["topic"] == "frames arrive from the camera, a process of its own"
-    assert diagnoses["Python"] == ".".join(map(str, sys.version_info[:3]))
-    assert diagnoses["imgproc-course"] == importlib.metadata.version("imgproc-course")
-    assert diagnoses["numpy"] == importlib.metadata.version("numpy")
-    assert diagnoses["recording"] == "90 frames of 1280×720, 10 per second"
-    assert diagnoses["OpenCV"].startswith(cv2.__version__)
+    assert [each.name for each in report.findings if each.verdict == "failure"] == []
+    findings = {finding.name: finding.observation for finding in report.findings}
+    assert {"kernel", "ROS 2", "DDS profile", "domain"} < findings.keys()
+    assert findings["topic"] == "frames arrive from the camera, a process of its own"
+    assert findings["Python"] == ".".join(map(str, sys.version_info[:3]))
+    assert findings["imgproc-course"] == importlib.metadata.version("imgproc-course")
+    assert findings["numpy"] == importlib.metadata.version("numpy")
+    assert findings["recording"] == "90 frames of 1280×720, 10 per second"
+    assert findings["OpenCV"].startswith(cv2.__version__)
 
 
 def test_no_path_of_this_machine_is_in_the_report(report):
@@ -79,9 +79,9 @@ REPORT = Report(
 def test_a_failure_makes_the_report_not_ready_and_a_warning_does_not():
     assert not REPORT.ready
     assert REPORT.summary == "1 of 3 failed: follow the remedy beside each ✗, then run the doctor again."
-    assert Report(REPORT.diagnoses[:2]).ready
-    assert Report(REPORT.diagnoses[:2]).summary == "Ready. You can ignore the lines with !."
-    assert Report(REPORT.diagnoses[:1]).summary == "Everything is ready."
+    assert Report(REPORT.findings[:2]).ready
+    assert Report(REPORT.findings[:2]).summary == "Ready. You can ignore the lines with !."
+    assert Report(REPORT.findings[:1]).summary == "Everything is ready."
 
 
 def test_as_text_each_diagnosis_is_a_line_with_its_remedy_below():
@@ -117,9 +117,9 @@ def test_in_a_terminal_it_is_a_table():
 
 def test_a_python_that_is_too_new(monkeypatch):
     monkeypatch.setattr(software.sys, "version_info", _Version(3, 14, 0))
-    diagnosis = diagnoses_of(software.check_python)["Python"]
-    assert (diagnosis.verdict, diagnosis.observation) == ("failure", "3.14.0")
-    assert "run environment/lab" in diagnosis.remedy
+    finding = findings_of(software.check_python)["Python"]
+    assert (finding.verdict, finding.observation) == ("failure", "3.14.0")
+    assert "run environment/lab" in finding.remedy
 
 
 def test_packages_in_pythonpath_that_hide_the_courses_end_the_checks(monkeypatch, tmp_path):
@@ -131,7 +131,7 @@ def test_packages_in_pythonpath_that_hide_the_courses_end_the_checks(monkeypatch
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path / "ros"))
     problem = "packages there come before the course's own: numpy"
     remedy = "unset PYTHONPATH; environment/lab does not use it"
-    assert doctor().diagnoses == [Diagnosis("PYTHONPATH", "failure", problem, remedy)]
+    assert doctor().findings == [Finding("PYTHONPATH", "failure", problem, remedy)]
     monkeypatch.setenv("PYTHONPATH", str(ros))
     assert list(software.check_pythonpath()) == []
 
@@ -139,7 +139,7 @@ def test_packages_in_pythonpath_that_hide_the_courses_end_the_checks(monkeypatch
 @pytest.mark.parametrize(("path", "verdict"), [("/a b/c", "warning"), ("/x" * 60, "warning"), ("/é/c", None)])
 def test_a_path_in_which_ros_packages_do_not_start(monkeypatch, path, verdict):
     monkeypatch.setattr(software, "VENV", Path(path, ".venv"))
-    assert getattr(diagnoses_of(software.check_disk).get("folder"), "verdict", None) == verdict
+    assert getattr(findings_of(software.check_disk).get("folder"), "verdict", None) == verdict
 
 
 def test_without_the_library_of_x11_the_room_names_its_package(tmp_path):
@@ -164,9 +164,9 @@ class _Version(tuple):
 
 def test_a_missing_package(monkeypatch):
     monkeypatch.setattr(importlib.metadata, "version", _missing("nbval"))
-    diagnoses = diagnoses_of(software.check_packages)
-    assert diagnoses["nbval"] == Diagnosis("nbval", "failure", "is not installed", software.SET_UP)
-    assert diagnoses["numpy"].verdict == "ok"
+    findings = findings_of(software.check_packages)
+    assert findings["nbval"] == Finding("nbval", "failure", "is not installed", software.SET_UP)
+    assert findings["numpy"].verdict == "ok"
 
 
 def _missing(absent):
@@ -182,14 +182,14 @@ def _missing(absent):
 
 def test_the_ipykernel_that_loses_prints(monkeypatch):
     monkeypatch.setattr(importlib.metadata, "version", lambda _: "7.0.0")
-    assert diagnoses_of(software.check_packages)["ipykernel"].verdict == "failure"
+    assert findings_of(software.check_packages)["ipykernel"].verdict == "failure"
 
 
 def test_a_kernel_of_another_environment(monkeypatch, tmp_path):
     monkeypatch.setattr(software, "VENV", tmp_path)
-    diagnosis = diagnoses_of(software.check_kernel)["kernel"]
-    assert diagnosis.verdict == "warning"
-    assert "Kernel > Change Kernel > Python 3" in diagnosis.remedy
+    finding = findings_of(software.check_kernel)["kernel"]
+    assert finding.verdict == "warning"
+    assert "Kernel > Change Kernel > Python 3" in finding.remedy
 
 
 def test_an_environment_without_jupyter_has_no_kernel_to_check(monkeypatch):
@@ -199,19 +199,19 @@ def test_an_environment_without_jupyter_has_no_kernel_to_check(monkeypatch):
     monkeypatch.setattr(
         importlib.util, "find_spec", lambda name: None if name == "jupyter_client" else find(name)
     )
-    assert diagnoses_of(software.check_kernel) == {}
+    assert findings_of(software.check_kernel) == {}
 
 
 def test_a_jupyter_kernel_of_another_environment(monkeypatch):
     monkeypatch.setattr(software, "VENV", Path(sys.prefix))
     monkeypatch.setattr(software, "_kernel_of_jupyter", lambda: "/usr/bin/python3")
-    diagnosis = diagnoses_of(software.check_kernel)["kernel"]
-    assert (diagnosis.verdict, diagnosis.remedy) == (
+    finding = findings_of(software.check_kernel)["kernel"]
+    assert (finding.verdict, finding.remedy) == (
         "warning",
         "start JupyterLab with environment/lab, which uses the course's own",
     )
     monkeypatch.setattr(software, "_kernel_of_jupyter", lambda: sys.executable)
-    assert diagnoses_of(software.check_kernel)["kernel"].verdict == "ok"
+    assert findings_of(software.check_kernel)["kernel"].verdict == "ok"
 
 
 class _Distribution:
@@ -224,19 +224,17 @@ class _Distribution:
 def test_two_opencvs_break_each_other(monkeypatch):
     both = [_Distribution("opencv-python"), _Distribution("opencv-python-headless"), _Distribution("numpy")]
     monkeypatch.setattr(importlib.metadata, "distributions", lambda: both)
-    diagnosis = diagnoses_of(software.check_opencv)["OpenCV"]
-    assert diagnosis.verdict == "failure"
-    assert diagnosis.observation.startswith("opencv-python and opencv-python-headless are both installed")
-    assert diagnosis.remedy.startswith(
-        "pip uninstall opencv-python opencv-python-headless; then delete .venv"
-    )
+    finding = findings_of(software.check_opencv)["OpenCV"]
+    assert finding.verdict == "failure"
+    assert finding.observation.startswith("opencv-python and opencv-python-headless are both installed")
+    assert finding.remedy.startswith("pip uninstall opencv-python opencv-python-headless; then delete .venv")
 
 
 def test_an_opencv_that_does_not_load(monkeypatch):
     monkeypatch.setitem(sys.modules, "cv2", None)
-    diagnosis = diagnoses_of(software.check_opencv)["OpenCV"]
-    assert diagnosis.verdict == "failure"
-    assert "delete .venv" in diagnosis.remedy
+    finding = findings_of(software.check_opencv)["OpenCV"]
+    assert finding.verdict == "failure"
+    assert "delete .venv" in finding.remedy
 
 
 @pytest.mark.parametrize("cascades", ["empty folder", "no data"])
@@ -245,8 +243,8 @@ def test_an_opencv_without_cascades_is_a_warning(monkeypatch, tmp_path, cascades
         monkeypatch.delattr(cv2, "data")
     else:
         monkeypatch.setattr(cv2.data, "haarcascades", str(tmp_path))
-    diagnosis = diagnoses_of(software.check_opencv)["OpenCV"]
-    assert (diagnosis.verdict, diagnosis.observation) == (
+    finding = findings_of(software.check_opencv)["OpenCV"]
+    assert (finding.verdict, finding.observation) == (
         "warning",
         f"{cv2.__version__}, without Haar cascades",
     )
@@ -260,9 +258,9 @@ def test_without_ros_the_lessons_still_run(monkeypatch):
     problem = f"{missing}. On Linux x86-64: environment/setup"
     monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: problem)
     monkeypatch.setattr(graph.importlib.util, "find_spec", lambda _: None)
-    (diagnosis,) = graph.check_ros()
-    assert (diagnosis.verdict, diagnosis.remedy) == ("warning", "On Linux x86-64: environment/setup")
-    assert diagnosis.observation == missing
+    (finding,) = graph.check_ros()
+    assert (finding.verdict, finding.remedy) == ("warning", "On Linux x86-64: environment/setup")
+    assert finding.observation == missing
 
 
 @pytest.mark.ros
@@ -271,9 +269,9 @@ def test_a_ros_that_does_not_load_is_a_failure(monkeypatch):
         "ROS 2 is installed, but Python 3.11 cannot load it (/opt/ros/x/librcl.so); start JupyterLab anew"
     )
     monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: problem)
-    (diagnosis,) = graph.check_ros()
-    assert (diagnosis.verdict, diagnosis.remedy) == ("failure", "start JupyterLab anew")
-    assert diagnosis.observation == "ROS 2 is installed, but Python 3.11 cannot load it (librcl.so)"
+    (finding,) = graph.check_ros()
+    assert (finding.verdict, finding.remedy) == ("failure", "start JupyterLab anew")
+    assert finding.observation == "ROS 2 is installed, but Python 3.11 cannot load it (librcl.so)"
 
 
 @pytest.mark.ros
@@ -283,11 +281,11 @@ def test_a_profile_with_a_note_is_a_warning(monkeypatch):
     note = "/dev/shm has 10 MiB free and images need 18; enlarge it"
     profile = DdsProfile("nobody", free_bytes=10 << 20, note=note)
     monkeypatch.setattr("imgproc_course.ros.dds_profile", lambda: profile)
-    diagnoses = diagnoses_of(graph.check_ros)
-    assert diagnoses["DDS profile"] == Diagnosis("DDS profile", "warning", "none: Fast DDS's defaults", note)
-    assert diagnoses["shared memory"].verdict == "warning"
-    assert diagnoses["shared memory"].observation.startswith("10 MiB free in /dev/shm")
-    assert "docker run --shm-size=1g" in diagnoses["shared memory"].remedy
+    findings = findings_of(graph.check_ros)
+    assert findings["DDS profile"] == Finding("DDS profile", "warning", "none: Fast DDS's defaults", note)
+    assert findings["shared memory"].verdict == "warning"
+    assert findings["shared memory"].observation.startswith("10 MiB free in /dev/shm")
+    assert "docker run --shm-size=1g" in findings["shared memory"].remedy
 
 
 @pytest.mark.parametrize(
@@ -295,7 +293,7 @@ def test_a_profile_with_a_note_is_a_warning(monkeypatch):
     [(None, []), (64 << 20, ["warning"]), ((276 << 20) - 1, ["warning"]), (276 << 20, ["ok"])],
 )
 def test_shared_memory_must_hold_four_segments(free, verdicts):
-    assert [diagnosis.verdict for diagnosis in graph._shared_memory(free)] == verdicts
+    assert [finding.verdict for finding in graph._shared_memory(free)] == verdicts
 
 
 @pytest.mark.parametrize(
@@ -316,10 +314,10 @@ def test_shared_memory_must_hold_four_segments(free, verdicts):
 def test_the_domain_says_who_shares_the_topics(monkeypatch, domain, discovery_range, verdict, observation):
     monkeypatch.setenv("ROS_DOMAIN_ID", domain)
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", discovery_range)
-    (diagnosis,) = graph._domain()
-    assert diagnosis.verdict == verdict
-    assert diagnosis.observation.startswith(observation)
-    assert bool(diagnosis.remedy) == (verdict == "failure")
+    (finding,) = graph._domain()
+    assert finding.verdict == verdict
+    assert finding.observation.startswith(observation)
+    assert bool(finding.remedy) == (verdict == "failure")
 
 
 @pytest.mark.parametrize(
@@ -346,14 +344,14 @@ def test_what_keeps_programs_apart(monkeypatch, environment, verdict, observatio
         monkeypatch.setenv(name, value)
     users = set() if environment else {54321, os.getuid()}
     monkeypatch.setattr("imgproc_course.ros_domain.users_in", lambda domain: users)
-    (diagnosis,) = graph._domain()
-    assert diagnosis.verdict == verdict
-    assert diagnosis.observation.startswith(observation) and diagnosis.remedy.startswith(remedy)
+    (finding,) = graph._domain()
+    assert finding.verdict == verdict
+    assert finding.observation.startswith(observation) and finding.remedy.startswith(remedy)
 
 
 def test_the_loopback_carries_packets_and_multicast():
     assert graph._packet_arrives("127.0.0.1")
-    assert diagnoses_of(graph.check_network)["loopback"].verdict in ("ok", "warning")
+    assert findings_of(graph.check_network)["loopback"].verdict in ("ok", "warning")
 
 
 @pytest.mark.parametrize(
@@ -366,9 +364,9 @@ def test_the_loopback_carries_packets_and_multicast():
 )
 def test_a_network_that_carries_nothing(monkeypatch, blocked, verdict, remedy):
     monkeypatch.setattr(graph, "_packet_arrives", lambda address: address not in blocked)
-    diagnosis = diagnoses_of(graph.check_network)["loopback"]
-    assert diagnosis.verdict == verdict
-    assert remedy in diagnosis.remedy
+    finding = findings_of(graph.check_network)["loopback"]
+    assert finding.verdict == verdict
+    assert remedy in finding.remedy
 
 
 def test_a_packet_that_cannot_be_sent_did_not_arrive(monkeypatch):
@@ -397,9 +395,9 @@ def test_another_programs_packet_is_not_the_doctors(monkeypatch):
 
 def test_a_damaged_recording(monkeypatch, tmp_path):
     monkeypatch.setattr("imgproc_course.recording.recording.DRIVE", tmp_path)
-    diagnosis = diagnoses_of(software.check_recording)["recording"]
-    assert diagnosis.verdict == "failure"
-    assert "git checkout -- imgproc_course/recording/drive" in diagnosis.remedy
+    finding = findings_of(software.check_recording)["recording"]
+    assert finding.verdict == "failure"
+    assert "git checkout -- imgproc_course/recording/drive" in finding.remedy
 
 
 def test_a_recording_whose_error_has_no_remedy(monkeypatch):
@@ -407,16 +405,16 @@ def test_a_recording_whose_error_has_no_remedy(monkeypatch):
         raise ConversionError("frame 3 is cut short")
 
     monkeypatch.setattr("imgproc_course.recording.open_recording", damaged)
-    diagnosis = diagnoses_of(software.check_recording)["recording"]
-    assert diagnosis.observation == "frame 3 is cut short"
-    assert diagnosis.remedy == "git checkout -- imgproc_course/recording/drive"
+    finding = findings_of(software.check_recording)["recording"]
+    assert finding.observation == "frame 3 is cut short"
+    assert finding.remedy == "git checkout -- imgproc_course/recording/drive"
 
 
 def test_a_disk_that_is_nearly_full(monkeypatch):
     usage = software.shutil.disk_usage("/")._replace(free=50 << 20)
     monkeypatch.setattr(software.shutil, "disk_usage", lambda _: usage)
-    diagnosis = diagnoses_of(software.check_disk)["disk"]
-    assert (diagnosis.verdict, diagnosis.observation) == ("warning", "50 MiB free where your lessons are")
+    finding = findings_of(software.check_disk)["disk"]
+    assert (finding.verdict, finding.observation) == ("warning", "50 MiB free where your lessons are")
 
 
 @pytest.mark.ros
@@ -424,10 +422,10 @@ def test_a_topic_that_stays_silent(monkeypatch):
     monkeypatch.setattr(
         graph, "_why_no_frames", lambda topic: f"nothing came on {topic} in 5 s; restart the kernel"
     )
-    diagnosis = diagnoses_of(graph.check_topics)["topic"]
-    assert diagnosis.verdict == "failure"
-    assert diagnosis.observation == "nothing came on /kachaka/front_camera/image_raw in 5 s"
-    assert diagnosis.remedy.startswith("restart the kernel; see the lines on DDS profile")
+    finding = findings_of(graph.check_topics)["topic"]
+    assert finding.verdict == "failure"
+    assert finding.observation == "nothing came on /kachaka/front_camera/image_raw in 5 s"
+    assert finding.remedy.startswith("restart the kernel; see the lines on DDS profile")
 
 
 @pytest.mark.ros
@@ -435,8 +433,8 @@ def test_the_camera_that_runs_is_checked_and_not_changed():
     from imgproc_course.ros import RosSession, open_camera
 
     with open_camera(topic="/elsewhere", speed=3.0) as camera:
-        (diagnosis,) = graph.check_topics()
-        assert (diagnosis.verdict, camera.rate, camera.running) == ("ok", 30.0, True)
+        (finding,) = graph.check_topics()
+        assert (finding.verdict, camera.rate, camera.running) == ("ok", 30.0, True)
     assert RosSession().running  # it ran before
     RosSession().stop()
 
@@ -447,8 +445,8 @@ def test_the_session_that_the_doctor_started_ends_with_the_check(monkeypatch):
 
     RosSession().stop()
     monkeypatch.setattr(graph, "_why_no_frames", lambda topic: None)
-    (diagnosis,) = graph.check_topics()
-    assert (diagnosis.verdict, RosSession().running) == ("ok", False)
+    (finding,) = graph.check_topics()
+    assert (finding.verdict, RosSession().running) == ("ok", False)
 
 
 @pytest.mark.ros
@@ -457,9 +455,9 @@ def test_the_topic_check_names_an_invalid_domain_too(monkeypatch):
 
     RosSession().stop()
     monkeypatch.setenv("ROS_DOMAIN_ID", "seven")
-    (diagnosis,) = graph.check_topics()
-    assert diagnosis.verdict == "failure"
-    assert "ROS_DOMAIN_ID" in diagnosis.observation
+    (finding,) = graph.check_topics()
+    assert finding.verdict == "failure"
+    assert "ROS_DOMAIN_ID" in finding.observation
 
 
 def test_without_ros_no_topic_is_tried(monkeypatch):

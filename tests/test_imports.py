@@ -9,54 +9,61 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-PACKAGE = ROOT / "imgproc_course"
+COURSE = ROOT / "imgproc_course"
+CLASSROOM = ROOT / "nbclassroom" / "nbclassroom"
 
-# Each package, and exactly those of our packages that its modules import. The design allows no other import,
-# and an arrow that is no longer used must be removed.
-ARROWS = {
+# Each package of the course, and exactly those of its packages that its modules import. The design allows no
+# other import, and an arrow that is no longer used must be removed.
+COURSE_ARROWS = {
     "messages": set(),
     "imaging": set(),
     "geometry": set(),
-    "recording": {"messages"},
-    "simulation": {"geometry"},
-    "ros": {"messages", "recording", "simulation"},
-    "display": {"messages", "ros"},
-    "exercises": {"classroom"},
-    "classroom": set(),
+    "recording": {"extras", "messages"},
+    "simulation": {"extras", "geometry"},
+    "ros": {"learner_errors", "messages", "recording", "ros_domain", "simulation"},
+    "display": {"extras", "learner_errors", "messages", "ros"},
+    "exercises": {"course_file"},
 }
-# The same inside the classroom; its modules import nothing else of the course.
+# The same of the classroom.
 CLASSROOM_ARROWS = {
     "course": set(),
     "exercises": {"course"},
-    "authoring": {"exercises"},
+    "authoring": {"course", "exercises"},
     "autograder": {"authoring", "course", "exercises"},
-    "gradebook": {"authoring", "autograder", "exercises"},
+    "gradebook": {"authoring", "autograder", "course", "exercises"},
+    "lab": {"authoring", "course", "exercises"},
+    "league": {"autograder", "course", "exercises", "gradebook"},
+    "cli": {"authoring", "autograder", "course", "exercises", "gradebook", "lab", "league"},
 }
+ARROWS = {COURSE: COURSE_ARROWS, CLASSROOM: CLASSROOM_ARROWS}
 # Arrows that only some modules of a package may use.
 ONLY_IN = {
-    ("display", "ros"): {"display/live_view.py", "display/drive.py"},
+    (COURSE, "display", "ros"): {"display/live_view.py", "display/drive.py"},
+    (CLASSROOM, "autograder", "authoring"): {"autograder/make_answer_key.py"},
 }
-ONLY_IN_CLASSROOM = {
-    ("autograder", "authoring"): {"classroom/autograder/make_answer_key.py"},
-}
-# These may import every package: the command line, and the modules that its commands start.
-CALLERS = {"cli.py", "doctor", "lab"}
+# These may import every package of the course: the command line, and the modules that its commands start.
+CALLERS = {"cli", "doctor"}
 # Modules beside the packages, which import none of them.
-BESIDE = {"__init__.py", "learner_errors.py", "ros_domain.py"}
-CALLS_OTHER_PEOPLES_CODE = ("ros/", "display/", "classroom/exercises/", "classroom/autograder/")
-SHOWS_OTHER_PEOPLES_VALUES = {"classroom/gradebook/grades_folder.py"}  # they harm one page only
+BESIDE = {"__init__", "learner_errors", "ros_domain", "course_file", "extras"}
+CALLS_OTHER_PEOPLES_CODE = ("ros/", "display/", "exercises/", "autograder/")
+SHOWS_OTHER_PEOPLES_VALUES = {"gradebook/grades_folder.py"}  # they harm one page only
 
 
-def modules():
-    return sorted(path for path in PACKAGE.rglob("*.py"))
+def modules(package):
+    return sorted(path for path in package.rglob("*.py"))
 
 
 def relative(path):
-    return path.relative_to(PACKAGE).as_posix()
+    return path.relative_to(folder_of(path)).as_posix()
+
+
+def folder_of(path):
+    return COURSE if path.is_relative_to(COURSE) else CLASSROOM
 
 
 def module_name(path):
-    return ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts).removesuffix(".__init__")
+    parts = path.relative_to(folder_of(path).parent).with_suffix("").parts
+    return ".".join(parts).removesuffix(".__init__")
 
 
 def imported_names(path):
@@ -67,75 +74,61 @@ def imported_names(path):
         elif isinstance(node, ast.ImportFrom):
             base = node.module or ""
             if node.level:
-                package = ["imgproc_course", *path.relative_to(PACKAGE).parent.parts]
+                package = path.relative_to(folder_of(path).parent).parent.parts
                 package = package[: len(package) - node.level + 1]
                 base = ".".join([*package, base] if base else package)
             yield base
             yield from (f"{base}.{alias.name}" for alias in node.names)
 
 
-def package_of(path):
-    return path.relative_to(PACKAGE).parts[0]
-
-
-def packages_imported(path):
-    """Our other packages that a module imports."""
-    parts = (name.split(".") for name in imported_names(path))
-    names = {part[1] for part in parts if part[0] == "imgproc_course" and len(part) > 1}
-    return (names & ARROWS.keys()) - {package_of(path)}
-
-
 def part_of(path):
-    """The part of the classroom that a module belongs to: a package, or the name of a module beside them."""
-    return path.relative_to(PACKAGE / "classroom").parts[0].removesuffix(".py")
+    """The package that a module belongs to, or the name of a module beside them."""
+    return path.relative_to(folder_of(path)).parts[0].removesuffix(".py")
 
 
 def parts_imported(path):
-    """The other parts of the classroom that a module of it imports."""
+    """The other packages of the same distribution that a module imports."""
     parts = (name.split(".") for name in imported_names(path))
-    names = {part[2] for part in parts if part[:2] == ["imgproc_course", "classroom"] and len(part) > 2}
-    return names - {part_of(path)}
+    names = {part[1] for part in parts if part[0] == folder_of(path).name and len(part) > 1}
+    known = ARROWS[folder_of(path)].keys() | (BESIDE if folder_of(path) == COURSE else set())
+    return (names & known) - {part_of(path)}
 
 
-@pytest.mark.parametrize("package", ARROWS)
-def test_a_package_imports_exactly_what_the_design_says(package):
-    paths = [path for path in modules() if package_of(path) == package]
-    assert set().union(*map(packages_imported, paths)) == ARROWS[package]
+@pytest.mark.parametrize(("folder", "part"), [(folder, part) for folder in ARROWS for part in ARROWS[folder]])
+def test_a_package_imports_exactly_what_the_design_says(folder, part):
+    paths = [path for path in modules(folder) if part_of(path) == part]
+    assert paths and set().union(*map(parts_imported, paths)) == ARROWS[folder][part]
 
 
-@pytest.mark.parametrize("part", CLASSROOM_ARROWS)
-def test_a_part_of_the_classroom_imports_exactly_what_the_design_says(part):
-    paths = [path for path in modules() if package_of(path) == "classroom" and part_of(path) == part]
-    assert paths and set().union(*map(parts_imported, paths)) == CLASSROOM_ARROWS[part]
+def test_the_classroom_imports_nothing_of_the_course_and_the_course_the_classroom_at_two_places():
+    assert importing(CLASSROOM, "imgproc_course") == []
+    assert [relative(path) for path in importing(COURSE, "nbclassroom")] == [
+        "cli.py",
+        "exercises/__init__.py",
+    ]
 
 
-def test_the_classroom_imports_nothing_else_of_the_course():
-    paths = [path for path in modules() if package_of(path) == "classroom"]
-    names = {name for path in paths for name in imported_names(path) if name.startswith("imgproc_course")}
-    assert {name for name in names if name.split(".")[1:2] != ["classroom"]} == set()
+def test_no_file_of_the_classroom_names_the_course():
+    named = re.compile("imgproc|kachaka", re.IGNORECASE)
+    paths = [path for path in CLASSROOM.rglob("*") if path.suffix in (".py", ".txt", ".html", ".toml")]
+    assert [str(path) for path in paths if named.search(path.read_text(encoding="utf-8"))] == []
 
 
 @pytest.mark.parametrize(("arrow", "allowed"), ONLY_IN.items())
 def test_an_arrow_that_only_some_modules_may_use(arrow, allowed):
-    package, imported = arrow
-    paths = [path for path in modules() if package_of(path) == package]
-    assert {relative(path) for path in paths if imported in packages_imported(path)} == allowed
-
-
-@pytest.mark.parametrize(("arrow", "allowed"), ONLY_IN_CLASSROOM.items())
-def test_an_arrow_that_only_some_modules_of_the_classroom_may_use(arrow, allowed):
-    part, imported = arrow
-    paths = [path for path in modules() if package_of(path) == "classroom" and part_of(path) == part]
+    folder, part, imported = arrow
+    paths = [path for path in modules(folder) if part_of(path) == part]
     assert {relative(path) for path in paths if imported in parts_imported(path)} == allowed
 
 
 def test_the_arrows_make_no_circle():
-    assert TopologicalSorter(ARROWS).static_order()
-    assert list(TopologicalSorter(CLASSROOM_ARROWS).static_order())[-1] == "gradebook"
+    assert TopologicalSorter(COURSE_ARROWS).static_order()
+    assert list(TopologicalSorter(CLASSROOM_ARROWS).static_order())[-1] == "cli"
 
 
-def test_no_modules_import_one_another():
-    names = {module_name(path): path for path in modules()}
+@pytest.mark.parametrize("folder", ARROWS)
+def test_no_modules_import_one_another(folder):
+    names = {module_name(path): path for path in modules(folder)}
     imports = {
         name: {base for base in imported_names(path) if base in names and not name.startswith(f"{base}.")}
         for name, path in names.items()
@@ -145,19 +138,25 @@ def test_no_modules_import_one_another():
 
 
 def test_every_package_has_its_arrows():
-    assert {package_of(path) for path in modules()} - CALLERS - BESIDE == ARROWS.keys()
-    assert [name for name in BESIDE if packages_imported(PACKAGE / name)] == []
-    inside = {part_of(path) for path in modules() if package_of(path) == "classroom"} - {"__init__"}
-    assert inside == CLASSROOM_ARROWS.keys()
+    assert {part_of(path) for path in modules(COURSE)} - CALLERS - BESIDE - {
+        "command"
+    } == COURSE_ARROWS.keys()
+    assert [name for name in BESIDE if parts_imported(COURSE / f"{name}.py")] == []
+    assert {part_of(path) for path in modules(CLASSROOM)} - {
+        "__init__",
+        "__main__",
+    } == CLASSROOM_ARROWS.keys()
 
 
-def importing(root):
-    return [path for path in modules() if root in {name.split(".")[0] for name in imported_names(path)}]
+def importing(folder, root):
+    paths = modules(folder)
+    return [path for path in paths if root in {name.split(".")[0] for name in imported_names(path)}]
 
 
 def test_only_ros_imports_rclpy_and_only_the_renderer_panda3d():
-    assert {package_of(path) for path in importing("rclpy")} == {"ros"}
-    assert [relative(path) for path in importing("panda3d")] == ["simulation/renderer.py"]
+    assert {part_of(path) for path in importing(COURSE, "rclpy")} == {"ros"}
+    assert [relative(path) for path in importing(COURSE, "panda3d")] == ["simulation/renderer.py"]
+    assert importing(CLASSROOM, "rclpy") == importing(CLASSROOM, "panda3d") == []
 
 
 def catches_everything(handler):
@@ -168,7 +167,7 @@ def catches_everything(handler):
 def test_every_exception_is_caught_only_where_other_peoples_code_is_called():
     catching = [
         f"{relative(path)}, line {node.lineno}"
-        for path in modules()
+        for path in modules(COURSE) + modules(CLASSROOM)
         if not relative(path).startswith(CALLS_OTHER_PEOPLES_CODE)
         and relative(path) not in SHOWS_OTHER_PEOPLES_VALUES
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
@@ -179,7 +178,7 @@ def test_every_exception_is_caught_only_where_other_peoples_code_is_called():
 
 def test_modules_are_named_after_what_they_are_about():
     vague = {"utils", "helpers", "common", "misc", "util", "helper"}
-    assert [relative(p) for p in modules() if p.stem in vague] == []
+    assert [relative(p) for p in modules(COURSE) + modules(CLASSROOM) if p.stem in vague] == []
 
 
 def tracked_files():

@@ -35,7 +35,7 @@ def test_an_error_without_a_line_of_the_learners_has_no_description():
 
 
 def test_the_advice_of_the_exercises_follows(monkeypatch):
-    from imgproc_course.classroom.exercises import error_advice
+    from nbclassroom.exercises import error_advice
 
     monkeypatch.setattr(learner_errors, "advisers", [])
     mask = np.array([True, False])

@@ -1,4 +1,4 @@
-"""Every pattern of the package takes a time that grows with its text, not with the square of its text.
+"""Every pattern of the packages takes a time that grows with its text, not with the square of its text.
 
 A pattern that looks harmless can hold a grading process for hours: a learner chooses the text.
 """
@@ -15,8 +15,9 @@ from pathlib import Path
 import pytest
 
 import imgproc_course
+import nbclassroom
 
-PACKAGE = Path(imgproc_course.__file__).parent
+PACKAGES = [Path(package.__file__).parent for package in (imgproc_course, nbclassroom)]
 METHODS = ("match", "fullmatch", "search", "findall", "finditer", "split", "sub", "subn")
 SMALL, LARGE = 4 << 10, 2 << 20  # characters
 # Processor time for one text. A linear pattern needs a fraction of a second, a quadratic one minutes.
@@ -38,10 +39,11 @@ class _Names(dict):
 
 def modules():
     """(module, its syntax tree) of every module of the package that has patterns."""
-    for path in sorted(PACKAGE.rglob("*.py")):
+    paths = [(path, package) for package in PACKAGES for path in sorted(package.rglob("*.py"))]
+    for path, package in paths:
         source = path.read_text(encoding="utf-8")
         if re.search(r"^import re$", source, re.M):
-            name = ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts)
+            name = ".".join(path.relative_to(package.parent).with_suffix("").parts)
             yield importlib.import_module(name), ast.parse(source)
         else:
             assert not re.search(r"\bre\.\w+\(|from re import", source), path

@@ -8,7 +8,7 @@
 import re
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from nbclassroom.authoring.masters import find_masters, read_master
 
 MASTERS = Path(__file__).resolve().parents[2] / "notebooks" / "masters"
 

@@ -5,9 +5,13 @@ import shutil
 import sys
 from pathlib import Path
 
-from imgproc_course.lab import server
-from imgproc_course.lab.working_copies import update_lessons
+from nbclassroom.lab import server
+from nbclassroom.lab.working_copies import update_lessons
 
+from imgproc_course.course_file import COURSE_FILE
+from nbclassroom import course
+
+course.use(COURSE_FILE)
 folder = Path.home() / "my_lessons"
 changes = update_lessons(target=folder)
 server.trust([folder / name for name in changes.written if name.endswith(".ipynb")])

@@ -2,8 +2,13 @@
 
 import contextlib
 
-from imgproc_course.doctor import graph, software
-from imgproc_course.doctor.report import Diagnosis, Report
+from imgproc_course.extras import naming_extra
+
+with naming_extra():
+    import rich.console  # noqa: F401 - the others import it when they show something
+
+    from imgproc_course.doctor import graph, software
+    from imgproc_course.doctor.report import Finding, Report
 
 CHECKS = (
     ("Python", software.check_python),
@@ -21,14 +26,14 @@ CHECKS = (
 
 def doctor():
     """Checks everything that the lessons use, in about five seconds; returns the Report."""
-    diagnoses = list(software.check_pythonpath())
-    if diagnoses:
-        return Report(diagnoses)  # the other checks would load packages that are not the course's
+    findings = list(software.check_pythonpath())
+    if findings:
+        return Report(findings)  # the other checks would load packages that are not the course's
     with _progress() as show_progress:
         for subject, run_check in CHECKS:
             show_progress(subject)
-            diagnoses += run_check()
-    return Report(diagnoses)
+            findings += run_check()
+    return Report(findings)
 
 
 @contextlib.contextmanager
@@ -51,4 +56,4 @@ def _progress():
             yield lambda subject: status.update(f"The doctor checks {subject} ...")
 
 
-__all__ = ["Diagnosis", "Report", "doctor"]
+__all__ = ["Finding", "Report", "doctor"]

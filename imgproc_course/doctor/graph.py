@@ -64,7 +64,7 @@ def _domain():
         remedy = "give a number from 0 to 101: export ROS_DOMAIN_ID=7"
         yield failure("domain", f"ROS_DOMAIN_ID={domain}", remedy)
     elif problem := discovery_problem():
-        # A discovery server may run: the diagnosis of the topic says whether images arrive.
+        # A discovery server may run: the finding of the topic says whether images arrive.
         is_sure = "ROS_DISCOVERY_SERVER" not in problem
         yield (failure if is_sure else warning)("domain", *problem.split("; ", 1))
     elif problem := shared_domain(int(domain)):
@@ -116,7 +116,7 @@ def check_topics():
         return
     was_running = RosSession().running
     try:
-        yield _diagnosis_of_topic(_why_no_frames_of_the_camera())
+        yield _finding_of_topic(_why_no_frames_of_the_camera())
     # A node or the robot process did not start; the error names the environment variable that is wrong.
     except (ValueError, RuntimeError) as error:
         yield failure_of("topic", error, "correct it, then restart the kernel")
@@ -125,7 +125,7 @@ def check_topics():
             RosSession().stop()
 
 
-def _diagnosis_of_topic(problem):
+def _finding_of_topic(problem):
     if problem is None:
         return ok("topic", "frames arrive from the camera, a process of its own")
     observation, _, remedy = problem.partition("; ")

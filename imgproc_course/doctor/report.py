@@ -20,7 +20,7 @@ PATH = re.compile(
 
 
 @dataclass(frozen=True)
-class Diagnosis:
+class Finding:
     """What one check of the doctor found; its texts contain no path of this machine."""
 
     name: str
@@ -29,13 +29,13 @@ class Diagnosis:
     remedy: str = ""
 
 
-def _diagnose(verdict, name, *texts):
-    """A Diagnosis; of each path only the last part stays: the report may be stored in a lesson."""
-    return Diagnosis(name, verdict, *(PATH.sub(r"\1", " ".join(str(text).split())) for text in texts))
+def _finding(verdict, name, *texts):
+    """A Finding; of each path only the last part stays: the report may be stored in a lesson."""
+    return Finding(name, verdict, *(PATH.sub(r"\1", " ".join(str(text).split())) for text in texts))
 
 
 # Functions of the name, the observation and, if not all is well, the remedy.
-ok, warning, failure = (partial(_diagnose, verdict) for verdict in MARKS)
+ok, warning, failure = (partial(_finding, verdict) for verdict in MARKS)
 
 
 def failure_of(name, problem, remedy=""):
@@ -45,19 +45,19 @@ def failure_of(name, problem, remedy=""):
 
 
 class Report:
-    """All diagnoses of the doctor, shown as a table in a notebook and in a terminal."""
+    """All findings of the doctor, shown as a table in a notebook and in a terminal."""
 
-    def __init__(self, diagnoses):
-        self.diagnoses = list(diagnoses)
+    def __init__(self, findings):
+        self.findings = list(findings)
 
     @property
     def ready(self):
         """Whether nothing failed; a warning is not a failure."""
-        return all(diagnosis.verdict != "failure" for diagnosis in self.diagnoses)
+        return all(finding.verdict != "failure" for finding in self.findings)
 
     @property
     def summary(self):
-        verdicts = [diagnosis.verdict for diagnosis in self.diagnoses]
+        verdicts = [finding.verdict for finding in self.findings]
         if not self.ready:
             count = f"{verdicts.count('failure')} of {len(verdicts)} failed"
             return f"{count}: follow the remedy beside each ✗, then run the doctor again."
@@ -70,35 +70,35 @@ class Report:
         from rich.text import Text
 
         table = Table("", "", "", box=None, show_header=False, pad_edge=False)
-        for diagnosis in self.diagnoses:
-            colour = TERMINAL_COLOURS[diagnosis.verdict]
-            text = Text(diagnosis.observation)
-            if diagnosis.remedy:
-                text.append(f"\n→ {diagnosis.remedy}", style=colour)
-            table.add_row(Text(MARKS[diagnosis.verdict], style=colour), Text(diagnosis.name), text)
+        for finding in self.findings:
+            colour = TERMINAL_COLOURS[finding.verdict]
+            text = Text(finding.observation)
+            if finding.remedy:
+                text.append(f"\n→ {finding.remedy}", style=colour)
+            table.add_row(Text(MARKS[finding.verdict], style=colour), Text(finding.name), text)
         console = console or Console()
         console.print(table)
         console.print(Text(self.summary, style="bold"))
 
     def __str__(self):
-        width = max((len(diagnosis.name) for diagnosis in self.diagnoses), default=0)
+        width = max((len(finding.name) for finding in self.findings), default=0)
         lines = []
-        for diagnosis in self.diagnoses:
-            lines.append(f"{MARKS[diagnosis.verdict]} {diagnosis.name:{width}}  {diagnosis.observation}")
-            if diagnosis.remedy:
-                lines.append(f"  {'':{width}}  → {diagnosis.remedy}")
+        for finding in self.findings:
+            lines.append(f"{MARKS[finding.verdict]} {finding.name:{width}}  {finding.observation}")
+            if finding.remedy:
+                lines.append(f"  {'':{width}}  → {finding.remedy}")
         return "\n".join([*lines, self.summary])
 
     __repr__ = __str__
 
     def _repr_html_(self):
-        rows = "".join(_html_row(diagnosis) for diagnosis in self.diagnoses)
+        rows = "".join(_html_row(finding) for finding in self.findings)
         return f"<table>{rows}</table><p><b>{html.escape(self.summary)}</b></p>"
 
 
-def _html_row(diagnosis):
-    verdict = diagnosis.verdict
+def _html_row(finding):
+    verdict = finding.verdict
     mark = f'<b style="color:{HTML_COLOURS[verdict]}" title="{verdict}">{MARKS[verdict]}</b>'
-    remedy = f"<br><b>→ {html.escape(diagnosis.remedy)}</b>" if diagnosis.remedy else ""
-    cells = (mark, html.escape(diagnosis.name), html.escape(diagnosis.observation) + remedy)
+    remedy = f"<br><b>→ {html.escape(finding.remedy)}</b>" if finding.remedy else ""
+    cells = (mark, html.escape(finding.name), html.escape(finding.observation) + remedy)
     return "<tr>" + "".join(f'<td style="text-align:left">{cell}</td>' for cell in cells) + "</tr>"

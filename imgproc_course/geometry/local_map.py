@@ -83,7 +83,13 @@ class LocalMap:
         """
         # Here, because their import takes most of a second and nothing else of this package needs them.
         from scipy.ndimage import distance_transform_edt
-        from skimage.graph import route_through_array
+
+        try:
+            from skimage.graph import route_through_array
+        except ModuleNotFoundError as error:
+            raise ModuleNotFoundError(
+                "a route needs skimage: pip install scikit-image", name=error.name
+            ) from error
 
         occupied = (self.log_odds > 0) | self.low
         distance = self._cell * distance_transform_edt(~occupied) if occupied.any() else np.inf

@@ -5,6 +5,7 @@ The drive is rendered, not filmed. environment/drive/README.md says how, and wha
 
 from typing import TYPE_CHECKING, Any
 
+from ..extras import naming_extra
 from .errors import FrameIndexError, NotRecordedError, RecordingError
 from .recording import Recording, open_recording
 
@@ -25,6 +26,7 @@ def __getattr__(name: str) -> Any:
     """Imports the writer when it is asked for: rosbags needs apsw, which some platforms lack."""
     if name != "RecordingWriter":
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from .writer import RecordingWriter
+    with naming_extra():
+        from .writer import RecordingWriter
 
     return RecordingWriter

@@ -106,7 +106,7 @@ def _opened(path, stack):
 
 
 @contextmanager
-def reading(path):
+def readable(path):
     """Turns every error that a reader raises on damaged bytes into a RecordingError of one line."""
     try:
         yield
@@ -183,7 +183,7 @@ class Bag:
                 errors.append(error)
                 problems.append(f"{path.name} cannot be read ({_reason(error)})")
         if not self._files:
-            with reading(self.path if len(paths) > 1 else paths[0]):
+            with readable(self.path if len(paths) > 1 else paths[0]):
                 raise errors[0]
         return self._missing(problems, stated)
 
@@ -242,7 +242,7 @@ class Bag:
             yield time, (file, place, file.channels[number]), raw
 
     def _raw_at(self, file, place, _):
-        with self._lock, reading(self.path):
+        with self._lock, readable(self.path):
             return _unpacked(file.read(place))
 
     def raw(self, topic, k):
@@ -264,7 +264,7 @@ class Bag:
     def index(self, topic, k=None):
         """The topic's index, read to message k, or to the end."""
         self.check_open()
-        with self._lock, reading(self.path):
+        with self._lock, readable(self.path):
             if topic not in self.topics:
                 raise NotRecordedError(
                     f"{self.path.name} has no topic {topic}; it has {', '.join(self.topics)}"
@@ -286,7 +286,7 @@ class Bag:
         entries = self._entries()
         while True:
             self.check_open()
-            with self._lock, reading(self.path):
+            with self._lock, readable(self.path):
                 entry = next(entries, None)
             if entry is None:
                 return

@@ -85,7 +85,7 @@ class Recording:
         try:
             from .bag import Bag  # here: rosbags needs apsw, which some platforms lack
         except ModuleNotFoundError as error:
-            remedy = "environment/setup installs it where it exists"
+            remedy = 'pip install ".[ros]" in the checkout of the course installs it where it exists'
             raise RecordingError(f"recordings cannot be read: {error.name} is missing; {remedy}") from error
 
         is_drive = source == "drive"

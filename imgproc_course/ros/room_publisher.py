@@ -21,7 +21,7 @@ from imgproc_course.ros.robot_topics import COMMANDS, ENABLED, ODOMETRY, ROOM_NO
 from imgproc_course.ros.room_images import RoomImages
 from imgproc_course.ros.room_messages import ODOM_FRAME, odometry_message
 from imgproc_course.ros.session import RosSession, Throttle, log
-from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
+from imgproc_course.simulation.wheels import MAX_ANGULAR, MAX_LINEAR
 
 QUIET = 10.0  # seconds without a fault until the same fault is reported again
 TOLERANCE = 1.01  # of a limit: π/2 is a command within the limit 1.57

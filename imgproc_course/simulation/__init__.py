@@ -4,13 +4,13 @@ No ROS and no clock: the same seed and commands give the same images and poses o
 environment/room/README.md says how the room was made.
 """
 
-from .drive import Odometry
 from .faces import draw_face, put_face, random_identity
 from .furnished import furnished
 from .hands import GESTURES, Hand, draw_hand, gesture_track, hand_mask, random_hand
 from .laser import LaserScan
 from .room import Room, recorded_room
 from .simulation import CAMERA, TOF_CAMERA, Simulation
+from .wheels import Odometry
 
 __all__ = [
     "CAMERA",

@@ -8,12 +8,12 @@ import cv2
 import numpy as np
 
 from ..geometry import Pose
-from .drive import TURNING
 from .pieces import load_pieces, turned, turned_to_each
 from .placement import AREA, DOOR, ORIGIN, SMALL, Placement, cells, painted, squared_distances
 from .room import CAR_TIME, WALK_LENGTH, BallWay, CarWay, PersonWay, Room, Rug, recorded_room
 from .room_light import textures
 from .room_model import FreeSpace, read_image
+from .wheels import TURNING
 
 WORDS = (
     *("KITCHEN", "OFFICE", "BEDROOM", "GARAGE", "LIBRARY"),

@@ -12,8 +12,8 @@ import numpy as np
 
 from ..geometry import Pose
 from ..geometry.poses import product, rotation_about
-from .drive import nearest_on_body
 from .room import MOVERS, ROLL_TIME, BallWay
+from .wheels import nearest_on_body
 
 PERSON_RADIUS, CAR_RADIUS, BALL_RADIUS = 0.25, 0.13, 0.11
 FAR_AWAY = 1000.0  # metres: where those are who do not take part

@@ -44,8 +44,8 @@ def configure_panda3d():
     """Settings of panda3d for the whole process, before its first use; RuntimeError without panda3d."""
     if p3d is None:
         raise RuntimeError(
-            "the room needs panda3d, which is not installed: there is no package of it for this platform; "
-            "the recorded drive, open_camera('recording'), works without it"
+            "the room needs panda3d, which is not installed: in the checkout, pip install '.[room]'; where it"
+            " has no package for this platform, open_camera('recording') works without it"
         )
     p3d.load_prc_file_data(
         "",

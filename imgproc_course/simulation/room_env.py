@@ -5,12 +5,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import cv2
-import gymnasium
 import numpy as np
-from gymnasium import spaces
 from numpy.typing import NDArray
 
-from .drive import MAX_ANGULAR, MAX_LINEAR, TURNING, gap
+from ..extras import naming_extra
 from .furnished import room_of
 from .laser import RAYS
 from .metrics import Metrics
@@ -19,6 +17,11 @@ from .room import Room
 from .room_map import draw_map
 from .scene import Scene
 from .simulation import Simulation, check_size, checked_movers
+from .wheels import MAX_ANGULAR, MAX_LINEAR, TURNING, gap
+
+with naming_extra():
+    import gymnasium
+    from gymnasium import spaces
 
 LOOK = 0.1  # seconds from one observation to the next
 NO_RANGE = 10.0  # metres, in `scan`: the ray meets nothing. A Box is bounded, so it cannot be inf as in ROS

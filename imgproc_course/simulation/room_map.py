@@ -7,8 +7,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .drive import BODY_CENTER, BODY_LENGTH, BODY_WIDTH
 from .room import ROLLED, Room, recorded_room
+from .wheels import BODY_CENTER, BODY_LENGTH, BODY_WIDTH
 
 PIXELS = 60  # per metre
 FLOOR, THINGS, SCALE = (245, 250, 250), (150, 140, 130), (40, 40, 40)  # blue, green, red

@@ -7,9 +7,9 @@ import cv2
 import numpy as np
 
 from .depth import TriangleDepth
-from .drive import DISCS
 from .laser import Laser, crosses, cut
 from .renderer import ColorRenderer, NumberRenderer, configure_panda3d
+from .wheels import DISCS
 
 FLAT = ("floor", "rug")
 KINDS = {"skirting": "wall", "toy": "building blocks", "clutter": "slippers"}  # of what stands low

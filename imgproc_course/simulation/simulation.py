@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from ..geometry import CameraModel, Pose
 from ..geometry.poses import product, rotation_about
-from .drive import Drive, Odometry, WheelOdometry, clearance, gap, nearest_on_body
 from .laser import LaserScan
 from .movers import Movers
 from .renderer import NEAR, NEAREST
 from .room import MOVERS, Room, recorded_room
 from .scene import Scene
 from .sensor import Sensor
+from .wheels import Odometry, WheelOdometry, Wheels, clearance, gap, nearest_on_body
 
 # The recorded drive's camera: 1280×720, and where it stands on the robot.
 CAMERA = CameraModel(1280, 720, 705.0, 705.0, 639.5, 359.5, (-0.170, 0.035, 0.0004, -0.0003, 0.0))
@@ -96,15 +96,15 @@ class Simulation:
         self.movers = checked_movers(movers, ball)
         self._movers = Movers(round(float(time), 9), self.room, self.movers, ball)
         self.time, self._steps, self.bumped = round(float(time), 9), 0, False
-        self._drive = Drive(checked_start(self.room.start if start is None else start))
-        for name, distance in self._distances(self._drive.place).items():
+        self._wheels = Wheels(checked_start(self.room.start if start is None else start))
+        for name, distance in self._distances(self._wheels.place).items():
             if distance < 0:
                 remedy = "time" if start is None else f"start, such as {self.room.start}"
                 raise ValueError(
-                    f"the robot cannot start at {self._drive.place}: {name} is in its way; "
+                    f"the robot cannot start at {self._wheels.place}: {name} is in its way; "
                     f"choose another {remedy}"
                 )
-        self._held: tuple[Any, float, frozenset[float]] = self._drive.place, 0.0, frozenset()  # _note_held
+        self._held: tuple[Any, float, frozenset[float]] = self._wheels.place, 0.0, frozenset()  # _note_held
         self._pinned = self._held
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
         self._sensor = Sensor(self.camera, seed, lighting) if sensor else None
@@ -132,7 +132,7 @@ class Simulation:
         self.time = round(self.time + dt, 9)
 
     def _small_step(self, linear, angular, dt):
-        body = self._drive
+        body = self._wheels
         body.accelerate(linear, angular, dt)
         touched = False
         # What blocks the way can leave room to turn.
@@ -168,7 +168,7 @@ class Simulation:
         after = self._distances(place)
         if min(after.values()) >= limit:
             return False
-        before = self._distances(self._drive.place)
+        before = self._distances(self._wheels.place)
         return any(after[name] < limit and after[name] <= before[name] for name in after)
 
     def _distances(self, place):
@@ -193,7 +193,7 @@ class Simulation:
         image = np.asarray(cv2.cvtColor(drawn, cv2.COLOR_BGRA2BGR), np.uint8)
         if self._sensor is None:
             return image
-        return self._sensor(image, self._steps, 0.0 if self._look else self._drive.angular)
+        return self._sensor(image, self._steps, 0.0 if self._look else self._wheels.angular)
 
     def depth(self, camera: str = "front") -> NDArray[np.uint16]:
         """Depth along the optical axis in millimetres, (height, width) uint16, 0 where there is none.
@@ -239,7 +239,7 @@ class Simulation:
     def scan(self) -> LaserScan:
         """One turn of the laser scanner."""
         seed = None if self._sensor is None else self._seed
-        return self._scene.laser.scan(self._drive.place, self._joint_poses(), seed, self._steps)
+        return self._scene.laser.scan(self._wheels.place, self._joint_poses(), seed, self._steps)
 
     def odometry(self) -> Odometry:
         """Where the wheels say that the robot is, since the start: with slip."""
@@ -250,12 +250,12 @@ class Simulation:
     @property
     def speeds(self) -> tuple[float, float]:
         """(linear, angular) in m/s and rad/s: the true ones."""
-        return self._drive.linear, self._drive.angular
+        return self._wheels.linear, self._wheels.angular
 
     @property
     def place(self) -> tuple[float, float, float]:
         """The true (x, y, yaw) of the robot in the map, metres and radians."""
-        return self._drive.place
+        return self._wheels.place
 
     def gaps(self) -> dict[str, float]:
         """Metres between the body and what stands still, by the name "", and each mover; negative inside."""
@@ -299,11 +299,11 @@ class Simulation:
         if self._look is not None:
             return NEAR
         x, y, _ = self._camera_pose(camera).position
-        gaps = self.room.free_space.distance(x, y) - 0.04, *self._movers.gaps(self._drive.place).values()
+        gaps = self.room.free_space.distance(x, y) - 0.04, *self._movers.gaps(self._wheels.place).values()
         return NEAREST if min(gaps) < NEAR else NEAR
 
     def _robot_pose(self):
-        return Pose.planar(*self._drive.place)
+        return Pose.planar(*self._wheels.place)
 
     def _camera_pose(self, camera):
         if camera == "tof":

@@ -1145,7 +1145,7 @@ show(list(sign_frames.values()), [f"from {way} m" for way in sign_frames], text=
 
 # %%
 # Check: what is seen from each distance; the table of the answers; the limits of the robot
-from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
+from imgproc_course.simulation.wheels import MAX_ANGULAR, MAX_LINEAR
 
 far, good, near = map(find_sign, sign_frames.values())
 assert far[0] is None and good[0] == unseen.word == "LIBRARY" and (near is None or near[0] is None)

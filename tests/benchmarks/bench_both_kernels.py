@@ -14,10 +14,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom" / "auto
 
 from attacks import MASTERS, SEED
 from jupyter_kernel import JupyterKernels
+from nbclassroom.autograder.make_answer_key import make_key
 from test_isolation import runs_of, sandbox_kernels
 from test_pool import SAMPLES
-
-from imgproc_course.classroom.autograder.make_answer_key import make_key
 
 
 def main():

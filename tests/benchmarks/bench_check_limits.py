@@ -23,9 +23,9 @@ import json, linecache, sys, time
 sys.path.insert(0, {folder!r})
 import numpy as np
 from monsters import MONSTERS
-from imgproc_course.classroom.exercises import check
-from imgproc_course.classroom.exercises.check_files import find_check_file
-from imgproc_course.classroom.exercises.running import call_within
+from nbclassroom.exercises import check
+from nbclassroom.exercises.check_files import find_check_file
+from nbclassroom.exercises.running import call_within
 source = MONSTERS[{name!r}]
 linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
 names = {{"np": np, "frame": np.zeros((720, 1280, 3), np.uint8)}}

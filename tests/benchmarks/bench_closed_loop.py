@@ -19,8 +19,8 @@ from geometry_msgs.msg import PoseStamped
 from in_the_room import PROGRAMS, TRUTH, Topics, pose_of
 
 from imgproc_course.ros import Robot, open_camera
-from imgproc_course.simulation.drive import clearance
 from imgproc_course.simulation.room_model import FreeSpace
+from imgproc_course.simulation.wheels import clearance
 
 NODES = PROGRAMS / "closed_loop_nodes.py"
 LOOPS = os.environ.get("LOOPS", "depth scan marker").split()

@@ -16,10 +16,9 @@ import time
 from pathlib import Path
 
 import click
-
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.pool import autograde
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.pool import autograde
 
 MOST_CPU, MOST_KEY, MOST_MINUTES, CORES = 15.0, 300.0, 8.0, 2
 MASTER = Path(__file__).resolve().parent / "driving/masters/10_long_drives.py"

@@ -29,14 +29,13 @@ import click
 import nbformat
 import numpy as np
 import psutil
+from nbclassroom.authoring.masters import find_masters, read_master
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.pool import autograde
+from nbclassroom.exercises import array_of, read_exercises
 from platformdirs import user_cache_path
 from rich.console import Console
 from rich.table import Table
-
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.pool import autograde
-from imgproc_course.classroom.exercises import array_of, read_exercises
 
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "classroom" / "gradebook"))

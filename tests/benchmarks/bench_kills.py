@@ -19,10 +19,9 @@ import click
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom" / "gradebook"))
 
 from kills import COMMAND, KINDS, Run, run_with_kills, write_submissions
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.autograder.make_answer_key import make_key
 from submissions import MASTERS, SEED
-
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.autograder.make_answer_key import make_key
 
 PAUSE = (1.0, 5.0)  # seconds between two kills: a worker needs one or two to start
 

@@ -12,12 +12,11 @@ import sys
 import time
 
 import click
-
-from imgproc_course.classroom.autograder import explorations
-from imgproc_course.classroom.autograder.draw_scenarios import drive_here
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.exercises.drive import SENSORS
-from imgproc_course.classroom.gradebook.league import scenarios_of
+from nbclassroom.autograder.draw_scenarios import drive_here
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.exercises.drive import SENSORS
+from nbclassroom.league import explorations
+from nbclassroom.league.league import scenarios_of
 
 MOST_RATIO, CLASS, CORES = 2.0, 31, 2  # 30 learners and the baseline
 SEED = "8f1c0b5e7a3d92464be0917cd5f2a863"

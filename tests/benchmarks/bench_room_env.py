@@ -12,10 +12,10 @@ from pathlib import Path
 
 import cv2
 from bench_room import remap_of
+from nbclassroom.exercises.declaration import read_exercises
 from rich.console import Console
 from rich.table import Table
 
-from imgproc_course.classroom.exercises.declaration import read_exercises
 from imgproc_course.simulation import Simulation
 from imgproc_course.simulation.room_env import OPTIONS, RoomEnv, controller_observation
 

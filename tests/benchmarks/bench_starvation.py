@@ -18,10 +18,9 @@ import click
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom" / "autograder"))
 
 from attacks import LESSON, MASTERS, RIGHT, SEED
-
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.pool import Limits, autograde
+from nbclassroom.authoring.masters import find_masters, read_master
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.pool import Limits, autograde
 
 COURSE = Path(__file__).resolve().parents[2] / "notebooks" / "masters"
 # As many processes as it may have, all at work until they are ended.

@@ -12,11 +12,10 @@ from pathlib import Path
 import nbformat
 
 sys.path.append(str(Path(__file__).parents[1] / "notebooks"))
+from nbclassroom.authoring.lesson_names import lesson_name
+from nbclassroom.authoring.masters import find_lessons
+from nbclassroom.lab.working_copies import update_lessons
 from ways_to_run import CHANGES, tracebacks
-
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
-from imgproc_course.classroom.authoring.masters import find_lessons
-from imgproc_course.lab.working_copies import update_lessons
 
 ROOT = Path(__file__).parents[2]
 

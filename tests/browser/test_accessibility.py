@@ -5,9 +5,8 @@ import textwrap
 import nbformat
 import pytest
 from jupyter_page import ROOT, NotebookPage, write_notebook
-
-from imgproc_course.classroom.authoring.build import lesson_notebook
-from imgproc_course.classroom.authoring.masters import read_master
+from nbclassroom.authoring.build import lesson_notebook
+from nbclassroom.authoring.masters import read_master
 
 pytestmark = pytest.mark.browser
 

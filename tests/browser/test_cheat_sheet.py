@@ -6,9 +6,8 @@ import nbformat
 import pytest
 from accessibility import violations
 from jupyter_page import ROOT
+from nbclassroom.authoring.cheat_sheet import CHEAT_SHEET, cheat_sheet_page
 from nbformat.v4 import new_markdown_cell, new_notebook
-
-from imgproc_course.classroom.authoring.cheat_sheet import CHEAT_SHEET, cheat_sheet_page
 
 pytestmark = pytest.mark.browser
 PAPER = {"width": 1062, "height": 733}  # CSS pixels of A4, landscape, inside the margins of 8 mm

@@ -13,9 +13,8 @@ import pytest
 from jupyter_page import ROOT, VIEW
 
 sys.path.append(str(ROOT / "tests" / "notebooks"))
+from nbclassroom.authoring.lesson_names import lesson_name
 from needed_cells import names_changed, names_imported, names_of, needed_cells
-
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
 
 pytestmark = pytest.mark.browser
 

@@ -4,9 +4,8 @@ import itertools
 
 import pytest
 from jupyter_page import ROOT
+from nbclassroom.authoring.handout import hand_out
 from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
-
-from imgproc_course.classroom.authoring.handout import hand_out
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
 # Whether a link has led to its heading: it is in view, or its cell is the active one. JupyterLab 4.6 scrolls

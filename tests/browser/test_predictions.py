@@ -1,9 +1,8 @@
 """A working copy in JupyterLab: no result before its cell is run, a guess is compared, asserts are folded."""
 
 import pytest
-
-from imgproc_course.classroom.authoring.build import build
-from imgproc_course.lab.working_copies import update_lessons
+from nbclassroom.authoring.build import build
+from nbclassroom.lab.working_copies import update_lessons
 
 pytestmark = pytest.mark.browser
 

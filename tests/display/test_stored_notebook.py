@@ -9,7 +9,7 @@ import nbformat
 from nbclient import NotebookClient
 
 # nbval alone: other plugins, among them those of JupyterLab, take seconds to load.
-NBVAL = ["-p", "imgproc_course.classroom.autograder.blocked_imports", "-p", "nbval.plugin", "--nbval"]
+NBVAL = ["-p", "nbclassroom.autograder.blocked_imports", "-p", "nbval.plugin", "--nbval"]
 CELLS = [
     """
     import numpy as np

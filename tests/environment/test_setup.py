@@ -188,7 +188,11 @@ def test_nbval_runs_a_lesson_without_the_plugins_of_the_tests(tmp_path):
 @pytest.mark.ros
 def test_pixi_installs_every_ros_package_that_the_course_imports():
     owners = importlib.metadata.packages_distributions()
-    files = [*ROOT.glob("imgproc_course/**/*.py"), *ROOT.glob("notebooks/**/*.py")]
+    files = [
+        path
+        for folder in ("imgproc_course", "nbclassroom", "notebooks")
+        for path in (ROOT / folder).rglob("*.py")
+    ]
     text = "\n".join(path.read_text(encoding="utf-8") for path in files)
     modules = set(re.findall(r"^\s*(?:from|import) (\w+)", text, re.MULTILINE))
     modules = {name for name in modules if any(owner.startswith("ros-") for owner in owners.get(name, ()))}

@@ -8,9 +8,8 @@ import subprocess
 import sys
 
 import pytest
-
-from imgproc_course.lab import working_copies
-from imgproc_course.lab.working_copies import LabError, update_lessons
+from nbclassroom.lab import working_copies
+from nbclassroom.lab.working_copies import LabError, update_lessons
 
 
 def notebook(*sources, outputs=(), version="0.1.0", ids=None):
@@ -417,7 +416,7 @@ def test_a_save_at_the_same_moment_is_not_lost(course, monkeypatch):
 def test_two_starts_at_once_give_one_result(course):
     course.ship(**{f"lesson{i}": notebook(str(i)) for i in range(20)})
     code = (
-        "import sys; from imgproc_course.lab.working_copies import update_lessons; "
+        "import sys; from nbclassroom.lab.working_copies import update_lessons; "
         "changes = update_lessons(sys.argv[1], sys.argv[2], '0.2.0'); "
         "assert not changes.added_beside and not changes.updated; print(len(changes.new))"
     )
@@ -548,7 +547,7 @@ def test_a_copy_saved_during_the_update_keeps_its_name_and_content(renumbered, m
     renumbered.renumber("y = 2")
     path = renumbered.copies / "03_blur.ipynb"
     monkeypatch.setattr(
-        "imgproc_course.lab.working_copies._state_text", lambda origins: path.write_text("saved now") and "{}"
+        "nbclassroom.lab.working_copies._state_text", lambda origins: path.write_text("saved now") and "{}"
     )
     with pytest.raises(LabError, match=r"03_blur.ipynb was saved during its update; start again"):
         renumbered.start()

@@ -3,8 +3,7 @@
 from pathlib import Path
 
 import pytest
-
-from imgproc_course.classroom.exercises import read_exercises
+from nbclassroom.exercises import read_exercises
 
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 

@@ -3,8 +3,7 @@
 import ast
 
 from IPython.core.inputtransformer2 import TransformerManager
-
-from imgproc_course.classroom.authoring.names_used import names_used
+from nbclassroom.authoring.names_used import names_used
 
 
 def tree_of(source):

@@ -9,11 +9,10 @@ import re
 
 from cells_of_ros import names_from
 from IPython.core.formatters import DisplayFormatter
+from nbclassroom.authoring.build import lesson_notebook
+from nbclassroom.exercises.checking import run_cases
 from nbformat.v4 import new_output
 from needed_cells import names_changed, names_imported, names_of, needed_cells
-
-from imgproc_course.classroom.authoring.build import lesson_notebook
-from imgproc_course.classroom.exercises.checking import run_cases
 
 STARTS_ROBOT = {"open_camera"}  # other cells of ROS use the robot by its topics, not by a name
 ROS = ("imgproc_course.ros", "rclpy")

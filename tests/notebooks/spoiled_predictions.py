@@ -3,7 +3,7 @@
 import re
 from typing import NamedTuple
 
-from imgproc_course.classroom.authoring.execute import output_texts
+from nbclassroom.authoring.execute import output_texts
 
 _RESULT = re.compile(r"The result is (.*)\.$", re.M)
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")

@@ -10,15 +10,14 @@ import pytest
 
 sys.path.append(str(Path(__file__).parent))
 from IPython.core.inputtransformer2 import TransformerManager
+from nbclassroom.authoring.build import lesson_notebook
+from nbclassroom.authoring.execute import execute, normalize, output_texts
+from nbclassroom.authoring.lesson_files import lesson_files
+from nbclassroom.authoring.masters import find_masters, read_master
+from nbclassroom.authoring.minutes import read_sections
+from nbclassroom.authoring.names_used import names_used
+from nbclassroom.exercises.percent_script import read_script
 from needed_cells import names_of
-
-from imgproc_course.classroom.authoring.build import lesson_notebook
-from imgproc_course.classroom.authoring.execute import execute, normalize, output_texts
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.authoring.minutes import read_sections
-from imgproc_course.classroom.authoring.names_used import names_used
-from imgproc_course.classroom.exercises.percent_script import read_script
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 MASTERS = find_masters(NOTEBOOKS / "masters")

@@ -8,8 +8,7 @@ from textwrap import indent
 import pytest
 from all_masters import PATHS, all_exercises, all_masters
 from handed_out import HandedOut
-
-from imgproc_course.classroom.authoring.handout import hand_out
+from nbclassroom.authoring.handout import hand_out
 
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
 

@@ -21,23 +21,22 @@ from nbformat.v4 import new_code_cell, new_notebook
 
 sys.path.append(str(Path(__file__).parent))
 from cells_of_ros import cells_of_ros
-from selection import IS_SHORT
-from solved_twin import solved_twin
-
-from imgproc_course.classroom.authoring.build import (
+from nbclassroom.authoring.build import (
     INDEX,
     build_lesson,
     compare_other_files,
     differences,
     lesson_notebook,
 )
-from imgproc_course.classroom.authoring.execute import execute
-from imgproc_course.classroom.authoring.lesson_files import lesson_file_differences, lesson_files
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.authoring.validation import validate_exercise
-from imgproc_course.classroom.exercises import expected_results
-from imgproc_course.classroom.exercises.check_files import read_check_file
-from imgproc_course.classroom.exercises.checking import run_cases, run_check
+from nbclassroom.authoring.execute import execute
+from nbclassroom.authoring.lesson_files import lesson_file_differences, lesson_files
+from nbclassroom.authoring.masters import find_masters, read_master
+from nbclassroom.authoring.validation import validate_exercise
+from nbclassroom.exercises import expected_results
+from nbclassroom.exercises.check_files import read_check_file
+from nbclassroom.exercises.checking import run_cases, run_check
+from selection import IS_SHORT
+from solved_twin import solved_twin
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 MASTERS = [*find_masters(NOTEBOOKS / "masters"), NOTEBOOKS / "masters" / f"{INDEX}.py"]
@@ -54,7 +53,7 @@ OURS = (
 # nbval alone, as the autograder starts it: other plugins and JupyterLab's modules cost seconds per notebook.
 PLUGINS = [
     "-p",
-    "imgproc_course.classroom.autograder.blocked_imports",
+    "nbclassroom.autograder.blocked_imports",
     "-p",
     "nbval.plugin",
     "-p",

@@ -4,9 +4,8 @@ import re
 from pathlib import Path
 
 import pytest
-
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.authoring.minutes import MINUTES, minutes_of
+from nbclassroom.authoring.masters import find_masters, read_master
+from nbclassroom.authoring.minutes import MINUTES, minutes_of
 
 ROOT = Path(__file__).parents[2]
 MASTERS = ROOT / "notebooks" / "masters"

@@ -3,8 +3,7 @@
 import cv2
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises import read_exercises, run_cases
+from nbclassroom.exercises import read_exercises, run_cases
 
 
 @pytest.mark.parametrize("bins", [4, 16, 18, 30, 32, 50, 90, 180])

@@ -7,9 +7,8 @@ import nbformat
 import pytest
 
 sys.path.append(str(Path(__file__).parent))
+from nbclassroom.authoring.masters import find_lessons
 from spoiled_predictions import spoiled_predictions
-
-from imgproc_course.classroom.authoring.masters import find_lessons
 
 LESSONS = find_lessons(Path(__file__).parents[2] / "notebooks")
 

@@ -9,9 +9,9 @@ import cv2
 import numpy as np
 import pytest
 from all_masters import PATHS, all_masters
+from nbclassroom.authoring.handout import hand_out
+from nbclassroom.authoring.questions import QUESTIONS, read_questions
 
-from imgproc_course.classroom.authoring.handout import hand_out
-from imgproc_course.classroom.authoring.questions import QUESTIONS, read_questions
 from imgproc_course.imaging import to_gray
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"

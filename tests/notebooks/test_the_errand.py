@@ -10,14 +10,14 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from nbclassroom.exercises import read_exercises
+from nbclassroom.exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS
+from nbclassroom.exercises.percent_script import read_script
 
-from imgproc_course.classroom.exercises import read_exercises
-from imgproc_course.classroom.exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS
-from imgproc_course.classroom.exercises.percent_script import read_script
 from imgproc_course.geometry import Pose, compose_poses, relative_pose, wrap_angle
 from imgproc_course.recording import open_recording
 from imgproc_course.simulation import Simulation, furnished
-from imgproc_course.simulation.drive import gap
+from imgproc_course.simulation.wheels import gap
 
 sys.path.append(str(Path(__file__).parents[2] / "notebooks"))
 import the_errand

@@ -3,7 +3,7 @@
 import ast
 from pathlib import Path
 
-from imgproc_course.classroom.authoring.masters import read_master
+from nbclassroom.authoring.masters import read_master
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 

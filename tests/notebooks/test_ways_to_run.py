@@ -7,9 +7,8 @@ import nbformat
 import pytest
 
 sys.path.append(str(Path(__file__).parent))
+from nbclassroom.authoring.learner_files import without_outputs
 from ways_to_run import tracebacks, ways_of
-
-from imgproc_course.classroom.authoring.learner_files import without_outputs
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 

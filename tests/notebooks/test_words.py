@@ -6,9 +6,8 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).parent))
 from early_uses import early_uses
-
-from imgproc_course.classroom.authoring.glossary import GLOSSARY, read_glossary
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from nbclassroom.authoring.glossary import GLOSSARY, read_glossary
+from nbclassroom.authoring.masters import find_masters, read_master
 
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 NUMBERED = re.compile(r"\blessons? \d\d?\b|\b\d\d_\w+\.ipynb\b|^# # \d\d · ", re.I | re.M)

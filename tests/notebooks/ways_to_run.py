@@ -18,12 +18,11 @@ import copy
 import itertools
 import subprocess
 
+from nbclassroom.authoring.execute import CELL_SECONDS, kernel_environment
+from nbclassroom.authoring.rules import BEGIN_HERE, RAISING_TAGS
 from nbclient import NotebookClient
 from nbclient.exceptions import CellTimeoutError, DeadKernelError
 from nbformat.v4 import new_code_cell
-
-from imgproc_course.classroom.authoring.execute import CELL_SECONDS, kernel_environment
-from imgproc_course.classroom.authoring.rules import BEGIN_HERE, RAISING_TAGS
 
 # Runs after each cell, in the learner's kernel.
 MOVE_SLIDERS = """

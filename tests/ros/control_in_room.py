@@ -4,8 +4,8 @@ import math
 import time
 
 from lesson_nodes import MASTERS, lesson_definitions
+from nbclassroom.exercises.declaration import read_exercises
 
-from imgproc_course.classroom.exercises.declaration import read_exercises
 from imgproc_course.simulation.room_env import OPTIONS, RoomEnv, controller_observation
 
 

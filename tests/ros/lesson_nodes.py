@@ -6,9 +6,9 @@ import sys
 from pathlib import Path
 
 import rclpy
+from nbclassroom.authoring.masters import read_master
 from rclpy.signals import SignalHandlerOptions
 
-from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.ros import dds_profile  # chooses the profile, before the first node
 
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"

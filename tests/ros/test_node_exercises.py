@@ -4,19 +4,18 @@ import contextlib
 
 import numpy as np
 import pytest
-from node_answers import ANSWERS
-
-from imgproc_course.classroom.exercises import node_driver
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.comparison import compare
-from imgproc_course.classroom.exercises.recording_node import (
+from nbclassroom.exercises import node_driver
+from nbclassroom.exercises.canonical import canonical
+from nbclassroom.exercises.comparison import compare
+from nbclassroom.exercises.recording_node import (
     OF_ROS,
     NodeError,
     NodeRecord,
     RecordingNode,
     fields_of,
 )
-from imgproc_course.classroom.exercises.ros_double import _POLICIES, _modules, offer_modules
+from nbclassroom.exercises.ros_double import _POLICIES, _modules, offer_modules
+from node_answers import ANSWERS
 
 pytestmark = [pytest.mark.ros, pytest.mark.timeout(60)]
 

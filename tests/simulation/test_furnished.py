@@ -9,11 +9,11 @@ from independent_room import IndependentRoom, compare, first_hit, planar
 
 from imgproc_course.geometry import Pose
 from imgproc_course.simulation import Simulation, furnished, recorded_room
-from imgproc_course.simulation.drive import clearance
 from imgproc_course.simulation.furnished import WORDS, outwards
 from imgproc_course.simulation.pieces import load_pieces
 from imgproc_course.simulation.room_light import words
 from imgproc_course.simulation.simulation import OPTICAL
+from imgproc_course.simulation.wheels import clearance
 
 SEEDS = range(24)
 HALF_SIZES = {"sign": (0.31, 0.15), "wall_marker": (0.167, 0.167), "marker": (0.167, 0.167)}  # metres

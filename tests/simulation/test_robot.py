@@ -8,9 +8,9 @@ import pytest
 
 from imgproc_course.geometry import Pose
 from imgproc_course.simulation import Simulation, furnished, recorded_room
-from imgproc_course.simulation.drive import ANGULAR_ACCELERATION, LINEAR_ACCELERATION, nearest_on_body
 from imgproc_course.simulation.laser import MOUNT, cast, cut
 from imgproc_course.simulation.movers import BALL_RADIUS, Ball
+from imgproc_course.simulation.wheels import ANGULAR_ACCELERATION, LINEAR_ACCELERATION, nearest_on_body
 
 FREE = (0.4, -0.3, 0.0)  # two metres of free floor ahead at the time 0
 

@@ -16,9 +16,9 @@ from gymnasium.utils.env_checker import check_env
 from gymnasium.wrappers import RecordVideo, TimeLimit
 
 from imgproc_course.simulation import Simulation, furnished, recorded_room, room_map
-from imgproc_course.simulation.drive import BODY_CENTER, BODY_LENGTH, BODY_WIDTH
 from imgproc_course.simulation.room_env import NO_RANGE, SENSORS, RoomEnv, controller_observation
 from imgproc_course.simulation.room_map import BUMP, PIXELS, START, draw_map
+from imgproc_course.simulation.wheels import BODY_CENTER, BODY_LENGTH, BODY_WIDTH
 
 PAGE = Path(__file__).parents[2] / "docs/reference/room_env.md"
 FREE = (0.0, 0.0, 0.0)  # a start with nothing near

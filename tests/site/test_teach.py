@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 from all_masters import PATHS, all_exercises, all_masters
-
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
+from nbclassroom.authoring.lesson_names import lesson_name
 
 ROOT = Path(__file__).parents[2]
 TEACH = ROOT / "docs/teach"

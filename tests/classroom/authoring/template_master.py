@@ -1,8 +1,7 @@
 """An example master, and a fixture that writes it, changed, into a folder."""
 
 import pytest
-
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
+from nbclassroom.authoring.lesson_files import lesson_files
 
 # A whole master, with one cell of nearly every role.
 TEMPLATE = """\

@@ -8,9 +8,8 @@ from importlib.metadata import version
 
 import nbformat
 import pytest
-
-from imgproc_course.classroom.authoring.build import build, compare_lessons
-from imgproc_course.classroom.exercises import MasterError
+from nbclassroom.authoring.build import build, compare_lessons
+from nbclassroom.exercises import MasterError
 
 # Cells whose output is hard to reproduce.
 EXTRAS = """

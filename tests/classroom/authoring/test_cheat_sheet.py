@@ -5,10 +5,9 @@ import re
 from pathlib import Path
 
 import pytest
-
-from imgproc_course.classroom.authoring.build import build, compare_lessons
-from imgproc_course.classroom.authoring.cheat_sheet import cheat_sheet_page
-from imgproc_course.classroom.exercises.declaration import MasterError
+from nbclassroom.authoring.build import build, compare_lessons
+from nbclassroom.authoring.cheat_sheet import cheat_sheet_page
+from nbclassroom.exercises.declaration import MasterError
 
 NOTEBOOKS = Path(__file__).parents[3] / "notebooks"
 TEMPLATE = NOTEBOOKS / "masters" / "cheat_sheet.html"

@@ -1,8 +1,7 @@
 import pytest
-
-from imgproc_course.classroom.authoring.build import build, build_pages, compare_lessons
-from imgproc_course.classroom.authoring.glossary import read_glossary
-from imgproc_course.classroom.exercises.declaration import MasterError
+from nbclassroom.authoring.build import build, build_pages, compare_lessons
+from nbclassroom.authoring.glossary import read_glossary
+from nbclassroom.exercises.declaration import MasterError
 
 GLOSSARY = """
 ["Zoom"]

@@ -6,8 +6,8 @@ import zipfile
 import nbformat
 import pytest
 from click.testing import CliRunner
+from nbclassroom.authoring.learner_files import without_outputs
 
-from imgproc_course.classroom.authoring.learner_files import without_outputs
 from imgproc_course.cli import main
 
 SUM = nbformat.v4.new_code_cell("2 + 3", id="sums-1", execution_count=1)

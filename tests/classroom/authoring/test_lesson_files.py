@@ -4,13 +4,12 @@ import json
 
 import numpy as np
 import pytest
+from nbclassroom.authoring.build import build
+from nbclassroom.authoring.lesson_files import lesson_file_differences, lesson_files
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.exercises.check_files import read_check_file
+from nbclassroom.exercises.checking import run_cases, run_check
 from template_master import write_carried_files
-
-from imgproc_course.classroom.authoring.build import build
-from imgproc_course.classroom.authoring.lesson_files import lesson_file_differences, lesson_files
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.exercises.check_files import read_check_file
-from imgproc_course.classroom.exercises.checking import run_cases, run_check
 
 CHECKS, SOLUTIONS, TEXTS = "checks/template.json", "solutions/template.json", "texts/template.json"
 

@@ -1,6 +1,5 @@
 import pytest
-
-from imgproc_course.classroom.authoring.lesson_names import lessons_named, name_in_stem, without_lesson
+from nbclassroom.authoring.lesson_names import lessons_named, name_in_stem, without_lesson
 
 LESSONS = ("grayscale", "grayscale_node", "faces")
 

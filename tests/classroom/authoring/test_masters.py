@@ -1,9 +1,8 @@
 """The format's rules."""
 
 import pytest
-
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.exercises import MasterError
+from nbclassroom.authoring.masters import find_masters, read_master
+from nbclassroom.exercises import MasterError
 
 
 def test_a_master_is_read_whole(write_master):

@@ -3,9 +3,8 @@
 import re
 
 import pytest
-
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.authoring.minutes import minutes_of
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.authoring.minutes import minutes_of
 
 WORDS = "word " * 120  # one minute
 LESSON = f"""

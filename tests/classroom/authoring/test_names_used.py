@@ -1,8 +1,7 @@
 """Which names a statement of a master's cell reads."""
 
 import pytest
-
-from imgproc_course.classroom.authoring.names_used import names_used
+from nbclassroom.authoring.names_used import names_used
 
 
 @pytest.mark.parametrize(

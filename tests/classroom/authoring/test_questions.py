@@ -3,9 +3,8 @@
 import json
 
 import pytest
-
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
-from imgproc_course.classroom.authoring.masters import MasterError, read_master
+from nbclassroom.authoring.lesson_files import lesson_files
+from nbclassroom.authoring.masters import MasterError, read_master
 
 TWO = """
 [light]

@@ -1,9 +1,8 @@
 import pytest
-
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.authoring.references import References
-from imgproc_course.classroom.exercises.declaration import MasterError
+from nbclassroom.authoring.lesson_names import lesson_name
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.authoring.references import References
+from nbclassroom.exercises.declaration import MasterError
 
 PROSE = """
 # %% [markdown]

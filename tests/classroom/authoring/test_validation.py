@@ -4,14 +4,13 @@ import itertools
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.authoring import validation
-from imgproc_course.classroom.authoring.validation import validate_exercise
-from imgproc_course.classroom.exercises import read_exercises, running
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.comparison import compare
-from imgproc_course.classroom.exercises.declaration import MasterError
-from imgproc_course.classroom.exercises.lesson import PUBLIC_SEED
+from nbclassroom.authoring import validation
+from nbclassroom.authoring.validation import validate_exercise
+from nbclassroom.exercises import read_exercises, running
+from nbclassroom.exercises.canonical import canonical
+from nbclassroom.exercises.comparison import compare
+from nbclassroom.exercises.declaration import MasterError
+from nbclassroom.exercises.lesson import PUBLIC_SEED
 
 HIDDEN_INPUTS = "return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),) for _ in range(3)]"
 BRIGHT = "return (rng.integers(128, 256, (5, 5), dtype=np.uint8),)"  # whose doubles are all 255

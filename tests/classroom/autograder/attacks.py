@@ -12,12 +12,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from textwrap import dedent
 
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.autograder.pool import Limits, autograde
-from imgproc_course.classroom.autograder.results import GradedSubmission
-from imgproc_course.classroom.exercises.answer_images import answer_images
-from imgproc_course.classroom.exercises.values import answer_parts, differing_elements
-from imgproc_course.classroom.gradebook.report import value_of
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.autograder.pool import Limits, autograde
+from nbclassroom.autograder.results import GradedSubmission
+from nbclassroom.exercises.answer_images import answer_images
+from nbclassroom.exercises.values import answer_parts, differing_elements
+from nbclassroom.gradebook.report import value_of
 
 MASTERS = Path(__file__).parent / "masters"
 LESSON = "attacked"
@@ -95,8 +95,8 @@ attack(
 attack(
     "what compares, and what the check calls, is replaced",
     """
-    from imgproc_course.classroom.autograder.sandbox.inside import check_cell
-    from imgproc_course.classroom.exercises import comparison
+    from nbclassroom.autograder.sandbox.inside import check_cell
+    from nbclassroom.exercises import comparison
     np.allclose = np.array_equal = lambda *a, **k: True
     comparison.compare = np.testing.assert_array_equal = lambda *a, **k: None
     check_cell.emit = lambda function: print("passed")
@@ -161,8 +161,8 @@ attack(
 attack(
     "a value whose data are too short for its shape",
     """
-    from imgproc_course.classroom.autograder.sandbox.inside import check_cell
-    from imgproc_course.classroom.exercises import running
+    from nbclassroom.autograder.sandbox.inside import check_cell
+    from nbclassroom.exercises import running
     FORM = {"type": "ndarray", "dtype": "uint8", "shape": [3, 4], "data": "AAAA"}
     check_cell.running.call = lambda *a, **k: running.CallResult(value=FORM)
     check_cell.shorten_form = lambda form: form
@@ -229,8 +229,8 @@ def remembered():
 
 CONSTANTS = f"""
 import hashlib
-from imgproc_course.classroom.autograder.sandbox.inside import check_cell
-from imgproc_course.classroom.exercises.input_encoding import decode
+from nbclassroom.autograder.sandbox.inside import check_cell
+from nbclassroom.exercises.input_encoding import decode
 PACK = {remembered()!r}
 ANSWERS = [np.frombuffer(data, np.uint8) for data in PACK.values()]
 calls = []

@@ -7,9 +7,8 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 from attacks import LESSON, MASTERS, RIGHT, SEED, SHORT
-
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.pool import autograde
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.pool import autograde
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,6 @@
 """Drives in the sandbox, on the plane of `plane_env`, without nbval: for tests and benchmarks."""
 
+import os
 import time
 from contextlib import contextmanager
 from dataclasses import replace
@@ -7,15 +8,13 @@ from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import patch
 
-from plane_env import PlaneEnv
-
-from imgproc_course.classroom import course
-from imgproc_course.classroom.autograder.drives import CHECK, environment
-from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
-from imgproc_course.classroom.autograder.page_kernels import PageKernels
-from imgproc_course.classroom.autograder.results import graded_exercise
-from imgproc_course.classroom.exercises.lesson import Case, Exercise, ExpectedCall
-from imgproc_course.classroom.exercises.page import page_of
+from nbclassroom.autograder.drives import CHECK, environment
+from nbclassroom.autograder.nbval_plugin import ExerciseRun
+from nbclassroom.autograder.page_kernels import PageKernels
+from nbclassroom.autograder.results import graded_exercise
+from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
+from nbclassroom.exercises.page import page_of
+from plane_env import PlaneEnv, course_on_a_plane
 
 MASTERS = Path(__file__).parent / "driving/masters"
 SCENARIO = {
@@ -50,14 +49,8 @@ class SlowEnv(PlaneEnv):
 @contextmanager
 def on_the_plane(kind="plane_env:PlaneEnv"):
     """Drives inside of this process are in this environment."""
-    places = {
-        "DRIVE_ENVIRONMENT": kind,
-        "DRIVE_OBSERVATION": "plane_env:controller_observation",
-        "DRIVE_ROOM": "plane_env:room_of",
-        "DRIVE_MAP": "plane_env:draw_map",
-    }
     environment.cache_clear()
-    with patch.multiple(course, **places):
+    with course_on_a_plane(kind) as variables, patch.dict(os.environ, variables):
         yield
     environment.cache_clear()
 

@@ -5,13 +5,12 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).parents[2]))
 from master_answers import sample_answers
-
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
-from imgproc_course.classroom.authoring.masters import find_masters
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.outcomes import Outcome
-from imgproc_course.classroom.autograder.pool import autograde
-from imgproc_course.classroom.exercises import read_exercises
+from nbclassroom.authoring.lesson_names import lesson_name
+from nbclassroom.authoring.masters import find_masters
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.outcomes import Outcome
+from nbclassroom.autograder.pool import autograde
+from nbclassroom.exercises import read_exercises
 
 ROOT = Path(__file__).parents[3]
 FOLDERS = sorted({path.parent for path in ROOT.glob("*/**/masters/[0-9]*.py")})

@@ -3,9 +3,8 @@
 from textwrap import dedent
 
 import pytest
-
-from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.bubblewrap import Limits
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 
 pytestmark = pytest.mark.sandbox
 DOUBLES = "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)\n"

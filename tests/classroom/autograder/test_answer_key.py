@@ -7,12 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.autograder import make_answer_key
-from imgproc_course.classroom.autograder.answer_key import KeyFolderError, load_key
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.exercises import MasterError, array_of, read_exercises
+from nbclassroom.autograder import make_answer_key
+from nbclassroom.autograder.answer_key import KeyFolderError, load_key
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.exercises import MasterError, array_of, read_exercises
 
 pytestmark = pytest.mark.sandbox
 MASTERS = Path(__file__).parent / "masters"

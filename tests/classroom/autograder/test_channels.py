@@ -7,9 +7,8 @@ first has ended. `leave` and `look` are cells; `look` prints what it found.
 import platform
 
 import pytest
-
-from imgproc_course.classroom.autograder.sandbox import bubblewrap
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox import bubblewrap
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 
 pytestmark = [
     pytest.mark.sandbox,

@@ -7,15 +7,14 @@ import pytest
 from attacks import SHORT
 from drive_attacks import DRIVE_ATTACKS
 from drive_runs import GOOD, HIDDEN, MASTERS, PUBLIC, on_the_plane, run_drives
-
-from imgproc_course.classroom.autograder.answer_key import load_key
-from imgproc_course.classroom.autograder.draw_scenarios import MARGIN, with_margin
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.pool import autograde
-from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.exercises.declaration import MasterError
-from imgproc_course.classroom.exercises.lesson import scenario_of
+from nbclassroom.autograder.answer_key import load_key
+from nbclassroom.autograder.draw_scenarios import MARGIN, with_margin
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.pool import autograde
+from nbclassroom.autograder.sandbox.bubblewrap import Limits
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.exercises.declaration import MasterError
+from nbclassroom.exercises.lesson import scenario_of
 
 pytestmark = pytest.mark.sandbox
 ATTACKED = tuple(replace(case, calls=8) for case in (PUBLIC, HIDDEN))  # a second of processor time

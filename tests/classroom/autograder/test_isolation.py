@@ -7,14 +7,13 @@ from unittest.mock import patch
 import pytest
 from attacks import LESSON, RIGHT, SHORT
 from jupyter_kernel import JupyterKernels
-
-from imgproc_course.classroom.autograder.exercise_notebook import check_source
-from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
-from imgproc_course.classroom.autograder.page_kernels import PageKernels
-from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde
-from imgproc_course.classroom.autograder.sandbox.fork_server_client import ForkedKernel
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.exercises.page import page_of
+from nbclassroom.autograder.exercise_notebook import check_source
+from nbclassroom.autograder.nbval_plugin import ExerciseRun
+from nbclassroom.autograder.page_kernels import PageKernels
+from nbclassroom.autograder.pool import Limits, SandboxError, autograde
+from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox
 MEAN = "float(np.mean(values))"
@@ -150,7 +149,7 @@ def f(together):
             os._exit(0)
         os.waitpid(child, 0)
 """
-CHECK = "from imgproc_course.classroom.autograder.sandbox.inside.check_cell import emit\nemit(f)"
+CHECK = "from nbclassroom.autograder.sandbox.inside.check_cell import emit\nemit(f)"
 
 
 def test_all_processes_of_a_check_share_its_time():

@@ -2,9 +2,8 @@
 
 import pytest
 from master_answers import sample_answers
+from nbclassroom.exercises.checking import run_cases as check_answer
 from sample_answers import FOLDERS, ROOT, fault_of, grade_samples, samples, title_of
-
-from imgproc_course.classroom.exercises.checking import run_cases as check_answer
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(1800)]
 

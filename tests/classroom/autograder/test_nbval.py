@@ -6,18 +6,17 @@ import sys
 
 import pytest
 from attacks import LESSON
-
-from imgproc_course.classroom.autograder import nbval_process
-from imgproc_course.classroom.autograder.exercise_notebook import notebook_of
-from imgproc_course.classroom.autograder.pool import autograde
-from imgproc_course.classroom.autograder.sandbox.cell_run import MIME, CellRun
-from imgproc_course.classroom.autograder.verdict import CaseRun, ShownAnswer, StoredAnswer
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.input_encoding import encode
+from nbclassroom.autograder import nbval_process
+from nbclassroom.autograder.exercise_notebook import notebook_of
+from nbclassroom.autograder.pool import autograde
+from nbclassroom.autograder.sandbox.cell_run import MIME, CellRun
+from nbclassroom.autograder.verdict import CaseRun, ShownAnswer, StoredAnswer
+from nbclassroom.exercises.canonical import canonical
+from nbclassroom.exercises.input_encoding import encode
 
 pytestmark = pytest.mark.sandbox
 PREPARED = """import json
-from imgproc_course.classroom.autograder.sandbox.inside.check_cell import deliver
+from nbclassroom.autograder.sandbox.inside.check_cell import deliver
 deliver(json.loads({!r}))
 """
 STOCK = ["-q", "-p", "no:cacheprovider", "-p", "no:randomly", "--nbval", "exercise.ipynb"]
@@ -38,7 +37,7 @@ def test_the_stored_answer_equals_what_is_within_the_tolerance():
 
 
 ONE_MORE_OUTPUT = """
-from imgproc_course.classroom.autograder import exercise_notebook
+from nbclassroom.autograder import exercise_notebook
 outputs_of = exercise_notebook._stored_outputs
 exercise_notebook._stored_outputs = lambda case: outputs_of(case) * (1 + (case.id == "case-attacked-mean-1"))
 """

@@ -4,13 +4,12 @@ from unittest.mock import patch
 
 import pytest
 from attacks import LESSON, SHORT
-
-from imgproc_course.classroom.autograder.page_kernels import PageKernels
-from imgproc_course.classroom.autograder.pool import autograde
-from imgproc_course.classroom.autograder.sandbox import fork_server_client
-from imgproc_course.classroom.autograder.sandbox.fork_server_client import ForkedKernel
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.exercises.page import page_below, page_of
+from nbclassroom.autograder.page_kernels import PageKernels
+from nbclassroom.autograder.pool import autograde
+from nbclassroom.autograder.sandbox import fork_server_client
+from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.exercises.page import page_below, page_of
 
 pytestmark = pytest.mark.sandbox
 OWN_CELLS = {

@@ -14,19 +14,18 @@ from contextlib import suppress
 
 import psutil
 import pytest
-
-from imgproc_course.classroom.autograder import nbval_process
-from imgproc_course.classroom.autograder.exercise_notebook import check_source
-from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun
-from imgproc_course.classroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
-from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
-from imgproc_course.classroom.autograder.page_kernels import PageKernels
-from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde, grade_one
-from imgproc_course.classroom.autograder.results import from_json, to_json
-from imgproc_course.classroom.autograder.sandbox import bubblewrap
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
-from imgproc_course.classroom.exercises.page import page_of
+from nbclassroom.autograder import nbval_process
+from nbclassroom.autograder.exercise_notebook import check_source
+from nbclassroom.autograder.nbval_plugin import ExerciseRun
+from nbclassroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
+from nbclassroom.autograder.outcomes import TEXTS, Outcome
+from nbclassroom.autograder.page_kernels import PageKernels
+from nbclassroom.autograder.pool import Limits, SandboxError, autograde, grade_one
+from nbclassroom.autograder.results import from_json, to_json
+from nbclassroom.autograder.sandbox import bubblewrap
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.worker_threads import open_worker_threads
+from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox
 LESSON = "attacked"
@@ -404,11 +403,11 @@ def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
 
 def test_an_nbval_process_loads_nothing_that_only_teachers_tools_need():
     code = (
-        "import sys; import imgproc_course.classroom.autograder.blocked_imports; "
-        "from imgproc_course.classroom.autograder import nbval_main; "
+        "import sys; import nbclassroom.autograder.blocked_imports; "
+        "from nbclassroom.autograder import nbval_main; "
         "print([name for name in ('numpy', 'pytest') if name in sys.modules]); "  # they come later
         "nbval_main._leave_out_kernels_of_nbval(); "
-        "import imgproc_course.classroom.autograder.nbval_plugin, nbval.plugin; "
+        "import nbclassroom.autograder.nbval_plugin, nbval.plugin; "
         "heavy = ('jupytext', 'rfc3987_syntax', 'isoduration', 'arrow', 'cv2', 'matplotlib', 'coverage'); "
         "heavy += ('zmq', 'rfc3986_validator', 'webcolors'); "
         "print([name for name in heavy if sys.modules.get(name)])"
@@ -428,7 +427,7 @@ def test_a_thread_of_a_stopped_pool_starts_no_process_again():
 
 
 OWN = "class {name}(Exception):\n    pass\n\n"
-IMPORTED = "from imgproc_course.classroom.exercises.recording_node import {name}\n\n"
+IMPORTED = "from nbclassroom.exercises.recording_node import {name}\n\n"
 KNOWN_NAMES = (
     "NotGradedError",
     "NodeError",

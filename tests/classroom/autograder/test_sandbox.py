@@ -10,11 +10,10 @@ from pathlib import Path
 
 import psutil
 import pytest
-
-from imgproc_course.classroom.autograder.sandbox import bubblewrap, cgroups
-from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
-from imgproc_course.classroom.autograder.sandbox.cgroups import ProcessGroup
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox import bubblewrap, cgroups
+from nbclassroom.autograder.sandbox.bubblewrap import Limits
+from nbclassroom.autograder.sandbox.cgroups import ProcessGroup
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 
 pytestmark = pytest.mark.sandbox
 
@@ -35,7 +34,7 @@ def test_what_lies_beside_the_systems_folders_is_not_inside(monkeypatch, tmp_pat
         (tmp_path / name).mkdir(parents=True)
     (tmp_path / "lib64").symlink_to("lib")
     monkeypatch.setattr(bubblewrap, "python_folder", lambda: (tmp_path, Path("/python")))
-    monkeypatch.setattr(bubblewrap, "SOURCE", Path("/usr/share/man/imgproc_course"))
+    monkeypatch.setattr(bubblewrap.course, "roots", lambda: [Path("/usr/share/man")])
     options = " ".join(bubblewrap._system_folders())
     assert f" --ro-bind {tmp_path}/lib /python/lib --symlink lib /python/lib64 " in options
     for hidden in ("/python/lib/python3.11/site-packages", "/usr/share/man"):
@@ -47,22 +46,22 @@ def test_what_lies_beside_the_systems_folders_is_not_inside(monkeypatch, tmp_pat
 def test_an_installed_copy_of_the_course_is_empty_inside(monkeypatch, tmp_path):
     """It would have the autograder, and a link to the checkout says where the masters are."""
     tmp_path.chmod(0o755)
-    (tmp_path / "imgproc_course" / "classroom").mkdir(parents=True)
+    (tmp_path / "imgproc_course" / "messages").mkdir(parents=True)
+    (tmp_path / "nbclassroom" / "autograder").mkdir(parents=True)
     (tmp_path / "__editable__.imgproc_course.pth").write_text("/home/teacher/course\n")
     (tmp_path / "beside.py").touch()
     folders = {**bubblewrap._package_folders(), tmp_path: "/course/site-9"}
     monkeypatch.setattr(bubblewrap, "_package_folders", lambda: folders)
-    code = (
-        "import os\nos.chdir('/course/site-9')\nprint(*sorted(os.listdir()), os.listdir('imgproc_course'))\n"
-    )
+    code = "import os\nos.chdir('/course/site-9')\nprint(*sorted(os.listdir()))\n"
+    code += "print(os.listdir('imgproc_course'), os.listdir('nbclassroom'))\n"
     code += "try: print(open('__editable__.imgproc_course.pth').read())\nexcept OSError: pass\n"
-    code += "print([n for n in os.listdir('/course/packages/imgproc_course/classroom/autograder')])"
+    code += "print([n for n in os.listdir('/course/packages/nbclassroom/autograder')])"
     with KernelFactory() as kernel_factory:
         kernel = kernel_factory.start((), 30)
         printed = kernel.run(code).printed
         kernel.stop()
-    names = "__editable__.imgproc_course.pth beside.py imgproc_course"
-    assert printed.split("\n")[0] == f"{names} []"
+    names = "__editable__.imgproc_course.pth beside.py imgproc_course nbclassroom"
+    assert printed.split("\n")[:2] == [names, "[] []"]
     assert "teacher" not in printed and "['__init__.py', 'sandbox']" in printed
 
 
@@ -222,7 +221,7 @@ for path in {line.split()[1] for line in open("/proc/self/mounts")}:
         pass
 """
 UNPRIVILEGED = f"""
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 with KernelFactory() as kernel_factory:
     kernel = kernel_factory.start(("scipy",), 30)
     print(kernel.run("import os, scipy; print(os.getuid(), scipy.__name__)").printed)

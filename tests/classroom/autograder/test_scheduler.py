@@ -6,8 +6,7 @@ import subprocess
 import sys
 
 import pytest
-
-from imgproc_course.classroom.autograder.pool import Limits, autograde, open_scheduler
+from nbclassroom.autograder.pool import Limits, autograde, open_scheduler
 
 pytestmark = pytest.mark.sandbox
 PATIENT = Limits(grace=4.0)
@@ -79,7 +78,7 @@ def test_an_address_without_a_scheduler_is_reported():
 def test_without_dask_the_error_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with (
-        pytest.raises(ValueError, match=r'pip install "imgproc-course\[scheduler\]"'),
+        pytest.raises(ValueError, match='pip install "distributed"'),
         open_scheduler("tcp://127.0.0.1:8786"),
     ):
         pass

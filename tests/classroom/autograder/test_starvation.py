@@ -5,12 +5,11 @@ from dataclasses import replace
 
 import pytest
 from attacks import LESSON
-
-from imgproc_course.classroom.autograder.nbval_process import stop_nbval_processes
-from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, Outcome
-from imgproc_course.classroom.autograder.pool import Limits, autograde
-from imgproc_course.classroom.autograder.sandbox import cgroups
-from imgproc_course.classroom.autograder.sandbox.cgroups import ProcessGroup
+from nbclassroom.autograder.nbval_process import stop_nbval_processes
+from nbclassroom.autograder.outcomes import BUDGET_MESSAGE, Outcome
+from nbclassroom.autograder.pool import Limits, autograde
+from nbclassroom.autograder.sandbox import cgroups
+from nbclassroom.autograder.sandbox.cgroups import ProcessGroup
 
 pytestmark = pytest.mark.sandbox
 

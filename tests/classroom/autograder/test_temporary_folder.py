@@ -5,16 +5,15 @@ import os
 import tempfile
 
 import pytest
-
-from imgproc_course.classroom.autograder.temporary_folder import TemporaryFolder
-from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
+from nbclassroom.autograder.temporary_folder import TemporaryFolder
+from nbclassroom.autograder.worker_threads import open_worker_threads
 
 
 @pytest.fixture
 def killed_run(tmp_path, monkeypatch):
     """(the folder for temporary files, another run's folder in it, the descriptor that locks the latter)"""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
-    folder = tmp_path / "imgproc-course-other"
+    folder = tmp_path / "nbclassroom-other"
     (folder / "work").mkdir(parents=True)
     lock = os.open(folder / ".lock", os.O_RDWR | os.O_CREAT)
     fcntl.flock(lock, fcntl.LOCK_EX)

@@ -6,15 +6,14 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
-from imgproc_course.classroom.autograder.answer_forms import read_calls, read_form
-from imgproc_course.classroom.autograder.results import form_to_show
-from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
-from imgproc_course.classroom.exercises.answer_images import answer_images
-from imgproc_course.classroom.exercises.canonical import PLAIN_TYPES, canonical
-from imgproc_course.classroom.exercises.comparison import compare
-from imgproc_course.classroom.exercises.values import answer_parts, differing_elements
-from imgproc_course.classroom.gradebook.report import value_of
+from nbclassroom.autograder.answer_forms import read_calls, read_form
+from nbclassroom.autograder.results import form_to_show
+from nbclassroom.autograder.verdict import CaseRun, verdict_on
+from nbclassroom.exercises.answer_images import answer_images
+from nbclassroom.exercises.canonical import PLAIN_TYPES, canonical
+from nbclassroom.exercises.comparison import compare
+from nbclassroom.exercises.values import answer_parts, differing_elements
+from nbclassroom.gradebook.report import value_of
 
 RIGHT = np.array([[1.0, 2.0], [3.0, 4.0]])
 JSON = st.recursive(

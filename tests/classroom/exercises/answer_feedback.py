@@ -8,11 +8,11 @@ import linecache
 import re
 from functools import cache
 
-from imgproc_course.classroom.exercises import CheckResult
-from imgproc_course.classroom.exercises.cell_runs import CellRuns
-from imgproc_course.classroom.exercises.checking import run_check
-from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.percent_script import read_script
+from nbclassroom.exercises import CheckResult
+from nbclassroom.exercises.cell_runs import CellRuns
+from nbclassroom.exercises.checking import run_check
+from nbclassroom.exercises.expected_results import check_data_of
+from nbclassroom.exercises.percent_script import read_script
 
 # Lines of the feedback that hold values, titles or points, and no sentence about the mistake.
 _NO_SENTENCE = re.compile(

@@ -4,10 +4,9 @@ import io
 
 import numpy as np
 import pytest
+from nbclassroom.exercises.answer_images import answer_images, is_image
+from nbclassroom.exercises.canonical import canonical
 from PIL import Image
-
-from imgproc_course.classroom.exercises.answer_images import answer_images, is_image
-from imgproc_course.classroom.exercises.canonical import canonical
 
 
 def pixels_of(image):

@@ -3,8 +3,7 @@
 import os
 
 import pytest
-
-from imgproc_course.classroom.exercises.atomic_write import stage_file, write_file, write_folder
+from nbclassroom.exercises.atomic_write import stage_file, write_file, write_folder
 
 
 def names_in(folder):

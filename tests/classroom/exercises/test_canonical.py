@@ -8,8 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises.canonical import array_of, canonical
+from nbclassroom.exercises.canonical import array_of, canonical
 
 
 @pytest.mark.parametrize(

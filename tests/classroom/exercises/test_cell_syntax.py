@@ -1,8 +1,7 @@
 """What the source of a cell says: magics, names, and lines of a program."""
 
 import pytest
-
-from imgproc_course.classroom.exercises.cell_syntax import (
+from nbclassroom.exercises.cell_syntax import (
     bound_names,
     endless_statements,
     plain_python,

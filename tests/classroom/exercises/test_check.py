@@ -10,12 +10,11 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
-from imgproc_course.classroom.exercises import check, checking, read_exercises, run_cases
-from imgproc_course.classroom.exercises.cell_runs import CellRuns
-from imgproc_course.classroom.exercises.check_files import find_check_file
-from imgproc_course.classroom.exercises.checking import run_check
+from nbclassroom.authoring.lesson_files import lesson_files
+from nbclassroom.exercises import check, checking, read_exercises, run_cases
+from nbclassroom.exercises.cell_runs import CellRuns
+from nbclassroom.exercises.check_files import find_check_file
+from nbclassroom.exercises.checking import run_check
 
 
 @pytest.fixture
@@ -29,7 +28,7 @@ def write_master(write_master, tmp_path, monkeypatch):
         for name, text in lesson_files(lesson).items():
             (tmp_path / name).parent.mkdir(exist_ok=True)
             (tmp_path / name).write_text(text)
-        monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
+        monkeypatch.setenv("NBCLASSROOM_CHECKS", str(tmp_path / "checks"))
 
     return write
 

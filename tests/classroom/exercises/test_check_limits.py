@@ -9,11 +9,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises import check, checking, feedback, help_steps, one_change
-from imgproc_course.classroom.exercises.check_files import find_check_file
-from imgproc_course.classroom.exercises.limited_fork import text_within
-from imgproc_course.classroom.exercises.running import attempt
+from nbclassroom.exercises import check, checking, feedback, help_steps, one_change
+from nbclassroom.exercises.check_files import find_check_file
+from nbclassroom.exercises.limited_fork import text_within
+from nbclassroom.exercises.running import attempt
 
 MONSTERS = runpy.run_path(Path(__file__).with_name("monsters.py"))["MONSTERS"]
 ID = "grayscale-luma"

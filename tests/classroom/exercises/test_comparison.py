@@ -4,9 +4,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.comparison import compare, describe, describe_index
+from nbclassroom.exercises.canonical import canonical
+from nbclassroom.exercises.comparison import compare, describe, describe_index
 
 
 def difference(expected, actual, tolerance=0.0, limit=None):

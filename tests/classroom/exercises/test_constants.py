@@ -5,10 +5,9 @@ from functools import cache
 import numpy as np
 import pytest
 from all_masters import PATHS, all_exercises, all_masters
-
-from imgproc_course.classroom.exercises import running
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.comparison import compare
+from nbclassroom.exercises import running
+from nbclassroom.exercises.canonical import canonical
+from nbclassroom.exercises.comparison import compare
 
 SEEDS = (11, 12, 13)  # of keys
 CONSTANTS = [

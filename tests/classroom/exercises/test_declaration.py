@@ -2,13 +2,12 @@
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises.declaration import (
+from nbclassroom.exercises.declaration import (
     MasterError,
     exercise,
     read_exercises,
 )
-from imgproc_course.classroom.exercises.lesson import PUBLIC_SEED
+from nbclassroom.exercises.lesson import PUBLIC_SEED
 
 
 def test_a_whole_exercise_is_read(write_master):

@@ -5,10 +5,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.comparison import compare
-from imgproc_course.classroom.exercises.diagnosis import diagnose
+from nbclassroom.exercises.canonical import canonical
+from nbclassroom.exercises.comparison import compare
+from nbclassroom.exercises.diagnosis import diagnose
 
 RNG = np.random.default_rng(7)
 GRAY = RNG.integers(20, 200, (5, 6), dtype=np.uint8)

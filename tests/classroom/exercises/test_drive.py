@@ -4,10 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from plane_env import PlaneEnv
-
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.drive import (
+from nbclassroom.exercises.drive import (
     Drive,
     decisive_moment,
     passes,
@@ -15,7 +12,8 @@ from imgproc_course.classroom.exercises.drive import (
     sentences_of,
     speeds_of,
 )
-from imgproc_course.classroom.exercises.scenario import read_scenario
+from nbclassroom.exercises.scenario import read_scenario
+from plane_env import PlaneEnv, driving_on_a_plane
 
 SCENARIO = {
     "seed": 3,
@@ -26,8 +24,9 @@ SCENARIO = {
 
 
 @pytest.fixture(autouse=True)
-def on_a_plane(monkeypatch):
-    monkeypatch.setattr(course, "DRIVE_OBSERVATION", "plane_env:controller_observation")
+def on_a_plane():
+    with driving_on_a_plane():
+        yield
 
 
 def driven(speeds, **changes):

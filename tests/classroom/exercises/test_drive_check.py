@@ -12,28 +12,27 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PIL import Image
-from plane_env import BLIND, LATE, ON_A_PLANE, PARTS, RIGHT, STOPS, PlaneEnv, driving_on_a_plane
-
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.authoring.validation import validate_exercise
-from imgproc_course.classroom.exercises import drive_check, progress
-from imgproc_course.classroom.exercises.check_files import read_check_file
-from imgproc_course.classroom.exercises.checking import check, run_cases, run_check
-from imgproc_course.classroom.exercises.declaration import MasterError, exercise, read_exercises
-from imgproc_course.classroom.exercises.drive import (
+from nbclassroom.authoring.lesson_files import lesson_files
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.authoring.validation import validate_exercise
+from nbclassroom.exercises import drive_check, progress
+from nbclassroom.exercises.check_files import read_check_file
+from nbclassroom.exercises.checking import check, run_cases, run_check
+from nbclassroom.exercises.declaration import MasterError, exercise, read_exercises
+from nbclassroom.exercises.drive import (
     LOOK,
     METRICS,
     OPTIONS,
     PATH_TOLERANCE,
-    PLACES,
     SENSORS,
     Drive,
 )
-from imgproc_course.classroom.exercises.drive_images import draw_map, look_back
-from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.scenario import read_scenario
+from nbclassroom.exercises.drive_images import draw_map, look_back
+from nbclassroom.exercises.expected_results import check_data_of
+from nbclassroom.exercises.scenario import read_scenario
+from PIL import Image
+from plane_env import BLIND, LATE, PARTS, RIGHT, STOPS, PlaneEnv, driving_on_a_plane
+
 from imgproc_course.simulation import room_env
 
 MIDDLE = STOPS.format(0.36)  # it stops within 0.1 m of LATE, and is wrong too
@@ -295,7 +294,7 @@ def test_check_in_a_notebook_drives_and_notes_a_try(master, tmp_path, monkeypatc
     folder = tmp_path / "checks"
     folder.mkdir()
     (folder / "driving.json").write_text(lesson_files(read_master(master()))["checks/driving.json"])
-    monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(folder))
+    monkeypatch.setenv("NBCLASSROOM_CHECKS", str(folder))
     monkeypatch.setattr(progress, "_of_this_process", {})
     assert check("test-drive", control_in(RIGHT)).passed
     assert progress.progress_of("test-drive").passed
@@ -429,10 +428,7 @@ def test_an_error_of_the_environment_is_not_the_learners(data):
 
 KILLED = """
 import os, signal
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises import drive_check
-for name, place in zip({names}, {places}):
-    setattr(course, name, place)
+from nbclassroom.exercises import drive_check
 with drive_check._all_simulators() as simulators:
     print(*(simulator._process.pid for simulator in simulators), flush=True)
     os.kill(os.getpid(), signal.SIGKILL)
@@ -440,8 +436,7 @@ with drive_check._all_simulators() as simulators:
 
 
 def test_the_simulators_end_with_a_kernel_that_is_killed():
-    code = KILLED.format(names=PLACES, places=ON_A_PLANE)
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    ended = subprocess.run([sys.executable, "-c", KILLED], capture_output=True, text=True, check=False)
     for pid in map(int, ended.stdout.split()):
         try:
             handle = os.pidfd_open(pid)

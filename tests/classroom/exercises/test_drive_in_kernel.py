@@ -5,17 +5,13 @@ import select
 
 import pytest
 from jupyter_client.manager import KernelManager
-from plane_env import ON_A_PLANE, PARTS, RIGHT, TESTS, driving_on_a_plane
+from nbclassroom.authoring.lesson_files import lesson_files
+from nbclassroom.authoring.masters import read_master
+from plane_env import PARTS, RIGHT, course_on_a_plane, driving_on_a_plane
 
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.exercises.drive import PLACES
-
-SET_UP = f"""
-from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises import drive_check
+SET_UP = """
+from nbclassroom.exercises import drive_check
 from imgproc_course.exercises import check
-vars(course).update(zip({PLACES}, {ON_A_PLANE}))
 """
 PIDS = "print(*(simulator._process.pid for simulator in drive_check._simulators))"
 
@@ -29,13 +25,14 @@ def kernel(write_master, tmp_path):
     (tmp_path / "checks" / "driving.json").write_text(text)
     environment = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
     manager = KernelManager(kernel_name="python3")
-    manager.start_kernel(env=environment | {"PYTHONPATH": TESTS}, cwd=tmp_path)
-    client = manager.client()
-    client.start_channels()
-    client.wait_for_ready(timeout=150)
-    yield manager, client
-    client.stop_channels()
-    manager.shutdown_kernel(now=True)
+    with course_on_a_plane() as variables:
+        manager.start_kernel(env=environment | variables, cwd=tmp_path)
+        client = manager.client()
+        client.start_channels()
+        client.wait_for_ready(timeout=150)
+        yield manager, client
+        client.stop_channels()
+        manager.shutdown_kernel(now=True)
 
 
 def run(client, source, hook=lambda message: None):

@@ -4,11 +4,10 @@ import re
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises import drive_check
-from imgproc_course.classroom.exercises.checking import run_check
-from imgproc_course.classroom.exercises.declaration import read_exercises
-from imgproc_course.classroom.exercises.expected_results import check_data_of
+from nbclassroom.exercises import drive_check
+from nbclassroom.exercises.checking import run_check
+from nbclassroom.exercises.declaration import read_exercises
+from nbclassroom.exercises.expected_results import check_data_of
 
 BLIND = "def control(observation, memory):\n    return 0.3, 0.0\n"
 LOOKS = """def control(observation, memory):

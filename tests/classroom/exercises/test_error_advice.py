@@ -6,8 +6,7 @@ from types import SimpleNamespace  # noqa: F401
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises.error_advice import advice_on
+from nbclassroom.exercises.error_advice import advice_on
 
 GIVEN = {
     "a": np.arange(30).reshape(5, 6),

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+from nbclassroom.exercises.guesses import read_bare_guess
 
-from imgproc_course.classroom.exercises.guesses import read_bare_guess
 from imgproc_course.exercises import compare_guess
 
 

@@ -4,11 +4,10 @@ import json
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.exercises import check, hint, progress, solution
-from imgproc_course.classroom.exercises.check_files import CheckFileError
+from nbclassroom.authoring.lesson_files import lesson_files
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.exercises import check, hint, progress, solution
+from nbclassroom.exercises.check_files import CheckFileError
 
 DECLARATION = (
     '# %% role="exercise"\nSIDE = 3\n'
@@ -204,7 +203,7 @@ def test_the_variable_comes_first_and_then_the_current_folder(lesson, monkeypatc
     data["exercises"]["test-double"]["hints"] = ["Another hint."]
     (other / "mine.json").write_text(json.dumps(data))
     assert "uint8" in repr(hint("test-double", 1))
-    monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(other))
+    monkeypatch.setenv("NBCLASSROOM_CHECKS", str(other))
     assert "Another hint." in repr(hint("test-double", 1))
 
 
@@ -212,7 +211,7 @@ def test_no_master_is_read(monkeypatch):
     def refuse(*_arguments):
         raise AssertionError("a master was read")
 
-    monkeypatch.setattr("imgproc_course.classroom.exercises.declaration.read_script", refuse)
-    monkeypatch.setattr("imgproc_course.classroom.exercises.declaration.read_exercises", refuse)
+    monkeypatch.setattr("nbclassroom.exercises.declaration.read_script", refuse)
+    monkeypatch.setattr("nbclassroom.exercises.declaration.read_exercises", refuse)
     assert check("test-double", right).passed
     assert repr(hint("test-double")) and repr(solution("test-double"))

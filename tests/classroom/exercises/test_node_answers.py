@@ -4,19 +4,18 @@ import linecache
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.autograder.exercise_notebook import check_source
-from imgproc_course.classroom.exercises import progress
-from imgproc_course.classroom.exercises.cell_runs import CellRuns
-from imgproc_course.classroom.exercises.check_files import read_check_file
-from imgproc_course.classroom.exercises.checking import check, run_cases, run_check
-from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
-from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.help_steps import solution
-from imgproc_course.classroom.exercises.progress import content_of, digest_of
-from imgproc_course.classroom.exercises.running import (
+from nbclassroom.authoring.lesson_files import lesson_files
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.autograder.exercise_notebook import check_source
+from nbclassroom.exercises import progress
+from nbclassroom.exercises.cell_runs import CellRuns
+from nbclassroom.exercises.check_files import read_check_file
+from nbclassroom.exercises.checking import check, run_cases, run_check
+from nbclassroom.exercises.declaration import MasterError, read_exercises
+from nbclassroom.exercises.expected_results import check_data_of
+from nbclassroom.exercises.help_steps import solution
+from nbclassroom.exercises.progress import content_of, digest_of
+from nbclassroom.exercises.running import (
     call,
     codes_of,
     globals_of,
@@ -295,7 +294,7 @@ def test_an_object_is_no_answer(node_master, monkeypatch, tmp_path):
     (tmp_path / "checks" / "doubling.json").write_text(lesson_files(master)["checks/doubling.json"])
     (tmp_path / "solutions").mkdir()
     (tmp_path / "solutions" / "doubling.json").write_text(lesson_files(master)["solutions/doubling.json"])
-    monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
+    monkeypatch.setenv("NBCLASSROOM_CHECKS", str(tmp_path / "checks"))
     monkeypatch.setattr(progress, "_of_this_process", {})  # other tests pass test-double, too
     with pytest.raises(TypeError) as error:
         check("test-double", Size(3, 4))

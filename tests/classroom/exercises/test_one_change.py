@@ -4,10 +4,9 @@ import linecache
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises import one_change
-from imgproc_course.classroom.exercises.one_change import sentence_on_change
-from imgproc_course.classroom.exercises.running import call
+from nbclassroom.exercises import one_change
+from nbclassroom.exercises.one_change import sentence_on_change
+from nbclassroom.exercises.running import call
 
 
 def sentence(source, *pairs):

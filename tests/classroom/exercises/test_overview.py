@@ -3,8 +3,7 @@
 import json
 
 import pytest
-
-from imgproc_course.classroom.exercises.overview import certificate, overview
+from nbclassroom.exercises.overview import certificate, overview
 
 EXERCISES = {"one": ["one-a", "one-b"], "two": ["two-a"]}
 
@@ -12,7 +11,7 @@ EXERCISES = {"one": ["one-a", "one-b"], "two": ["two-a"]}
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     """Two lessons with their checks; the second needs the first."""
-    monkeypatch.delenv("IMGPROC_COURSE_CHECKS", raising=False)
+    monkeypatch.delenv("NBCLASSROOM_CHECKS", raising=False)
     (tmp_path / "checks").mkdir()
     for number, name, needs in (("07", "one", ""), ("08", "two", "**You need** [x](07_one.ipynb).")):
         cells = [{"cell_type": "markdown", "source": f"# {name}\n**Time** about 30 minutes. {needs}"}]

@@ -3,9 +3,8 @@
 from pathlib import Path
 
 import pytest
-
-from imgproc_course.classroom.exercises import read_exercises
-from imgproc_course.classroom.exercises.checking import run_cases
+from nbclassroom.exercises import read_exercises
+from nbclassroom.exercises.checking import run_cases
 
 MASTER = Path(__file__).parents[3] / "notebooks" / "masters" / "10_ros2_packages.py"
 EXERCISE = next(exercise for exercise in read_exercises(MASTER) if exercise.id == "packages-own")

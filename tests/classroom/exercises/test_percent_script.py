@@ -1,8 +1,7 @@
 """Masters read as percent scripts."""
 
 import pytest
-
-from imgproc_course.classroom.exercises.percent_script import MasterError, read_script
+from nbclassroom.exercises.percent_script import MasterError, read_script
 
 
 @pytest.fixture

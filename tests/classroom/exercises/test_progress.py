@@ -7,9 +7,8 @@ import subprocess
 import sys
 
 import pytest
-
-from imgproc_course.classroom.exercises import progress
-from imgproc_course.classroom.exercises.progress import (
+from nbclassroom.exercises import progress
+from nbclassroom.exercises.progress import (
     PROGRESS,
     ExerciseProgress,
     digest_of,
@@ -92,7 +91,7 @@ def test_a_folder_that_cannot_be_written_costs_only_the_file(learner, monkeypatc
 
 NOTING = """
 import sys
-from imgproc_course.classroom.exercises.progress import ExerciseProgress, note_progress
+from nbclassroom.exercises.progress import ExerciseProgress, note_progress
 for number in range(100):
     note_progress(f"a-{sys.argv[1]}{number}", ExerciseProgress(hints=1))
 """

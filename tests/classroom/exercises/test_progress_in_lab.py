@@ -12,11 +12,10 @@ from contextlib import contextmanager
 import nbformat
 import pytest
 from jupyter_client import BlockingKernelClient
+from nbclassroom.authoring.lesson_files import lesson_files
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.exercises.progress import PROGRESS, read_progress
 from nbformat.v4 import new_code_cell, new_notebook
-
-from imgproc_course.classroom.authoring.lesson_files import lesson_files
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.exercises.progress import PROGRESS, read_progress
 
 CODE = """
 from imgproc_course.exercises import check, hint, solution

@@ -3,8 +3,8 @@
 import json
 
 import pytest
+from nbclassroom.exercises.guesses import read_bare_guess
 
-from imgproc_course.classroom.exercises.guesses import read_bare_guess
 from imgproc_course.exercises import ask
 
 CHOICE = {"answer": "b", "replies": {"a": "Not a.", "b": "It is b."}, "again": "Read section 3 again."}

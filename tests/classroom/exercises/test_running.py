@@ -9,9 +9,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.running import bytes_allowed, call, overwrite_freed_memory
+from nbclassroom.exercises.canonical import canonical
+from nbclassroom.exercises.running import bytes_allowed, call, overwrite_freed_memory
 
 
 def run(function, *arguments, seconds=0.3):

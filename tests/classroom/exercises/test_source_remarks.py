@@ -3,8 +3,7 @@
 import linecache
 
 import pytest
-
-from imgproc_course.classroom.exercises.source_remarks import has_done, remarks_on_source
+from nbclassroom.exercises.source_remarks import has_done, remarks_on_source
 
 LOOP = """def f(image, sector):
     for row in range(3):

@@ -3,9 +3,8 @@
 import ast
 
 import pytest
-
-from imgproc_course.classroom.exercises import syntax_slips
-from imgproc_course.classroom.exercises.syntax_slips import plain_character, without_slip
+from nbclassroom.exercises import syntax_slips
+from nbclassroom.exercises.syntax_slips import plain_character, without_slip
 
 SLIPS = {
     "def f(x)\n    return x": "def f(x):\n    return x",

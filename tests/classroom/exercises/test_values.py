@@ -4,9 +4,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.values import (
+from nbclassroom.exercises.canonical import canonical
+from nbclassroom.exercises.values import (
     answer_parts,
     describe_value,
     differing_elements,

@@ -9,11 +9,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from all_masters import all_exercises
 from answer_feedback import feedback_on
+from nbclassroom.exercises import MasterError
+from nbclassroom.exercises.checking import run_cases
+from nbclassroom.exercises.names_read import NamesRead
 from wrong_answers import FOLDER, read_wrong_answers
-
-from imgproc_course.classroom.exercises import MasterError
-from imgproc_course.classroom.exercises.checking import run_cases
-from imgproc_course.classroom.exercises.names_read import NamesRead
 
 FILES = sorted(FOLDER.glob("*.py"))
 MOST = 5

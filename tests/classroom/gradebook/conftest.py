@@ -9,17 +9,16 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.append(str(Path(__file__).parents[1] / "authoring"))
+from nbclassroom.authoring.masters import find_masters, read_master
+from nbclassroom.autograder import pool
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.worker_threads import open_worker_threads
+from nbclassroom.gradebook import check
+from nbclassroom.gradebook.answer_keys import load_keys
+from nbclassroom.gradebook.grade import grade_submissions
 from submissions import MASTERS, SEED
 from template_master import write_carried_files, write_master
-
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.autograder import pool
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
-from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
-from imgproc_course.classroom.gradebook import check
-from imgproc_course.classroom.gradebook.answer_keys import load_keys
-from imgproc_course.classroom.gradebook.grade import grade_submissions
 
 __all__ = ["write_master"]
 

@@ -15,10 +15,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
+from nbclassroom.autograder.sanitize import sanitize_line
+from nbclassroom.gradebook.grade import grade_submissions
 from submissions import answers_of, cell_of, make_zip, notebook, write
-
-from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.gradebook.grade import grade_submissions
 
 LESSON = "20_light"
 

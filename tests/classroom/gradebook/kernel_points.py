@@ -23,7 +23,7 @@ class NotebookKernel:
 
     def __init__(self, checks):
         paths = [str(Path(__file__).parent), *filter(None, [os.environ.get("PYTHONPATH")])]
-        variables = {"IMGPROC_COURSE_CHECKS": str(checks), "PYTHONPATH": os.pathsep.join(paths)}
+        variables = {"NBCLASSROOM_CHECKS": str(checks), "PYTHONPATH": os.pathsep.join(paths)}
         self._manager = KernelManager(kernel_name="python3")
         self._manager.start_kernel(env=os.environ | variables)
         self._client = self._manager.client()
@@ -78,7 +78,7 @@ class NotebookKernel:
 
 def begin_anew():
     """A kernel as after its start: only the lesson's import of the exercises has run."""
-    from imgproc_course.classroom.exercises.cell_runs import RUNS
+    from nbclassroom.exercises.cell_runs import RUNS
 
     shell = sys.modules["IPython"].get_ipython()
     shell.reset(new_session=False)

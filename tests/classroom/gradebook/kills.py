@@ -131,7 +131,7 @@ class Run:
                 if process.is_running() and process.status() != psutil.STATUS_ZOMBIE:
                     left.append(f"{process.pid} {_command_line(process)[:60]}")
         folders = [folder for folder, *_ in os.walk(GROUPS)]  # rglob fails if a group vanishes meanwhile
-        groups = [folder for folder in folders if Path(folder).name.startswith("imgproc-course-")]
+        groups = [folder for folder in folders if Path(folder).name.startswith("nbclassroom-")]
         return left + [group for group in groups if int(group.rpartition("-")[2]) in self._seen]
 
 

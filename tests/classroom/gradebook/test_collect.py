@@ -8,11 +8,10 @@ import zipfile
 from datetime import datetime
 
 import pytest
+from nbclassroom.gradebook import archives
+from nbclassroom.gradebook.archives import CollectError
+from nbclassroom.gradebook.collect import collect
 from submissions import make_zip, write
-
-from imgproc_course.classroom.gradebook import archives
-from imgproc_course.classroom.gradebook.archives import CollectError
-from imgproc_course.classroom.gradebook.collect import collect
 
 LESSONS = ("light", "sound")
 

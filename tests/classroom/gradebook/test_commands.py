@@ -10,15 +10,15 @@ from datetime import datetime
 
 import pytest
 from click.testing import CliRunner
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.authoring.new_lesson import new_lesson
+from nbclassroom.autograder import make_answer_key, worker_threads
+from nbclassroom.autograder.answer_key import load_key
+from nbclassroom.exercises.declaration import MasterError
+from nbclassroom.gradebook import grade, result_store
+from nbclassroom.gradebook.teacher_tables import local_time_of
 from submissions import MASTERS, answers_of, notebook, write
 
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.authoring.new_lesson import new_lesson
-from imgproc_course.classroom.autograder import make_answer_key, worker_threads
-from imgproc_course.classroom.autograder.answer_key import load_key
-from imgproc_course.classroom.exercises.declaration import MasterError
-from imgproc_course.classroom.gradebook import grade, result_store
-from imgproc_course.classroom.gradebook.teacher_tables import local_time_of
 from imgproc_course.cli import main
 
 pytestmark = pytest.mark.sandbox
@@ -186,7 +186,7 @@ def test_the_table_of_a_platform_is_filled(run, light, key_path, tmp_path):
 
 
 def test_what_draws_pages_is_loaded_while_the_autograder_starts():
-    code = "import sys; import imgproc_course.classroom.gradebook.grade;"
+    code = "import sys; import nbclassroom.gradebook.grade;"
     code += " print({'jinja2', 'PIL'} & sys.modules.keys())"
     done = subprocess.run([sys.executable, "-I", "-c", code], capture_output=True, text=True)
     assert (done.stdout, done.stderr) == ("set()\n", "")

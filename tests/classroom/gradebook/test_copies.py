@@ -1,15 +1,14 @@
 """Copies of the solution are found, whatever their names and numbers; hostile text harms nobody."""
 
 import pytest
+from nbclassroom.gradebook import copies, notebook_reader
+from nbclassroom.gradebook.collect import collect
+from nbclassroom.gradebook.copies import find_copies, report_copies
+from nbclassroom.gradebook.learners import read_all
+from nbclassroom.gradebook.notebook_reader import NotebookReader
+from nbclassroom.gradebook.result_store import ResultStore
+from nbclassroom.gradebook.syntax_shapes import LONGEST, shapes
 from submissions import notebook, write
-
-from imgproc_course.classroom.gradebook import copies, notebook_reader
-from imgproc_course.classroom.gradebook.collect import collect
-from imgproc_course.classroom.gradebook.copies import find_copies, report_copies
-from imgproc_course.classroom.gradebook.learners import read_all
-from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
-from imgproc_course.classroom.gradebook.result_store import ResultStore
-from imgproc_course.classroom.gradebook.syntax_shapes import LONGEST, shapes
 
 MINE = '''
 def double(pixels):

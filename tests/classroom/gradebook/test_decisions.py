@@ -5,11 +5,10 @@ import re
 from datetime import datetime, timedelta
 
 import pytest
+from nbclassroom.gradebook.csv_table import TableError
+from nbclassroom.gradebook.grade import grade_submissions
+from nbclassroom.gradebook.teacher_tables import read_late_policy
 from submissions import answers_of, notebook, write
-
-from imgproc_course.classroom.gradebook.csv_table import TableError
-from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.teacher_tables import read_late_policy
 
 pytestmark = pytest.mark.sandbox
 DEADLINE = datetime(2026, 12, 1, 23, 59)

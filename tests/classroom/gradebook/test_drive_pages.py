@@ -5,14 +5,13 @@ import os
 from pathlib import Path
 
 import pytest
+from nbclassroom.authoring.masters import find_masters, read_master
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.worker_threads import usual_workers
+from nbclassroom.gradebook.answer_keys import load_keys
+from nbclassroom.gradebook.grade import grade_submissions
+from nbclassroom.gradebook.review import _way
 from submissions import notebook, write
-
-from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.worker_threads import usual_workers
-from imgproc_course.classroom.gradebook.answer_keys import load_keys
-from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.review import _way
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(300)]
 

@@ -6,9 +6,9 @@ import tempfile
 
 import pytest
 from click.testing import CliRunner
+from nbclassroom.gradebook.result_store import GradesFolderError, open_grades_folder
 from submissions import answers_of, notebook, write
 
-from imgproc_course.classroom.gradebook.result_store import GradesFolderError, open_grades_folder
 from imgproc_course.cli import main
 
 pytestmark = pytest.mark.sandbox

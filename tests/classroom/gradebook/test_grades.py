@@ -10,16 +10,15 @@ from datetime import datetime
 
 import pytest
 from form_attacks import FORM_ATTACKS, grade_attacks
+from nbclassroom.autograder.answer_key import load_key
+from nbclassroom.autograder.pool import SandboxError
+from nbclassroom.autograder.results import from_json
+from nbclassroom.autograder.sandbox import bubblewrap
+from nbclassroom.gradebook.grade import grade_submissions
+from nbclassroom.gradebook.grades_json import lesson_names
+from nbclassroom.gradebook.result_store import GradesFolderError, ResultStore, show_time
 from submissions import answers_of, notebook, thirty, write
 from tqdm import tqdm
-
-from imgproc_course.classroom.autograder.answer_key import load_key
-from imgproc_course.classroom.autograder.pool import SandboxError
-from imgproc_course.classroom.autograder.results import from_json
-from imgproc_course.classroom.autograder.sandbox import bubblewrap
-from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.grades_json import lesson_names
-from imgproc_course.classroom.gradebook.result_store import GradesFolderError, ResultStore, show_time
 
 pytestmark = pytest.mark.sandbox
 

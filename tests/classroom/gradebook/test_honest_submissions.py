@@ -12,11 +12,10 @@ import jupytext
 import nbformat
 import pytest
 from jupyterlab_cells import change_type, copy_and_paste, insert, merge, new_cell, position_of, split
+from nbclassroom.authoring.build import lesson_notebook
+from nbclassroom.gradebook.check import check_lesson, run_answers
+from nbclassroom.gradebook.grade import grade_submissions
 from own_cells import ONCE_REFUSED
-
-from imgproc_course.classroom.authoring.build import lesson_notebook
-from imgproc_course.classroom.gradebook.check import check_lesson, run_answers
-from imgproc_course.classroom.gradebook.grade import grade_submissions
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.usefixtures("one_fork_server")]  # the key is made in a sandbox
 

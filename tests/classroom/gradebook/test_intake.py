@@ -9,17 +9,16 @@ from datetime import datetime
 from pathlib import Path
 
 import pytest
+from nbclassroom.autograder.pool import autograde
+from nbclassroom.gradebook import learners as learners_module
+from nbclassroom.gradebook.archives import CollectError
+from nbclassroom.gradebook.collect import collect
+from nbclassroom.gradebook.csv_table import TableError
+from nbclassroom.gradebook.learners import read_all
+from nbclassroom.gradebook.result_store import ResultStore
+from nbclassroom.gradebook.roster import names_in_roster, read_roster, roster_report
+from nbclassroom.gradebook.teacher_tables import Deadlines
 from submissions import answers_of, make_zip, notebook, write
-
-from imgproc_course.classroom.autograder.pool import autograde
-from imgproc_course.classroom.gradebook import learners as learners_module
-from imgproc_course.classroom.gradebook.archives import CollectError
-from imgproc_course.classroom.gradebook.collect import collect
-from imgproc_course.classroom.gradebook.csv_table import TableError
-from imgproc_course.classroom.gradebook.learners import read_all
-from imgproc_course.classroom.gradebook.result_store import ResultStore
-from imgproc_course.classroom.gradebook.roster import names_in_roster, read_roster, roster_report
-from imgproc_course.classroom.gradebook.teacher_tables import Deadlines
 
 LESSONS = ("light", "sound")
 BOB_IN_MOODLE = "Bob Ray_7_assignsubmission_file_/20_light.ipynb"

@@ -18,7 +18,7 @@ def results_in(out):
 
 def test_a_control_group_of_another_run_may_vanish(tmp_path, monkeypatch):
     process = psutil.Process()
-    ours, other = tmp_path / f"imgproc-course-{process.pid}", tmp_path / "imgproc-course-0"
+    ours, other = tmp_path / f"nbclassroom-{process.pid}", tmp_path / "nbclassroom-0"
     ours.mkdir()
     other.mkdir()
     scandir = os.scandir
@@ -63,7 +63,7 @@ def test_kills_of_every_process_change_no_byte_and_leave_nothing(light, key_path
     assert any(kill_all_kinds(run, killed, rng) for _ in range(5))
     assert 2 <= results_in(killed) < 12 and run.process.returncode < 0
     assert run.survivors(10) == []
-    assert list(run.temporary.glob("imgproc-course-*"))
+    assert list(run.temporary.glob("nbclassroom-*"))
     (killed / "results" / ".writing-0.tmp").touch()
     run.start()
     while not run.kill(GUARD, rng):

@@ -1,9 +1,8 @@
 """Whose a file is: one folder as each platform makes it, groups, patterns, and what is in doubt."""
 
 import pytest
-
-from imgproc_course.classroom.gradebook.archives import CollectError
-from imgproc_course.classroom.gradebook.layouts import FolderLayout
+from nbclassroom.gradebook.archives import CollectError
+from nbclassroom.gradebook.layouts import FolderLayout
 
 LESSONS = ("light", "sound", "light_node")
 FOLDERS = {  # name: (layouts, {path: learner})

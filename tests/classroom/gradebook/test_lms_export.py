@@ -4,9 +4,8 @@ import csv
 import io
 
 import pytest
+from nbclassroom.gradebook.grade import grade_submissions
 from submissions import answers_of, notebook, write
-
-from imgproc_course.classroom.gradebook.grade import grade_submissions
 
 pytestmark = pytest.mark.sandbox
 

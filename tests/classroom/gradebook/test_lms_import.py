@@ -4,11 +4,10 @@ import csv
 import io
 
 import pytest
+from nbclassroom.gradebook.csv_table import TableError
+from nbclassroom.gradebook.grade import grade_submissions
+from nbclassroom.gradebook.lms_import import fill_table, read_tables
 from submissions import answers_of, notebook, write
-
-from imgproc_course.classroom.gradebook.csv_table import TableError
-from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.lms_import import fill_table, read_tables
 
 pytestmark = pytest.mark.sandbox
 MIXED = ("Moodle", "Canvas", "{learner}")

@@ -9,18 +9,17 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from jupyterlab_cells import insert, new_cell, position_of
 from kernel_points import NotebookKernel
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.pool import autograde
+from nbclassroom.gradebook.answer_keys import load_keys
+from nbclassroom.gradebook.check import LessonFileError, check_lesson, run_answers
+from nbclassroom.gradebook.collect import collect
+from nbclassroom.gradebook.learners import read_all
+from nbclassroom.gradebook.syntax_shapes import syntax_tokens
 from own_cells import FORMS, MORE, NODE, NODE_FORMS, NODE_MORE, TIMES
 from submissions import SEED, answers_of, notebook
 from template_master import write_carried_files
-
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.autograder.make_answer_key import make_key
-from imgproc_course.classroom.autograder.pool import autograde
-from imgproc_course.classroom.gradebook.answer_keys import load_keys
-from imgproc_course.classroom.gradebook.check import LessonFileError, check_lesson, run_answers
-from imgproc_course.classroom.gradebook.collect import collect
-from imgproc_course.classroom.gradebook.learners import read_all
-from imgproc_course.classroom.gradebook.syntax_shapes import syntax_tokens
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.usefixtures("one_fork_server")]  # the key is made in a sandbox
 

@@ -13,23 +13,22 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from accessibility import violations
-from PIL import Image
-from submissions import SEED, answers_of, notebook, write
-
-from imgproc_course.classroom.autograder.outcomes import Outcome
-from imgproc_course.classroom.autograder.results import from_json
-from imgproc_course.classroom.autograder.sanitize import (
+from nbclassroom.autograder.outcomes import Outcome
+from nbclassroom.autograder.results import from_json
+from nbclassroom.autograder.sanitize import (
     sanitize_line,
     sanitize_text,
     spreadsheet_text,
     without_apostrophes,
 )
-from imgproc_course.classroom.exercises.answer_images import answer_images
-from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.input_encoding import encode
-from imgproc_course.classroom.exercises.values import differing_elements
-from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.report import _advice_on, learner_page, value_of
+from nbclassroom.exercises.answer_images import answer_images
+from nbclassroom.exercises.canonical import canonical
+from nbclassroom.exercises.input_encoding import encode
+from nbclassroom.exercises.values import differing_elements
+from nbclassroom.gradebook.grade import grade_submissions
+from nbclassroom.gradebook.report import _advice_on, learner_page, value_of
+from PIL import Image
+from submissions import SEED, answers_of, notebook, write
 
 pytestmark = pytest.mark.sandbox
 EVIL = "<script>alert(1)</script>"

@@ -17,15 +17,14 @@ from pathlib import Path
 
 import pytest
 from accessibility import violations
+from nbclassroom.autograder.sanitize import sanitize_line, spreadsheet_text
+from nbclassroom.gradebook import grades_folder, teacher_tables
+from nbclassroom.gradebook.csv_table import TableError, csv_text
+from nbclassroom.gradebook.grade import grade_submissions
+from nbclassroom.gradebook.review import AnswerParts, _coloured
+from nbclassroom.gradebook.review_server import ReviewServer, save_decisions
+from nbclassroom.gradebook.teacher_tables import DECISIONS_TEMPLATE, read_decisions
 from submissions import answers_of, notebook, write
-
-from imgproc_course.classroom.autograder.sanitize import sanitize_line, spreadsheet_text
-from imgproc_course.classroom.gradebook import grades_folder, teacher_tables
-from imgproc_course.classroom.gradebook.csv_table import TableError, csv_text
-from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.review import AnswerParts, _coloured
-from imgproc_course.classroom.gradebook.review_server import ReviewServer, save_decisions
-from imgproc_course.classroom.gradebook.teacher_tables import DECISIONS_TEMPLATE, read_decisions
 
 pytestmark = pytest.mark.sandbox
 HEADER = "learner,lesson,exercise,points,comment\n"

@@ -3,16 +3,15 @@
 import json
 
 import pytest
-from submissions import answers_of, cell_of, notebook
-
-from imgproc_course.classroom.autograder.nbval_plugin import MAX_ANSWER
-from imgproc_course.classroom.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
-from imgproc_course.classroom.gradebook.submission import AnswerState, read_submission
-from imgproc_course.classroom.gradebook.submission_reader import (
+from nbclassroom.autograder.nbval_plugin import MAX_ANSWER
+from nbclassroom.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
+from nbclassroom.gradebook.submission import AnswerState, read_submission
+from nbclassroom.gradebook.submission_reader import (
     MOST_CHARACTERS,
     UnreadableError,
     read_notebook,
 )
+from submissions import answers_of, cell_of, notebook
 
 pytestmark = pytest.mark.sandbox  # the key is made in one
 

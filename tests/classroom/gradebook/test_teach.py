@@ -16,11 +16,10 @@ import pytest
 from all_masters import PATHS as ALL_PATHS
 from all_masters import all_masters
 from master_answers import sample_answers
+from nbclassroom.authoring.lesson_names import lesson_name
+from nbclassroom.authoring.masters import read_master
+from nbclassroom.gradebook.grade import grade_submissions
 from submissions import answers_of, notebook, thirty, write
-
-from imgproc_course.classroom.authoring.lesson_names import lesson_name
-from imgproc_course.classroom.authoring.masters import read_master
-from imgproc_course.classroom.gradebook.grade import grade_submissions
 
 # Key and grading drive the robot, for minutes on a busy machine.
 pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(1800)]

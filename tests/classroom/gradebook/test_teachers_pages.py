@@ -10,11 +10,11 @@ from datetime import datetime
 
 import pytest
 from click.testing import CliRunner
+from nbclassroom.gradebook.changes import changed_points
+from nbclassroom.gradebook.grade import grade_submissions
+from nbclassroom.gradebook.summary import _concerns, summary_page
 from submissions import answers_of, cell_of, notebook, write
 
-from imgproc_course.classroom.gradebook.changes import changed_points
-from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.summary import _concerns, summary_page
 from imgproc_course.cli import main
 
 pytestmark = pytest.mark.sandbox

@@ -1,0 +1,285 @@
+"""Build lessons and their solved twins from masters, and compare stored lessons with their masters."""
+
+import hashlib
+import time
+from dataclasses import dataclass, field
+from itertools import zip_longest
+from pathlib import Path
+
+import nbformat
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
+
+from .. import course
+from ..exercises.atomic_write import write_file
+from ..exercises.check_files import CHECKS, SOLUTIONS
+from ..exercises.declaration import MasterError
+from .cheat_sheet import CHEAT_SHEET, cheat_sheet_page
+from .execute import execute, normalize, output_texts, refuse_traces
+from .glossary import GLOSSARY, GLOSSARY_PAGE, glossary_page, read_glossary
+from .learner_files import TEXTS
+from .lesson_files import lesson_file_differences, lesson_files
+from .lesson_names import lesson_name
+from .masters import find_masters, read_master
+from .references import References
+from .rules import RAISING_TAGS, VARYING_TAG
+from .validation import validate_exercise
+
+INDEX = "index"
+
+
+@dataclass
+class BuildResult:
+    """The result of a build: names of the lessons built, and problems (or differences), one per line."""
+
+    built: list = field(default_factory=list)
+    problems: list = field(default_factory=list)
+
+
+def build(masters_dir, lessons_dir, solved_dir, names=(), progress=print, *, with_solutions=False):
+    """Build lessons and their solved twins, and the files that the lessons carry.
+
+    Each lesson is built alone and written when it is complete. A failure or Ctrl-C costs only that lesson:
+    its stored file stays as it was. `progress` takes a line of text.
+    """
+    result, folder = BuildResult(), Path(lessons_dir)
+    for name, twins, files in _build_each(result, masters_dir, folder, names, progress, solved=True):
+        for twin, folder_of_twin in zip(twins, (folder, Path(solved_dir)), strict=True):
+            text = nbformat.writes(twin) + "\n"
+            write_file(folder_of_twin / f"{name}.ipynb", text, permissions=0o644)
+        _write_lesson_files(files, folder, with_solutions=with_solutions)
+    if not names:
+        try:
+            for name, text in build_pages(masters_dir).items():
+                write_file(folder / name, text, permissions=0o644)
+        except MasterError as error:
+            result.problems.append(str(error))
+        result.problems += _orphans(masters_dir, folder)
+    return result
+
+
+def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
+    """Build lessons without writing them; the problems of the BuildResult say how the stored ones differ."""
+    result, folder = BuildResult(), Path(lessons_dir)
+    for name, (lesson,), files in _build_each(result, masters_dir, folder, names, progress, solved=False):
+        result.problems += differences(lesson, folder / f"{name}.ipynb")
+        result.problems += lesson_file_differences(files, folder)
+    if not names:
+        result.problems += compare_other_files(masters_dir, folder)
+    return result
+
+
+def compare_other_files(masters_dir, lessons_dir):
+    """How the pages differ from their sources, and which files have no master; a list of str."""
+    try:
+        paths = {Path(lessons_dir) / name: text for name, text in build_pages(masters_dir).items()}
+    except MasterError as error:
+        problems = [str(error)]
+    else:
+        problems = [
+            f"{path.name}: it differs from its source in masters/; run {course.command} build"
+            for path, text in paths.items()
+            if not path.is_file() or path.read_text(encoding="utf-8") != text
+        ]
+    return problems + _orphans(masters_dir, lessons_dir)
+
+
+def build_pages(masters_dir):
+    """{file name: text} of the pages that belong to a folder of masters."""
+    masters_dir, pages = Path(masters_dir), {}
+    glossary, cheat_sheet = masters_dir / GLOSSARY, masters_dir / CHEAT_SHEET
+    if terms := read_glossary(glossary):
+        pages[GLOSSARY_PAGE] = glossary_page(terms, References(glossary))
+    if cheat_sheet.exists():
+        pages[CHEAT_SHEET] = cheat_sheet_page(cheat_sheet)
+    return pages
+
+
+def _write_lesson_files(files, folder, *, with_solutions):
+    for name, text in files.items():
+        if with_solutions or not name.startswith(SOLUTIONS):
+            write_file(folder / name, text, permissions=0o644)
+        else:
+            (folder / name).unlink(missing_ok=True)  # of a build with solutions
+
+
+def _build_each(result, masters_dir, lessons_dir, names, progress, *, solved):
+    """(name, [lesson, and its solved twin], lesson files) of each that builds; `result` tells of all."""
+    for path in _masters_to_build(masters_dir, names):
+        start = time.monotonic()
+        progress(f"{path.stem} ...")
+        try:
+            master = read_valid_master(path)
+            files = lesson_files(master)
+            twins = [build_lesson(master, lessons_dir / f"{path.stem}.ipynb")]
+            twins += [build_solved(master)] if solved else []
+        except MasterError as error:
+            result.problems.append(str(error))
+            continue
+        kilobytes = len(nbformat.writes(twins[0])) / 1000
+        check_kilobytes = sum(len(text) for name, text in files.items() if name.startswith(CHECKS)) / 1000
+        sizes = f"{kilobytes:.0f} kB, checks {check_kilobytes:.0f} kB"
+        minutes = f"core {master.core_minutes} of {master.minutes} minutes"
+        progress(f"{path.stem}: {minutes}; {sizes}, {time.monotonic() - start:.0f} s")
+        yield path.stem, twins, files
+        result.built.append(path.stem)
+
+
+def _masters_to_build(folder, names=()):
+    """The masters of lessons, then the master of the index, which lists the lessons that were built."""
+    index = Path(folder) / f"{INDEX}.py"
+    lessons = [name for name in names if name != INDEX]
+    paths = find_masters(folder, lessons) if lessons or not names else []
+    return [*paths, index] if index.is_file() and (not names or INDEX in names) else paths
+
+
+def read_valid_master(path):
+    """Read a master that follows the rules and has valid exercises; MasterError has a line a problem."""
+    master = read_master(path)
+    problems = [problem for exercise in master.exercises for problem in validate_exercise(exercise)]
+    if problems:
+        raise MasterError("\n".join(f"{master.path.name}: {problem}" for problem in problems))
+    return master
+
+
+def build_lesson(master, stored_path, executed=None):
+    """The lesson of a master, executed; a cell whose output varies keeps its output in the stored lesson.
+
+    `executed` is `lesson_notebook` with the outputs of its execution. MasterError: an error in a cell, or an
+    output that is not reproducible.
+    """
+    lesson = executed or _execute_master(master, solved=False)
+    normalize(lesson, master)
+    _keep_varying_outputs(lesson, stored_path, master)
+    refuse_traces(lesson, master)
+    return lesson
+
+
+def build_solved(master):
+    """The solved twin of a lesson: the solutions replace the answers."""
+    twin = _execute_master(master, solved=True)
+    normalize(twin, master)
+    refuse_traces(twin, master)
+    return twin
+
+
+def _execute_master(master, *, solved):
+    notebook = lesson_notebook(master, solved=solved)
+    execute(notebook, master.path, files=lesson_files(master))
+    return notebook
+
+
+def lesson_notebook(master, *, solved=False):
+    """A lesson, or its solved twin, without outputs."""
+    cells = []
+    for cell in master.cells:
+        source = cell.solved_source if solved else cell.source
+        if cell.kind == "code":
+            cells.append(new_code_cell(source, id=cell.id, metadata=_cell_metadata(cell)))
+        else:
+            cells.append(new_markdown_cell(source, id=cell.id))
+    lesson_metadata = {
+        "lesson": master.name,
+        "title": master.title,
+        "minutes": master.minutes,
+        "core_minutes": master.core_minutes,
+        "deeper": list(master.deeper_exercises),
+        "version": course.release(),
+    }
+    kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
+    return new_notebook(cells=cells, metadata={"kernelspec": kernel, course.name: lesson_metadata})
+
+
+def _cell_metadata(cell):
+    tags = sorted({*cell.tags, *RAISING_TAGS}) if set(cell.tags) & set(RAISING_TAGS) else list(cell.tags)
+    metadata = {"tags": tags} if tags else {}
+    if cell.folded:
+        metadata["jupyter"] = {"source_hidden": True}
+    if cell.role == "check":
+        metadata |= {"editable": False, "deletable": False}
+    elif cell.role in ("answer", "given", "predict"):
+        metadata |= {"deletable": False}
+    if cell.role == "answer":  # survives merging and splitting, and tools that rewrite ids
+        metadata[course.name] = {"exercise": cell.exercise}
+    return metadata
+
+
+def _keep_varying_outputs(notebook, stored_path, master):
+    """A cell whose output varies keeps its stored output if no code up to it has changed."""
+    stored = _read_stored(stored_path) or new_notebook()
+    outputs = {code: cell.outputs for cell, code in _code_cells(stored)}
+    varying = {cell.id for cell in master.cells if cell.varies}
+    for cell, code in _code_cells(notebook):
+        if cell.id in varying:
+            cell.outputs = outputs.get(code, cell.outputs)
+
+
+def _code_cells(notebook):
+    """Each code cell, and the code up to it."""
+    code = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    return [(cell, tuple(each.source for each in code[: number + 1])) for number, cell in enumerate(code)]
+
+
+def _read_stored(path):
+    """A stored lesson, or None if the file is missing or cannot be read."""
+    try:
+        return nbformat.read(path, as_version=4)
+    except (OSError, ValueError, AttributeError, KeyError, TypeError):  # cut short, merged by hand, ...
+        return None
+
+
+def _orphans(masters_dir, lessons_dir):
+    masters, folder = {path.stem for path in _masters_to_build(masters_dir)}, Path(lessons_dir)
+    paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
+    for page, source in ((GLOSSARY_PAGE, GLOSSARY), (CHEAT_SHEET, CHEAT_SHEET)):
+        if not (Path(masters_dir) / source).exists():
+            paths += folder.glob(page)
+    names = {lesson_name(master) for master in masters}
+    for subfolder in (CHECKS, SOLUTIONS, TEXTS):
+        paths += [path for path in sorted(folder.glob(f"{subfolder}/*.json")) if path.stem not in names]
+    return [f"{path.name}: it has no master; delete it, or restore its master" for path in paths]
+
+
+def differences(built, stored_path):
+    """How a stored lesson differs from a built one, a text for each cell."""
+    stored_path = Path(stored_path)
+    stored = _read_stored(stored_path)
+    if stored is None:
+        return [f"{stored_path.name}: not built yet, or not a notebook; run {course.command} build"]
+    problems = []
+    if built.metadata != stored.metadata:
+        problems.append(f"{stored_path.name}: the lesson's metadata (title, minutes, version) differ")
+    ids, stored_ids = [cell.id for cell in built.cells], [cell.id for cell in stored.cells]
+    if ids != stored_ids:
+        pairs = zip_longest(ids, stored_ids)
+        first = next(id or stored_id for id, stored_id in pairs if id != stored_id)
+        return [*problems, f"{stored_path.name}: its cells differ from the master's, from {first} on"]
+    for cell, stored_cell in zip(built.cells, stored.cells, strict=True):
+        difference = _cell_difference(cell, stored_cell)
+        if difference:
+            problems.append(f"{stored_path.name}: cell {cell.id}: {difference}")
+    return problems
+
+
+def _cell_difference(built, stored):
+    if built.cell_type != stored.cell_type or built.source != stored.source:
+        return "its source differs from the master"
+    if built.metadata != stored.metadata:
+        return "its tags or metadata differ from the master"
+    varies = VARYING_TAG in built.metadata.get("tags", ())
+    if built.cell_type == "code" and not varies and built.outputs != stored.outputs:
+        return (
+            "its outputs differ from the stored ones\n"
+            f"    stored: {_outputs_summary(stored)}\n    now:    {_outputs_summary(built)}"
+        )
+    return ""
+
+
+def _outputs_summary(cell):
+    texts = [" ".join(text.split()) for text in output_texts(cell) if text.strip()]
+    images = [
+        f"{mime_type} {hashlib.sha256(value.encode()).hexdigest()[:8]}"
+        for output in cell.outputs
+        for mime_type, value in output.get("data", {}).items()
+        if mime_type.startswith("image/") and isinstance(value, str)
+    ]
+    return " | ".join(texts + images)[:300] or "nothing"

@@ -1,0 +1,110 @@
+"""What learners get: lessons without outputs and counters, and the files that the lessons read."""
+
+import io
+import json
+import re
+import zipfile
+from pathlib import Path
+
+from .. import course
+from ..exercises.atomic_write import write_file
+from ..exercises.progress import LEARNERS_FOLDER
+from .glossary import GLOSSARY_PAGE
+from .learner_files import CHECKS, SOLUTIONS, TEXTS, without_outputs
+from .lesson_names import lesson_name
+from .masters import find_lessons
+
+_PAGES = (".ipynb", ".html")
+_ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same files give the same bytes
+
+
+class HandoutError(Exception):
+    """The lessons could not be handed out; the text is one line that says what to do."""
+
+
+def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
+    """Write what learners get into a folder, in which no file is replaced; after an error nothing.
+
+    The source holds built lessons with checks/ and solutions/. Without names, all lessons are taken; other
+    notebooks and pages, such as the glossary, go along, without links to what does not. Zipped, <folder>.zip
+    is written as well. Returns the number of lessons, and the Path of the zip file.
+    """
+    folder, source = Path(folder), Path(source)
+    chosen = find_lessons(source, names)
+    left_out = {path.name for path in set(find_lessons(source)) - set(chosen)}
+    if source.resolve() in (folder.resolve(), *folder.resolve().parents):
+        raise HandoutError(f"{folder} is in the folder of the lessons, {source}; give another folder")
+    # Nothing else: a teacher's folder may hold a key, or submissions.
+    pages = [path for path in sorted(source.iterdir()) if path.suffix in _PAGES or path.name == GLOSSARY_PAGE]
+    texts = {path.name: without_outputs(path.read_bytes()) for path in pages if path.name not in left_out}
+    files = {name: _without_links(text, left_out) for name, text in texts.items()}
+    for path in chosen:
+        files |= _exercise_files(source, path, with_solutions)
+        beside = f"{TEXTS}/{lesson_name(path.stem)}.json", f"{lesson_name(path.stem)}.py"
+        files |= {name: (source / name).read_bytes() for name in beside if (source / name).is_file()}
+    files[LEARNERS_FOLDER] = (json.dumps({"handout": course.release()}) + "\n").encode()
+    if not course.has_face():  # the lessons import the classroom, which must find the course
+        files[course.FILE] = course.file().read_bytes()
+    archive = folder.with_name(f"{folder.name}.zip")
+    outputs = {folder / name: data for name, data in files.items()}
+    if zipped:
+        outputs[archive] = _zip({f"{folder.name}/{name}": data for name, data in files.items()})
+    _refuse_to_replace(outputs)
+    for path, data in outputs.items():
+        write_file(path, data)
+    return len(chosen), archive
+
+
+def _without_links(text, names):
+    """A page in which the links to these files, which are not handed out, are plain text."""
+    link = rb"\[([^][]+)\]\(([^()#]*)(?:#[^()]*)?\)"
+    return re.sub(link, lambda found: found[1] if found[2].decode() in names else found[0], text)
+
+
+def _exercise_files(source, lesson, with_solutions):
+    """What check and hint need for a lesson, and what solution needs: {relative name: bytes}."""
+    if not any(cell.get("id", "").startswith("check-") for cell in _cells(lesson)):
+        return {}
+    files = {}
+    for folder in (CHECKS, SOLUTIONS) if with_solutions else (CHECKS,):
+        path = source / folder / f"{lesson_name(lesson.stem)}.json"
+        if not path.is_file():
+            raise HandoutError(
+                f"{lesson.name} has exercises, but {folder}/{path.name} is missing beside it;"
+                f" build the lessons again: {course.command} build"
+                f"{' --with-solutions' * (folder == SOLUTIONS)}"
+            )
+        files[f"{folder}/{path.name}"] = path.read_bytes()
+    return files
+
+
+def _cells(lesson):
+    try:
+        return json.loads(lesson.read_bytes())["cells"]
+    except (ValueError, KeyError, TypeError) as error:
+        raise HandoutError(f"{lesson.name} is not a notebook; build the lessons again") from error
+
+
+def _refuse_to_replace(outputs):
+    different = [
+        str(path)
+        for path, data in outputs.items()
+        if path.exists() and (path.is_dir() or path.read_bytes() != data)
+    ]
+    if different:
+        more = f" and {len(different) - 1} more" if len(different) > 1 else ""
+        raise HandoutError(
+            f"{different[0]}{more} exists already and differs, and nothing was written;"
+            " give another folder, or move the files away"
+        )
+
+
+def _zip(files):
+    """The bytes of a zip file; the same files give the same bytes."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in sorted(files.items()):
+            info = zipfile.ZipInfo(name, _ZIP_DATE)
+            info.external_attr = 0o644 << 16  # without it, unzip makes files that nobody can read
+            archive.writestr(info, data, zipfile.ZIP_DEFLATED)
+    return buffer.getvalue()

@@ -1,0 +1,197 @@
+"""Write the files that a lesson carries, and those of an answer key; compare stored ones.
+
+texts/<lesson>.json holds {name of a figure: its "caption" and "alt"}, and its questions' answers and replies;
+<lesson>.py, written by hand, is code that the lesson imports; `exercises.check_files` describes the others.
+"""
+
+import hashlib
+import json
+from dataclasses import dataclass, fields
+
+from .. import course
+from ..exercises.canonical import array_of, canonical
+from ..exercises.check_files import (
+    CHECKS,
+    FORMAT,
+    SOLUTIONS,
+    CheckFileError,
+    change_values,
+    read_lesson_file,
+    reading,
+)
+from ..exercises.comparison import compare
+from ..exercises.expected_results import check_data_of
+from ..exercises.input_encoding import decode, encode
+from ..exercises.lesson import Exercise
+from .learner_files import TEXTS
+
+_SMALL_BYTES = 96  # a larger wrong array is stored by its digest
+# Fields of an Exercise that no checks file has as they are, and those that only some have.
+_LEFT_OUT = ("id", "mistakes", "master", "preparation", "solution", "explanation", "helpers")
+_FOR_SOME = {"subject": "function", "sensors": ()}
+
+
+def lesson_files(master):
+    """{relative path: text} of what the lesson of a master carries."""
+    module = master.path.parent.parent / f"{master.name}.py"  # beside the lesson
+    files = {module.name: module.read_text(encoding="utf-8")} if module.is_file() else {}
+    if master.texts or master.questions:
+        texts = {name: {"caption": caption, "alt": alt} for name, (caption, alt) in master.texts.items()}
+        files[f"{TEXTS}/{master.name}.json"] = _text_of(texts | master.questions)
+    if master.exercises:
+        stored = {exercise.id: stored_exercise(check_data_of(exercise)) for exercise in master.exercises}
+        files |= exercise_files(master, stored)
+    return files
+
+
+def exercise_files(master, stored, **about):
+    """{relative path: text} of a lesson's exercises and solutions; `stored` has each exercise's stored form.
+
+    A key has more `about` the lesson (see `exercises.check_files`).
+    """
+    entries = {id: entry for id, (entry, _) in stored.items()}
+    values = {key: value for _, own in stored.values() for key, value in own.items()}
+    head = {"format": FORMAT, "lesson": master.name, "version": course.release()} | about
+    parts = {name: _dumps(value) for name, value in head.items()}
+    parts |= {
+        "cells": _lines(master.handed_out),
+        "exercises": _lines(entries),
+        "values": _lines(dict(sorted(values.items()))),
+    }
+    checks = "{\n" + ",\n".join(f"{_dumps(name)}: {text}" for name, text in parts.items()) + "\n}\n"
+    solutions = {
+        exercise.id: {"code": exercise.solution, "explanation": exercise.explanation}
+        for exercise in master.exercises
+    }
+    solutions_text = _text_of({"format": FORMAT, "lesson": master.name, "solutions": solutions})
+    paths = (f"{folder}/{master.name}.json" for folder in (CHECKS, SOLUTIONS))
+    return dict(zip(paths, (checks, solutions_text), strict=True))
+
+
+def _text_of(data):
+    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+
+
+def _dumps(value):
+    return json.dumps(value, separators=(",", ":"))
+
+
+def _lines(mapping):
+    """A mapping as JSON with one line for each of its entries, so that two versions can be compared."""
+    return "{\n" + ",\n".join(f" {_dumps(key)}: {_dumps(mapping[key])}" for key in mapping) + "\n}"
+
+
+def stored_exercise(exercise):
+    """(The entry of an Exercise that has its results, {key: value} of the values in it), plain data."""
+    values = {}
+    names = [field.name for field in fields(Exercise) if field.name not in _LEFT_OUT]
+    entry = {name: value for name in names if (value := getattr(exercise, name)) != _FOR_SOME.get(name)}
+    entry["cases"] = list(map(_case_entry, exercise.cases))
+    if any("inputs" in case for case in entry["cases"]):
+        entry["preparation"] = exercise.preparation
+    entry["mistakes"] = [_mistake_entry(mistake, exercise.cases) for mistake in exercise.mistakes]
+    return change_values(entry, lambda value, _tolerance: _keep(values, value)), values
+
+
+def _case_entry(case):
+    entry = {name: getattr(case, name) for name in ("id", "title", "points", "hint", "tolerance")}
+    entry |= {"hidden": True} if case.hidden else {}
+    entry["expected"] = [call.result.value for call in case.calls]
+    try:
+        return entry | {"arguments": [list(map(encode, call.arguments)) for call in case.calls]}
+    except TypeError:
+        return entry | {"inputs": case.source}
+
+
+def _mistake_entry(mistake, cases):
+    results = {
+        case.id: [
+            _result_entry(result, call.result.value, case.tolerance)
+            for result, call in zip(mistake.results[case.id], case.calls, strict=True)
+        ]
+        for case in cases
+    }
+    return {"name": mistake.name, "says": mistake.says, "results": results}
+
+
+def _result_entry(result, expected, tolerance):
+    names = ("error", "message", "timed_out", "changed")
+    entry = {name: value for name in names if (value := getattr(result, name))}
+    if result.value is None:
+        return entry
+    is_right = result.value == expected
+    return entry | {"value": result.value if is_right or tolerance else _by_digest(result.value)}
+
+
+def _keep(values, value):
+    """Store a value once; returns its key."""
+    key = hashlib.sha256(_dumps(value).encode()).hexdigest()[:16]
+    values[key] = value
+    return key
+
+
+def _by_digest(form):
+    """A form whose larger arrays of integers are digests: nobody reads the values of a wrong answer."""
+    if form["type"] == "ndarray":
+        values = array_of(form)
+        if values is None or values.dtype.kind not in "biu" or values.nbytes <= _SMALL_BYTES:
+            return form
+        return canonical(values, limit=_SMALL_BYTES) | {"summary": {}}
+    if form["type"] in ("tuple", "list") and "items" in form:
+        return form | {"items": [_by_digest(item) for item in form["items"]]}
+    if form["type"] == "dict" and "items" in form:
+        return form | {"items": [[key, _by_digest(value)] for key, value in form["items"]]}
+    return form
+
+
+def lesson_file_differences(files, folder):
+    """How a stored lesson's files differ from those that are built now, a text for each exercise.
+
+    Numbers are compared as `check` compares them: another processor may round a float differently. Solutions
+    that are not stored are not missed.
+    """
+    return [
+        f"{name}: {problem}; run {course.command} build"
+        for name, text in files.items()
+        for problem in _file_problems(name, text, folder / name)
+    ]
+
+
+def _file_problems(name, built, stored_path):
+    if not stored_path.is_file():
+        return [] if name.startswith(SOLUTIONS) else ["not built yet"]
+    if stored_path.read_text(encoding="utf-8", errors="replace") == built:
+        return []
+    if not name.startswith(CHECKS):
+        return ["differs from the master"]
+    try:
+        with reading(stored_path):
+            new, stored = json.loads(built), read_lesson_file(stored_path)
+            parts = [part for part in ("lesson", "version", "cells") if new[part] != stored[part]]
+            ids = sorted(new["exercises"].keys() | stored["exercises"].keys())
+            parts += [id for id in ids if _entry_of(id, new) != _entry_of(id, stored)]
+    except CheckFileError:
+        return ["damaged"]
+    return [f"{part} differs from the master" for part in parts]
+
+
+def _entry_of(id, data):
+    """An exercise of a checks file with a _Value for each of its values; None if it has none of that id."""
+    entry = data["exercises"].get(id)
+    return entry and change_values(entry, lambda key, tolerance: _Value(data["values"][key], tolerance))
+
+
+@dataclass(eq=False)
+class _Value:
+    """A stored value, and the tolerance with which it equals another one; None for an argument."""
+
+    form: object
+    tolerance: float | None
+
+    def __eq__(self, other):
+        forms = self.form, other.form
+        if forms[0] == forms[1]:
+            return True
+        if self.tolerance is None:
+            forms = [canonical(decode(form)) for form in forms]
+        return compare(*forms, self.tolerance or 0.0, exact_type=True) is None

@@ -1,0 +1,91 @@
+"""The answer key: what answers are compared with. `make_answer_key` makes it from a secret seed.
+
+A key is a folder that learners must not get. It holds the files that lessons carry (`exercises.check_files`),
+with the hidden cases, and with inputs from the secret seed, which is in none of them:
+
+    checks/<lesson>.json      exercises, cases, arguments, expected values, known mistakes
+    solutions/<lesson>.json   an answer that equals one is reported
+
+Public cases get inputs from this seed too, so that nothing in the course's repository gives an answer away.
+"""
+
+import contextlib
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+
+from .. import course
+from ..exercises.check_files import (
+    CHECKS,
+    SOLUTIONS,
+    CheckFileError,
+    read_check_file,
+    read_lesson_file,
+    reading,
+)
+
+_FORMAT_4 = "key.json"  # only a key of an earlier version of the course has it
+
+
+class KeyFolderError(ValueError):
+    """A key cannot be read or written; the message is one line with the remedy."""
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key that `load_key` read."""
+
+    path: Path
+    digest: str  # identifies it
+    lessons: dict  # {name: Lesson}, in the order of the course
+
+    def exercise(self, id):
+        """The Exercise of that id, or None."""
+        exercises = (exercise for lesson in self.lessons.values() for exercise in lesson.exercises)
+        return next((exercise for exercise in exercises if exercise.id == id), None)
+
+    def solutions(self, lesson):
+        """{exercise id: solution} of a lesson."""
+        path = self.path / SOLUTIONS / f"{lesson}.json"
+        with _reading_key(self.path), reading(path):
+            entries = read_lesson_file(path)["solutions"]
+            return {id: str(entry["code"]) for id, entry in entries.items()}
+
+
+@contextlib.contextmanager
+def _reading_key(path):
+    try:
+        yield
+    except CheckFileError as error:
+        raise KeyFolderError(f"{path}: {error.problem}; make the key again") from error
+
+
+def load_key(path):
+    """Read the Key in a folder; KeyFolderError: there is none that grading can use."""
+    path = Path(path).resolve()
+    paths, command = sorted((path / CHECKS).glob("*.json")), f"{course.command} key --out {path.name}"
+    if (path / _FORMAT_4).exists():
+        raise KeyFolderError(
+            f"{path}: a key of an earlier version of the course; make it again: {command} --replace"
+        )
+    if not paths:
+        raise KeyFolderError(f"{path}: there is no key; make one: {command}")
+    digest, lessons = hashlib.sha256(), []
+    with _reading_key(path):
+        for file_path in paths:
+            file = read_check_file(file_path)
+            with reading(file_path):
+                is_key = all(map(_is_of_key, file.entries.values()))
+                digest.update(file_path.read_bytes())
+            if not is_key:
+                raise KeyFolderError(f"{path}: these are checks as learners have them; make a key: {command}")
+            lessons.append(file.read())
+    lessons.sort(key=lambda lesson: (lesson.number, lesson.name))
+    return Key(path, digest.hexdigest(), {lesson.name: lesson for lesson in lessons})
+
+
+def _is_of_key(entry):
+    """Whether a stored exercise has its hidden cases, and nothing that reading would run."""
+    hidden = [case for case in entry["cases"] if case.get("hidden")]
+    is_whole = entry["practice"] or len(hidden) == entry["hidden_count"]
+    return is_whole and not any("inputs" in case for case in entry["cases"])

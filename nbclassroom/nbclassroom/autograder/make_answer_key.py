@@ -1,0 +1,212 @@
+"""Make an answer key: run each solution on inputs drawn from a secret seed, in the sandbox that grades.
+
+`answer_key` describes what a key contains, and reads it.
+"""
+
+import contextlib
+import hashlib
+import json
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+from tqdm import tqdm
+
+from .. import course
+from ..authoring.lesson_files import exercise_files, stored_exercise
+from ..authoring.masters import find_masters, read_master
+from ..exercises.atomic_write import write_file, write_folder
+from ..exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS, looks_of
+from ..exercises.expected_results import results_of_mistake, with_results
+from ..exercises.input_encoding import encode
+from ..exercises.lesson import ExpectedCall
+from ..exercises.percent_script import MasterError
+from . import answer_key
+from .answer_forms import read_answer, read_calls
+from .draw_scenarios import draw_scenario, public_drives
+from .drives import GradedDrive
+from .exercise_notebook import check_source
+from .sandbox import bubblewrap
+from .sandbox.inside.check_cell import call_to_json
+from .sandbox.kernel_factory import KernelFactory
+from .verdict import verdict_on
+
+_SECONDS_PER_EXERCISE, _SECONDS_PER_DRIVE = 2.5, 2.2  # fitted to the course's own lessons
+
+
+def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, say=str):
+    """Make a Key: run each solution on inputs drawn from the seed, in the sandbox that grades.
+
+    The folder is written whole at the end: an error or Ctrl-C leaves the old key unchanged, and the next call
+    with the same seed goes on after the exercises that are finished. The key does not contain the seed.
+    `names` are lessons, as `find_masters` takes them, all if empty; `unsafe` runs without a sandbox;
+    `replace` replaces an existing key; `say` takes a line that tells how long it takes.
+
+    MasterError: a solution fails, or inputs cannot be sent to a kernel as data; names lesson and case.
+    KeyFolderError: there is a key already, or the folder cannot be written. SandboxError: no sandbox here.
+    """
+    out = Path(out)
+    if out.exists() and not replace and (not out.is_dir() or any(out.iterdir())):
+        raise answer_key.KeyFolderError(
+            f"{out}: it exists already, and grades may depend on it: choose another folder, or use --replace"
+        )
+    if not unsafe:
+        bubblewrap.require_sandbox()
+    masters = [read_master(path) for path in find_masters(masters_dir, names)]
+    unfinished = out.with_name(f"{out.name}.unfinished")
+    jobs = _jobs(masters, seed, unfinished, unsafe)
+    seconds = [_seconds_of(exercise) for exercise, path in jobs if not path.exists()]
+    minutes = max(1, round(sum(seconds) / 60))
+    say(f"{len(seconds)} of {len(jobs)} exercises to run, about {minutes} min on two quiet cores.")
+    unfinished.mkdir(mode=0o700, parents=True, exist_ok=True)
+    with KernelFactory(unsafe=unsafe) as kernel_factory:
+        _run(jobs, _numpy_seed(seed), kernel_factory)
+    stored = {exercise.id: json.loads(path.read_text(encoding="utf-8")) for exercise, path in jobs}
+    files = {}
+    for master in masters:
+        own = {exercise.id: stored[exercise.id] for exercise in master.exercises}
+        files |= exercise_files(master, own, number=master.number, title=master.title)
+    try:
+        write_folder(out, files, permissions=0o700)
+    except OSError as error:
+        raise answer_key.KeyFolderError(f"{out}: cannot be written ({error})") from error
+    shutil.rmtree(unfinished)
+    return answer_key.load_key(out)
+
+
+def _jobs(masters, seed, folder, unsafe):
+    """[(an Exercise, the file that keeps its stored form)]."""
+    jobs = []
+    for master in masters:
+        text = master.path.read_text(encoding="utf-8")
+        for exercise in master.exercises:
+            about = [text, exercise.id, exercise.mistakes, _numpy_seed(seed), unsafe]
+            digest = hashlib.sha256(repr([*about, course.release()]).encode())
+            jobs.append((exercise, folder / f"{digest.hexdigest()}.exercise.json"))
+    return jobs
+
+
+def _seconds_of(exercise):
+    """About how long an exercise takes on two quiet cores."""
+    drives = len(exercise.cases) * (1 + len(exercise.mistakes)) if exercise.subject == "drive" else 0
+    return 0 if exercise.practice else _SECONDS_PER_EXERCISE + _SECONDS_PER_DRIVE * drives
+
+
+def _run(jobs, seed, kernel_factory):
+    """Keep the stored form of each exercise whose file does not exist."""
+    missing = [job for job in jobs if not job[1].exists()]
+    # Each one as often as it takes seconds: so the bar knows how much time is left.
+    seconds = [job for job in missing for _ in range(1 + round(_seconds_of(job[0])))]
+    for exercise, path in tqdm(seconds, desc="key", unit=" s", smoothing=0, delay=2, leave=False):
+        if not path.exists():
+            if exercise.practice:
+                exercise = replace(exercise, cases=(), mistakes=())
+            stored = stored_exercise(_Solutions(exercise, seed, kernel_factory).exercise())
+            write_file(path, json.dumps(stored), permissions=0o600)
+
+
+def _numpy_seed(seed):
+    """A seed for NumPy: a phrase is as good as a number, and harder to guess."""
+    return int.from_bytes(hashlib.sha256(f"{course.command} {seed}".encode()).digest()[:16])
+
+
+class _Solutions:
+    """What the solution and the mistakes of one exercise give with a key's seed."""
+
+    def __init__(self, exercise, seed, kernel_factory):
+        self._exercise, self._seed, self._kernel_factory = exercise, seed, kernel_factory
+        self._drawn = dict(self._drawn_scenarios()) if exercise.drives else {}
+
+    def exercise(self):
+        """The Exercise with them."""
+        return with_results(self._exercise, self._exercise.cases, self._solve, self._results_of)
+
+    def _drawn_scenarios(self):
+        """(id of a case, its DrawnScenario) of an exercise that drives."""
+        exercise, drive = self._exercise, self._drive_solution
+        least = len(exercise.cases) * (1 + len(exercise.mistakes))
+        with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
+            public = list(public_drives(exercise))
+            for case in exercise.cases:
+                yield case.id, draw_scenario(exercise, case, self._seed, drive, public, bar.update)
+
+    def _drive_solution(self, scenario):
+        """The record of the solution's drive, in a kernel like those that grade."""
+        exercise = self._exercise
+        robot = GradedDrive(exercise.sensors, scenario)
+        seconds = MEAN_LOOK_SECONDS * looks_of(scenario)
+        subject = f"{exercise.master.name}: the solution of {exercise.id}"
+        with self._kernel_after_solution(seconds, subject) as kernel:
+            _require_run(kernel.run_drive(check_source(exercise), robot, seconds, LOOK_SECONDS), subject)
+        return robot.verdict().record
+
+    @contextlib.contextmanager
+    def _kernel_after_solution(self, seconds, subject):
+        """A kernel like those that grade, which has run the solution."""
+        exercise = self._exercise
+        kernel = self._kernel_factory.start(exercise.allowed, seconds)
+        try:
+            for source in (*exercise.given, exercise.solution):
+                _require_run(kernel.run(source), subject)
+            yield kernel
+        finally:
+            kernel.stop()
+
+    def _solve(self, exercise, case):
+        """The ExpectedCalls of a case, of what the solution's check cell shows in such a kernel."""
+        if exercise.drives:
+            return [ExpectedCall((self._drawn[case.id].scenario,))]
+        drawn, subject = (
+            exercise.arguments(case, self._seed),
+            f"{exercise.master.name}, {case.id}: the solution",
+        )
+        try:
+            inputs = [encode(arguments) for arguments in drawn]
+        except TypeError as error:
+            raise MasterError(
+                f"{exercise.master.name}, line {case.line}: {case.id}: {error}; or make the exercise"
+                " practice=True"
+            ) from error
+        with self._kernel_after_solution(exercise.time_limit * len(inputs), subject) as kernel:
+            run = kernel.run_check(check_source(exercise), inputs, exercise.time_limit)
+            _require_run(run, subject)
+        calls = read_answer(run.answers)
+        if calls is None:
+            raise MasterError(f"{subject} shows no values")
+        for call in calls:
+            problem = _comparison_problem(call)
+            if problem:
+                raise MasterError(f"{subject} returns nothing that can be compared: {problem}")
+        if not verdict_on(run.answers, [call.value for call in calls], case.tolerance).passed:
+            raise MasterError(f"{subject} does not equal itself")
+        return map(ExpectedCall, drawn, calls)
+
+    def _results_of(self, exercise, mistake, cases):
+        if exercise.drives:
+            return {case.id: [self._drawn[case.id].mistakes[mistake.name]] for case in cases}
+        results = {case.id: results_of_mistake(exercise, mistake, case) for case in cases}
+        # As a check cell would show them: answers are compared with them.
+        return {id: read_calls(map(call_to_json, calls)) for id, calls in results.items()}
+
+
+def _require_run(run, subject):
+    if run.ended or run.error[0]:
+        raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
+
+
+def _comparison_problem(call):
+    """Why a call of the solution gives nothing to compare with, "" if it does."""
+    if call.timed_out:
+        return "it does not finish in time"
+    if call.error:
+        return f"{call.error}: {call.message}" if call.message else call.error
+    if call.changed:
+        return f"it changes its input {', '.join(call.changed)}"
+    return "" if _is_whole(call.value) else f"a value of type {call.value['type']}"
+
+
+def _is_whole(form):
+    """Whether a form holds the whole value, not only its type."""
+    entries = [*form.get("items", ()), *form.get("fields", {}).values()]
+    parts = [part for entry in entries for part in (entry if isinstance(entry, list) else [entry])]
+    return not form.get("opaque") and not form.get("too_large") and all(map(_is_whole, parts))

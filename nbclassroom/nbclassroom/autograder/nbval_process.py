@@ -1,0 +1,205 @@
+"""The nbval processes: each thread that grades keeps one, and sends it one submission after another.
+
+An nbval process is a pytest with nbval and `nbval_plugin`; its program is `nbval_main`. It is started so that
+nothing on this machine and nothing in a submission can configure it. It never runs learners' code: kernels
+do (`sandbox`).
+
+When the thread that started it ends, also because its process was killed, the system ends the nbval process,
+then the sandbox with its kernels.
+"""
+
+import atexit
+import contextlib
+import json
+import os
+import socket
+import subprocess
+import sys
+import threading
+from dataclasses import asdict
+
+from .. import course
+from .sandbox import bubblewrap
+from .sandbox.bubblewrap import Limits, SandboxError
+from .temporary_folder import TemporaryFolder
+
+_START_SECONDS = 120
+_BLOCKED_PLUGINS = (
+    *("cacheprovider", "logging", "warnings", "doctest", "junitxml", "faulthandler", "debugging", "pastebin"),
+    *("setuponly", "setupplan", "stepwise", "unraisableexception", "threadexception", "subtests", "skipping"),
+)
+_PLUGINS = (
+    # First, so that nbval does not import what it blocks.
+    "nbclassroom.autograder.blocked_imports",
+    "nbval.plugin",
+)
+_PROGRAM = "from nbclassroom.autograder import nbval_main; nbval_main.main()"
+
+_processes = {}  # name of a thread: its NbvalProcess
+_stopped = set()  # prefixes of the threads that start no more
+
+
+class NbvalProcessEnded(Exception):
+    """The process ended or does not answer; the message says what is known of it. Start another one."""
+
+
+class NbvalProcessKilled(NbvalProcessEnded):
+    """A signal ended it: the system had no memory left, or somebody killed it. No submission did that."""
+
+
+class NbvalProcessNotStarted(SandboxError):
+    """The process ended by itself while it started; the message says why."""
+
+
+def nbval_process_of_thread(unsafe, limits):
+    """This thread's NbvalProcess with these options of `autograde`; one with others is stopped."""
+    thread = threading.current_thread().name
+    if thread.startswith(tuple(_stopped)):
+        raise NbvalProcessNotStarted("the run was stopped")
+    process = _processes.get(thread)
+    if process is not None and process.options != (unsafe, limits):
+        process.stop()
+        process = None
+    return process or NbvalProcess(unsafe, limits)
+
+
+def stop_nbval_processes(thread_prefix="", *, for_good=False):
+    """Stop the nbval processes of threads with this prefix; `for_good`: in these none starts again."""
+    if for_good:
+        _stopped.add(thread_prefix)
+    processes = [process for name, process in list(_processes.items()) if name.startswith(thread_prefix)]
+    for process in processes:
+        process.close_connection()
+    for process in processes:
+        process.stop()
+
+
+atexit.register(stop_nbval_processes)
+
+
+class NbvalProcess:
+    """A thread's nbval process, and the socket to it; NbvalProcessKilled, SandboxError: it does not start."""
+
+    def __init__(self, unsafe, limits):
+        self.options = (unsafe, limits)
+        self._limits = limits or Limits()
+        self._folder = TemporaryFolder()
+        self._errors = (self._folder.path / "errors").open("w+b")
+        self._socket, process_end = socket.socketpair()
+        self._lines = self._socket.makefile("r", 1 << 20, encoding="ascii")
+        with process_end:
+            self._process = self._start(process_end)
+        self._is_ready, self._last_errors = False, ""
+        self._thread = threading.current_thread().name
+        _processes[self._thread] = self
+        try:
+            if not unsafe:
+                bubblewrap.require_sandbox()  # while the process starts
+            self._receive(_START_SECONDS)
+            self._is_ready = True
+        except NbvalProcessKilled:
+            raise
+        except NbvalProcessEnded as error:
+            raise NbvalProcessNotStarted(f"the nbval process did not start: {error}") from error
+        except SandboxError:
+            self.stop()
+            raise
+
+    def _start(self, connection):
+        folder = self._folder.path
+        (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
+        (folder / "work").mkdir()
+        settings = {
+            "unsafe": self.options[0],
+            "limits": asdict(self._limits),
+            "folder": str(folder / "work"),
+            "socket": connection.fileno(),
+        }
+        command = [sys.executable, "-I", "-c", _PROGRAM, json.dumps(settings)]
+        command += ["-c", str(folder / "pytest.ini"), "--rootdir", str(folder), "--noconftest"]
+        command += ["--color=no", "-q", "-s"]
+        for plugin in (*(f"no:{name}" for name in _BLOCKED_PLUGINS), *_PLUGINS):
+            command += ["-p", plugin]
+        inherited = ("PATH", "LANG", "HOME")
+        environment = {name: os.environ[name] for name in inherited if name in os.environ}
+        environment |= {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "OPENBLAS_NUM_THREADS": "1"}
+        environment[course.VARIABLE] = str(course.file())
+        environment["TMPDIR"] = str(folder)
+        return subprocess.Popen(
+            [*command, "--nbval", str(folder / "work")],
+            cwd=folder,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=self._errors,
+            pass_fds=[connection.fileno()],
+            start_new_session=True,
+        )
+
+    def grade(self, key, name, lesson, page):
+        """Grade one submission; what `results.to_json` wrote. NbvalProcessEnded: it ended, or it is stuck."""
+        job = {"key": str(key.path), "digest": key.digest}
+        job |= {"submission": name, "lesson": lesson, "page": page}
+        try:
+            self._socket.sendall((json.dumps(job) + "\n").encode("ascii"))
+        except OSError as error:
+            raise self._stopped(str(error)) from error
+        return self._receive(self._patience(key.lessons[lesson]))
+
+    def _patience(self, lesson):
+        """Seconds after which the process itself must be stuck: twice what kernels and robots may take."""
+        deadlines = [
+            self._limits.deadline(exercise.seconds_of(case))
+            for exercise in lesson.exercises
+            for case in exercise.cases
+        ]
+        # The last case begins within the submission's time, and it may be run again.
+        kernels = self._limits.submission + 2 * max(deadlines, default=0)
+        # A robot needs less time than the one in the scenario would.
+        robots = sum(exercise.simulated_seconds for exercise in lesson.exercises)
+        return 60 + 2 * (kernels + robots)
+
+    def _receive(self, patience):
+        self._socket.settimeout(patience)
+        try:
+            line = self._lines.readline()
+        except TimeoutError as error:
+            raise self._stopped(f"no answer within {patience:.0f} s") from error
+        except OSError as error:
+            raise self._stopped(str(error)) from error
+        if not line.endswith("\n"):
+            raise self._stopped("it closed the connection")
+        return json.loads(line)
+
+    def _stopped(self, fault):
+        """Clean up after a process that ended, or is stuck; returns the exception to raise."""
+        code = self.stop(patience=5)
+        if code < 0:
+            return NbvalProcessKilled(f"signal {-code} ended it")
+        return NbvalProcessEnded(self._last_errors or fault)
+
+    def close_connection(self):
+        """Tell the process that no more submissions come, without waiting for its end."""
+        with contextlib.suppress(OSError):
+            self._socket.shutdown(socket.SHUT_RDWR)
+
+    def stop(self, patience=None):
+        """End it and its fork server; its exit code if it ended by itself within `patience` seconds."""
+        code = 0
+        if _processes.get(self._thread) is not self:  # it was stopped before
+            return code
+        del _processes[self._thread]
+        self.close_connection()
+        self._lines.close()
+        self._socket.close()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            code = self._process.wait((5 if self._is_ready else 0) if patience is None else patience)
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self._process.pid, 9)
+        self._process.wait()
+        self._errors.seek(0)
+        errors = self._errors.read().decode(errors="replace").strip().splitlines()
+        self._last_errors = " | ".join(errors[-3:])[:500]
+        self._errors.close()
+        self._folder.remove()
+        return code

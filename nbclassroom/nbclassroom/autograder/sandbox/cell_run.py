@@ -1,0 +1,52 @@
+"""What running one cell did, built from the messages of a kernel. A kernel's messages may be forged."""
+
+from dataclasses import dataclass, field
+
+from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
+
+_MAX_TEXT = 2_000  # characters of an error's text, and of what a cell printed, that are kept
+_MAX_NAME = 100  # characters of an exception's name
+
+
+@dataclass
+class CellRun:
+    """What running one cell did."""
+
+    # "" if it ran to its end; else "time", "memory", "output", "crashed" or "hostile", as in Outcome; or
+    # "gone" if the process that forks kernels was ended.
+    ended: str = ""
+    answers: list = field(default_factory=list)  # what check cells showed: the data of our MIME type
+    error: tuple = ("", "")  # type and text of the exception that ended the cell
+    printed: str = ""  # the first part of it
+    errors: list = field(default_factory=list)  # of a page: [number of a cell, type, text] of a statement
+    place: tuple = ()  # of a page: the statement that ran last
+    status: dict = field(default_factory=dict)  # of a process that was forked: how it ended
+
+    def add(self, kind, content):
+        """Add a message; returns whether it ended the cell. ValueError, TypeError, KeyError: it is none."""
+        if kind == "stream":
+            self.printed = (self.printed + _text(content["text"]))[:_MAX_TEXT]
+        elif kind in ("error", "idle"):
+            # A cell can fail without showing an error (an unknown magic). Of several errors the first counts.
+            error = (_text(content["ename"])[:_MAX_NAME], _text(content["evalue"]))
+            self.error = self.error if self.error[0] else error
+        elif kind in ("display_data", "execute_result"):
+            data = dict(content["data"])
+            self.answers += [data[MIME]] if MIME in data else []
+        elif kind == "at":
+            self.place = tuple(map(int, content["place"]))
+        elif kind == "errors":
+            self.errors = [
+                (int(one["cell"]), _text(one["name"]), _text(one["text"])) for one in content["errors"]
+            ]
+        elif kind == "ended":
+            self.status = {name: float(content[name]) for name in ("signal", "code", "cpu")}
+        else:
+            raise ValueError(f"a message of the kind {kind!r}")
+        return kind == "idle"
+
+
+def _text(value):
+    if not isinstance(value, str):
+        raise TypeError(f"expected a text, got {type(value).__name__}")
+    return value[:_MAX_TEXT]

@@ -1,0 +1,383 @@
+"""The fork server and its kernels, seen from outside: cells go in, messages come out.
+
+Nothing that comes out is trusted: it is read with a limit on its size and with a deadline that no message
+extends, and all of it may be forged.
+"""
+
+import json
+import math
+import os
+import signal
+import socket
+import subprocess
+import time
+from collections import deque
+from contextlib import suppress
+
+from nbclassroom.autograder.sandbox import bubblewrap
+from nbclassroom.autograder.sandbox.cell_run import CellRun
+from nbclassroom.autograder.temporary_folder import TemporaryFolder
+
+_LOOK_SECONDS = 0.05  # between two looks at what all processes together use
+_OWN_SECONDS = 0.5  # of processor time, that the fork server and a waiting kernel use beside a check, at most
+_STARTS = 3  # of a fork server that ends before it forks
+_STATEMENT_SECONDS = 20  # of wall time, after which a statement of a page cannot be stopped from inside
+_NOT_CONFINED = 70  # exit code of a fork that could not be confined, see `inside.fork_server`
+_TIME_SIGNALS = (signal.SIGKILL, signal.SIGXCPU)  # by which the system ends a process whose time is used up
+
+
+class KernelEnded(Exception):
+    """The kernel has ended; its text is a value of CellRun.ended. It never leaves this module."""
+
+
+class Connection:
+    """The socket to a process that runs cells, and the limits on what comes out of it."""
+
+    def __init__(self, group, limits):
+        self._group, self._limits = group, limits
+        self._lines, self._buffer, self._is_confined = deque(), b"", True
+        self._next_look, self._most_cpu = 0.0, math.inf
+        self._deadline = self._statement_ends = math.inf
+        self._socket, self._other_end = socket.socketpair()
+
+    def _begin(self, seconds):
+        """Start the clock for so many seconds of processor time."""
+        self._cpu_limit = self._limits.cpu(seconds)
+        self._deadline = time.monotonic() + self._limits.deadline(seconds)
+        self._next_look = time.monotonic() + _LOOK_SECONDS
+
+    def run(self, code):
+        """Run a source that is no part of a page; returns its CellRun."""
+        return self._request({"code": code})
+
+    def run_check(self, code, inputs, seconds):
+        """Run a check cell with its inputs (see `check_cell.deliver`); returns its CellRun.
+
+        The system limits the processor time of each process, and this limits that of all together: a slow
+        answer could compute in one process after another.
+        """
+        cpu_before, began = self._group.cpu_seconds(), time.monotonic()
+        run = self._request({"case": {"calls": inputs, "seconds": seconds}, "code": code})
+        most = seconds * len(inputs) + self._limits.grace
+        if run.ended or cpu_before is None or time.monotonic() - began <= most:
+            return run
+        if (self._group.cpu_seconds() or 0.0) - cpu_before > most + _OWN_SECONDS:
+            run.ended = "time"
+        return run
+
+    def run_drive(self, code, robot, seconds, look_seconds):
+        """Run a drive's check cell, whose kernel gives speeds to `robot`, a GradedDrive; returns its CellRun.
+
+        The processor time of all its processes together is limited for each look, and for the drive. The time
+        that the robot takes is its own: the deadline leaves it out.
+        """
+        run, group = CellRun(), self._group
+        case = {"layout": robot.layout, "seconds": look_seconds}
+        data = _line_of({"case": case, "code": code})
+        cpu_end = (group.cpu_seconds() or 0.0) + seconds + self._limits.grace
+        # The page's time is not the drive's: a controller that sends and never reads waits for its end.
+        deadline = time.monotonic() + self._limits.deadline(seconds)
+        self._deadline = min(self._deadline, deadline) + robot.seconds
+        self._bytes_left = self._limits.output
+        while (action := self._run_until_action(run, data)) is not None:
+            self._most_cpu = min(cpu_end, (group.cpu_seconds() or 0.0) + look_seconds) + _OWN_SECONDS
+            robot_seconds = robot.seconds
+            data = robot.answer(action)
+            self._deadline += robot.seconds - robot_seconds
+        return run
+
+    def run_below(self, name):
+        """Run the cells of the page below, until a name is there; returns its CellRun."""
+        return self._request({"below": name})
+
+    def _request(self, request):
+        run = CellRun()
+        self._bytes_left = self._limits.output
+        if self._run_until_action(run, _line_of(request)) is not None:
+            run.ended = "hostile"
+        self._statement_ends = math.inf
+        return run
+
+    def _run_until_action(self, run, data):
+        """Send data, and add messages to a CellRun; the content of an "action", None at the cell's end."""
+        try:
+            self._send(data)
+            while True:
+                line = self._read_line(self._bytes_left)
+                if not self._is_confined:  # its first line is empty: `fork_server` has confined it
+                    self._is_confined = True
+                    continue
+                self._bytes_left -= len(line)
+                message = json.loads(line)
+                if message["type"] == "action":
+                    return dict(message["content"])
+                place = run.place
+                if run.add(message["type"], message["content"]):
+                    return None
+                if run.place != place:
+                    self._statement_ends = time.monotonic() + _STATEMENT_SECONDS
+        except KernelEnded as error:
+            run.ended = str(error)
+        except (ValueError, KeyError, TypeError, RecursionError):  # anybody may have written the message
+            run.ended = "hostile"
+        return None
+
+    def _send(self, data):
+        data = memoryview(data)
+        while data:
+            data = data[self._exchange(self._socket.send, data) :]
+
+    def _read_line(self, max_bytes):
+        while not self._lines:
+            if len(self._buffer) > max_bytes:
+                raise KernelEnded("output")
+            data = self._exchange(self._socket.recv, 1 << 18)
+            if not data:
+                raise KernelEnded(self._how_it_ended())
+            *lines, self._buffer = (self._buffer + data).split(b"\n")
+            self._lines.extend(lines)
+        return self._lines.popleft()
+
+    def _exchange(self, send_or_receive, argument):
+        """The result of sending or receiving once; the kernel ends if time or memory runs out meanwhile."""
+        while True:
+            seconds_left = min(self._deadline, self._statement_ends) - time.monotonic()
+            if seconds_left <= 0:
+                raise KernelEnded("time")
+            self._check_use()
+            self._socket.settimeout(min(seconds_left, _LOOK_SECONDS))
+            try:
+                return send_or_receive(argument)
+            except TimeoutError:
+                continue
+            except OSError as error:
+                raise KernelEnded(self._how_it_ended()) from error
+
+    def _check_use(self):
+        """End the kernel if it and all that it started use too much memory together, or time in a drive."""
+        if time.monotonic() < self._next_look:
+            return
+        if self._ran_out_of_memory():
+            raise KernelEnded("memory")
+        if self._most_cpu < math.inf and (self._group.cpu_seconds() or 0.0) > self._most_cpu:
+            raise KernelEnded("time")
+        self._next_look = time.monotonic() + _LOOK_SECONDS
+
+    def _ending(self, status):
+        """The value of CellRun.ended for a process that ended by itself, by its exit status."""
+        # The system's limit is in whole seconds.
+        if status["signal"] in _TIME_SIGNALS and status["cpu"] > self._cpu_limit - 0.9:
+            return "time"
+        return "memory" if self._ran_out_of_memory() else "crashed"
+
+
+class ForkedKernel(Connection):
+    """A kernel that was forked from a `ForkServer`; it waits until `begin`."""
+
+    def __init__(self, fork_server, limits):
+        super().__init__(fork_server.group, limits)
+        self._fork_server, self._is_confined = fork_server, False
+        with self._other_end:
+            self._id = fork_server.fork(self._other_end.fileno())
+
+    def begin(self, allowed, seconds):
+        """Start the clock; `KernelFactory.start` explains the arguments."""
+        self._fork_server.await_ends()  # nothing of the kernel before is left now, and counts for this one
+        self._fork_server.group.reset()
+        self._begin(seconds)
+        with suppress(KernelEnded):  # its first cell will find out
+            self._send(_line_of({"allowed": list(allowed), "cpu": self._cpu_limit}))
+
+    def open_page(self, page, skip):
+        """Get a page (see `exercises.page`) ready to run, without the statements of `skip`."""
+        return self._request({"page": page, "skip": skip})
+
+    def run_page(self, place):
+        """Run the page on to a place; returns its CellRun, with the statements that failed."""
+        return self._request({"to": place})
+
+    def fork_check(self, seconds):
+        """A ForkedCheck with the page as it is now; None: beside threads and processes there is no fork."""
+        check = ForkedCheck(self, self._group, self._limits, seconds)
+        return check if check.has_begun else None
+
+    def exchange_fork(self, descriptor, cpu):
+        """Whether a process was forked that answers the requests of a socket."""
+        run = CellRun()
+        try:
+            socket.send_fds(self._socket, [_line_of({"fork": cpu})], [descriptor])
+        except OSError:
+            return False
+        self._bytes_left = self._limits.output
+        self._run_until_action(run, b"")
+        return not run.ended and not run.error[0]
+
+    def end_fork(self, patience):
+        """How the forked process ended, {} if this one has ended as well."""
+        request = {"end": patience, "confined": self._fork_server.confined}
+        return self._request(request).status
+
+    def _ran_out_of_memory(self):
+        return self._fork_server.ran_out_of_memory()
+
+    def _how_it_ended(self):
+        """The value of CellRun.ended for a kernel that ended by itself; "gone" if the fork server did too."""
+        if self._id is None:  # somebody has asked before
+            return "crashed"
+        # A process closes its sockets a moment before its end is known: wait for that.
+        self._fork_server.end(self._id, patience=1.0)
+        status = self._fork_server.await_ends()  # the last reply is the one about this kernel
+        self._id = None
+        if status is None:
+            return "gone"
+        # Once it is confined, an answer can end with this code too.
+        if status["code"] == _NOT_CONFINED and not self._is_confined:
+            raise bubblewrap.SandboxError("a kernel could not be confined on this machine")
+        return self._ending(status)
+
+    def stop(self):
+        """End the kernel and all that it started, without waiting for its end."""
+        self._socket.close()
+        if self._id is not None:
+            self._fork_server.end(self._id)
+            self._id = None
+
+
+class ForkedCheck(Connection):
+    """A process that a kernel forked for the cases of one exercise."""
+
+    def __init__(self, kernel, group, limits, seconds):
+        super().__init__(group, limits)
+        self._kernel, self._status = kernel, None
+        self._begin(seconds)
+        with self._other_end:
+            self.has_begun = kernel.exchange_fork(self._other_end.fileno(), self._cpu_limit)
+        if not self.has_begun:
+            self._socket.close()
+
+    def _ran_out_of_memory(self):
+        return self._kernel._ran_out_of_memory()
+
+    def _how_it_ended(self):
+        if self._status is None:
+            self._status = self._kernel.end_fork(1.0)
+        if self._status:
+            return self._ending(self._status)
+        return "crashed"
+
+    def stop(self):
+        """End the process and all that it started."""
+        self._socket.close()
+        if self._status is None:
+            self._status = self._kernel.end_fork(0.0)
+
+
+def _line_of(request):
+    return (json.dumps(request) + "\n").encode("ascii")
+
+
+class ForkServer:
+    """The process that forks kernels, seen from outside; it is started again if it has ended."""
+
+    def __init__(self, group, limits, *, confined):
+        self._limits, self.confined = limits, confined
+        self.group = group  # ProcessGroup of all its processes
+        self._process = self._control = None
+        self._folder = None if confined else TemporaryFolder()
+        self._fork_count = 0
+
+    def start(self):
+        """Start the process, without waiting until it is ready."""
+        self._control, server_end = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        self._control.settimeout(60)
+        with server_end:
+            self._process = self._start_process(server_end)
+        self._is_ready = False
+        self._replies = 0  # to the orders of `end`, that nobody has read yet
+
+    def _start_process(self, control):
+        confined = self.confined
+        settings = {
+            "confined": confined,
+            "user": bubblewrap.kernel_user() if confined else None,
+            "limits": vars(self._limits),
+            "control": control.fileno(),
+        }
+        code = f"import sys; sys.path += {bubblewrap.search_path(confined)!r}; "
+        code += "from nbclassroom.autograder.sandbox.inside import fork_server; "
+        return subprocess.Popen(
+            [*bubblewrap.sandbox_command(confined), "-c", code + "fork_server.main()", json.dumps(settings)],
+            env={} if confined else bubblewrap.environment(confined=False),
+            cwd=None if confined else self._folder.path,  # where cells write files
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            pass_fds=[control.fileno()],
+            preexec_fn=self.group.enter,
+            start_new_session=True,
+        )
+
+    def fork(self, descriptor):
+        """Fork a kernel that has one end of a socket; returns its id."""
+        self._fork_count += 1
+        order = json.dumps({"op": "fork", "id": self._fork_count}).encode()
+        for _ in range(_STARTS):  # somebody may kill it
+            if self._process is None or self._process.poll() is not None:
+                self.stop()
+                self.start()
+            with suppress(OSError):
+                self._is_ready = self._is_ready or bool(self._control.recv(1 << 20))
+                if self._is_ready:
+                    socket.send_fds(self._control, [order], [descriptor])
+                    return self._fork_count
+            last_words = self.stop()
+        raise bubblewrap.SandboxError(f"the fork server did not start: {last_words or 'it was killed'}")
+
+    def end(self, kernel_id, patience=0.0):
+        """End a kernel that does not end by itself within `patience` seconds; the process replies later."""
+        if self._process is None:
+            return
+        try:
+            order = {"op": "end", "id": kernel_id, "patience": patience}
+            self._control.send(json.dumps(order).encode())
+            self._replies += 1
+        except OSError:
+            self.stop()
+
+    def await_ends(self):
+        """Wait until every kernel of `end` has ended, with all that it had started.
+
+        Returns how the last one ended: "signal", "code", "cpu" (seconds); None if it had ended with the
+        process.
+        """
+        status = None
+        while self._process is not None and self._replies:
+            self._replies -= 1
+            try:
+                status = json.loads(self._control.recv(1 << 16))
+            except (OSError, ValueError):
+                status = None
+                self.stop()
+        return status
+
+    def ran_out_of_memory(self):
+        """Whether the processes of all its kernels together use more memory than they may."""
+        return self._process is not None and self.group.ran_out_of_memory(self._process.pid)
+
+    def close(self):
+        """End the process for good."""
+        self.stop()
+        if self._folder is not None:
+            self._folder.remove()
+
+    def stop(self):
+        """End the process and every kernel; returns what it said last. The next fork starts another one."""
+        if self._process is None:
+            return ""
+        with suppress(ProcessLookupError):
+            os.killpg(self._process.pid, 9)
+        # First: what has lost its bubblewrap ends by this, and until then it holds the pipe of errors.
+        self._control.close()
+        _, errors = self._process.communicate()
+        self._process = None
+        return " ".join(errors.decode(errors="replace").split())[-400:]

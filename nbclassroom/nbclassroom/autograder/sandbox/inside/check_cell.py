@@ -1,0 +1,95 @@
+"""What a check cell calls: it gives the learner's function its inputs and shows what the function returned.
+
+It shows values, never verdicts. The inputs of one case are delivered just before its cell runs. The expected
+values are outside the sandbox.
+"""
+
+import base64
+import hashlib
+import random
+import signal
+
+import numpy as np
+
+from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
+from nbclassroom.exercises import running
+from nbclassroom.exercises.input_encoding import decode
+
+MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest
+_case = {}  # "calls", "seconds"
+
+
+def deliver(case):
+    """Take the next check's inputs: its encoded "calls", and "seconds" that each may take.
+
+    Answers may draw from the global generators: their state is the same before each check.
+    """
+    global _case
+    _case = case
+    random.seed(0)
+    np.random.seed(0)  # noqa: NPY002 - the global generator is meant, not one of ours
+
+
+def delivered():
+    """What `deliver` took last."""
+    return _case
+
+
+def emit(function, subject="function"):
+    """Call a function, or drive a node, with the inputs of this case; show what it did, as data."""
+    from IPython.display import display
+
+    calls = []
+    for encoded in _case["calls"]:
+        result = _call(function, decode(encoded), _case["seconds"], subject)
+        calls.append(call_to_json(result))
+        if result.timed_out:
+            break
+    display({MIME: {"calls": calls}}, raw=True)
+
+
+def _call(function, arguments, seconds, subject):
+    """Call it as `check` does, but measure processor time: a busy machine costs nobody any time."""
+    running.set_handler(signal.SIGPROF, raise_time_up)
+    running.set_timer(signal.ITIMER_PROF, seconds, 0.1)
+    try:
+        names = running.argument_names(function, subject)
+        return running.call(function, arguments, names, 1e6, subject)
+    except running.TimeUp:  # raised between the call's end and here
+        return running.CallResult(timed_out=True)
+    finally:
+        running.set_timer(signal.ITIMER_PROF, 0)
+
+
+def raise_time_up(_signal, _frame):
+    raise running.TimeUp
+
+
+def call_to_json(result):
+    """A CallResult as data for json.dumps; `answer_forms.read_answer` reads it."""
+    if result.timed_out:
+        return {"timed_out": True}
+    data = {"changed": list(result.changed), "printed": result.printed}
+    if result.error:
+        is_slip = result.error == "NameError" and result.closest
+        message = f"{result.message}. {running.MEANT} {result.closest}?" if is_slip else result.message
+        return data | {"error": result.error, "message": message, "line": result.line}
+    return data | {"value": shorten_form(result.value)}
+
+
+def shorten_form(form):
+    """A canonical form in which digests replace large arrays and bytes."""
+    if isinstance(form, list):
+        return [shorten_form(item) for item in form]
+    if not isinstance(form, dict):
+        return form
+    if len(form.get("data", "")) > MAX_DATA * 4 // 3:
+        data = base64.b64decode(form["data"])
+        description = {name: value for name, value in form.items() if name != "data"}
+        return description | {"digest": hashlib.sha256(data).hexdigest()}
+    return {name: shorten_form(value) for name, value in form.items()}
+
+
+def refuse_input(prompt=""):
+    """In place of input()."""
+    raise RuntimeError("input() waits for a person, and there is none here. Pass the value as an argument")

@@ -1,0 +1,176 @@
+"""Confine this process: namespaces, mounts, limits, identity. Linux; the standard library only.
+
+Each fork calls it before any code of a learner's runs there. It repeats what bubblewrap did around the fork
+server, so that nothing passes from one fork to the next. It uses `os`, not `pathlib`: each page of memory
+that a fork touches has to be copied.
+
+What one kernel could leave for the next, which may be another learner's, and what prevents it:
+    files, in /tmp, /dev/shm and home           file systems of its own, everything else is read-only
+    open files of the fork server               closed, with the database of IPython's history
+    processes, signals, ptrace, /proc/<pid>     a PID namespace, which ends with the kernel
+    nice values, limits by user                 a user of its own, if root grades; else the PID namespace
+    System V IPC, POSIX message queues          an IPC namespace
+    sockets: abstract names, used ports         a network namespace without a working interface
+    sockets of other families (vsock)           refused: no namespace separates them
+    host name                                   a UTS namespace
+    order of being killed for memory            /proc is read-only
+    settings in /proc/sys, counters of the machine    /proc has processes only
+    keys in the system's keyrings               the calls are refused, and the session keyring is new: the
+                                                teacher's cannot be searched either
+    the system's log: a crash writes to it      the call that reads it is refused
+    terminals                                   /dev/pts is new
+    core files                                  a limit of one byte, which pipes to programs obey too
+    environment, umask, timers, random state    a fork has copies
+    memory and processor time                   a control group counts what all kernels use (`cgroups`)
+Covert channels remain: whether a file is in the page cache, the times of a device, how busy the machine is.
+tests/classroom/autograder/test_channels.py tries each of the others.
+"""
+
+import ctypes
+import os
+import resource
+import signal
+from contextlib import suppress
+
+from nbclassroom.autograder.sandbox.inside.seccomp import refuse_system_calls
+
+NEWNS, NEWUTS, NEWIPC, NEWPID, NEWNET = 0x20000, 0x4000000, 0x8000000, 0x20000000, 0x40000000
+USERS_OF_SERVER = 256  # users of the kernels of one fork server, one after another
+_KEYCTL = {"x86_64": 250, "aarch64": 219}  # numbers of the call; asm/unistd.h
+_JOIN_SESSION_KEYRING = 1
+_READ_ONLY, _NOSUID, _NODEV, _NOEXEC, _BIND, _REC, _PRIVATE = 1, 2, 4, 8, 0x1000, 0x4000, 0x40000
+_PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
+_LAST_CAPABILITY = 63
+_libc = ctypes.CDLL(None, use_errno=True)
+# Looked up here, before the first kernel is forked.
+_mount_call, _unshare_call, _prctl, _capset = _libc.mount, _libc.unshare, _libc.prctl, _libc.capset
+
+
+def _check(result, operation):
+    if result != 0:
+        number = ctypes.get_errno()
+        raise OSError(number, f"{operation}: {os.strerror(number)}")
+
+
+def unshare(flags):
+    """Move this process (with NEWPID: its next children) into new namespaces."""
+    _check(_unshare_call(ctypes.c_int(flags)), "unshare")
+
+
+def open_pid_namespace():
+    """A descriptor of this process's own PID namespace, for `return_to_pid_namespace`."""
+    return os.open("/proc/self/ns/pid", os.O_RDONLY | os.O_CLOEXEC)
+
+
+def return_to_pid_namespace(descriptor):
+    """Start the next children in the namespace of `open_pid_namespace` again."""
+    _check(_libc.setns(descriptor, ctypes.c_int(NEWPID)), "setns")
+
+
+def _mount(source, target, kind, flags, data=""):
+    texts = [text.encode() if text else None for text in (source, target, kind)]
+    _check(_mount_call(*texts, ctypes.c_ulong(flags), data.encode() or None), f"mount {target}")
+
+
+def confine(limits, user):
+    """Confine this process for good; OSError if the system refuses a step: no learner's code may run then.
+
+    `user` is the user and group to become; None inside a user namespace, whose root has no rights outside.
+    """
+    unshare(NEWNS | NEWIPC | NEWUTS | NEWNET)
+    _mount("", "/", "", _REC | _PRIVATE)
+    scratch = f"size={limits['scratch']},nr_inodes=2000"
+    _mount("tmpfs", "/tmp", "tmpfs", _NOSUID | _NODEV, f"{scratch},mode=1777")
+    _mount("tmpfs", "/dev/shm", "tmpfs", _NOSUID | _NODEV | _NOEXEC, f"{scratch},mode=1777")
+    if os.path.exists("/dev/pts"):  # `!ls` opens a terminal
+        options = "newinstance,ptmxmode=0666,mode=0600,max=16"
+        _mount("devpts", "/dev/pts", "devpts", _NOSUID | _NOEXEC, options)
+    _mount_proc()
+    os.umask(0o022)
+    for folder in ("/tmp/home", "/tmp/submission"):
+        os.mkdir(folder)
+        if user is not None:
+            os.chown(folder, user, user)
+    os.chdir("/tmp/submission")
+    set_limits(limits)
+    _drop_privileges(user)
+
+
+def _mount_proc():
+    """Mount /proc with this kernel's processes only: its other files count what the whole machine did."""
+    flags = _READ_ONLY | _NOSUID | _NODEV | _NOEXEC
+    try:
+        _mount("proc", "/proc", "proc", flags, "subset=pid")
+    except OSError:  # a system before Linux 5.8
+        _mount("proc", "/proc", "proc", flags)
+    for process in ("self", "thread-self"):  # the teacher's paths; what a kernel starts still sees them
+        with suppress(OSError):
+            _mount(os.devnull, f"/proc/{process}/mountinfo", "", _BIND)
+
+
+def set_limits(limits):
+    """Set the limits of this process and all that it starts, but for its time; "memory", "file" in bytes."""
+    _set_limit(resource.RLIMIT_AS, limits["memory"])
+    _set_limit(resource.RLIMIT_NPROC, limits["processes"])
+    _set_limit(resource.RLIMIT_FSIZE, limits["file"])
+    _set_limit(resource.RLIMIT_NOFILE, 256)
+    _set_limit(resource.RLIMIT_CORE, 1)  # 0 does not keep a system from piping the core to a program
+
+
+def set_time_limit(seconds):
+    """Set the processor time that this process and each that it starts may use."""
+    _set_limit(resource.RLIMIT_CPU, seconds)
+
+
+def _set_limit(kind, limit):
+    _, hard = resource.getrlimit(kind)
+    limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
+    resource.setrlimit(kind, (limit, limit))
+
+
+def _drop_privileges(user):
+    _check(_prctl(_PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no_new_privs")
+    for capability in range(_LAST_CAPABILITY + 1):
+        if _prctl(_PR_CAPBSET_DROP, capability, 0, 0, 0) != 0:
+            break  # the last one that this system knows
+    if user is not None:
+        os.setgroups([])
+        os.setresgid(user, user, user)
+        os.setresuid(user, user, user)
+    _drop_capabilities()
+    _check(_prctl(_PR_SET_DUMPABLE, 1, 0, 0, 0), "dumpable")
+    refuse_system_calls()
+
+
+def _drop_capabilities():
+    """Empty the effective, permitted and inheritable sets (capset, version 3)."""
+    header = (ctypes.c_uint32 * 2)(0x20080522, 0)
+    no_capabilities = (ctypes.c_uint32 * 6)(0, 0, 0, 0, 0, 0)
+    _check(_capset(header, no_capabilities), "capset")
+
+
+def leave_session_keyring():
+    """Give this process a new session keyring, so that none of the user's keys can be found from it."""
+    number = _KEYCTL.get(os.uname().machine)
+    if number is not None:  # a system without keyrings has none to leave
+        _libc.syscall(ctypes.c_long(number), ctypes.c_long(_JOIN_SESSION_KEYRING), None)
+
+
+def close_descriptors(but):
+    """Close all descriptors but the standard streams and one other."""
+    os.closerange(3, but)
+    os.closerange(but + 1, 1 << 20)
+
+
+def die_first():
+    """Let the system end this process and its children first if memory runs out; for good."""
+    with suppress(OSError):
+        descriptor = os.open("/proc/self/oom_score_adj", os.O_WRONLY)
+        os.write(descriptor, b"1000")
+        os.close(descriptor)
+
+
+def die_with_parent():
+    """End this process when its parent ends."""
+    with suppress(OSError):
+        _check(_prctl(1, signal.SIGKILL, 0, 0, 0), "pdeathsig")

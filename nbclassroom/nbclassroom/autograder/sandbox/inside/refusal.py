@@ -1,0 +1,146 @@
+"""Modules that an exercise does not allow: importing one costs nothing as long as nothing uses it.
+
+They are refused by their names, and only where the learner's own code imports them: libraries find each
+other. An unused import gives an empty module. An import inside a try or a with statement fails, so that the
+answer's own way without the module is taken. Using an empty module raises RefusedModule. In the place of a
+module that only shows something stands one that shows nothing.
+"""
+
+import builtins
+import dis
+import importlib
+import importlib.util
+import sys
+import types
+
+from nbclassroom import course
+from nbclassroom.exercises.page_run import Missing
+from nbclassroom.exercises.running import KNOWN_ERRORS
+
+# Every answer may use these, and the standard library.
+_ALWAYS = (
+    *("numpy", "matplotlib", "mpl_toolkits", "matplotlib_inline", "IPython", "ipykernel", "traitlets"),
+    *(course.package, "nbclassroom", *course.always_allowed),
+)
+
+
+class RefusedModule(ModuleNotFoundError):
+    """The answer uses a module that its exercise does not allow."""
+
+
+KNOWN_ERRORS["RefusedModule"] = RefusedModule
+
+
+class _Silent:
+    """What a module that only shows something holds; called with values, as a progress bar, it gives them."""
+
+    def __init__(self, values=()):
+        self._values = values
+
+    def __call__(self, values=(), *_arguments, **_options):
+        return _Silent(values if hasattr(values, "__iter__") else ())
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return _silent_named(name)
+
+    def __iter__(self):
+        return iter(self._values)
+
+    def __len__(self):
+        return len(self._values)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_error):
+        return False
+
+
+def _silent_named(name):
+    return range if name in ("trange", "tnrange") else _Silent()
+
+
+class _StandIn(types.ModuleType):
+    """A silent module, or an empty one."""
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return _silent_named(name) if _only_shows(self.__name__) else _unusable(self.__name__)
+
+
+def _unusable(module):
+    """What stands for whatever a module that is not allowed would hold."""
+    return Missing(RefusedModule(f"write this exercise without {module}", name=module))
+
+
+def _only_shows(module):
+    return module.partition(".")[0] in course.display_only
+
+
+def _stand_ins(name):
+    """Modules that stand for a dotted name and its packages, the outermost first."""
+    parts = name.split(".")
+    modules = [_StandIn(".".join(parts[:count])) for count in range(1, len(parts) + 1)]
+    for package, module, part in zip(modules, modules[1:], parts[1:], strict=False):
+        setattr(package, part, module)
+    return modules
+
+
+# Where handlers begin that Python adds from 3.12 on, around a comprehension and in a generator.
+_OWN_HANDLERS = ("SWAP", "CALL_INTRINSIC_1")
+
+
+def _is_guarded(frame):
+    """Whether the frame is inside a try or a with statement now."""
+    code = dis.Bytecode(frame.f_code)
+    own = {step.offset for step in code if step.opname in _OWN_HANDLERS}
+    entries = (entry for entry in code.exception_entries if entry.target not in own)
+    return any(entry.start <= frame.f_lasti < entry.end for entry in entries)
+
+
+_own_modules = set()  # files that the learner's cells write
+
+
+def allow_files(files):
+    """Let the learner's code import the modules that it writes, unless there is another one of that name."""
+    names = {file.rpartition("/")[2].removesuffix(".py") for file in files if file.endswith(".py")}
+    _own_modules.update(name for name in names if importlib.util.find_spec(name) is None)
+
+
+def allow_modules(allowed):
+    """Let the learner's code import these modules and those of every answer, and no others."""
+    names = {*_ALWAYS, *allowed, *(name.partition(".")[0] for name in allowed)}
+    real_import, real_import_module = builtins.__import__, importlib.import_module
+
+    def is_allowed(name):
+        parts = name.split(".")
+        name = ".".join(parts[: 2 if parts[0] == course.package else 1])
+        return name in names or name in sys.stdlib_module_names or name in _own_modules
+
+    def refused(name, frame):
+        """What stands for the module that this frame may not import, [] if it may."""
+        if frame.f_globals.get("__name__") != "__main__" or is_allowed(name):
+            return []
+        if _is_guarded(frame) and not _only_shows(name):
+            raise RefusedModule(f"write this exercise without {name}", name=name)
+        return _stand_ins(name)
+
+    def import_(name, globals=None, locals=None, fromlist=(), level=0):
+        frame = sys._getframe(1)
+        modules = refused(name, frame) if not level else []
+        if modules:
+            return modules[-1 if fromlist else 0]
+        module = real_import(name, globals, locals, fromlist, level)
+        for part in fromlist or ():
+            if name == course.package and part in course.packages and refused(f"{name}.{part}", frame):
+                return _StandIn(f"{name}.{part}")
+        return module
+
+    def import_module(name, package=None):
+        modules = refused(name, sys._getframe(1))
+        return modules[-1] if modules else real_import_module(name, package)
+
+    builtins.__import__, importlib.import_module = import_, import_module

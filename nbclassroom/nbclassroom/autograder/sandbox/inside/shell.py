@@ -1,0 +1,312 @@
+"""An IPython shell without ZMQ: it reads cells from a socket and writes messages, as lines of JSON.
+
+In:  {"code": "..."}; a check has also "case": {...}, its inputs
+     {"page": {...}, "skip": [...]}, a page (see `exercises.page`); {"to": [cell, statement]}: it runs on to
+     there; {"below": "name"}: it runs on until this name is bound
+     {"fork": seconds} with a socket: a process that answers the requests of the socket for a check, as this
+     one does; {"end": patience, "confined": ...}: that process ends
+Out: {"type": "stream" | "display_data" | "error" | "idle", "content": {...}}, as Jupyter's messages. What a
+     cell draws is not sent, but for what a check cell shows. Of a page, "at": the statement that begins, and
+     "errors"; of a process that ended, "ended".
+"""
+
+import io
+import json
+import os
+import signal
+import socket
+import sys
+import threading
+import time
+from contextlib import suppress
+
+from IPython.core.displaypub import DisplayPublisher
+from IPython.core.interactiveshell import InteractiveShell
+from traitlets import Type
+from traitlets.config import Config
+
+from nbclassroom.autograder.sandbox.inside import confine, refusal
+from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
+from nbclassroom.exercises.page_run import PageRun, is_missing
+from nbclassroom.exercises.running import error_name
+
+# Looked up before any code of a learner's runs.
+_fork, _exit, _kill, _wait4, _waitpid = os.fork, os._exit, os.kill, os.wait4, os.waitpid
+_write, _dumps, _loads = os.write, json.dumps, json.loads
+
+_BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
+_MOST_PRINTED = 1_000_000  # characters that are sent of what a request prints; the rest costs nothing
+
+
+class MessageWriter:
+    """Writes each message as one line to the kernel's socket."""
+
+    def __init__(self):
+        self.descriptor = -1
+        self.printed = 0
+        self._lock = threading.RLock()
+
+    def send(self, kind, **content):
+        text = _dumps({"type": kind, "content": content}, default=str) + "\n"
+        data = memoryview(text.encode("ascii"))
+        with self._lock:
+            while data:
+                data = data[_write(self.descriptor, data) :]
+
+    def send_answer(self, data):
+        """Send what a check cell shows, of what a cell displays."""
+        if MIME in data:
+            self.send("display_data", data={MIME: data[MIME]})
+
+
+WRITER = MessageWriter()
+
+
+class OutputStream(io.TextIOBase):
+    """sys.stdout and sys.stderr of a cell."""
+
+    encoding, errors = "utf-8", "replace"
+
+    def __init__(self, name):
+        self.name, self._text = name, ""
+
+    def write(self, text):
+        if not isinstance(text, str):
+            raise TypeError(f"write() argument must be str, not {type(text).__name__}")
+        self._text += text
+        if len(self._text) > _BUFFER_SIZE:
+            self.flush()
+        return len(text)
+
+    def flush(self):
+        text, self._text = self._text, ""
+        if text and WRITER.printed < _MOST_PRINTED:
+            WRITER.printed += len(text)
+            WRITER.send("stream", text=text[:_MOST_PRINTED])
+
+    def writable(self):
+        return True
+
+    def fileno(self):
+        return 1 if self.name == "stdout" else 2
+
+
+def flush():
+    sys.stdout.flush()
+    sys.stderr.flush()
+
+
+class AnswerPublisher(DisplayPublisher):
+    """Sends what a check cell displays."""
+
+    def publish(self, data, metadata=None, **_ignored):
+        WRITER.send_answer(data)
+
+
+class KernelShell(InteractiveShell):
+    """IPython's shell, for what a learner's code asks of it: `get_ipython`, `display`, plots."""
+
+    display_pub_class = Type(AnswerPublisher)
+
+    def enable_gui(self, gui=None):
+        pass
+
+    def ask_exit(self):
+        pass
+
+
+def _text_of(error):
+    """The exception's text; a learner's exception class may have a __str__ that fails."""
+    try:
+        return str(error)
+    except (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError):
+        return ""
+
+
+def make_shell():
+    """The one shell of the fork server; each fork continues with its copy."""
+    # A database would be one open file that all forks share.
+    shell = KernelShell.instance(
+        config=Config({"HistoryManager": {"enabled": False, "hist_file": ":memory:"}})
+    )
+    shell.colors = "nocolor"
+    shell.user_ns["__name__"] = "__main__"
+    return shell
+
+
+def run_unseen(shell, sources):
+    """Run sources whose output nobody reads."""
+    WRITER.descriptor = os.open(os.devnull, os.O_WRONLY)
+    streams = sys.stdout, sys.stderr
+    sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
+    run = PageRun(_NO_PAGE, shell.user_ns)
+    for source in sources:
+        run.run_beside(source)
+    sys.stdout, sys.stderr = streams
+    os.close(WRITER.descriptor)
+
+
+def serve(shell, requests, descriptor, deliver):
+    """Answer the requests of a connection, one after another, until there are no more.
+
+    Parameters
+    ----------
+    requests : iterable of (dict, descriptor or None): a request, and the descriptor that came with it
+    descriptor : of the socket to which messages are written
+    deliver : takes the inputs of each check
+    """
+    WRITER.descriptor = descriptor
+    sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
+    _Server(shell, deliver).serve(requests)
+
+
+def read_requests(connection):
+    """The requests that come from a socket, as `serve` takes them."""
+    data, descriptors = b"", []
+    while part := connection.recvmsg(1 << 18, socket.CMSG_SPACE(4)):
+        for level, kind, content in part[1]:
+            if (level, kind) == (socket.SOL_SOCKET, socket.SCM_RIGHTS):
+                descriptors += [*memoryview(content).cast("i")]
+        if not part[0]:
+            return
+        *lines, data = (data + part[0]).split(b"\n")
+        for line in lines:
+            yield _loads(line), descriptors.pop(0) if descriptors else None
+
+
+class _Server:
+    """What one connection asks for: a kernel's, or that of a check which was forked from it."""
+
+    def __init__(self, shell, deliver, page_run=None):
+        self._shell, self._deliver = shell, deliver
+        self._page_run = page_run or PageRun(_NO_PAGE, shell.user_ns)
+        self._check = None  # process id of the check that was forked
+
+    def serve(self, requests):
+        for request, descriptor in requests:
+            WRITER.printed = 0
+            for name in request:
+                if name in _HANDLERS:
+                    _HANDLERS[name](self, request, descriptor)
+                    break
+
+    def _run_code(self, request, _descriptor):
+        """Run what is no part of the page. A check has also "case": its inputs."""
+        if "case" in request:
+            self._deliver(request["case"])
+        error = self._page_run.run_beside(request["code"])
+        self._finish("" if error is None else error_name(error), "" if error is None else _text_of(error))
+
+    def _finish(self, ename="", evalue=""):
+        flush()
+        WRITER.send("idle", ename=ename, evalue=evalue)
+
+    def _open_page(self, request, _descriptor):
+        """Get a page ready to run, without the statements that ended the process before."""
+
+        def tell(cell, statement):
+            flush()
+            WRITER.send("at", place=[cell, statement])
+
+        refusal.allow_files(cell["file"] for cell in request["page"]["cells"] if cell["file"])
+        self._page_run = PageRun(request["page"], self._shell.user_ns, request["skip"], tell)
+        self._finish()
+
+    def _run_page(self, request, _descriptor):
+        """Run the page on to a place, or below until a name is there; tell which statements have failed."""
+        if "to" in request:
+            self._page_run.run_to(request["to"])
+        else:
+            self._find_below(request["below"])
+        errors = [vars(error) for error in self._page_run.errors]
+        flush()
+        WRITER.send("errors", errors=errors[:_MOST_ERRORS])
+        self._finish()
+
+    def _find_below(self, name):
+        """Run the cells below until a name is there; one that is missing in the end is not bound."""
+        names = self._shell.user_ns
+        self._page_run.run_below(lambda: name in names and not is_missing(names[name]))
+        if is_missing(names.get(name)):
+            del names[name]
+
+    def _fork_check(self, request, descriptor):
+        """Fork a process that answers the requests of another socket; none beside threads and processes."""
+        flush()
+        self._check = None if _has_company() else _fork()
+        if self._check == 0:
+            _serve_check(self, request, descriptor)
+        os.close(descriptor)
+        self._finish("" if self._check else "not alone")
+
+    def _end_check(self, request, _descriptor):
+        """End the forked process with all that it started; tell how it ended."""
+        status = _end(self._check, request["end"], request["confined"])
+        self._check = None
+        WRITER.send("ended", **status)
+        self._finish()
+
+
+_MOST_ERRORS = 100
+_NO_PAGE = {"answers": {}, "cells": [], "checks": {}, "left_out": []}
+_HANDLERS = {
+    "code": _Server._run_code,
+    "page": _Server._open_page,
+    "to": _Server._run_page,
+    "below": _Server._run_page,
+    "fork": _Server._fork_check,
+    "end": _Server._end_check,
+}
+
+
+def _has_company():
+    """Whether this process has other threads, or has started processes: a fork would lack them."""
+    try:
+        tasks = os.listdir("/proc/self/task")  # noqa: PTH208 - `os` only, see `confine`
+        path = f"/proc/self/task/{os.getpid()}/children"
+        with open(path, encoding="ascii") as children:  # noqa: PTH123 - as above
+            return len(tasks) > 1 or bool(children.read().strip())
+    except OSError:  # a system without it
+        return threading.active_count() > 1
+
+
+def _serve_check(server, request, descriptor):
+    """What the forked process does; it does not return."""
+    exit_code = 71  # the learner's code ended it
+    try:
+        os.close(WRITER.descriptor)
+        os.setpgid(0, 0)
+        confine.set_time_limit(request["fork"])
+        WRITER.descriptor = descriptor
+        connection = socket.socket(fileno=descriptor)
+        server._page_run.adopt_process()
+        _Server(server._shell, server._deliver, server._page_run).serve(read_requests(connection))
+        exit_code = 0
+    finally:
+        _exit(exit_code)
+
+
+def _end(check, patience, confined):
+    """How a forked process ended: {"signal", "code", "cpu"}; it is killed if it does not end in time."""
+    status, usage, give_up = 0, None, time.monotonic() + patience
+    try:
+        while usage is None:
+            if time.monotonic() >= give_up:
+                _kill(check, signal.SIGKILL)
+            ended, status, resources = _wait4(check, os.WNOHANG)
+            usage = resources if ended else None
+            if usage is None:
+                time.sleep(0.001)
+        # Where this process is the first one of its namespace, this reaches all others there and no more.
+        with suppress(OSError):
+            _kill(-1 if confined else -check, signal.SIGKILL)
+        with suppress(OSError):
+            while _waitpid(-1, 0)[0]:
+                pass
+    except (OSError, TypeError):  # the learner's code has waited for it
+        return {"signal": 0, "code": 71, "cpu": 0.0}
+    return {
+        "signal": os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0,
+        "code": os.WEXITSTATUS(status) if os.WIFEXITED(status) else 0,
+        "cpu": usage.ru_utime + usage.ru_stime,
+    }

@@ -1,0 +1,79 @@
+"""Make text that a learner wrote safe to read in a terminal, on a page and in a table.
+
+One rule holds everywhere: a character that a reader would not see is escaped. It is never dropped, because a
+hidden character may be the very thing that the reader must know. HTML is escaped where HTML is written.
+"""
+
+import re
+import sys
+from functools import cache
+from pathlib import Path
+
+from .. import course
+
+_COMMON = {"/usr", "/usr/local", "/tmp", "/opt"}  # folders that every machine has
+_FORMULA_STARTS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
+_FORMULA_START = rf"(?=[{re.escape(''.join(_FORMULA_STARTS))}])"
+_AFTER_SEMICOLON = re.compile(rf"(;[ '\"]*){_FORMULA_START}")
+_APOSTROPHE = re.compile(rf"(^|;[ \"]*)'{_FORMULA_START}")
+
+
+def sanitize_text(text, max_length=300):
+    """Shorten a text and make its invisible characters visible: printable, and it can be encoded as UTF-8.
+
+    Control characters (the start of a terminal's escape sequence too), lone surrogates and marks that change
+    the direction of writing become `\\u202e` and the like. Line ends and tabs stay.
+    """
+    text = text if len(text) <= max_length else text[: max_length - 1] + "…"
+    if text.isprintable():  # nearly every text
+        return text
+    return "".join(
+        character if character in "\n\t" or character.isprintable() else _escape(character)
+        for character in text
+    )
+
+
+def sanitize_line(text, max_length=300):
+    """Do the same as `sanitize_text`, and escape line ends and tabs too: the result is one line."""
+    return sanitize_text(text, max_length).replace("\n", "\\n").replace("\t", "\\t")
+
+
+def spreadsheet_text(value):
+    """One line that is no formula and no comment (#), by an apostrophe before it; a number is unchanged."""
+    if isinstance(value, (int, float)):
+        return value
+    line = without_formulas(sanitize_line(value, 2000))
+    is_hidden = value.startswith(("\t", "\r", "\n")) and not line.startswith("'")
+    return f"'{line}" if is_hidden or value.lstrip(" '").startswith("#") else line
+
+
+def without_formulas(text):
+    """The text with an apostrophe before each part that a spreadsheet would take for a formula."""
+    # A spreadsheet that separates cells by semicolons takes what follows one for a cell.
+    text = _AFTER_SEMICOLON.sub(r"\1'", text)
+    return f"'{text}" if text.lstrip(" '\"\t\r\n").startswith(_FORMULA_STARTS) else text
+
+
+def without_apostrophes(text):
+    """The text without the apostrophes that `spreadsheet_text` put before what looks like a formula."""
+    return _APOSTROPHE.sub(r"\1", text)
+
+
+def without_machine_paths(text):
+    """The text with … for the folders of this machine: an answer finds them in /proc."""
+    return _machine_paths().sub("…", text) if "/" in text else text
+
+
+@cache
+def _machine_paths():
+    """A pattern of the folders of the user, the course and Python, and of their ends, as mounts show them."""
+    folders = {Path.home(), Path.cwd(), Path(sys.prefix), Path(sys.base_prefix), *course.roots()}
+    parts = [folder.resolve().parts[1:] for folder in folders] + [folder.parts[1:] for folder in folders]
+    ends = {"/".join(("", *part[start:])) for part in parts for start in range(max(1, len(part) - 1))}
+    longest_first = sorted(filter(None, ends - _COMMON), key=len, reverse=True)
+    return re.compile(rf"(?:{'|'.join(map(re.escape, longest_first))})(?![\w.-])")
+
+
+def _escape(character):
+    code = ord(character)
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"

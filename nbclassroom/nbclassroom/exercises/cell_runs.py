@@ -1,0 +1,156 @@
+"""The last runs of the notebook's cells: a checked function may be older than the cell on the screen.
+
+A cell that does not run leaves the function of an earlier run behind, and so does a cell that defines another
+name. In a kernel the runs are recorded from the import of this package on; elsewhere nothing is recorded.
+"""
+
+import difflib
+import re
+import sys
+from dataclasses import dataclass
+
+from .. import course
+from .cell_syntax import bound_names, cached_if_short, plain_python, program_lines
+from .error_advice import advice_on
+from .guesses import read_bare_guess
+from .running import code_of, source_of
+from .source_remarks import SAYS
+
+_MOST_RUNS = 500
+_SIMILAR = 0.8
+_FAILED = (
+    "The last run of your cell failed. {error}\nPython still has the older {name}, not the one on the"
+    " screen. Repair the cell, run it, then run this one."
+)
+
+
+@dataclass
+class CellRun:
+    """One run of a cell."""
+
+    source: str
+    cell_id: str = ""  # may be missing
+    exercise: str = ""  # in JupyterLab's metadata of the cell
+    error: str = ""  # a sentence, "" if it came to its end
+    is_read: bool = True  # whether Python could read it
+
+    def fail(self, error):
+        """Record the error that ended the run, without its frames: they would keep large arrays alive."""
+        kind, self.is_read = type(error).__name__, not isinstance(error, SyntaxError)
+        if self.is_read:
+            self.error = f"{kind}: {error}. {advice_on(kind, str(error))}".rstrip()
+        else:
+            advice = advice_on(kind, error.msg, f"line {error.lineno}: {(error.text or '').strip()}")
+            text = f"Python cannot read it: {kind}, {error.msg}, in line {error.lineno}. {advice}"
+            self.error = text.rstrip()
+
+    def names(self):
+        """The names that the cell binds at its top level, as far as it came to its end."""
+        return _names_bound(plain_python(self.source)) if self.is_read else set()
+
+    def definitions(self):
+        """The functions and classes that the cell defines at its top level, also if it does not parse."""
+        return re.findall(r"^(?:(?:async\s+)?def|class)\s+(\w+)", self.source, re.MULTILINE)
+
+
+class CellRuns:
+    """The runs of a notebook's cells, the newest last."""
+
+    def __init__(self):
+        self._runs, self._deleted = [], set()  # the ids of deleted cells
+
+    def start(self, source, cell_id="", exercise=""):
+        """Record that a cell begins to run; returns the CellRun."""
+        self._runs = [*self._runs[1 - _MOST_RUNS :], CellRun(source, cell_id or "", exercise)]
+        return self._runs[-1]
+
+    def begin(self, info):
+        """Record that IPython begins to run a cell."""
+        metadata = _metadata_of_request()
+        about, deleted = metadata.get(course.name), metadata.get("deletedCells")
+        exercise = about.get("exercise") if isinstance(about, dict) else None
+        self._deleted |= {id for id in deleted if isinstance(id, str)} if isinstance(deleted, list) else set()
+        run = self.start(info.raw_cell, getattr(info, "cell_id", None), exercise if exercise else "")
+        lines = program_lines(plain_python(run.source)) if run.exercise or run.definitions() else ()
+        for line, code in lines[:1]:
+            print(SAYS["line of a program"].format(line=line, code=code), SAYS["interrupt"])
+
+    def end(self, result):
+        """Record how the last cell of IPython ended."""
+        error = result.error_before_exec or result.error_in_exec
+        if error is not None and self._runs:
+            self._runs[-1].fail(error)
+
+    def source_that_binds(self, name):
+        """The source of the last run that bound a name at its top level, "" if none is known."""
+        return next((run.source for run in reversed(self._runs) if name in run.names()), "")
+
+    def end_of(self, name):
+        """What has happened to the cell that bound a name last: "changed", "deleted", or "" for nothing."""
+        binding = [number for number, run in enumerate(self._runs) if name in run.names()]
+        cell_id = self._runs[binding[-1]].cell_id if binding else ""
+        later = [run for run in self._runs[binding[-1] + 1 :] if run.cell_id == cell_id] if cell_id else []
+        if later:  # it has run again, and does not bind the name any more
+            return "changed"
+        return "deleted" if cell_id in self._deleted else ""
+
+    def why_older(self, exercise_id, name, function):
+        """Why a function is older than the learner's cell of this name, and what to do; "" if it is not."""
+        run = next((run for run in reversed(self._runs) if _is_about(run, exercise_id, name, function)), None)
+        if run is None:
+            return ""
+        if run.error:
+            is_current = run.is_read and (source_of(function).strip() or "\0") in run.source
+            shown_name = name if isinstance(function, type) else f"{name}()"
+            return "" if is_current else _FAILED.format(error=run.error, name=shown_name)
+        # Under the name that is asked for there may also be a lambda, or an imported function.
+        if re.search(rf"\b{name}\b", run.source):
+            return ""
+        return _explain_name(run, name, "class" if isinstance(function, type) else "function")
+
+
+def _metadata_of_request():
+    """What JupyterLab sends with the cell that begins to run: its metadata, and which cells were deleted."""
+    shell = sys.modules["IPython"].get_ipython()
+    return getattr(shell, "get_parent", dict)().get("metadata", {})
+
+
+def _is_about(run, exercise_id, name, function):
+    """Whether a cell is the learner's cell of an exercise: by its id, or by the function that it defines."""
+    if run.cell_id == f"answer-{exercise_id}" or name in run.definitions():
+        return True
+    if run.cell_id.startswith("answer-"):
+        return False
+    similar = _similar(run, name)
+    return bool(similar) and similar not in getattr(code_of(function), "co_names", ())
+
+
+def _similar(run, name):
+    """A function of the cell whose name looks like a misspelling of another; "" if there is none."""
+    numbers_in = re.compile(r"\d+").findall
+    names = [defined for defined in run.definitions() if numbers_in(defined) == numbers_in(name)]
+    return next(iter(difflib.get_close_matches(name, names, n=1, cutoff=_SIMILAR)), "")
+
+
+def _explain_name(run, name, kind):
+    defined_name = _similar(run, name) or next(iter(run.definitions()), "")
+    marks, start = ("()", f"def {name}(...):") if kind == "function" else ("", f"class {name}(...):")
+    defined = f"defines {defined_name}{marks}" if defined_name else f"defines no {kind}"
+    return SAYS["another name"].format(defined=defined, kind=kind, name=f"{name}{marks}", start=start)
+
+
+_names_bound = cached_if_short(bound_names)
+RUNS = CellRuns()
+
+
+def watch_cells():
+    """Record the runs of this kernel's cells in RUNS, and read guesses; does nothing outside a kernel."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if shell is None or getattr(shell, "nbclassroom_runs", None) is RUNS:
+        return
+    shell.nbclassroom_runs = RUNS
+    for source in shell.history_manager.input_hist_raw[1:]:  # before the import of this package
+        RUNS.start(source)
+    shell.events.register("pre_run_cell", RUNS.begin)
+    shell.events.register("post_run_cell", RUNS.end)
+    shell.input_transformers_cleanup.append(lambda lines: read_bare_guess(lines, shell.user_ns))

@@ -1,0 +1,257 @@
+"""What the sources of a notebook's cells say by their syntax: what they define, and what never ends.
+
+Nothing is run. Only the standard library is imported, no other module of ours: the process that reads
+notebooks loads this file alone (see `gradebook.submission_reader`).
+"""
+
+import ast
+import contextlib
+import hashlib
+import re
+from functools import lru_cache
+
+_MOST_CACHED = 5_000  # characters: most cells are the lesson's, in every notebook; a long one costs memory
+UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
+_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+_DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
+_CALLABLE_VALUES = (ast.Lambda, ast.Name, ast.Attribute, ast.Call)
+_EXPRESSIONS_WITH_NAMES = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+_MAGIC = re.compile(
+    r"""^(?P<indent>[ \t]*)(?![ \t])
+    (?: %time[ \t]+(?=[A-Za-z_(])            # %time y = f(): only the magic goes
+      | (?P<target>[\w, \t]+=)[ \t]*[%!].*   # files = !ls: becomes files = None
+      | [%!?].*                              # another magic or shell command: becomes pass
+      | [\w.]+\?\??$                         # np.mean?: becomes pass
+    )""",
+    re.M | re.X,
+)
+# The prompts of Python and IPython, pasted from a terminal or a page: Jupyter drops them too.
+_FIRST_PROMPT = re.compile(r"\s*(>>>( |$)|In \[\d+\]: )")
+_PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
+_FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
+_INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]+)(?=\S)")  # of a whole cell: Jupyter drops it
+_CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
+# Calls that belong to a program which runs by itself: those that never come to an end, or come once in a
+# process, and those that wait for a person.
+_ENDLESS_CALLS = re.compile(r"(\w{1,9}\.){0,2}(spin\w{0,22}|(rclpy\.)(init|ok|shutdown|try_shutdown)|ok)")
+_WAITING_CALLS = re.compile(
+    rf"{_ENDLESS_CALLS.pattern}|main|input|(plt|pyplot)\.show|(cv2\.)?(imshow|waitKey\w{{0,9}})"
+)
+_PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
+
+
+def plain_python(source):
+    """The source without magics, prompts, shell commands and indent; its lines stay. As it is if it parses.
+
+    What a magic computes is lost: `files = !ls` gives None. The Python in `%time` and `%%time` stays.
+    """
+    if _FIRST_PROMPT.match(source):  # IPython's is an annotation, too
+        source = _PROMPT.sub("", source)
+    try:
+        ast.parse(source)
+    except UNPARSABLE:
+        source = _FENCE.sub("#", source)
+        if indent := _INDENT.match(source):
+            source = "\n".join(line.removeprefix(indent[1]) for line in source.split("\n"))
+        cell_magic = _CELL_MAGIC.match(source)
+        if cell_magic and cell_magic[1] not in _PYTHON_MAGICS:
+            return "#" + "\n#".join(source.splitlines())  # another language
+        if cell_magic:
+            source = "#\n" * cell_magic[0].count("\n") + source[cell_magic.end() :]
+        return _MAGIC.sub(_without_magic, source)
+    return source
+
+
+def _without_magic(match):
+    if match[0].lstrip().startswith("%time "):
+        return match["indent"]
+    return f"{match['indent']}{match['target']} None" if match["target"] else f"{match['indent']}pass"
+
+
+def bound_names(source):
+    """The names that a source binds at its top level, `*` for an import of everything; a set."""
+    return {name for statement in top_level(source) for name in names_bound_by(statement)}
+
+
+def top_level(source):
+    """The statements of a source; none if it does not parse."""
+    try:
+        return ast.parse(source).body
+    except UNPARSABLE:
+        return []
+
+
+def names_bound_by(statement):
+    """The names that a statement binds where it stands, not inside its functions and classes; a set."""
+    names, nodes = set(), [statement]
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, _DEFINITIONS):
+            names.add(node.name)
+            continue
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            names |= {_name_of(alias) for alias in node.names}
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            names.add(node.id)
+        if not isinstance(node, _EXPRESSIONS_WITH_NAMES):
+            nodes.extend(ast.iter_child_nodes(node))
+    return names
+
+
+def _name_of(alias):
+    return (alias.asname or alias.name).split(".")[0]
+
+
+def function_definitions(source):
+    """What a source defines at its top level that may be called: functions, classes, `f = np.vectorize(g)`.
+
+    {name: BLANK for a stub, else a digest of its body without docstring, or "" if it is long}; of two of one
+    name the last that is no stub.
+    """
+    definitions = {}
+    for statement in top_level(source):
+        name, digest = callable_name(statement), _body_digest(statement)
+        if name and (name not in definitions or digest != BLANK):
+            definitions[name] = digest
+    return definitions
+
+
+def callable_name(statement):
+    """The name under which a statement defines something to call, or ""."""
+    if isinstance(statement, _DEFINITIONS):
+        return statement.name
+    if isinstance(statement, ast.Assign) and isinstance(statement.value, _CALLABLE_VALUES):
+        target = statement.targets[-1]
+        return target.id if isinstance(target, ast.Name) else ""
+    return ""
+
+
+_LONGEST_DIGESTED = 6  # statements; a digest tells whether a body is still the stub as handed out
+BLANK = "blank"
+
+
+def _body_digest(statement):
+    """BLANK for a stub (see `_is_blank`), a digest of another short body, or ""."""
+    if is_blank(statement):
+        return BLANK
+    body = _body(statement)
+    if not 0 < len(body) <= _LONGEST_DIGESTED:
+        return ""
+    try:
+        text = "\n".join(map(_dump, body))
+    except (RecursionError, MemoryError):
+        return ""
+    return hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
+
+
+def _dump(statement):
+    """A statement as text; of a function or class the name and the body."""
+    if isinstance(statement, _DEFINITIONS):
+        return "\n".join([statement.name, *map(_dump, _body(statement))])
+    return ast.dump(statement)
+
+
+def _body(statement):
+    """The statements of a function or class without its docstring or `...`; of anything else none."""
+    body = statement.body if isinstance(statement, _DEFINITIONS) else []
+    is_text = body and isinstance(body[0], ast.Expr) and isinstance(body[0].value, ast.Constant)
+    return body[1:] if is_text else body
+
+
+def _initialization(statement):
+    """The statements of the __init__ of a class."""
+    body = statement.body if isinstance(statement, ast.ClassDef) else []
+    methods = [part for part in body if isinstance(part, _FUNCTIONS) and part.name == "__init__"]
+    return _body(methods[-1]) if methods else []
+
+
+def is_blank(statement):
+    """Whether a statement is a stub: `...`, `pass`, NotImplementedError first or in a class's __init__."""
+    if not isinstance(statement, _DEFINITIONS):
+        return False
+    body = _body(statement)
+    if not body or [*map(type, body)] == [ast.Pass]:
+        return True
+    return _is_not_implemented(body[0]) or any(map(_is_not_implemented, _initialization(statement)))
+
+
+def functions_with_stub_line(tree):
+    """Names of functions that go on after the stub's NotImplementedError, of classes with it in __init__."""
+    definitions = [statement for statement in tree.body if isinstance(statement, _DEFINITIONS)]
+    return [
+        definition.name
+        for definition in definitions
+        if any(map(_is_not_implemented, _initialization(definition)))
+        or (len(_body(definition)) > 1 and _is_not_implemented(_body(definition)[0]))
+    ]
+
+
+def _is_not_implemented(statement):
+    error = statement.exc if isinstance(statement, ast.Raise) else None
+    error = error.func if isinstance(error, ast.Call) else error
+    return isinstance(error, ast.Name) and error.id == "NotImplementedError"
+
+
+def program_lines(source, *, is_main=True):
+    """[line number, its text] of the statements of a cell that belong to a program which runs by itself.
+
+    They call main(), spin a node, loop without an end, or wait for a window, a key or a person. Below
+    `if __name__ == ...` they count if the cell is the main program.
+    """
+    try:
+        body = [part for statement in top_level(source) for part in _parts_to_name(statement, is_main)]
+        statements = _statements_that_call(body, _WAITING_CALLS)
+        return [[statement.lineno, ast.unparse(statement).split("\n")[0]] for statement in statements]
+    except UNPARSABLE:
+        return []
+
+
+def _parts_to_name(statement, is_main):
+    """The statements of an `if`, `try` or `with`, or the one itself."""
+    if isinstance(statement, ast.If) and not is_main and ast.unparse(statement.test).startswith("__name__"):
+        return []
+    if isinstance(statement, ast.If | ast.Try | ast.With):
+        parts = [node for node in ast.iter_child_nodes(statement) if isinstance(node, ast.stmt)]
+        return [inner for part in parts for inner in _parts_to_name(part, is_main)]
+    return [statement]
+
+
+def _statements_that_call(statements, calls):
+    """The statements that loop without an end or make such calls, directly or through what they define."""
+    nodes = [node for statement in statements for node in ast.walk(statement)]
+    called = {node: _names_called(node) for node in nodes if isinstance(node, _DEFINITIONS)}
+    called |= {statement: _names_called(statement) for statement in statements if statement not in called}
+    names, count = {"while"}, -1
+    while len(names) > count:
+        count = len(names)
+        meant = {node for node, own in called.items() if own & names or any(map(calls.fullmatch, own))}
+        own_names = {node.name for node in meant if isinstance(node, _DEFINITIONS)}
+        names |= own_names | {f".{name}" for name in own_names}
+    return [node for node in statements if node in meant and not isinstance(node, _DEFINITIONS)]
+
+
+def _names_called(node):
+    """What a node calls: f, or a.f and .f; `while` for a loop without an end. A class calls its __init__."""
+    names, body = set(), getattr(node, "body", ()) if isinstance(node, ast.ClassDef) else [node]
+    body = [part for part in body if part is node or getattr(part, "name", "__init__") == "__init__"]
+    for part in (inner for own in body for inner in ast.walk(own)):
+        if isinstance(part, ast.Call) and isinstance(part.func, ast.Name | ast.Attribute):
+            names |= {f".{getattr(part.func, 'attr', '')}", ast.unparse(part.func)}
+        elif isinstance(part, ast.While) and getattr(part.test, "value", False) in (True, 1):
+            ends = (ast.Break, ast.Return, ast.Raise, ast.Yield)
+            names |= set() if any(isinstance(inner, ends) for inner in ast.walk(part)) else {"while"}
+    return names
+
+
+def endless_statements(statements):
+    """The numbers of those of a cell's statements that never come to an end."""
+    with contextlib.suppress(*UNPARSABLE):
+        endless = _statements_that_call(statements, _ENDLESS_CALLS)
+        return [number for number, statement in enumerate(statements) if statement in endless]
+    return []
+
+
+def cached_if_short(function):
+    """The function of a source, with its results for short sources cached."""
+    cached = lru_cache(maxsize=2_000)(function)
+    return lambda source: (cached if len(source) <= _MOST_CACHED else function)(source)

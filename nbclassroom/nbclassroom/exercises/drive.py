@@ -1,0 +1,251 @@
+"""A drive: a scenario in which a learner's `control` drives the robot, and what the robot did, as plain data.
+
+`check` and grading use it. It runs where the environment is, never where the learner's code is. A scenario is
+a dict, see `scenario`; what a drive gives is the dict of `Drive.record`.
+"""
+
+import math
+import numbers
+import re
+import reprlib
+from dataclasses import dataclass
+
+import numpy as np
+
+from nbclassroom import course
+
+LOOK = 0.1  # seconds from one observation to the next
+LOOK_SECONDS = 0.5  # how long one call of `control` may take
+MEAN_LOOK_SECONDS = 0.05  # of processor time, how long it may take on average of a whole drive
+PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
+SENSORS = ("scan", "depth", "image", "odometry")
+# The keys of a scenario that the environment's `reset` takes.
+OPTIONS = ("room", "start", "time", "lighting", "movers", "duration", "ball", "goal", "answer")
+DURATION = 40.0  # seconds, of a scenario that does not say it
+_ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
+_REPR = reprlib.Repr()
+_REPR.maxother = 80  # characters: an address is not cut
+_COUNTS = {"<=": ("≤", "at most"), ">=": ("≥", "at least")}
+_EXPECTED = "expected two numbers, (linear, angular)"
+
+
+@dataclass(frozen=True)
+class _Metric:
+    """How texts name a metric, its format, a sentence about its value, and a question if it is missed."""
+
+    title: str
+    format: str
+    sentence: str
+    question: str = ""
+
+
+METRICS = {
+    "bumps": _Metric("bumps", "{:.0f}", "The robot bumped {} times"),
+    "clearance": _Metric("clearance", "{:.2f} m", "The robot came as near as {}"),
+    "distance": _Metric("distance driven", "{:.2f} m", "The robot drove {}"),
+    "reach": _Metric("reach", "{:.2f} m", "The robot got {} away from its start"),
+    "places": _Metric("places", "{:.0f}", "The places that the robot came to (cells of 0.5 m): {}"),
+    "time": _Metric("time", "{:.1f} s", "The robot drove for {}"),
+    "goal_time": _Metric(
+        "time to the goal",
+        "{:.1f} s",
+        "The robot reached the goal after {}",
+        "Does it steer to the goal, also after a way round something?",
+    ),
+    "home": _Metric(
+        "from the start, at the end",
+        "{:.2f} m",
+        "At the end, the robot was {} away from its start",
+        "Does it drive back to (0, 0) of its odometry?",
+    ),
+    "answer_error": _Metric(
+        "error of the answer",
+        "{:.0f}°",
+        "At the end, the robot looked {} beside the right answer",
+        "Is the answer turned to the left where it is positive, and are its degrees made radians?",
+    ),
+    "ball_gap": _Metric(
+        "error of the distance",
+        "{:.2f} m",
+        "The robot's distance to the ball was wrong by {}",
+        "Does it turn to the side on which the ball is, and does it stop and drive back when it is too near?",
+    ),
+    "ball_angle": _Metric(
+        "ball beside the middle",
+        "{:.0f}°",
+        "The robot looked {} past the ball, on average",
+        "Does it turn to the side on which the ball is, also when it stands?",
+    ),
+}
+
+
+def metric_text(name, value, operator=""):
+    """The value of a metric with its unit, "–" if nothing was measured; with an operator its threshold."""
+    sign = f"{_COUNTS[operator][0]} " if operator else ""
+    return sign + ("–" if value is None else METRICS[name].format.format(value))
+
+
+class Drive:
+    """One drive, look after look, in an environment as `course.drive_environment` makes it.
+
+    scenario     the dict
+    observation  what `control` gets next, {name: array, or float for "time"}
+    layout       [name, dtype, shape] of each of its values
+    over         whether the drive is at its end; then `act` and `stop` do nothing
+    """
+
+    def __init__(self, env, scenario):
+        self._env, self.scenario = env, scenario
+        self._ended, self._actions, self._decisive = "", [], 0
+        options = {key: value for key, value in scenario.items() if key in OPTIONS}
+        self._read(*env.reset(seed=scenario["seed"], options=options))
+        arrays = {name: np.asarray(value) for name, value in self.observation.items()}
+        self.layout = [[name, array.dtype.str, list(array.shape)] for name, array in arrays.items()]
+
+    @property
+    def looks(self):
+        return len(self._actions)
+
+    @property
+    def over(self):
+        return bool(self._ended) or self.looks >= looks_of(self.scenario)
+
+    def act(self, value):
+        """Drive until the next look with what `control` returned: linear (m/s) and angular speed (rad/s)."""
+        if self.over:
+            return
+        try:
+            speeds = speeds_of(value)
+        except ValueError as error:
+            self.stop(str(error))
+            return
+        limits = self._env.action_space
+        action = np.clip(np.array(speeds), limits.low.astype(float), limits.high.astype(float))
+        self._actions.append(speeds)
+        observation, _, _, _, info = self._env.step(action)
+        self._read(observation, info)
+
+    def stop(self, reason):
+        """End the drive before its time, for a reason in one sentence."""
+        if not self.over:
+            self._ended = reason
+
+    def record(self):
+        """What the robot did, as data of JSON.
+
+        metrics   the environment's `info`
+        ended     why the drive ended before its time, "" if it did not
+        looks     how many actions were driven
+        path      [x, y, yaw] at the start and after each action, metres and radians
+        bumps     [look, x, y] of each bump
+        missed    [metric, value, operator, limit] of each threshold that is not kept
+        decisive  the look of the `decisive_moment`
+        actions   [linear, angular] of each look
+        """
+        env = self._env.unwrapped
+        record = {
+            "metrics": dict(self._info),
+            "ended": self._ended,
+            "looks": self.looks,
+            "path": [[round(float(value), 4) for value in place] for place in env.path],
+            "bumps": [
+                [int(look), round(float(x), 4), round(float(y), 4)] for look, (x, y, *_) in env.bump_places
+            ],
+            "missed": [
+                [name, self._info[name], *limit]
+                for name, limit in self.scenario["thresholds"].items()
+                if not _is_kept(self._info[name], *limit)
+            ],
+            "actions": [list(speeds) for speeds in self._actions],
+        }
+        looks = {"the nearest place": self._decisive, "the end": self.looks}
+        look = looks.get(decisive_moment(record))
+        return record | {"decisive": int(env.bump_places[0][0] if look is None else look)}
+
+    def _read(self, observation, info):
+        is_nearer = self._actions and info["clearance"] != self._info["clearance"]
+        self._decisive = self.looks if is_nearer else self._decisive
+        self._info = info
+        self.observation = course.load(course.drive_observation)(observation)
+
+
+def decisive_moment(record):
+    """What texts call the moment of a drive that is shown: "the bump", "the nearest place" or "the end"."""
+    missed = {name for name, *_ in record["missed"]}
+    if record["bumps"]:
+        return "the bump"
+    return "the end" if missed and "clearance" not in missed else "the nearest place"
+
+
+def looks_of(scenario):
+    """How many looks a whole drive has."""
+    return round(scenario.get("duration", DURATION) / LOOK)
+
+
+def passes(record, scenario):
+    """Whether a drive gives the points of its case."""
+    return not record["ended"] and not record["missed"] and record["looks"] == looks_of(scenario)
+
+
+def _is_kept(value, operator, limit):
+    if value is None:
+        return False
+    return value <= limit if operator == "<=" else value >= limit
+
+
+def speeds_of(value):
+    """The two speeds that `control` returned, as floats; ValueError: it returned something else."""
+    is_sequence = isinstance(value, (tuple, list, np.ndarray)) and np.ndim(value) != 0
+    numbers_only = is_sequence and all(isinstance(speed, numbers.Real) for speed in value)
+    if not numbers_only or len(value) != 2:
+        raise ValueError(f"control returned {_text_of(value)}: {_EXPECTED}")
+    try:
+        speeds = tuple(map(float, value))
+    except OverflowError:
+        speeds = (math.inf, math.inf)
+    if not all(map(math.isfinite, speeds)):
+        raise ValueError(f"control returned {_text_of(value)}: {_EXPECTED}, neither nan nor inf")
+    return speeds
+
+
+def _text_of(value):
+    """A returned value in a line, without addresses, which differ from run to run."""
+    return _ADDRESS.sub("0x…", " ".join(_REPR.repr(value).split()))
+
+
+def sentences_of(record, scenario):
+    """What went wrong in a drive, as a list of sentences; empty if it passes."""
+    if record["ended"]:
+        reason = record["ended"].rstrip(".")
+        return [f"The drive ended after {record['looks'] * LOOK:.1f} s: {reason}."]
+    if record["looks"] < looks_of(scenario):
+        return ["The drive did not come to its end."]
+    names = {name for name, *_ in record["missed"]}
+    sentences = [
+        _sentence(record, *missed)
+        for missed in record["missed"]
+        if missed[0] != "clearance" or "bumps" not in names  # a bump says it
+    ]
+    return [*sentences, question] if (question := question_of(record)) else sentences
+
+
+def question_of(record):
+    """A question about the first metric that a drive missed, if the metric has one; after a bump, none."""
+    name = record["missed"][0][0] if record["missed"] and not record["bumps"] else "bumps"
+    return METRICS[name].question
+
+
+def _sentence(record, name, value, operator, limit):
+    if value is None:
+        return "The robot did not reach the goal." if name == "goal_time" else "The robot never drove."
+    asked = f"the task asks for {_COUNTS[operator][1]} {metric_text(name, limit)}."
+    if name == "bumps" and record["bumps"]:
+        obstacle = record["metrics"].get("bumped_into") or "something"
+        text = f"The robot bumped into the {obstacle} at {record['bumps'][0][0] * LOOK:.1f} s"
+        text += f", and bumped {value} times in all" if value > 1 else ""
+        return f"{text}; {asked}" if limit else f"{text}."
+    text = METRICS[name].sentence.format(metric_text(name, value))
+    if name == "clearance":
+        thing = record["metrics"].get("nearest_to")
+        text += f" to {f'the {thing}' if thing else 'what stands still'} at {record['decisive'] * LOOK:.1f} s"
+    return f"{text}; {asked}"

@@ -1,0 +1,303 @@
+"""Let a learner's `control` drive in scenarios. It runs here; the robot is in simulators, other processes.
+
+A simulator lives as long as this process. While one of them computes its next observation, `control`
+answers another one.
+"""
+
+import atexit
+import contextlib
+import math
+import os
+import pickle
+import select
+import subprocess
+import sys
+import time
+import warnings
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from .canonical import array_of, canonical
+from .drive import LOOK, LOOK_SECONDS, MEAN_LOOK_SECONDS, PATH_TOLERANCE, looks_of, speeds_of
+from .progress import TEST_VARIABLE
+from .running import CallResult, LimitedOutput, call_within, failure_fields
+
+_SIMULATORS = 2
+_SHOWN_LOOKS = 20  # between two states of the progress bar
+_MOST_SLOW = 20  # looks that take longer than they may while the drive does so on average
+_MOST_MEMORY = 1_000_000_000  # bytes by which this process may grow
+_SLOW = (
+    f"takes longer than {MEAN_LOOK_SECONDS} s for a look on average: do less in each call, do not sleep, or"
+)
+_SLOW += " keep results in memory"
+_LARGE = "takes more than 1 GB of memory: keep only what later looks need"
+_KEPT_LINES = 13  # of what a drive prints: one more than is shown
+_STEP = 5  # looks between two places of a path that is stored or compared
+
+
+class SimulatorError(RuntimeError):
+    """A simulator ended, or could not do what it was asked for."""
+
+
+class _Simulator:
+    """One process that simulates, see `simulator`."""
+
+    def __init__(self):
+        # A session of its own: Ctrl-C and a kernel's interrupt are for the process that asks.
+        self._process = subprocess.Popen(
+            [sys.executable, "-P", "-m", f"{__package__}.simulator"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+
+    def ask(self, *request):
+        """Send a request; its reply is to be read before the next one."""
+        with contextlib.suppress(BrokenPipeError):  # `reply` tells
+            pickle.dump(request, self._process.stdin)
+            self._process.stdin.flush()
+
+    def reply(self):
+        try:
+            is_right, reply = pickle.load(self._process.stdout)
+        except (EOFError, pickle.UnpicklingError) as error:
+            raise SimulatorError("a simulator ended unexpectedly; check again") from error
+        if not is_right:
+            raise SimulatorError(reply)
+        return reply
+
+    def fileno(self):
+        return self._process.stdout.fileno()
+
+    def close(self):
+        self._process.kill()
+        for pipe in (self._process.stdin, self._process.stdout):
+            with contextlib.suppress(OSError):
+                pipe.close()
+        self._process.wait()
+
+
+_simulators = []  # of this process
+
+
+@atexit.register
+def close_simulators():
+    """End the simulators of this process; the next drive starts others."""
+    while _simulators:
+        _simulators.pop().close()
+
+
+@contextlib.contextmanager
+def _all_simulators():
+    """The simulators, started if there are none; what interrupts a drive ends them."""
+    try:
+        while len(_simulators) < _SIMULATORS:
+            _simulators.append(_Simulator())
+        yield tuple(_simulators)
+    except BaseException:
+        close_simulators()
+        raise
+
+
+def _own_seconds():
+    """A clock that stands still while this thread waits for a processor; seconds."""
+    try:
+        return time.monotonic() - int(Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
+    except (OSError, IndexError):
+        return time.thread_time()
+
+
+def _memory():
+    """The memory of this process, bytes; 0 if the system does not say it."""
+    try:
+        return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    except OSError:
+        return 0
+
+
+@dataclass
+class _Burden:
+    """What all drives of a check cost; `excess` says why none of them goes on, "" if they do."""
+
+    memory: int = field(default_factory=_memory)  # before
+    excess: str = ""
+
+
+@dataclass
+class _Run:
+    """One drive of a `control`: what it was told, what it printed, and why it failed."""
+
+    control: object
+    scenario: dict
+    burden: _Burden
+    memory: dict = field(default_factory=dict)
+    seconds: float = 0.0  # of all its calls
+    slow_looks: int = 0
+    prints: list = field(default_factory=list)  # (seconds after the start, LimitedOutput) of each call
+    warning: str = ""
+    failure: dict = field(default_factory=dict)
+    record: dict | None = None
+
+    def answer(self, observation, name):
+        """The request to the simulator after an observation."""
+        if self.burden.excess:
+            return self._end()
+        try:
+            speeds = self._call(observation)
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
+            self.failure = failure_fields(error, self.control)
+            return "stop", _reason(self.failure, name)
+        if _memory() - self.burden.memory > _MOST_MEMORY:
+            self.burden.excess = f"{name} {_LARGE}"
+        elif self.slow_looks >= _MOST_SLOW or self.seconds > MEAN_LOOK_SECONDS * looks_of(self.scenario):
+            self.burden.excess = f"{name} {_SLOW}"
+        if self.burden.excess:
+            return self._end()
+        try:
+            return "act", *speeds_of(speeds)
+        except ValueError as error:
+            return "stop", str(error)
+
+    def _end(self):
+        """The last request, because the drives of this check cost too much; frees what it keeps."""
+        self.control, self.memory = None, {}
+        return "stop", self.burden.excess
+
+    def _call(self, observation):
+        began, output = _own_seconds(), LimitedOutput()
+        self.prints.append((observation["time"], output))
+        with warnings.catch_warnings(record=True) as caught_warnings:
+            warnings.simplefilter("always")
+            with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
+                speeds = call_within(lambda: self.control(observation, self.memory), LOOK_SECONDS)
+        seconds = _own_seconds() - began
+        self.seconds += seconds
+        self.slow_looks += seconds > MEAN_LOOK_SECONDS < self.seconds / len(self.prints)
+        self.warning = self.warning or (str(caught_warnings[0].message) if caught_warnings else "")
+        return speeds
+
+    def result(self):
+        """What it did as a CallResult; it printed the last lines before the moment that is shown."""
+        fields = self.failure or {"value": form_of(self.record)}
+        end = math.inf if self.failure else self.record["decisive"] * LOOK
+        lines = [
+            f"{seconds:.1f} s: {line}"
+            for seconds, output in self.prints
+            for line in output.getvalue().splitlines()
+            if seconds <= end
+        ]
+        return CallResult(printed="\n".join(lines[-_KEPT_LINES:]), warning=self.warning, **fields)
+
+
+def form_of(record):
+    """What is compared of a drive: its path in short, and which thresholds it missed."""
+    path = np.array(record["path"])[::_STEP, :2].astype(np.float32)
+    missed = sorted(metric for metric, *_ in record["missed"])
+    return canonical({"path": path, "missed": missed}, limit=None)
+
+
+def _reason(failure, name):
+    if failure.get("timed_out"):
+        return f"{name} took longer than {LOOK_SECONDS} s for one look"
+    text = ": ".join(filter(None, (f"{name} raised {failure['error']}", failure["message"])))
+    return f"{text} (your {failure['line']})" if failure["line"] else text
+
+
+def drive_scenarios(exercise, scenarios, make_control, progress=None):
+    """Drive in scenarios; [(the record of the drive, its CallResult)].
+
+    `make_control` gives a `control` for each: its globals are its own. `progress` takes the share that was
+    driven, 0 to 1, now and then.
+    """
+    burden = _Burden()
+    runs = [_Run(make_control(), scenario, burden) for scenario in scenarios]
+    waiting, driving, looks = list(runs), {}, 0
+    total = sum(map(looks_of, scenarios))
+    with _all_simulators() as simulators:
+        while waiting or driving:
+            for simulator in set(simulators) - driving.keys():
+                if waiting:
+                    driving[simulator] = waiting.pop(0)
+                    simulator.ask("begin", exercise.sensors, driving[simulator].scenario)
+            for simulator in select.select(list(driving), [], [])[0]:
+                reply, run = simulator.reply(), driving[simulator]
+                if "record" in reply:
+                    driving.pop(simulator).record = reply["record"]
+                else:
+                    simulator.ask(*run.answer(reply, exercise.answer_name))
+                    looks += 1
+                    if progress and looks % _SHOWN_LOOKS == 0:
+                        progress(looks / total)
+    return [(run.record, run.result()) for run in runs]
+
+
+def images_of_drive(request, call):
+    """What a simulator draws of the drive of a CaseCall; the request names a function of `drive_images`."""
+    with _all_simulators() as simulators:
+        simulators[0].ask(request, call.record, *call.arguments)
+        return simulators[0].reply()
+
+
+@contextlib.contextmanager
+def progress_bar(text):
+    """Shows in a learner's notebook how much is done: gives a function of the share, else None."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if not hasattr(shell, "kernel") or TEST_VARIABLE in os.environ:
+        yield None
+        return
+    from IPython.display import display
+
+    shown = display(_bar(text, 0), raw=True, display_id=True)
+    try:
+        yield lambda share: shown.update(_bar(text, share), raw=True)
+    finally:
+        shown.update({"text/plain": "", "text/html": ""}, raw=True)
+
+
+def with_progress(values, text):
+    """The values one by one; a learner's notebook shows how many are done."""
+    values = list(values)
+    with progress_bar(text) as progress:
+        for number, value in enumerate(values):
+            if progress:
+                progress(number / len(values))
+            yield value
+
+
+def _bar(text, share):
+    bar = f'<progress value="{share:.2f}" max="1" aria-label="{text}"></progress>'
+    return {"text/plain": f"{text}: {share:.0%}", "text/html": f"<div>{text} {bar} {share:.0%}</div>"}
+
+
+def known_mistake(exercise, calls):
+    """The declared mistake that drives as a learner's `control` does in each scenario in which that fails.
+
+    It misses the same thresholds, and its path stays within PATH_TOLERANCE of the learner's until a second
+    after the decisive moment. If several do, the nearest one counts. None if there is none.
+    """
+    failed = [call for call in calls if not call.passed]
+    nearest, least = None, np.inf
+    for mistake in exercise.mistakes:
+        distance = max((_distance(mistake, call) for call in failed), default=np.inf)
+        nearest, least = (mistake, distance) if distance < least else (nearest, least)
+    return nearest if least <= PATH_TOLERANCE else None
+
+
+def _distance(mistake, call):
+    """How far the paths of a mistake and of a drive part, metres; infinite if they fail in other ways."""
+    (predicted,) = mistake.results[call.case.id]
+    if not (predicted.finished and call.result.finished):
+        return np.inf
+    end = (call.record["decisive"] + round(1 / LOOK)) // _STEP + 1
+    ((_, missed), (_, path)), ((_, own_missed), (_, own_path)) = (
+        result.value["items"] for result in (predicted, call.result)
+    )
+    paths = array_of(path)[:end], array_of(own_path)[:end]
+    if missed != own_missed or paths[0].shape != paths[1].shape:
+        return np.inf
+    return float(np.abs(paths[0] - paths[1]).max())

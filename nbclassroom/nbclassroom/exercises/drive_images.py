@@ -1,0 +1,94 @@
+"""Images of a drive: the map with its path, and what the camera saw before the decisive moment.
+
+`simulator` and grading draw them, where the environment is.
+"""
+
+import numpy as np
+from PIL import Image
+
+from nbclassroom import course
+from nbclassroom.exercises.answer_images import encode_image
+from nbclassroom.exercises.drive import LOOK, Drive, decisive_moment
+
+_MAP_WIDTH, _FRAME_WIDTH = 280, 208  # pixels on the page
+_LOOKS_BEFORE = (15, 10, 5, 0)  # the decisive moment
+_FILM_MAP_WIDTH = 240  # pixels; the camera's image beside it has the same height
+_FILM_SPEED, _FILM_LOOPS = 10, 3
+_MOST_FILM = 150_000  # bytes
+
+
+def draw_map(record, scenario):
+    """The room from above with the path of a drive, as an AnswerImage."""
+    path, room = record["path"], course.load(course.drive_room)(scenario.get("room"))
+    marks = {name: scenario.get(name) for name in ("goal", "ball")}
+    if record["ended"] or record["missed"]:
+        marks["mark"] = path[record["decisive"]]
+    pixels = course.load(course.drive_map)(path, record["bumps"], room=room, **marks)
+    (x, y, _), (end_x, end_y, _) = path[0], path[-1]
+    alt = f"The room from above: the path begins at x {x:.1f} m, y {y:.1f} m and ends at x {end_x:.1f} m,"
+    alt += f" y {end_y:.1f} m; bumps: {len(record['bumps'])}"
+    return _encode(scenario["title"], alt, pixels, _MAP_WIDTH)
+
+
+def look_back(env, record, scenario):
+    """The last camera images up to the decisive moment of a drive: it is driven again from its actions.
+
+    ValueError: the environment does not drive the same path again.
+    """
+    again, frames = Drive(env, scenario), {}
+    for look in range(record["decisive"] + 1):
+        if record["decisive"] - look in _LOOKS_BEFORE:
+            frames[record["decisive"] - look] = env.unwrapped.frame()
+        if look < record["decisive"]:
+            again.act(record["actions"][look])
+    if again.record()["path"] != record["path"][: record["decisive"] + 1]:
+        raise ValueError(f"the drive in the scenario {scenario['title']!r} takes another path if repeated")
+    moment = decisive_moment(record)
+    return [_frame_image(frame, looks * LOOK, moment) for looks, frame in frames.items()]
+
+
+def draw_film(env, record, scenario):
+    """A film of a drive, which is driven again: what the camera saw each second, and the path until then."""
+    again, room, frames = Drive(env, scenario), course.load(course.drive_room)(scenario.get("room")), []
+    for look in range(record["looks"] + 1):
+        if look % round(1 / LOOK) == 0:
+            bumps = [bump for bump in record["bumps"] if bump[0] <= look]
+            drawn = course.load(course.drive_map)(record["path"][: look + 1], bumps, room=room)
+            frames.append(_side_by_side(env.unwrapped.frame(), drawn))
+        if look < record["looks"]:
+            again.act(record["actions"][look])
+    seconds = record["looks"] * LOOK
+    alt = f"{seconds:.0f} s of a drive, {_FILM_SPEED} times as fast: what the camera sees, and the path"
+    while True:
+        film = _encode_film(scenario["title"], alt, frames, seconds)
+        if len(film.png) <= _MOST_FILM:
+            return film
+        frames = frames[::2]
+
+
+def _encode_film(caption, alt, frames, seconds):
+    first, *others = map(Image.fromarray, frames)
+    milliseconds = round(1000 * seconds / _FILM_SPEED / len(frames))
+    film = {"save_all": True, "append_images": others, "duration": milliseconds, "loop": _FILM_LOOPS}
+    return encode_image(caption, alt, first, kind="webp", quality=35, method=4, **film)
+
+
+def _side_by_side(frame, drawn):
+    height = round(drawn.shape[0] * _FILM_MAP_WIDTH / drawn.shape[1])
+    width = round(frame.shape[1] * height / frame.shape[0])
+    images = _image_of(frame).resize((width, height)), _image_of(drawn).resize((_FILM_MAP_WIDTH, height))
+    return np.hstack([np.asarray(image) for image in images])
+
+
+def _frame_image(frame, seconds, moment):
+    caption = f"{seconds:.1f} s before" if seconds else moment
+    alt = f"What the camera of the robot sees {seconds:.1f} s before {moment}"
+    return _encode(caption, alt, frame, _FRAME_WIDTH)
+
+
+def _image_of(bgr):
+    return Image.fromarray(np.ascontiguousarray(bgr[..., ::-1]))
+
+
+def _encode(caption, alt, bgr, width):
+    return encode_image(caption, alt, _image_of(bgr), width, "webp", quality=75)

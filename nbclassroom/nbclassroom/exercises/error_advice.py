@@ -1,0 +1,230 @@
+"""What an error of Python's or NumPy's means, in a plain sentence or two, and what to do about it.
+
+The advice is for somebody who meets the error for the first time. It reads the error's type and message, and
+the line that raised: `thinned > high and thinned < 9` needs another sentence than `if thinned > high:`.
+"""
+
+import ast
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+
+from nbclassroom import course
+
+
+def advice_on(error, message, line="", parameters=None, function="", closest=""):
+    """What an error (its type's name and message) means and what to do; "" if nothing is certain.
+
+    `line` is the line that raised it, with its number: "line 3: return gray[row, col]". `closest` is a name
+    that exists, much like the one that was not found.
+    """
+    source = line.partition(": ")[2]
+    call = f"{function}({', '.join(parameters)})" if parameters is not None else ""
+    if call and message.startswith(f"{function}()") and "positional argument" in message:
+        return f"check calls {call}: begin your function with def {call}: and use these arguments."
+    did_you_mean = f"Did you mean {closest}? Every letter counts, small or capital." if closest else ""
+    if closest.startswith("self."):
+        did_you_mean = f"Write {closest}: what belongs to the object has self. before its name."
+    for pattern, advice in _ADVICE.items():
+        match = re.match(pattern, f"{error}: {message}\n{source}")
+        if match:
+            text = advice(match, source) if callable(advice) else match.expand(advice)
+            return text if text.startswith("The name") else did_you_mean or text
+    return did_you_mean
+
+
+def advise_everywhere():
+    """Gives this advice also on errors that the course shows elsewhere, such as those of a ROS callback."""
+    advisers = course.load(course.error_advisers) if course.error_advisers else [advice_on]
+    if advice_on not in advisers:
+        advisers.append(advice_on)
+
+
+# ---------------------------------------------------------------- errors that several mistakes can cause
+
+
+def _nodes(source):
+    """The syntax nodes of one line; () if the line is only a part of a statement."""
+    text = re.sub(r"^el(?=if\b)", "", source.strip())
+    try:
+        return tuple(ast.walk(ast.parse(f"{text} pass" if text.endswith(":") else text)))
+    except SyntaxError:
+        return ()
+
+
+def _ambiguous(_match, source):
+    nodes = _nodes(source)
+    chains = [node for node in nodes if isinstance(node, ast.Compare) and len(node.ops) > 1]
+    parts = [part for node in nodes if isinstance(node, ast.BoolOp) for part in node.values]
+    if any(isinstance(node, ast.BitAnd | ast.BitOr) for chain in chains for node in ast.walk(chain)):
+        return "& is computed before > and <=. Put each comparison in parentheses: (a > low) & (a <= high)."
+    if chains:
+        return _ADVICE["<chained comparison>"]
+    if parts and all(isinstance(part, ast.Name) for part in parts):
+        return "An array is neither True nor False. To ask whether it has any values, write array.size > 0."
+    if parts:
+        return _ADVICE["<and, or>"]
+    if ast.Not in map(type, nodes):
+        return "`not` needs a single True or False, and an array has many. For an array write ~ before it."
+    if re.search(r"(?<![\w.])(?:max|min)\(", source):
+        return "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
+    return _ADVICE["<if, while>"]
+
+
+def _unhashable(match, source):
+    nouns = {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}
+    noun, kinds = nouns.get(match[1], match[1]), set(map(type, _nodes(source)))
+    if ast.Set in kinds:
+        return _ADVICE["<curly brackets>"].format(noun)
+    if re.search(r"(?<![\w.])set\(", source):
+        return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
+    return f"A set or the key of a dictionary cannot hold {noun}. A key is mostly a text, in quotes."
+
+
+def _broadcast(match, source):
+    shapes_as_text = re.findall(r"\([\d,]*\)", match[1])
+    # a += b names the shape of a twice
+    shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in shapes_as_text))
+    advice = next((advice for holds, advice in _broadcast_rules(shapes, source) if holds), "")
+    into = re.search(r"input array from shape (\S+) into shape (\S+)", match[1])
+    if into:
+        return _ADVICE["<room on the left>"].format(*into.groups())
+    return f"{_ADVICE['<equal shapes>']} {advice}".rstrip()
+
+
+def _broadcast_rules(shapes, source):
+    """(whether it holds, advice) of each rule about the different shapes of arrays in a line."""
+    yield any(0 in shape for shape in shapes), _ADVICE["<empty array>"]
+    yield re.search(r"\[:, ?-?\d\]", source), _ADVICE["<column>"]
+    if len(shapes) != 2:
+        return
+    first, second = shapes
+    has_axis = "axis=" in source or first[:1] == second[:1]
+    yield 1 in (len(first), len(second)) and has_axis, _ADVICE["<axis taken away>"]
+    if len(first) != len(second):
+        return
+    has_kernel = any(shape in ((3, 3), (5, 5)) for shape in shapes) and re.search("kernel|:", source)
+    yield has_kernel, _ADVICE["<kernel>"]
+    gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
+    yield gap <= 2, _ADVICE["<nearly one shape>"].format(gap)
+
+
+def _index_outside(match, source):
+    axis, size = match[1], int(match[2])
+    advice = f"Python counts from 0, so {size - 1} is the last index of axis {axis}."
+    if axis == "2":
+        return f"{advice} Axis 2 of a colour image holds its channels."
+    indices = [node.slice for node in _nodes(source) if isinstance(node, ast.Subscript)]
+    parts = [part for index in indices for part in getattr(index, "elts", [index])]
+    steps = dict.fromkeys(ast.unparse(part) for part in parts if isinstance(part, ast.BinOp))
+    text = _ADVICE["<index with a sum>" if steps else "<index>"].format(" or ".join(steps))
+    return f"{advice} {text}"
+
+
+def _typographic(match, _source):
+    from .syntax_slips import plain_character  # few need it
+
+    character = match[1] or chr(int(match[2], 16))
+    plain = plain_character(character)
+    name = match[1] or f"U+{match[2]}, which nobody sees,"
+    if plain is None:
+        return f"{name} is no character of Python, except in texts and comments."
+    origin = f"{name} is no character of Python: chats, word processors and web pages write it"
+    if not plain:
+        return f"{origin}. Type this line again."
+    written = {" ": "a space", "'": "' or \"", '"': "\" or '"}.get(plain, plain)
+    return f"{origin} in the place of {written}. Type {written} there."
+
+
+def _reshape(match, source):
+    size, shape = int(match[1]), [int(part) for part in re.findall(r"-?\d+", match[2])]
+    count, product = math.prod(shape), " × ".join(map(str, shape))
+    if size == 1:
+        return _ADVICE["<single value>"]
+    if count < 0 or "newaxis" in match[2]:
+        return f"{size} values cannot be divided evenly in this way. Is there padding at the end of the rows?"
+    if size == 3 * count:
+        return f"{size} values are 3 times as many as {product}. Are the three channels missing in the shape?"
+    if size == 2 * count:
+        return _ADVICE["<two bytes>"].format(size, product)
+    written = [part for part in shape if part > 4 and re.search(rf"\b{part}\b", source)]
+    if written:
+        return _ADVICE["<size as a number>"].format(size, product, written[0])
+    if size > count:
+        return _ADVICE["<too many values>"].format(size, product, count)
+    text = f"{size} values are too few for {product} = {count}."
+    if "step" in source:
+        return f"{text} step is the number of bytes of a row; an image has width columns."
+    question = " Is this one value for each pixel? A colour pixel has 3 bytes."
+    return text + question if count == 3 * size else text
+
+
+def _zero_division(_match, source):
+    operations = [node for node in _nodes(source) if isinstance(node, ast.BinOp)]
+    divisions = [node for node in operations if isinstance(node.op, ast.Div | ast.FloorDiv | ast.Mod)]
+    divisors = [ast.unparse(node.right) for node in divisions]
+    is_named = len(divisors) == 1 and not divisors[0].isdigit()
+    return f"{divisors[0] if is_named else 'The divisor'} is 0 for this input. Test for 0 before you divide."
+
+
+def _not_in_numpy(match, _source):
+    name = match[1]
+    for home in ("linalg", "random"):
+        if hasattr(getattr(np, home), name):
+            return f"{name} is a function of np.{home}: write np.{home}.{name}."
+    return f"NumPy has no {name}."
+
+
+def _does_not_fit(match, source):
+    number, dtype = match[1], match[2]
+    limits = np.iinfo(dtype)
+    text = f"{number} does not fit into {dtype}, which holds {limits.min} to {limits.max}."
+    operands = [part for node in _nodes(source) if isinstance(node, ast.BinOp) for part in ast.walk(node)]
+    if number in [ast.unparse(part) for part in operands]:
+        return f"{text} So the values would overflow: widen the array first, as in astype(np.uint32)."
+    return text if operands or number in source else f"{text} Widen the array first, with astype."
+
+
+_IMPORTS = dict.fromkeys(("math", "cv2", "os", "sys", "random", "itertools", "struct", "time"), "import {}")
+_FROM_MATH = "sqrt log10 log floor ceil pi inf sin cos tan atan2 hypot radians"
+_IMPORTS |= dict.fromkeys(_FROM_MATH.split(), "from math import {}")
+_IMPORTS |= {"np": "import numpy as {}", "plt": "import matplotlib.pyplot as {}"}
+_IMPORTS |= {"ndimage": "from scipy import {}", "norm": "from numpy.linalg import {}"}
+_IMPORTS |= {"Path": "from pathlib import {}", "SimpleNamespace": "from types import {}"}
+
+
+def _unknown(match, _source):
+    name = match[1]
+    if name in _IMPORTS:
+        line = _IMPORTS[name].format(name)
+        return f"The name {name} is not known in this cell. Write its import line in it: {line}"
+    return _ADVICE["<unknown name>"].format(name)
+
+
+# {pattern of an error as Python prints it: a function of the match and of the line that raised}
+_RULES = {
+    "ValueError: .*truth value of an (?:empty )?array": _ambiguous,
+    r"IndexError: .*index -?\d+ is out of bounds for axis (\d) with size (\d+)": _index_outside,
+    "ValueError: (.*could not (?:be )?broadcast.*)": _broadcast,
+    r"ValueError: cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)": _reshape,
+    r"AttributeError: module 'numpy' has no attribute '(\w+)'": _not_in_numpy,
+    "ZeroDivisionError": _zero_division,
+    r"NameError: name '(\w+)' is not defined": _unknown,
+    r"OverflowError: .*Python integer (-?\d+) out of bounds for (u?int\d+)": _does_not_fit,
+    r"SyntaxError: invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)": _typographic,
+    r"TypeError: .*(?:unhashable type|use): '([\w.]+)'": _unhashable,
+}
+
+
+def read_phrases(text):
+    """{pattern: advice} of a text in which each advice stands, indented, below its pattern."""
+    entries = (entry.split("\n", 1) for entry in re.split(r"\n+(?=\S)", text.strip()))
+    return {pattern: " ".join(advice.split()) for pattern, advice in entries}
+
+
+# A pattern of an error as Python prints it, and of the line that raised where that counts; below it what the
+# error means, a template for the match. The first pattern that matches counts. What rules say has <brackets>.
+_PHRASES = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
+_ADVICE = _RULES | read_phrases(_PHRASES)

@@ -1,0 +1,159 @@
+"""Read the files of a ROS 2 package that a learner wrote as texts, and drive its node.
+
+The answer is a function without arguments that returns {path: text}, paths as "package.xml". A text is
+parsed: setup.py is never run. The node's file is run, and its class is driven as `node_driver` says.
+"""
+
+import ast
+import sys
+import xml.etree.ElementTree as ET
+
+from .. import course
+from .cell_syntax import program_lines
+from .node_driver import drive
+from .recording_node import NodeError
+
+# {what a node imports: its rosdep key}
+_KEYS = {"cv2": "python3-opencv", "numpy": "python3-numpy"} | {
+    name: name for name in course.node_modules() if name != "builtin_interfaces"
+}
+_PIP_NAMES = {"opencv-python", "opencv-python-headless", "numpy"}
+_ELEMENTS = ("name", "version", "description", "maintainer", "license")
+_DEPENDENCIES = ("depend", "exec_depend", "build_depend")
+
+
+def drive_package(function, look, steps):
+    """What a file of a package says, or what its node does: a dict, compared with that of the solution.
+
+    `look` is the name of the file, "package.xml" or "setup.py", or with `steps` as `node_driver.drive` takes
+    it. NodeError: a file is missing, or cannot be read.
+    """
+    files = function()
+    parts = [part for item in files.items() for part in item] if isinstance(files, dict) else [None]
+    if not all(isinstance(part, str) for part in parts):
+        raise NodeError('Return a dict of texts, {path: text}, such as {"package.xml": "..."}.')
+    if look == "package.xml":
+        return _read_manifest(files)
+    if look == "setup.py":
+        return _read_setup(files)
+    return drive(_node_class(files), look, steps)
+
+
+def _text(files, name):
+    if name not in files:
+        raise NodeError(f"There is no {name}. The paths are: {', '.join(sorted(files)) or 'none'}.")
+    return files[name]
+
+
+def _parse(files, name):
+    try:
+        return ast.parse(_text(files, name), name)
+    except SyntaxError as error:
+        raise NodeError(f"{name}, line {error.lineno}, is not Python: {error.msg}.") from None
+
+
+def _node_file(files):
+    """The path of the file that defines a class: the node's."""
+    paths = [path for path in files if path.endswith(".py") and path != "setup.py"]
+    parts = {path: _parse(files, path).body for path in paths}
+    nodes = [path for path in paths if any(isinstance(part, ast.ClassDef) for part in parts[path])]
+    if len(nodes) != 1:
+        raise NodeError(
+            "One file must define the class of the node, such as image_negative/image_negative.py."
+        )
+    return nodes[0]
+
+
+def _read_manifest(files):
+    try:
+        root = ET.fromstring(_text(files, "package.xml").strip())
+    except ET.ParseError as error:
+        raise NodeError(f"package.xml is not XML: {error}. Is each <tag> closed by a </tag>?") from None
+    named = {element.text.strip() for tag in _DEPENDENCIES for element in root.iter(tag) if element.text}
+    needed = {_KEYS[name] for name in _imports(_parse(files, _node_file(files))) if name in _KEYS}
+    return {
+        "name": root.findtext("name", "").strip(),
+        "missing elements": " ".join(tag for tag in _ELEMENTS if not root.findtext(tag, "").strip()),
+        "build type": root.findtext("export/build_type", "").strip(),
+        "names of pip": " ".join(sorted(named & _PIP_NAMES)),
+        "missing dependencies": " ".join(sorted(needed - named)),
+    }
+
+
+def _imports(tree):
+    """The top names of the modules that a file imports."""
+    for part in ast.walk(tree):
+        names = [alias.name for alias in part.names] if isinstance(part, ast.Import) else []
+        names += [part.module or ""] if isinstance(part, ast.ImportFrom) else []
+        yield from (name.partition(".")[0] for name in names)
+
+
+def _read_setup(files):
+    tree, path = _parse(files, "setup.py"), _node_file(files)
+    calls = [part for part in ast.walk(tree) if isinstance(part, ast.Call) and _called(part) == "setup"]
+    if len(calls) != 1:
+        raise NodeError("setup.py must call setup(...) once.")
+    names = {"find_packages()": [path.partition("/")[0]]}
+    for part in tree.body:
+        if isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Name):
+            names[part.targets[0].id] = _value(part.value, names)
+    given = {keyword.arg: _value(keyword.value, names) for keyword in calls[0].keywords}
+    entry_points = given.get("entry_points")
+    scripts = entry_points.get("console_scripts") if isinstance(entry_points, dict) else None
+    functions = [part.name for part in _parse(files, path).body if isinstance(part, ast.FunctionDef)]
+    return {
+        "name": str(given.get("name")),
+        "packages": " ".join(map(str, given.get("packages") or ())),
+        "executables": ", ".join(sorted("".join(str(script).split()) for script in scripts or ())),
+        "data files": ", ".join(sorted(_data_files(given.get("data_files") or ()))),
+        "main": "main" in functions,
+    }
+
+
+def _called(call):
+    return getattr(call.func, "id", getattr(call.func, "attr", ""))
+
+
+def _data_files(entries):
+    for entry in entries:
+        folder, files = entry if isinstance(entry, list) and len(entry) == 2 else (None, None)
+        if isinstance(folder, str) and isinstance(files, list) and not folder.endswith("/launch"):
+            yield from (f"{file} to {folder}" for file in files)
+
+
+def _value(node, names):
+    """The value that an expression writes down, tuples as lists; None where it has to be computed."""
+    match node:
+        case ast.Constant():
+            return node.value
+        case ast.Name():
+            return names.get(node.id)
+        case ast.List() | ast.Tuple():
+            return [_value(item, names) for item in node.elts]
+        case ast.Dict():
+            pairs = zip(node.keys, node.values, strict=True)
+            return {_value(key, names): _value(item, names) for key, item in pairs}
+        case ast.JoinedStr():
+            return "".join(str(_value(part, names)) for part in node.values)
+        case ast.FormattedValue():
+            return _value(node.value, names)
+        case ast.BinOp(op=ast.Add()):  # a sum of texts
+            return f"{_value(node.left, names)}{_value(node.right, names)}"
+        case ast.Call() if _called(node) == "find_packages":
+            return names["find_packages()"]
+    return None
+
+
+def _node_class(files):
+    """The class that the node's file defines."""
+    path = _node_file(files)
+    unknown = set(_imports(_parse(files, path))) - {*_KEYS, course.package, *sys.stdlib_module_names}
+    if unknown:
+        raise NodeError(f"{path} imports {min(unknown)}, which this exercise does not need.")
+    for line, code in program_lines(files[path], is_main=False)[:1]:
+        raise NodeError(f"{path}, line {line}: {code} runs when the file is imported: delete this line.")
+    name = path.removesuffix(".py").replace("/", ".")
+    names = {"__name__": name}
+    exec(compile(files[path], path, "exec"), names)
+    classes = (kind for kind in names.values() if isinstance(kind, type))
+    return next(kind for kind in classes if kind.__module__ == name)

@@ -1,0 +1,213 @@
+"""Run a page (see `page`) from its top, statement by statement: each under a limit, each failing alone.
+
+What a statement would have bound, had it not failed, raises its error when it is used. The statements that a
+check needs to have run are those above it; those below it run if a name is missing.
+"""
+
+import __future__
+
+import ast
+import asyncio
+import builtins
+import linecache
+import os
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import running
+from .cell_syntax import UNPARSABLE, names_bound_by
+
+STATEMENT_SECONDS = 5.0  # that one statement may take
+# Of all cells of a kind together.
+TOGETHER_SECONDS = {"given": 20.0, "lesson": 10.0, "own": 10.0, "answer": 20.0}
+_KNOWN = ("RefusedModule", "NotGradedError")  # errors of ours, which keep their class
+# Looked up before any code of a learner's runs.
+_process, _end_process, _monotonic = os.getpid, os._exit, time.monotonic
+
+
+class Missing:
+    """Stands for a name whose statement failed: using it raises."""
+
+    __module__, __qualname__ = "notebook", "NameWhoseStatementFailed"  # what messages say of it
+
+    def __init__(self, error):
+        object.__setattr__(self, "_error", error)
+
+    def _refuse(self, *_arguments, **_options):
+        raise object.__getattribute__(self, "_error")
+
+    def __getattribute__(self, name):
+        return Missing if name == "__class__" else object.__getattribute__(self, "_refuse")()
+
+    __repr__ = __str__ = lambda self: "<missing>"
+    __hash__ = object.__hash__
+
+
+_OPERATORS = """
+    __call__ __iter__ __next__ __len__ __bool__ __index__ __int__ __float__ __contains__ __getitem__
+    __setitem__ __setattr__ __enter__ __exit__ __format__ __array__ __array_ufunc__ __eq__ __ne__ __lt__
+    __le__ __gt__ __ge__ __neg__ __pos__ __invert__ __abs__ __add__ __radd__ __sub__ __rsub__ __mul__
+    __rmul__ __truediv__ __rtruediv__ __floordiv__ __rfloordiv__ __mod__ __rmod__ __pow__ __rpow__
+    __matmul__ __rmatmul__ __and__ __rand__ __or__ __ror__ __xor__ __rxor__ __lshift__ __rlshift__
+    __rshift__ __rrshift__
+"""  # Python looks these up in the class
+for _name in _OPERATORS.split():
+    setattr(Missing, _name, Missing._refuse)
+
+
+@dataclass(frozen=True)
+class StatementError:
+    """A statement that failed: the number of its cell, the type and text of the exception."""
+
+    cell: int
+    name: str
+    text: str
+
+
+class PageRun:
+    """A page that runs in a namespace.
+
+    Parameters
+    ----------
+    page : dict, see `page`
+    names : dict, the namespace of the module __main__
+    skip : [number of a cell, number of a statement], which ended the process in an earlier run
+    tell : called with these two numbers before each statement
+    """
+
+    def __init__(self, page, names, skip=(), tell=lambda cell, statement: None):
+        self._cells, self._names, self._tell = page["cells"], names, tell
+        self._left_out = {tuple(place) for place in page["left_out"]}
+        self._skip = {tuple(place) for place in skip}
+        self.errors = []  # StatementErrors
+        self._seconds = dict.fromkeys(TOGETHER_SECONDS, 0.0)
+        self._place, self._flags, self._process = [0, 0], ast.PyCF_ALLOW_TOP_LEVEL_AWAIT, _process()
+        self._statements = [self._read(number, cell) for number, cell in enumerate(self._cells)]
+        # After the first cell that uses asyncio, an event loop is running, as in JupyterLab.
+        self._loop = None
+        self.uses_loop = any("async" in cell["source"] or "await" in cell["source"] for cell in self._cells)
+
+    def _read(self, number, cell):
+        """The statements of a cell; a cell that is not Python is one error."""
+        if cell["file"]:
+            return []
+        source, file = cell["source"], _file_of(number)
+        linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
+        try:
+            return ast.parse(source, file).body
+        except UNPARSABLE as error:
+            self.errors.append(StatementError(number, type(error).__name__, str(error)))
+            return []
+
+    def adopt_process(self):
+        """Go on in this process, a fork of the one that has run the page until now."""
+        self._process, self._loop = _process(), None
+
+    def run_to(self, place):
+        """Run on, as far as a place: [number of a cell, number of a statement]."""
+        cell, statement = place
+        while self._place[0] < min(cell, len(self._cells)):
+            self._run_cell(len(self._statements[self._place[0]]))
+            self._place = [self._place[0] + 1, 0]
+        if cell < len(self._cells):
+            self._run_cell(statement)
+
+    def run_below(self, is_found):
+        """Run the cells below, until a name is there."""
+        while self._place[0] < len(self._cells) and not is_found():
+            self.run_to([self._place[0] + 1, 0])
+
+    def run_beside(self, source):
+        """Run a source that is no part of the page, such as a check; the exception that ended it, or None."""
+        try:
+            self._evaluate(compile(source, "<check>", "exec", self._flags, dont_inherit=True))
+        except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
+            return error
+        return None
+
+    def _run_cell(self, end):
+        number, statement = self._place
+        if not statement and self._cells[number]["file"]:
+            self._write(self._cells[number])
+        for position in range(statement, end):
+            self._run_statement(number, position)
+        self._place = [number, max(statement, end)]
+
+    def _write(self, cell):
+        try:
+            Path(Path(cell["file"]).name).write_text(cell["source"], encoding="utf-8")
+        except (OSError, UnicodeError):
+            return
+        if "" not in sys.path:
+            sys.path.append("")
+
+    def _run_statement(self, number, position):
+        place, node = (number, position), self._statements[number][position]
+        if place in self._left_out:
+            return
+        if isinstance(node, ast.ImportFrom) and node.module == "__future__":
+            for alias in node.names:
+                self._flags |= getattr(getattr(__future__, alias.name, None), "compiler_flag", 0)
+            return
+        cell = self._cells[number]
+        kind = "answer" if cell["exercise"] else cell["kind"]
+        error, began = None, _monotonic()
+        if place in self._skip:
+            error = RuntimeError("it ended the process, or did not end in time")
+        elif self._seconds[kind] > TOGETHER_SECONDS[kind]:
+            error = TimeoutError("the cells above took all the time that they may take")
+        else:
+            self._tell(*place)
+            error = self._execute(node, number)
+        if _process() != self._process:
+            _end_process(0)  # a copy of this process, which the learner's code made
+        self._seconds[kind] += _monotonic() - began
+        if error is not None:
+            self._note(node, number, error)
+
+    def _execute(self, node, number):
+        """Run a statement; the exception that ended it, or None."""
+        try:
+            code = compile(
+                ast.Module([node], []), _file_of(number), "exec", flags=self._flags, dont_inherit=True
+            )
+            running.call_within(lambda: self._evaluate(code), STATEMENT_SECONDS)
+        except running.TimeUp:
+            return TimeoutError("it did not end in time")
+        except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
+            return error
+        return None
+
+    def _evaluate(self, code):
+        if not self.uses_loop:
+            return eval(code, self._names)
+        self._loop = self._loop or asyncio.new_event_loop()
+        return self._loop.run_until_complete(self._evaluate_in_loop(code))
+
+    async def _evaluate_in_loop(self, code):
+        value = eval(code, self._names)
+        return await value if asyncio.iscoroutine(value) else value
+
+    def _note(self, node, number, error):
+        name = running.error_name(error)
+        text = running.attempt(lambda: str(error), "")[:2_000]
+        self.errors.append(StatementError(number, name, text))
+        for bound in names_bound_by(node):
+            if bound == "*" or bound in self._names or hasattr(builtins, bound):
+                continue
+            if name not in _KNOWN:
+                why = f"{name}: {text}" if text else name
+                text = f"{bound} is not there, because the statement that defines it fails ({why[:300]})"
+                error = NameError(text, name=bound)
+            self._names[bound] = Missing(error)
+
+
+def is_missing(value):
+    """Whether a value stands for a name whose statement failed."""
+    return type(value) is Missing
+
+
+def _file_of(number):
+    return f"<cell {number + 1}>"

@@ -1,0 +1,226 @@
+"""The command `check`: inspect a lesson before it is submitted.
+
+The notebook is read by the same reader as in the command `grade`, so that both find the same answers and
+report the same findings. Here each answer can also be run against the public checks, in the same kernels.
+"""
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from .. import course
+from ..authoring.lesson_names import notebook_name
+from ..autograder.exercise_notebook import check_source
+from ..autograder.nbval_plugin import ExerciseRun
+from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
+from ..autograder.page_kernels import PageKernels
+from ..autograder.results import GradedExercise, graded_exercise
+from ..autograder.sandbox.kernel_factory import KernelFactory
+from ..exercises import check_files
+from ..exercises.error_advice import advice_on
+from ..exercises.input_encoding import encode
+from ..exercises.lesson import Exercise
+from .archives import LARGEST, too_large
+from .notebook_reader import NotebookReader
+from .submission import AnswerState, SubmissionContent, read_submission
+
+_ADVICE = {
+    AnswerState.MISSING: "Open the lesson afresh and copy your answer into this cell.",
+    AnswerState.BROKEN: "Grading would give no points for it, or might grade the wrong cell.",
+}
+
+
+class LessonFileError(ValueError):
+    """A file that is not a lesson of this course; the message says why and what to do."""
+
+
+@dataclass
+class ExerciseCheck:
+    """One exercise of a checked lesson; `result` is of the public checks, None if they were not run."""
+
+    exercise: Exercise
+    state: AnswerState
+    source: str
+    notes: list = field(default_factory=list)
+    result: GradedExercise | None = None
+
+
+@dataclass
+class LessonCheck:
+    """A checked lesson; `was_run`: its answers were run; `deeper` exercises can be left out."""
+
+    path: Path
+    content: SubmissionContent
+    exercises: list
+    was_run: bool = False
+    deeper: frozenset = frozenset()
+
+    @property
+    def ready(self):
+        """True if grading finds an answer to every graded exercise of the core."""
+        core = (entry for entry in self.exercises if not entry.exercise.practice and entry not in self.open)
+        return all(entry.state is AnswerState.ANSWERED for entry in core)
+
+    @property
+    def open(self):
+        """The deeper exercises that were not attempted."""
+        left = [entry for entry in self.exercises if entry.state is AnswerState.NOT_ATTEMPTED]
+        return [entry for entry in left if entry.exercise.id in self.deeper]
+
+
+class CheckFileCatalog:
+    """The `lessons` {name: CheckFile} of some folders, the first of each; `damage` are CheckFileErrors."""
+
+    def __init__(self, folders):
+        self.lessons, self.damage = {}, []
+        for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
+            try:
+                file = check_files.read_check_file(path)
+            except check_files.CheckFileError as error:
+                self.damage.append(error)
+            else:
+                self.lessons.setdefault(file.lesson, file)
+
+    def functions(self, lesson):
+        """{(id of an exercise, the function that it asks for)} of a lesson."""
+        return {(id, entry.get("function", "")) for id, entry in self.lessons[lesson].entries.items()}
+
+    def describe(self, lesson, _version):
+        """The Lesson, in the version that its checks were built with."""
+        return self.lessons[lesson].read()
+
+
+def check_lesson(path, folders=None):
+    """Inspect a learner's notebook, without running anything in it; a LessonCheck.
+
+    `folders` are those of checks, if not the one beside the notebook and the course's. LessonFileError: no
+    such file, no notebook, or no lesson of this course; CheckFileError: its checks are missing or damaged.
+    """
+    path = Path(path)
+    data = _read(path)
+    if folders is None:
+        folders = check_files.checks_folders(path.resolve().parent)
+    catalog = CheckFileCatalog(folders)
+    if not catalog.lessons and not catalog.damage:
+        raise check_files.CheckFileError(check_files.NO_CHECKS)
+    with NotebookReader() as reader:
+        content = read_submission(data, catalog, reader, path.name)
+    if content.reason and catalog.damage:
+        raise catalog.damage[0]  # it may be the file of this lesson
+    if content.reason:
+        raise LessonFileError(f"{path}: {content.reason}")
+    lesson = catalog.describe(content.lesson, content.version)
+    checks = [_exercise_check(exercise, content) for exercise in lesson.exercises]
+    return LessonCheck(path, content, checks, deeper=_deeper_exercises(data))
+
+
+def _deeper_exercises(data):
+    """Ids of the exercises that the notebook's metadata calls deeper."""
+    try:
+        return frozenset(json.loads(data)["metadata"][course.name]["deeper"])
+    except (KeyError, TypeError, ValueError):  # an older lesson, or another form that is read all the same
+        return frozenset()
+
+
+def _exercise_check(exercise, content):
+    state = content.states[exercise.id]
+    notes = content.texts_about(exercise.id)
+    notes += [_ADVICE[state]] if state in _ADVICE else []
+    return ExerciseCheck(exercise, state, content.answers.get(exercise.id, ""), notes)
+
+
+def _read(path):
+    if path.is_dir():
+        lessons = sorted(path.glob("*.ipynb"))
+        example = lessons[0] if lessons else "my_lessons/03_images_as_messages.ipynb"
+        raise LessonFileError(f"{path} is a folder; give the lesson itself, such as {example}")
+    if not path.is_file():
+        raise LessonFileError(
+            f"{path}: no such file; give the lesson that you want to submit, such as"
+            " my_lessons/03_images_as_messages.ipynb"
+        )
+    if not notebook_name(path.name).endswith(".ipynb"):
+        advice = "its name does not end in .ipynb; give the lesson's own file"
+        raise LessonFileError(f"{path} is not a notebook: {advice}")
+    if path.stat().st_size > LARGEST:
+        raise LessonFileError(f"{path}: {too_large(path.stat().st_size, LARGEST)}")
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        reason = f"it cannot be read ({error.strerror}); change its permissions"
+        raise LessonFileError(f"{path}: {reason}") from error
+
+
+def run_answers(lesson_check):
+    """Run each answer against its public checks, as grading runs it, but without a sandbox; sets `result`."""
+    lesson_check.was_run = True
+    with KernelFactory(unsafe=True) as kernel_factory:
+        kernels = PageKernels(lesson_check.content.page, kernel_factory)
+        for entry in lesson_check.exercises:
+            if entry.state is AnswerState.ANSWERED:
+                _run_answer(entry, kernels)
+        kernels.close()
+
+
+def _run_answer(entry, kernels):
+    exercise = entry.exercise
+    try:
+        encode([call.arguments for case in exercise.cases for call in case.calls])
+    except TypeError:  # an argument that is no data, such as an open recording
+        entry.notes.append("it is not run here; its check in the lesson runs it")
+        return
+    exercise_run = ExerciseRun(exercise, kernels)
+    for case in exercise.cases:
+        run = exercise_run.run(case, check_source(exercise))
+        exercise_run.passed |= {case.id} if run.passed else set()
+    exercise_run.close()
+    entry.result = result = graded_exercise(exercise, exercise_run)
+    failed = [case for case in result.cases if not case.passed]
+    outcomes = {case.outcome for case in failed}
+    is_said = any(case.message.startswith(CELL_FAILS) for case in failed)
+    entry.notes += [result.message] if result.message and not is_said else []
+    if outcomes == {Outcome.NOT_ATTEMPTED}:
+        entry.state, entry.result = AnswerState.NOT_ATTEMPTED, None
+    elif failed:
+        explanation = failed[0].message or TEXTS[failed[0].outcome].label
+        name, _, text = explanation.partition(": ")
+        text = " ".join(filter(None, [explanation.removesuffix("."), advice_on(name, text)]))
+        count = f"{len(failed)} of {len(result.cases)} checks fail"
+        entry.notes.append(f"{count}: {failed[0].title}: {text}")
+
+
+def report_lines(lesson_check):
+    """The report of a LessonCheck, line by line for a terminal."""
+    yield f"{lesson_check.path.name}: {lesson_check.content.lesson}"
+    yield from (f"  note: {note}" for note in lesson_check.content.texts_about(""))
+    for entry in lesson_check.exercises:
+        kinds = {"practice": entry.exercise.practice, "deeper": entry.exercise.id in lesson_check.deeper}
+        kind = ", ".join(name for name, holds in kinds.items() if holds)
+        yield f"  {entry.exercise.id}{f' ({kind})' if kind else ''}: {_summary(entry)}"
+        yield from (f"      {' '.join(note.split())}" for note in entry.notes)
+    yield _verdict(lesson_check)
+    if lesson_check.open:
+        count = len(lesson_check.open)
+        are_open = "exercises are open: they give" if count > 1 else "exercise is open: it gives"
+        yield f"{count} deeper {are_open} points, too."
+
+
+def _summary(entry):
+    if entry.result is None:
+        return str(entry.state)
+    passed = sum(case.passed for case in entry.result.cases)
+    return f"{passed} of {len(entry.result.cases)} checks pass"
+
+
+def _verdict(lesson_check):
+    if not lesson_check.ready:
+        return "Not ready yet: see above."
+    results = [entry.result for entry in lesson_check.exercises if entry.result is not None]
+    if any(not case.passed for result in results for case in result.cases):
+        return "Complete, but grading would not give every point yet: see above."
+    if lesson_check.was_run:
+        return "Ready to submit: every check passes."
+    complete = "The core is complete" if lesson_check.open else "Complete"
+    cells = f"every answer cell{' of it' * bool(lesson_check.open)}"
+    run = f"`{course.command} check --run {lesson_check.path}` runs them"
+    return f"{complete}: {cells} is there and filled in. The answers were not run; {run}."

@@ -1,0 +1,197 @@
+"""What grades.json contains: everything that a run knows. Other names of its fields need another FORMAT.
+
+There is no time of day, no order of files and no chance in it: the same submissions give the same bytes.
+"""
+
+import json
+from dataclasses import asdict
+
+from .. import course
+from ..autograder.outcomes import Outcome
+from ..autograder.results import to_json
+from .anonymity import anonymous_id
+from .collect import SubmittedFile
+from .learners import Submission
+from .submission import Finding, SubmissionContent
+from .teacher_tables import plain_number
+
+FORMAT = 5
+
+
+def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster, anonymous):
+    """The content of grades.json; `entries` are from `learner_entry`, `roster` from `roster_report`."""
+    return {
+        "format": FORMAT,
+        "course": course.release(),
+        "sandbox": sandbox,
+        "deadline": deadlines.deadline.isoformat() if deadlines.deadline else None,
+        "late_policy": deadlines.policy.text if deadlines.policy else None,
+        "anonymous_pages": anonymous,
+        "keys": [_key_entry(key) for key in answer_keys.keys],
+        "learners": entries,
+        "layout": collection.layout,
+        "ignored": collection.ignored,
+        "roster": roster,
+    }
+
+
+def grades_text(grades):
+    """The text of grades.json: the same for the same grades."""
+    # One line per learner: json's own indentation is several times slower.
+    learners = ",\n".join(json.dumps(learner, sort_keys=True) for learner in grades["learners"])
+    other_fields = json.dumps(grades | {"learners": []}, sort_keys=True)
+    head, tail = other_fields.split('"learners": []')
+    return f'{head}\n"learners": [\n{learners}\n]{tail}\n'
+
+
+def count_not_graded(grades):
+    """How many submissions could not be graded, or have a case that could not be graded."""
+    lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
+    return sum(lesson["status"] != "graded" or any(True for _ in faults_of(lesson)) for lesson in lessons)
+
+
+def faults_of(lesson):
+    """What the autograder failed to do for a lesson, and nobody decided by hand: texts, one per case."""
+    for exercise in lesson["exercises"]:
+        for case in exercise["cases"]:
+            if case["outcome"] == Outcome.NOT_GRADED and not (exercise["decision"] or lesson["decision"]):
+                yield f"{exercise['id']}: {case['message'] or exercise['message']}"
+
+
+def lesson_names(grades):
+    """The names of the keys' lessons, in the order of the course."""
+    numbers = {one["lesson"]: one["number"] for key in reversed(grades["keys"]) for one in key["lessons"]}
+    return sorted(numbers, key=lambda name: (numbers[name], name))
+
+
+def _place(lesson):
+    return lesson.number, lesson.name
+
+
+def _key_entry(key):
+    lessons = [
+        {"lesson": lesson.name, "number": lesson.number, "title": lesson.title}
+        | {"version": lesson.version, "max_points": lesson.points}
+        for lesson in sorted(key.lessons.values(), key=_place)
+    ]
+    return {"digest": key.digest, "lessons": lessons}
+
+
+def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
+    """A graded learner's part of grades.json; `rules` are assigned TeacherRules."""
+    deadlines, decisions = rules.deadlines, rules.decisions.get(learner.name, ())
+    submissions = [*learner.submissions.values(), *learner.unidentified]
+    about = answer_keys, store, deadlines
+    lessons = [_lesson_entry(learner, submission, *about) for submission in submissions]
+    for name in {decision.lesson for decision in decisions} - learner.submissions.keys():
+        lessons.append(_lesson_entry(learner, _nothing_submitted(name, submissions), *about))
+    for lesson in lessons:
+        own = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
+        _settle_lesson(lesson, own, deadlines.policy)
+    page = f"{anonymous_id(learner.name, answer_keys)}.html" if anonymous else learner.page
+    order = {name: _place(lesson) for name, lesson in answer_keys.lessons.items()}
+    return {
+        "name": learner.name,
+        "page": f"learners/{page}",
+        "points": plain_number(sum(lesson["points"] for lesson in lessons)),
+        "max_points": sum(lesson["max_points"] for lesson in lessons),
+        "lessons": sorted(lessons, key=lambda lesson: order.get(lesson["lesson"], ("~", lesson["file"]))),
+    }
+
+
+def _settle_lesson(entry, decisions, policy):
+    """Set the final points of a lesson's entry, which has those of the autograder.
+
+    The teacher's decisions come first, then what lateness costs. A decision on an exercise replaces its
+    points; an excused exercise counts neither for nor against. A decision on the whole lesson is final: it
+    replaces its points, and lateness costs nothing more. `policy` is a LatePolicy or None.
+    """
+    by_exercise = {decision.exercise: decision for decision in decisions}
+    whole_lesson = by_exercise.pop("", None)
+    entry["autograded_points"] = entry["points"]
+    for exercise in entry["exercises"]:
+        exercise["autograded_points"] = exercise["points"]
+        _decide(exercise, by_exercise.get(exercise["id"]))
+    if entry["exercises"]:
+        entry["points"] = plain_number(sum(exercise["points"] for exercise in entry["exercises"]))
+        entry["max_points"] = sum(exercise["max_points"] for exercise in entry["exercises"])
+    entry["late_deduction"] = 0
+    _decide(entry, whole_lesson)
+    is_final = whole_lesson and (whole_lesson.excused or whole_lesson.points is not None)
+    if is_final:
+        entry["status"] = "graded"
+    elif policy and entry["days_late"]:
+        points = plain_number(entry["points"] * policy.factor(entry["days_late"]))
+        entry["late_deduction"] = plain_number(entry["points"] - points)
+        entry["points"] = points
+
+
+def _decide(entry, decision):
+    entry["decision"] = None
+    if decision is None:
+        return
+    entry["decision"] = {name: getattr(decision, name) for name in ("points", "excused", "comment")}
+    if decision.excused:
+        entry["points"] = entry["max_points"] = 0
+    elif decision.points is not None:
+        entry["points"] = decision.points
+
+
+def _nothing_submitted(lesson, submissions):
+    """For a decision on a lesson not submitted; the learner's other submissions know the platform."""
+    known = next((submission.file for submission in submissions), SubmittedFile())
+    file = SubmittedFile(learner=known.learner, platform=known.platform, platform_id=known.platform_id)
+    return Submission(file, "", SubmissionContent(lesson=lesson, reason="nothing was submitted"))
+
+
+def _lesson_entry(learner, submission, answer_keys, store, deadlines):
+    content = submission.content
+    lesson = (submission.key or answer_keys).lessons.get(content.lesson)
+    result = store.result(submission.answers_digest) if submission.answers_digest else None
+    findings = [*content.findings, *(_contradicted_outputs(content, result) if result else ())]
+    earlier = learner.earlier.get(content.lesson, ())
+    earlier = [_file_entry(learner, one, deadlines) | {"reason": one.content.reason} for one in earlier]
+    return {
+        "lesson": content.lesson,
+        "title": lesson.title if lesson else "",
+        "status": "graded" if submission.answers_digest else "not graded",
+        "reason": content.reason,
+        "points": result.points if result else 0,
+        "max_points": lesson.points if lesson else 0,
+        "version": content.version,
+        "key": submission.key.digest if submission.key else None,
+        **_file_entry(learner, submission, deadlines),
+        "findings": [asdict(finding) for finding in findings],
+        "exercises": _exercise_entries(result) if result else [],
+        "earlier": earlier,
+    }
+
+
+def _file_entry(learner, submission, deadlines):
+    file, lesson = submission.file, submission.content.lesson
+    return {
+        "file": file.source,
+        "sha256": submission.file_digest or None,
+        "submitted_at": file.submitted_at.isoformat() if file.submitted_at else None,
+        "late": deadlines.is_late(learner.name, lesson, file),
+        "days_late": deadlines.days_late(learner.name, lesson, file),
+        "platform": file.platform,
+        "platform_id": file.platform_id,
+    }
+
+
+def _exercise_entries(result):
+    """The exercises without the values: those are on the learner's page and in the store."""
+    exercises = [to_json(exercise) | {"points": exercise.points} for exercise in result.exercises]
+    for case in (case for exercise in exercises for case in exercise["cases"]):
+        del case["failed_call"], case["drive"]
+    return exercises
+
+
+def _contradicted_outputs(content, result):
+    """Findings on stored outputs that contradict the grading; often the answer changed after the output."""
+    for exercise in result.exercises:
+        passed = all(case.passed for case in exercise.cases if not case.hidden)
+        if exercise.id in content.claims and not passed:
+            text = "its stored output says that every check passes, but in grading not every check passes"
+            yield Finding("odd", exercise.id, text)

@@ -1,0 +1,117 @@
+"""The folder of results: every result is stored at once, so an interrupted run continues where it stopped."""
+
+import contextlib
+import fcntl
+import hashlib
+import json
+import threading
+import time
+from pathlib import Path
+
+from tqdm import tqdm
+
+from .. import course
+from ..autograder.outcomes import Outcome
+from ..autograder.pool import autograde
+from ..autograder.results import from_json, to_json
+from ..exercises.atomic_write import write_file
+
+_FORMAT = 3  # of the files in the folder
+
+
+class GradesFolderError(ValueError):
+    """A folder of grades cannot be written; the message is one line with the remedy."""
+
+
+def write_grades_file(path, data):
+    """Write a file for its owner alone, whole, over the old one; GradesFolderError: it cannot be written."""
+    try:
+        write_file(path, data, permissions=0o600)
+    except OSError as error:
+        raise GradesFolderError(f"{path}: cannot be written ({error.strerror})") from error
+
+
+@contextlib.contextmanager
+def open_grades_folder(folder):
+    """Make a folder for its owner, lock it, remove unfinished files; GradesFolderError: it is in use."""
+    with contextlib.ExitStack() as stack:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            folder.chmod(0o700)
+            lock = stack.enter_context((folder / ".lock").open("w", encoding="ascii"))
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            for path in folder.rglob(".writing-*.tmp"):
+                path.unlink(missing_ok=True)
+        except BlockingIOError as error:
+            message = f"{folder}: another run is writing into it; wait for its end, or name another --out"
+            raise GradesFolderError(message) from error
+        except OSError as error:
+            raise GradesFolderError(f"{folder}: cannot be made ({error.strerror})") from error
+        yield
+
+
+class ResultStore:
+    """Pages and results in a folder, by a digest of page, key, and `options` such as the sandbox."""
+
+    def __init__(self, folder, options):
+        self._folder = Path(folder)
+        self._not_graded = {}
+        self._options = options | {"version": course.release(), "format": _FORMAT}
+
+    def keep_page(self, key, lesson, page):
+        """Store a page (see `exercises.page`) until it is graded; returns its digest."""
+        everything = json.dumps([key.digest, lesson, page, self._options], sort_keys=True)
+        digest = hashlib.sha256(everything.encode("ascii")).hexdigest()
+        path = self._folder / f"{digest}.page.json"
+        if not path.exists():
+            write_grades_file(path, json.dumps([key.digest, lesson, page], sort_keys=True))
+        return digest
+
+    def page(self, digest):
+        """The stored page: (digest of the key, lesson, page)."""
+        return json.loads((self._folder / f"{digest}.page.json").read_text(encoding="utf-8"))
+
+    def keep_result(self, digest, result):
+        """Store a GradedSubmission; one not graded is kept for this run alone: the next tries again."""
+        if result.exercises_with(Outcome.NOT_GRADED):
+            self._not_graded[digest] = result
+            return
+        write_grades_file(self._folder / f"{digest}.json", json.dumps(to_json(result), sort_keys=True))
+
+    def result(self, digest):
+        """The GradedSubmission, or None if there is none yet or its file is damaged."""
+        if digest in self._not_graded:
+            return self._not_graded[digest]
+        try:
+            return from_json(json.loads((self._folder / f"{digest}.json").read_text(encoding="utf-8")))
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+
+
+def grade_missing(learners, answer_keys, store, *, fresh, quiet, on_result, **options):
+    """Grade what has no result, or all if `fresh`, equal answers once; the number of those graded now."""
+    digests = sorted({digest for learner in learners for digest in learner.digests.values()})
+    missing = [digest for digest in digests if fresh or store.result(digest) is None]
+    done, about = len(digests) - len(missing), {"desc": "grading", "unit": " submissions"}
+    with tqdm(total=len(digests), initial=done, disable=quiet, **about) as bar:
+        threading.Thread(target=show_time, args=(bar,), daemon=True).start()
+        keys = {digest: answer_keys.key_of(store.page(digest)[0]) for digest in missing}
+        for result in autograde(_submissions(missing, store), keys, **options):
+            store.keep_result(result.name, result)
+            bar.update()
+            on_result(result.name)
+    return len(missing)
+
+
+def show_time(bar):
+    """Show each second that passes: a submission whose robot drives takes a minute."""
+    while not bar.disable:  # a closed bar is disabled
+        time.sleep(1)
+        bar.refresh()
+
+
+def _submissions(digests, store):
+    """(digest, lesson, page) of what is to be graded."""
+    for digest in digests:
+        _, lesson, page = store.page(digest)
+        yield digest, lesson, page

@@ -1,0 +1,394 @@
+"""Read a submission: where each answer is, and what is unusual about the notebook.
+
+The commands `check` and `grade` both read submissions here, so that they find the same
+answers and report the same findings. Only the sources of cells are taken (see `exercises.page`). Everything
+else in a notebook (outputs, kernels, tags) is ignored; a change that matters becomes a finding.
+"""
+
+import difflib
+import re
+import sys
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from ..authoring.lesson_names import lesson_name, lessons_named
+from ..autograder.sanitize import sanitize_line
+from ..exercises.cell_syntax import function_definitions, plain_python, program_lines
+from ..exercises.error_advice import advice_on
+from ..exercises.page import is_marked
+from ..exercises.running import answer_name
+from ..exercises.source_remarks import SAYS, STUB_LINE
+from .submission_reader import MOST_CHARACTERS
+
+_MOST_NAMES = 8  # that a finding lists
+ONE_LESSON = "a notebook counts for one lesson: submit the others as notebooks of their own"
+NOT_PYTHON = "of its answer cell is not Python"
+_GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
+
+
+class AnswerState(StrEnum):
+    """The state of one exercise in a submission, before anything is run."""
+
+    ANSWERED = "answered"
+    NOT_ATTEMPTED = "not attempted"  # the stub, as it was handed out
+    MISSING = "missing"  # no answer cell
+    BROKEN = "broken"  # an answer cell that cannot get its points as it is
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something unusual about an exercise, or about the whole notebook (""), in one line.
+
+    Of the kind "message": for the learner and the instructor; "odd": for the instructor; "answer": a fault of
+    an answer itself, which grading reports to the learner in its own words.
+    """
+
+    kind: str
+    exercise: str
+    text: str
+
+
+PAGES = ("index", "glossary")  # a learner who submits a whole folder submits these too
+
+
+@dataclass
+class SubmissionContent:
+    """What a notebook holds, or the `reason` why it cannot be read.
+
+    version   of the course, as the notebook says
+    page      what is graded (see `exercises.page`), with the answers
+    states    {exercise id: AnswerState} of every exercise
+    claims    exercise ids whose stored outputs say that every check passes
+    is_page   it is a page of the course that has no answers, such as the index
+    """
+
+    lesson: str | None = None
+    version: str | None = None
+    page: dict = field(default_factory=lambda: {"answers": {}})
+    states: dict = field(default_factory=dict)
+    findings: list = field(default_factory=list)
+    claims: list = field(default_factory=list)
+    reason: str = ""
+    is_page: bool = False
+
+    @property
+    def answers(self):
+        """{exercise id: source of the cell that holds its answer}."""
+        return self.page["answers"]
+
+    def add(self, text, exercise="", kind="message"):
+        """Add a finding."""
+        self.findings.append(Finding(kind, exercise, text))
+
+    def texts_about(self, exercise):
+        """The texts of the findings about an exercise; about the whole notebook if it is ""."""
+        return [finding.text for finding in self.findings if finding.exercise == exercise]
+
+
+def read_submission(data, catalog, reader, name=""):
+    """The SubmissionContent of a notebook; `catalog` are AnswerKeys, or for `check` a CheckFileCatalog."""
+    notebook, reason = reader.read(data)
+    if notebook is None:
+        return SubmissionContent(lesson=lesson_by_name(name, catalog.lessons), reason=reason)
+    content = SubmissionContent(version=notebook["version"])
+    cells = [cell for cell in notebook["cells"] if cell is not None]
+    content.lesson = _recognize(notebook, cells, catalog, name, content)
+    if content.lesson is None:
+        content.is_page = notebook["lesson"] in PAGES
+        content.reason = f"it is not one of the lessons {', '.join(catalog.lessons)}"
+        if notebook["lesson"]:
+            content.reason += f"; it says that it is {sanitize_line(notebook['lesson'], 80)!r}"
+        return content
+    lesson = catalog.describe(content.lesson, content.version)
+    _inspect_notebook(notebook, cells, lesson, content)
+    answers = _answer_cells(cells, lesson, reader, content)
+    for exercise in lesson.exercises:
+        content.states[exercise.id] = _inspect_answer(exercise, answers[exercise.id], content)
+        _compare_given(exercise, cells, lesson, content)
+        _report_other_tries(exercise, cells, content)
+    python, own = re.match(r"3\.(\d{1,2})\b", notebook["python"] or ""), sys.version_info.minor
+    is_no_python = any(NOT_PYTHON in finding.text for finding in content.findings)
+    if is_no_python and python and int(python[1]) > own:
+        text = f"it was run with Python {python[0]}, and Python 3.{own} grades it, which knows less syntax"
+        content.add(text)
+    return content
+
+
+@dataclass(frozen=True)
+class AnswerCells:
+    """The cells of an exercise: the one that counts as its answer, or None, and others.
+
+    marked   those that are marked as the answer cell, by id or metadata
+    others   those that define the function, too
+    """
+
+    cell: dict | None
+    is_answer: bool  # whether it defines the function, and not as the stub
+    marked: list
+    others: list
+
+
+def _answer_cells(cells, lesson, reader, content):
+    """{exercise id: its AnswerCells}; takes the page."""
+    stubs = {exercise.id: function_definitions(exercise.stub) for exercise in lesson.exercises}
+    asked = [[one.id, one.function, stubs[one.id].get(one.function)] for one in lesson.exercises]
+    page, places = reader.page(lesson.cells, asked)
+    if page is None:
+        content.add("finding out what is graded takes too much time or memory", kind="odd")
+        page, places = content.page, {id: [] for id, *_ in asked}
+    content.page = page
+    by_number, found = {cell["number"]: cell for cell in cells}, {}
+    for exercise in lesson.exercises:
+        marked = [cell for cell in cells if is_marked(cell, exercise.id)]
+        marked.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != f"answer-{exercise.id}"))
+        answers = [by_number[number] for number in places[exercise.id]]
+        found[exercise.id] = AnswerCells([*answers, *marked, None][0], bool(answers), marked, answers[1:])
+    return found
+
+
+def lesson_by_name(name, lessons):
+    """The one lesson that a file's name contains, or None if there is none or more than one."""
+    candidates = lessons_named(name, lessons)
+    return candidates[0] if len(candidates) == 1 else None
+
+
+def _recognize(notebook, cells, catalog, name, content):
+    """The lesson of a notebook, or None; a notebook with answer cells of several lessons gets a finding."""
+    marked, functions = _signs_of_lessons(cells, catalog)
+    lesson = _by_signs(notebook, marked, functions, catalog, name, content)
+    others = [other for other, ids in marked.items() if ids and other != lesson]
+    if lesson and marked[lesson] and others:
+        content.add(f"it also has answer cells of {', '.join(others)}; {ONE_LESSON}")
+    return lesson
+
+
+def _by_signs(notebook, marked, functions, catalog, name, content):
+    """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
+    metadata_lesson = lesson_name(notebook["lesson"] or "")
+    claim = metadata_lesson if metadata_lesson in catalog.lessons else None
+    if claim and marked[claim]:
+        return claim
+    named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
+    by_marks = _most(marked)
+    if by_marks:
+        if (claim or named_lesson) not in (None, by_marks):
+            says = "it says" if claim else "its name says"
+            text = f"{says} that it is {claim or named_lesson}, but its answer cells are those of {by_marks}"
+            content.add(f"{text}; it is graded as {by_marks}")
+        return by_marks
+    return claim if metadata_lesson else _recognize_unmarked(named_lesson, functions, content)
+
+
+def _signs_of_lessons(cells, catalog):
+    """{lesson: ids of its exercises with an answer cell}, {lesson: its functions that are defined}."""
+    marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
+    defined = {name for cell in cells for name in cell["functions"]}
+    marked, functions = {}, {}
+    for lesson in catalog.lessons:
+        asked = catalog.functions(lesson)
+        marked[lesson] = {id for id, _ in asked if f"answer-{id}" in marks}
+        functions[lesson] = defined & {function for _, function in asked}
+    return marked, functions
+
+
+def _recognize_unmarked(named, functions, content):
+    """The lesson of a notebook without marks, by its name, then by {lesson: its functions in it}."""
+    by_functions = _most(functions)
+    if named is None and by_functions:
+        listed = _listed(functions[by_functions])
+        content.add(f"it was recognized as {by_functions} by its functions: {listed}")
+    if named and by_functions not in (None, named) and not functions[named]:
+        text = f"its name says that it is {named}, but it defines functions of {by_functions}"
+        content.add(f"{text} ({_listed(functions[by_functions])}); it is graded as {named}, by its name")
+    return named or by_functions
+
+
+def _most(sets):
+    """The key whose set is the largest; None if all are empty, or two are equally large."""
+    sizes = sorted(((len(values), key) for key, values in sets.items()), reverse=True)
+    if not sizes or not sizes[0][0] or (len(sizes) > 1 and sizes[0][0] == sizes[1][0]):
+        return None
+    return sizes[0][1]
+
+
+def _listed(functions):
+    return ", ".join(f"{sanitize_line(name, 60)}()" for name in sorted(functions)[:_MOST_NAMES])
+
+
+def _inspect_notebook(notebook, cells, lesson, content):
+    if content.version != lesson.version:
+        version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
+        version = f"{sanitize_line(version)} of the lesson, not from version {lesson.version}"
+        content.add(f"it was made from {version}")
+    if len(cells) < len(notebook["cells"]):
+        content.add(f"{len(notebook['cells']) - len(cells)} of its cells are not cells", kind="odd")
+    if notebook["kernel"] not in (None, "python3"):
+        kernel = sanitize_line(notebook["kernel"], 60)
+        content.add(f"it asks for the kernel {kernel!r}; grading uses its own", kind="odd")
+
+
+def _inspect_answer(exercise, answer, content):
+    """Add what is unusual about an exercise's answer, and return its AnswerState."""
+    cell = answer.cell
+    if cell is None:
+        content.add(f"its answer cell (answer-{exercise.id}) is missing", exercise.id)
+        return AnswerState.MISSING
+    if not answer.is_answer and cell["type"] != "code":
+        content.add(f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", exercise.id)
+        return AnswerState.BROKEN
+    if cell["source"] is None:
+        content.add("the source of its answer cell is not text", exercise.id)
+        return AnswerState.BROKEN
+    tags = cell.get("grader_tags")
+    if tags or any(comment in cell["source"] for comment in _GRADER_COMMENTS):
+        text = "its answer cell has tags or comments that direct a grader; they are ignored"
+        content.add(text, exercise.id, "odd")
+    state = _inspect_source(exercise, answer, content)
+    if state is AnswerState.ANSWERED:
+        _report_place(exercise, answer, content)
+        for line, code in program_lines(plain_python(cell["source"])):
+            text = SAYS["line of a program"].format(line=line, code=sanitize_line(code, 80))
+            content.add(text[0].lower() + text[1:].rstrip("."), exercise.id)
+    return state
+
+
+def _inspect_source(exercise, answer, content):
+    source = answer.cell["source"]
+    if len(source) > MOST_CHARACTERS:
+        text = f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded"
+        content.add(text, exercise.id, "answer")
+        return AnswerState.BROKEN
+    if answer.cell not in answer.marked:
+        return AnswerState.ANSWERED
+    if source.strip() == exercise.stub.strip():
+        return AnswerState.NOT_ATTEMPTED
+    problem, is_slip = _problem(exercise, answer.cell)
+    if problem:
+        content.add(problem, exercise.id, "message" if is_slip else "answer")
+        return AnswerState.BROKEN
+    if exercise.function in answer.cell["answer"]["stub_lines"]:
+        content.add(f"{exercise.answer_name}: {STUB_LINE}", exercise.id)
+    return AnswerState.ANSWERED if answer.is_answer else AnswerState.NOT_ATTEMPTED
+
+
+def _problem(exercise, cell):
+    """(why a marked cell cannot get its points, whether a slip may be the cause), ("", False) if it can."""
+    lines = map(str.strip, cell["source"].splitlines())
+    if all(not line or line.startswith("#") for line in lines):
+        return "its answer cell is empty", False
+    if cell["answer"]["error"]:
+        return _syntax_problem(exercise, cell["answer"])
+    names = cell["answer"]["names"]
+    if names is not None and exercise.function not in names:
+        name = _similar_name(exercise, cell)
+        text = f"its answer cell does not define {exercise.answer_name}"
+        return text + (f", but {name}; the name must be the one of the task" if name else ""), bool(name)
+    return "", False
+
+
+def _syntax_problem(exercise, syntax):
+    line, text, message = syntax["error"]
+    text, message = sanitize_line(text, 80), sanitize_line(message, 100)
+    problem = f"line {line} {NOT_PYTHON}: {text} ({message})"
+    advice = advice_on("SyntaxError", message, f"line {line}: {text}")
+    mended_line, names = syntax["slip"] or ("", ())
+    is_slip = names is None or exercise.function in names
+    change = f"One change makes it Python: {sanitize_line(mended_line, 80)!r}" if is_slip else ""
+    return ". ".join(filter(None, [problem, advice.removesuffix("."), change])), is_slip
+
+
+def _similar_name(exercise, cell):
+    """The function of the cell whose name was meant: the only one, or one written nearly so; or ""."""
+    defined = sorted(cell["functions"])
+    names = defined if len(defined) == 1 else difflib.get_close_matches(exercise.function, defined, 1)
+    return answer_name(sanitize_line(names[0], 60), exercise.subject) if names else ""
+
+
+def _report_place(exercise, answer, content):
+    """Report an answer that does not stand where it was handed out, or not there alone."""
+    name = exercise.answer_name
+    if answer.cell not in answer.marked and not any(cell in answer.marked for cell in answer.others):
+        text = f"graded from another cell ({_place(answer.cell)}), which defines {name}: "
+        content.add(text + _state_of_marked(exercise, answer.marked), exercise.id)
+    elif answer.cell["type"] != "code" and answer.cell in answer.marked:
+        text = f"its answer cell is a {_kind(answer.cell)} cell; its text is graded"
+        content.add(f"{text} (key Y makes it code again)", exercise.id)
+    if answer.others:
+        graded, *others = _places([answer.cell, *answer.others[:_MOST_NAMES]])
+        text = f"{graded} is graded, and not {', '.join(others)}"
+        content.add(f"{len(answer.others) + 1} cells define {name}: {text}", exercise.id)
+
+
+def _state_of_marked(exercise, own):
+    """What is wrong with the cell that is marked as the answer cell."""
+    text = f"its answer cell (answer-{exercise.id})"
+    if not own:
+        return f"{text} is missing"
+    if own[0]["type"] != "code":
+        return f"{text} is a {_kind(own[0])} cell"
+    if own[0]["source"] is None:
+        return f"{text} holds no text"
+    return _problem(exercise, own[0])[0] or f"{text} holds the stub"
+
+
+def _place(cell):
+    return sanitize_line(cell["id"], 80) or f"cell number {cell['number'] + 1}"
+
+
+def _places(cells):
+    """The places of cells; their numbers if two of them have one id."""
+    places = list(map(_place, cells))
+    if len(set(places)) == len(places):
+        return places
+    return [f"cell number {cell['number'] + 1}" for cell in cells]
+
+
+def _kind(cell):
+    return sanitize_line(cell["type"], 20) or "nameless"
+
+
+# ---------------------------------------------------------------- cells of the lesson
+
+
+def _compare_given(exercise, cells, lesson, content):
+    """Report check and given cells that were changed or removed, and collect what check cells claim."""
+    cells_by_id, cells_by_source = {}, {}
+    for cell in cells:
+        cells_by_id.setdefault(cell["id"], cell)
+        cells_by_source.setdefault((cell.get("source") or "").strip(), cell)
+    for id, source in sorted(lesson.cells.items()):
+        if source is None or not id.startswith((f"check-{exercise.id}-", f"given-{exercise.id}-")):
+            continue
+        cell = cells_by_id.get(id) or cells_by_source.get(source.strip())  # some tools rewrite ids
+        change = _change(cell, source)
+        if change:
+            role = "check cell" if id.startswith("check-") else "given cell"
+            content.add(f"its {role} ({id}) {change}; grading uses its own", exercise.id)
+    outputs = (cell["output"] for id, cell in cells_by_id.items() if id.startswith(f"check-{exercise.id}-"))
+    if _claims_to_pass(exercise.id, "\n".join(outputs)):
+        content.claims.append(exercise.id)
+
+
+def _report_other_tries(exercise, cells, content):
+    """Report the check of a function with another name: perhaps the answer that was meant."""
+    call = re.compile(
+        rf"""^check\(\s*["']{re.escape(exercise.id)}["']\s*,\s*(?!{exercise.function}\b)(\w+)""", re.M
+    )
+    names = dict.fromkeys(name for cell in cells for name in call.findall(cell.get("source") or ""))
+    if names:
+        tries = ", ".join(sanitize_line(name, 60) for name in list(names)[:_MOST_NAMES])
+        content.add(f"a cell checks {tries}, and {exercise.answer_name} is graded", exercise.id)
+
+
+def _change(cell, source):
+    if cell is None:
+        return "is missing"
+    if cell["type"] != "code":
+        return "is not a code cell any more"
+    return "" if (cell["source"] or "").strip() == source.strip() else "was changed"
+
+
+def _claims_to_pass(exercise_id, output):
+    starts = (f"{exercise_id}: the check passes", f"{exercise_id}: all ")
+    claims = [line.rstrip(".") for line in output.splitlines() if line.startswith(starts)]
+    return any(claim.endswith(("passes", "pass")) for claim in claims)

@@ -1,0 +1,308 @@
+"""Reads notebooks of learners, in a process of its own that may fail without harm.
+
+`notebook_reader.NotebookReader` starts this file as a program with limits on memory and processor time, sends
+it the bytes of a notebook and receives plain data: the id and type of each cell, and the sources of code. It
+also makes the page that is graded, and takes the shapes of answers. Nothing in a notebook is run or
+followed. The program imports the standard library only, and `cell_syntax`, `page`, `syntax_shapes` and (once
+an answer has an error) `syntax_slips`, which do the same: it starts quickly, and no module of a learner can
+take the place of ours.
+"""
+
+import ast
+import codecs
+import ctypes
+import importlib
+import json
+import os
+import re
+import resource
+import signal
+import sys
+from pathlib import Path
+
+if __name__ == "__main__":
+    sys.path += [str(Path(__file__).parents[1] / "exercises"), str(Path(__file__).parent)]
+    import cell_syntax
+    import page
+    import syntax_shapes
+else:
+    from nbclassroom import course
+    from nbclassroom.exercises import cell_syntax, page
+    from nbclassroom.gradebook import syntax_shapes
+
+MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
+MOST_CELLS = 5_000
+MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what comes after is not searched
+_COURSE_IDS = ("answer-", "check-", "given-")
+_MOST_FUNCTIONS = 200  # functions that are returned per cell
+_MOST_OUTPUT = 2_000  # characters of a check cell's output
+_MOST_COUNT = 1_000_000  # runs of cells
+_MOST_NAME = 200  # characters of a name or an id
+_SAVE = "save it again in JupyterLab"
+_CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
+_PR_SET_PDEATHSIG = 1
+_SLIPS = "syntax_slips" if __name__ == "__main__" else "nbclassroom.exercises.syntax_slips"
+_COURSE = sys.argv[3] if __name__ == "__main__" else course.name
+_UNKNOWN_SYNTAX = {"error": None, "slip": None, "names": None, "stub_lines": []}
+
+
+class UnreadableError(ValueError):
+    """Why the bytes are not a notebook, for instructors and learners."""
+
+
+def read_notebook(data):
+    """Read the bytes of a notebook as plain data; UnreadableError: they are none of format 4 or 3.
+
+    lesson, version, kernel  str, or None if the notebook does not name them
+    cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
+           `exercise` (the id in its metadata, or "") and `functions` (see `cell_syntax.function_definitions`;
+           of a cell that is no code only if its text is); a code cell has `count`, int or None. A code cell
+           and a cell of the course have `source` (str, at most one character more than MOST_CHARACTERS; None
+           if it is not text, or after MOST_CODE). A cell of the course has `grader_tags`, an answer cell also
+           `answer` (see `_parsed_answer`), a check cell `output`
+    """
+    notebook = _parsed(data)
+    nbformat = notebook.get("nbformat")
+    if isinstance(nbformat, bool) or not isinstance(nbformat, int):
+        raise UnreadableError(f"it does not say which notebook format it has; {_SAVE}")
+    if nbformat not in (3, 4):
+        raise UnreadableError(
+            f"it has notebook format {str(nbformat)[:20]}, and only the formats 4 and 3 can be read; open the"
+            " lesson in JupyterLab and copy your answers there"
+        )
+    cells = notebook.get("cells") if nbformat == 4 else _cells_of_format_3(notebook)
+    if not isinstance(cells, list):
+        raise UnreadableError(f"it has no list of cells; {_SAVE}")
+    if len(cells) > MOST_CELLS:
+        raise UnreadableError(f"it has {len(cells)} cells; at most {MOST_CELLS} are read")
+    return {
+        "lesson": _text(notebook, "metadata", _COURSE, "lesson"),
+        "version": _text(notebook, "metadata", _COURSE, "version"),
+        "kernel": _text(notebook, "metadata", "kernelspec", "name"),
+        "python": _text(notebook, "metadata", "language_info", "version"),
+        "cells": _cells(cells),
+    }
+
+
+def _parsed(data):
+    if not data.strip():
+        raise UnreadableError("the file is empty")
+    # Windows PowerShell and some editors save UTF-16; its byte order mark cannot begin UTF-8.
+    encoding = "utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig"
+    try:
+        notebook = json.loads(data.decode(encoding))
+    except UnicodeDecodeError as error:
+        name = "UTF-16" if encoding == "utf-16" else "UTF-8"
+        raise UnreadableError(f"it is not {name} text (byte {error.start}); {_SAVE}") from error
+    except RecursionError as error:
+        raise UnreadableError("it is nested too deep to be a notebook") from error
+    except ValueError as error:
+        line = getattr(error, "lineno", None)
+        place = f" (line {line})" if line else ""
+        raise UnreadableError(f"it is not a notebook: its JSON is broken{place}; {_SAVE}") from error
+    if not isinstance(notebook, dict):
+        raise UnreadableError("it is not a notebook: its JSON holds something else")
+    return notebook
+
+
+def _cells_of_format_3(notebook):
+    """The cells of all worksheets as format 4 has them, code as `source`; None without any list of cells."""
+    parts = [_at(part, list, "cells") for part in _at(notebook, list, "worksheets") or ()]
+    parts = [cells for cells in parts if cells is not None]
+    return [_cell_of_format_3(cell) for cells in parts for cell in cells] if parts else None
+
+
+def _cell_of_format_3(cell):
+    is_code = isinstance(cell, dict) and cell.get("cell_type") == "code"
+    return cell | {"source": cell.get("input")} if is_code else cell
+
+
+def _at(value, kind, *names):
+    """What is found by these names in dicts within dicts, if it is of this kind; else None."""
+    for name in names:
+        value = value.get(name) if isinstance(value, dict) else None
+    return value if isinstance(value, kind) else None
+
+
+def _text(value, *names):
+    text = _at(value, str, *names)
+    return None if text is None else text[:_MOST_NAME]
+
+
+def _joined(text):
+    """A text that may be stored as a list of lines, as one str; None if it is neither."""
+    if isinstance(text, list) and all(isinstance(line, str) for line in text):
+        text = "".join(text)
+    return text if isinstance(text, str) else None
+
+
+def _cells(cells):
+    contents, code_left = [], MOST_CODE
+    for number, cell in enumerate(cells):
+        content = _cell(cell, number, code_left) if isinstance(cell, dict) else None
+        contents.append(content)
+        if content and "answer" not in content:
+            code_left -= len(content.get("source") or "")
+    return contents
+
+
+def _cell(cell, number, code_left):
+    """A cell as `read_notebook` describes it."""
+    content = {
+        "number": number,
+        "id": _text(cell, "id") or "",
+        "type": _text(cell, "cell_type") or "",
+        "exercise": _text(cell, "metadata", _COURSE, "exercise") or "",
+        "functions": {},
+    }
+    if content["type"] == "code":
+        content["count"] = _count(cell)
+    source = _joined(cell.get("source"))
+    if source is not None:
+        source = source[: MOST_CHARACTERS + 1]
+    is_answer = content["id"].startswith("answer-") or bool(content["exercise"])
+    if is_answer or content["id"].startswith(_COURSE_IDS):
+        content["source"] = source
+        content["grader_tags"] = _grader_tags(cell)
+    elif content["type"] == "code":
+        content["source"] = source if len(source or "") <= code_left else None
+    if is_answer and source is not None:
+        content["answer"] = _parsed_answer(source)
+    if _may_define(content, source):
+        content["functions"] = _functions(source)
+    if content["functions"]:
+        content["source"] = source
+    if content["id"].startswith("check-"):
+        content["output"] = _output_text(cell)
+    return content
+
+
+def _count(cell):
+    """The execution count of a code cell; None if it was not run, or if its count is none."""
+    count = cell.get("execution_count", cell.get("prompt_number"))
+    return count if type(count) is int and 0 < count < _MOST_COUNT else None
+
+
+def _may_define(content, source):
+    """Whether to look for functions: in code, and in another cell if a line of it begins like code."""
+    if content["type"] == "code":
+        return bool(content["source"])
+    return source is not None and len(source) <= MOST_CHARACTERS and bool(_CODE_BEGINS.search(source))
+
+
+@cell_syntax.cached_if_short
+def _functions(source):
+    functions = cell_syntax.function_definitions(cell_syntax.plain_python(source))
+    return {name[:_MOST_NAME]: digest for name, digest in list(functions.items())[:_MOST_FUNCTIONS]}
+
+
+def _grader_tags(cell):
+    """The tags and metadata that would direct nbval, nbgrader or otter-grader."""
+    metadata = _at(cell, dict, "metadata") or {}
+    tags = [tag for tag in _at(metadata, list, "tags") or () if isinstance(tag, str)]
+    prefixes = ("nbval-", "raises-exception", "skip", "otter")
+    grader_tags = [tag[:_MOST_NAME] for tag in tags if tag.startswith(prefixes)]
+    return grader_tags[:10] + [name for name in ("nbgrader", "points", "otter") if name in metadata]
+
+
+def _parsed_answer(source):
+    """What the syntax of an answer says.
+
+    error : [line number, text of the line, message] of a syntax error, or None
+    slip : [the line mended, names as below] if one change makes a source with an error Python, or None
+    names : list of str, what the source binds at its top level; None if that is unknown
+    stub_lines : list of str, the functions that go on after the stub's `raise NotImplementedError(...)`
+    """
+    source = cell_syntax.plain_python(source)
+    try:
+        tree = ast.parse(source)
+    except SyntaxError as error:
+        text = (error.text or "").strip()[:_MOST_NAME]
+        line = [error.lineno or 1, text, error.msg[:_MOST_NAME]]
+        return {**_UNKNOWN_SYNTAX, "error": line, "slip": _slip(source, error)}
+    except (ValueError, RecursionError, MemoryError):
+        return _UNKNOWN_SYNTAX
+    return {
+        **_UNKNOWN_SYNTAX,
+        "names": _bound_names(tree),
+        "stub_lines": cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS],
+    }
+
+
+def _bound_names(tree):
+    """The names that a module binds at its top level, sorted; None if `import *` hides them."""
+    names = set().union(*map(cell_syntax.names_bound_by, tree.body))
+    return None if "*" in names else sorted(names)
+
+
+def _slip(source, error):
+    mended = importlib.import_module(_SLIPS).without_slip(source, error)
+    if mended is None:
+        return None
+    mended_source, tree = mended
+    lines = re.split("\r\n?|\n", mended_source)  # as Python counts them
+    return [lines[min(error.lineno or 1, len(lines)) - 1].strip()[:_MOST_NAME], _bound_names(tree)]
+
+
+def _output_text(cell):
+    """The beginning of a cell's stored outputs, as text."""
+    texts = []
+    for output in (_at(cell, list, "outputs") or [])[:20]:
+        for text in (_at(output, object, "text"), _at(output, object, "data", "text/plain")):
+            texts.append((_joined(text) or "")[:_MOST_OUTPUT])
+    return "\n".join(filter(None, texts))[:_MOST_OUTPUT]
+
+
+def serve(requests, replies, most_memory, seconds):
+    """Answer each request with a line of JSON, until there is no more, or the memory is in use.
+
+    `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
+    `page <length>`, and [lesson_cells, exercises] of `page.page_of_notebook` as JSON: that of the last
+    notebook, {"page": , "places": }
+    `shapes <length>`, and {exercise id: source} as JSON: {"shapes": }, see `syntax_shapes.shapes`
+
+    With more than `most_memory` bytes in use, it ends instead of reading another notebook: so what it
+    remembers of earlier notebooks leaves enough memory for each one. A request that takes more `seconds` of
+    processor time ends it.
+    """
+    notebook = None
+    while header := requests.readline():
+        kind, length = header.split()
+        if kind == b"read" and _memory_in_use() > most_memory:
+            return
+        body = requests.read(int(length))
+        signal.setitimer(signal.ITIMER_PROF, seconds)  # nobody handles its signal, which ends the process
+        try:
+            if kind == b"read":
+                notebook = read_notebook(body)
+                reply = {"notebook": notebook}
+            elif kind == b"page":
+                cells = [cell for cell in notebook["cells"] if cell is not None]
+                made, places = page.page_of_notebook(cells, *json.loads(body))
+                reply = {"page": made, "places": places}
+            else:
+                os.setpriority(os.PRIO_PROCESS, 0, 5)  # grading is waited for, and this is not
+                reply = {"shapes": syntax_shapes.shapes(json.loads(body))}
+        except UnreadableError as error:
+            reply = {"reason": str(error)}
+        except (MemoryError, RecursionError):
+            reply = {"reason": "reading it takes more memory than a notebook needs"}
+        replies.write(json.dumps(reply).encode("ascii") + b"\n")
+        replies.flush()
+
+
+def _memory_in_use():
+    """Bytes of this process; 0 where the system does not say it."""
+    try:
+        pages = Path("/proc/self/statm").read_text(encoding="ascii").split()[1]
+    except OSError:
+        return 0
+    return int(pages) * resource.getpagesize()
+
+
+if __name__ == "__main__":
+    memory = int(sys.argv[1])
+    resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+    if sys.platform.startswith("linux"):
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)  # end with the process that started this
+    serve(sys.stdin.buffer, sys.stdout.buffer, memory // 4, float(sys.argv[2]))

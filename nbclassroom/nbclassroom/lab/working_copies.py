@@ -1,0 +1,286 @@
+"""The learner's working copies: lessons are copied into my_lessons/, and work there is never overwritten.
+
+A copy has no outputs, so that a learner can predict a result. my_lessons/.course.json stores for each copy
+which lesson it came from. An update replaces a copy that the learner has not changed. If the learner has
+changed it, the updated lesson is added under a new name. A copy under an older number of its lesson gets the
+new number. Nothing is ever deleted. Without .course.json, every copy that differs from its lesson counts as
+changed.
+"""
+
+import contextlib
+import errno
+import hashlib
+import itertools
+import json
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NamedTuple
+
+from nbclassroom import course
+from nbclassroom.authoring.learner_files import TEXTS, files_for_learners, without_outputs
+from nbclassroom.authoring.lesson_names import lesson_name
+from nbclassroom.exercises.atomic_write import stage_file
+from nbclassroom.exercises.progress import one_at_a_time
+
+STATE = ".course.json"
+LOCK = ".course.lock"
+# A lesson's number in prose: in its heading, in a link, in "lesson 04".
+_NUMBER = re.compile(r"(?<=^# )\d\d(?= · )|\b\d\d(?=_[a-z])|(?<=[Ll]esson )\d\d\b")
+
+
+class LabError(Exception):
+    """The lessons cannot be copied, or JupyterLab not started; the text is one line that says what to do."""
+
+
+@dataclass
+class LessonChanges:
+    """What has changed among the working copies: names of files, relative to my_lessons/."""
+
+    new: list[str] = field(default_factory=list)
+    updated: list[str] = field(default_factory=list)
+    added_beside: list[tuple[str, str]] = field(default_factory=list)  # (learner's file, updated lesson)
+    renumbered: list[tuple[str, str]] = field(default_factory=list)  # (old name, new name)
+    folder: str = "my_lessons"
+
+    @property
+    def written(self):
+        """Every file that was written."""
+        return [*self.new, *self.updated, *(lesson for _, lesson in self.added_beside)]
+
+    def lines(self):
+        """Lines of text that tell the learner what has changed."""
+        if self.new:
+            yield f"New in {self.folder}/: {', '.join(self.new)}"
+        if self.updated:
+            yield f"Updated, because you had not changed them: {', '.join(self.updated)}"
+        for learners_file, lesson in self.added_beside:
+            yield f"Updated in the course: {learners_file}. Your file is unchanged; the new one is {lesson}"
+        if self.renumbered:
+            pairs = ", ".join(f"{old} is now {new}" for old, new in self.renumbered)
+            yield f"Lessons have new numbers, and your work in them is unchanged: {pairs}"
+        if not self.written and not self.renumbered:
+            yield f"{self.folder}/ is up to date; nothing was changed."
+
+
+class Origin(NamedTuple):
+    """The lesson that a working copy came from, and the update that was last added beside it."""
+
+    shipped: str  # digest of the lesson's bytes, without outputs (until version 0.1.0: with them)
+    work: str  # digest of the parts that a learner changes
+    offered: str = ""  # digest of the bytes of the update that was added beside it
+
+
+def update_lessons(source=None, target=None, version=None):
+    """Creates or updates the working copies in `target`, by default my_lessons/; returns LessonChanges.
+
+    LabError: there are no lessons, or the folder cannot be written; then nothing has changed.
+    """
+    source = Path(source or course.folder())
+    target = Path(target or course.learners_folder())
+    lessons = [path.relative_to(source).as_posix() for path in files_for_learners(source)]
+    if not any(name.endswith(".ipynb") for name in lessons):
+        raise LabError(
+            f"there are no lessons in {source.name}/; run this from a clone of the course's repository"
+        )
+    if target.exists() and not target.is_dir():
+        raise LabError(
+            f"{target.name} is a file, but the lessons need a folder of this name; rename the file"
+        )
+    try:
+        target.mkdir(exist_ok=True)
+        with one_at_a_time(target / LOCK):
+            return _update(source, target, lessons, version or course.release())
+    except OSError as error:
+        raise LabError(_failure_text(target, error)) from error
+
+
+def _update(source, target, lessons, version):
+    origins = _read_state(target / STATE)
+    changes, staged = LessonChanges(folder=target.name), StagedFiles(target)
+    with staged:
+        for name in lessons:
+            data = without_outputs((source / name).read_bytes())
+            if name.startswith(f"{TEXTS}/"):  # the lessons read them: no work of a learner
+                staged.write(name, data, replaces=_content(target / name))
+                continue
+            old_name = _name_under_older_number(target, name, origins)
+            if old_name:
+                staged.rename(old_name, name)
+                changes.renumbered.append((old_name, name))
+            origin = _take_origin(origins, target, name, old_name)
+            origins[name] = _update_one(staged, changes, name, data, origin, version)
+        staged.write(STATE, _state_text(origins).encode(), replaces=_content(target / STATE))
+        staged.put_in_place()
+    return changes
+
+
+def _name_under_older_number(folder, name, origins):
+    """The name of a lesson's copy under an older number; None if there is none, or if the name is taken."""
+    path = folder / name
+    lesson = lesson_name(path.stem)
+    if path.exists() or lesson == path.stem:
+        return None
+    names = [
+        copy.relative_to(folder).as_posix()
+        for copy in sorted(path.parent.glob(f"[0-9][0-9]_{lesson}{path.suffix}"))
+        if copy.is_file()
+    ]
+    own = [copy for copy in names if copy in origins] or [
+        copy for copy in names if _lesson_in_metadata((folder / copy).read_bytes()) == lesson
+    ]
+    return own[-1] if own else None
+
+
+def _lesson_in_metadata(data):
+    with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
+        return lesson_name(json.loads(data)["metadata"][course.name]["lesson"])
+    return None
+
+
+def _take_origin(origins, folder, name, old_name):
+    """Where a copy came from; also under an older number, if an update was interrupted after its renaming."""
+    if name in origins:
+        return origins.pop(name)
+    lesson = lesson_name(Path(name).stem)
+    for entry in sorted(origins):
+        is_renamed = entry == old_name or not (folder / entry).exists()
+        other_number = Path(entry).with_stem(lesson) == Path(name).with_stem(lesson)
+        if is_renamed and other_number and lesson_name(Path(entry).stem) == lesson:
+            return origins.pop(entry)
+    return None
+
+
+def _update_one(staged, changes, name, data, origin, version):
+    """Stages the files to write for one lesson; returns the origin to store."""
+    copy = staged.present_path(name)
+    lesson = Origin(_digest(data), _work_digest(name, data))
+    if not copy.exists():
+        staged.write(name, data)
+        changes.new.append(name)
+        return lesson
+    if origin and origin.shipped == lesson.shipped:
+        return origin
+    copy_data = copy.read_bytes()
+    copy_work = _work_digest(name, copy_data)
+    if origin and origin.work in (copy_work, _work_digest(name, copy_data, with_numbers=True)):
+        if copy_data != data:
+            staged.write(name, data, replaces=copy_data)
+            changes.updated.append(name)
+        return lesson
+    if copy_work == lesson.work:
+        return lesson
+    if origin and (origin.offered == lesson.shipped or origin.work == lesson.work):
+        return origin  # the update was added before, or it changes nothing that a learner sees
+    name_beside = _name_beside(staged.folder, name, version, data)
+    if name_beside is not None:
+        staged.write(name_beside, data)
+        changes.added_beside.append((name, name_beside))
+    return Origin(origin.shipped if origin else "", origin.work if origin else "", lesson.shipped)
+
+
+def _name_beside(folder, name, version, data):
+    """A free name for an updated lesson; None if a file with the same lesson exists already."""
+    path = Path(name)
+    for number in itertools.count(1):
+        label = f"version {version}" if number == 1 else f"version {version}, {number}"
+        name_beside = path.with_name(f"{path.stem} ({label}){path.suffix}").as_posix()
+        if not (folder / name_beside).exists():
+            return name_beside
+        if _work_digest(name, (folder / name_beside).read_bytes()) == _work_digest(name, data):
+            return None
+
+
+def _digest(data):
+    return hashlib.sha256(data).hexdigest()
+
+
+def _work_digest(name, data, *, with_numbers=False):
+    """Digest of what counts as a learner's work: in a notebook the cells, without their outputs and counts.
+
+    Running cells is not work; writing, adding or moving a cell is, and so is pasting an image into one. In a
+    file that is not a readable notebook, every byte counts. The numbers of lessons do not count, except in
+    digests that the first version stored.
+    """
+    if name.endswith(".ipynb"):
+        with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
+            cells = json.loads(data)["cells"]
+            work = [_work_of(cell, with_numbers) for cell in cells]
+            return _digest(json.dumps(work, sort_keys=True).encode())
+    return _digest(data)
+
+
+def _work_of(cell, with_numbers):
+    source = cell["source"] if isinstance(cell["source"], str) else "".join(cell["source"])
+    return [
+        cell.get("id"),
+        cell["cell_type"],
+        source if with_numbers or cell["cell_type"] != "markdown" else _NUMBER.sub("", source),
+        cell.get("attachments") or {},
+    ]
+
+
+def _read_state(path):
+    try:
+        entries = json.loads(path.read_text(encoding="utf-8"))["lessons"]
+        return {name: Origin(**entry) for name, entry in entries.items()}
+    except (FileNotFoundError, ValueError, KeyError, TypeError, AttributeError):
+        return {}
+
+
+def _state_text(origins):
+    entries = {name: origin._asdict() for name, origin in sorted(origins.items())}
+    return json.dumps({"lessons": entries}, indent=1)
+
+
+def _content(path):
+    return path.read_bytes() if path.exists() else None
+
+
+class StagedFiles(contextlib.AbstractContextManager):
+    """Files that are first written under temporary names, and renamed only when all are complete on disk."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self._files = []  # (temporary path, final path, the bytes that it replaces there or None)
+        self._renamed = {}  # new path: old path
+
+    def __exit__(self, *exception):
+        for temporary, _, _ in self._files:
+            temporary.unlink(missing_ok=True)
+
+    def write(self, name, data, *, replaces=None):
+        if data == replaces:
+            return
+        path = self.folder / name
+        self._files.append((stage_file(path, data, sync=True), path, replaces))
+
+    def rename(self, old_name, name):
+        self._renamed[self.folder / name] = self.folder / old_name
+
+    def present_path(self, name):
+        """Where a file is until everything is put in place."""
+        return self._renamed.get(self.folder / name, self.folder / name)
+
+    def put_in_place(self):
+        for _, path, replaces in self._files:
+            present = self._renamed.get(path, path)
+            if _content(present) != replaces:
+                raise LabError(f"{present.name} was saved during its update; start again")
+        for path, old_path in self._renamed.items():
+            if path.exists():
+                raise LabError(f"{path.name} appeared during the update; start again")
+            old_path.rename(path)
+        for temporary, path, _ in self._files:
+            temporary.replace(path)
+
+
+def _failure_text(target, error):
+    reason = error.strerror or str(error)
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        remedy = "free 100 MB and start again"
+    elif error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
+        remedy = "give yourself the right to write there, or clone the course to a folder of your own"
+    else:
+        remedy = "make sure that it is an ordinary folder of yours, and start again"
+    return f"no lessons were copied into {target.name}/, and nothing in it was changed ({reason}); {remedy}"

@@ -1,0 +1,1 @@
+"""A class's controllers explore secret rooms, and a page ranks them."""
