@@ -10,6 +10,7 @@ from attacks import LESSON
 from nbclassroom.autograder.nbval_process import NbvalProcess
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.exercises.input_encoding import encode
 from nbclassroom.exercises.page import page_below, page_of
 
 pytestmark = pytest.mark.sandbox
@@ -45,9 +46,8 @@ def holds(process, data):
 
 
 def test_only_the_nbval_process_has_seen_the_key(key, right):
-    content = key.content("attacked-mean")
     hidden = next(case for case in key.lessons[LESSON].exercises[1].cases if case.hidden)
-    value = struct.pack("<d", content.expected[hidden.id][-1]["value"])
+    value = struct.pack("<d", hidden.calls[-1].result.value["value"])
     answers = right | {"attacked-mean": "def mean(values):\n    return 0.0"}
     process = NbvalProcess(unsafe=False, limits=None)
     try:
@@ -89,16 +89,15 @@ def test_a_page_has_no_inputs_of_a_check(key, right):
 
 def test_what_the_kernel_itself_calls_was_looked_up_before_a_learners_code(key, right):
     exercise = key.lessons[LESSON].exercises[0]
-    case = exercise.cases[0]
-    content = key.content(exercise.id)
+    inputs = [encode(call.arguments) for call in exercise.cases[0].calls]
     with KernelFactory() as factory:
         kernels = PageKernels(own_cell(key, right, REPLACED), factory)
         process, answer = kernels.open_check(exercise, 1.0)
         assert (answer.ended, answer.error) == ("", ("", ""))
         check = "from nbclassroom.autograder.sandbox.inside.check_cell import emit\n\nemit(double)"
-        run = process.run_check(check, content.inputs[case.id], 5.0)
+        run = process.run_check(check, inputs, 5.0)
         assert process.run("assert os.fork is time.monotonic is forged").error == ("", "")
         process.stop()
         kernels.close()
     (shown,) = run.answers
-    assert len(shown["calls"]) == len(content.inputs[case.id])
+    assert len(shown["calls"]) == len(inputs)
