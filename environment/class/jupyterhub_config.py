@@ -36,6 +36,7 @@ c.Spawner.start_timeout = c.Spawner.http_timeout = 120  # seconds: thirty server
 c.Spawner.environment = {
     "PATH": f"{PYTHON.parent}{os.pathsep}{os.environ['PATH']}",
     "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+    "NBCLASSROOM_COURSE": str(Path(__file__).resolve().parents[2] / "notebooks" / "course.toml"),
     # Learners share the processor: a library that starts a thread for each core slows all of them down.
     "OMP_NUM_THREADS": "1",
     "OPENBLAS_NUM_THREADS": "1",

@@ -8,10 +8,6 @@ from pathlib import Path
 from nbclassroom.lab import server
 from nbclassroom.lab.working_copies import update_lessons
 
-from imgproc_course.course_file import COURSE_FILE
-from nbclassroom import course
-
-course.use(COURSE_FILE)
 folder = Path.home() / "my_lessons"
 changes = update_lessons(target=folder)
 server.trust([folder / name for name in changes.written if name.endswith(".ipynb")])

@@ -27,7 +27,9 @@ def checkout(tmp_path):
     shutil.copytree(
         ROOT / "environment", root / "environment", ignore=shutil.ignore_patterns("drive", "ros2_ws")
     )
-    shutil.copy(ROOT / "pyproject.toml", root)
+    (root / "nbclassroom").mkdir()
+    for name in ("pyproject.toml", "nbclassroom/pyproject.toml"):
+        shutil.copy(ROOT / name, root / name)
     return root
 
 

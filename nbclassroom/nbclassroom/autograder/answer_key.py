@@ -39,10 +39,14 @@ class Key:
     digest: str  # identifies it
     lessons: dict  # {name: Lesson}, in the order of the course
 
+    def find(self, id):
+        """The Lesson and the Exercise of that id, or None and None."""
+        pairs = ((lesson, exercise) for lesson in self.lessons.values() for exercise in lesson.exercises)
+        return next((pair for pair in pairs if pair[1].id == id), (None, None))
+
     def exercise(self, id):
         """The Exercise of that id, or None."""
-        exercises = (exercise for lesson in self.lessons.values() for exercise in lesson.exercises)
-        return next((exercise for exercise in exercises if exercise.id == id), None)
+        return self.find(id)[1]
 
     def solutions(self, lesson):
         """{exercise id: solution} of a lesson."""

@@ -2,8 +2,7 @@
 
 import pytest
 from click.testing import CliRunner
-
-from imgproc_course.cli import build
+from nbclassroom.cli import build
 
 
 @pytest.fixture

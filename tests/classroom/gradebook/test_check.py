@@ -9,11 +9,10 @@ import pytest
 from click.testing import CliRunner
 from nbclassroom.authoring.build import lesson_notebook
 from nbclassroom.authoring.masters import read_master
+from nbclassroom.cli import check
 from nbclassroom.gradebook import check as check_module
 from nbclassroom.gradebook.check import LessonFileError, check_lesson, report_lines, run_answers
 from template_master import write_carried_files
-
-from imgproc_course.cli import check
 
 pytestmark = pytest.mark.usefixtures("one_fork_server")
 

@@ -19,14 +19,12 @@ def faulty_key(key_path, tmp_path):
     """A key in which an expected value lacks its items: comparing with it raises a KeyError."""
     folder = tmp_path / "key"
     shutil.copytree(key_path, folder)
-    path = next(folder.glob("light/light-halves.ipynb"))
-    notebook = json.loads(path.read_text())
-    for cell in notebook["cells"]:
-        for output in cell.get("outputs", ()):
-            for data in output["data"].values():
-                for call in data["calls"]:
-                    call["value"].pop("items")
-    path.write_text(json.dumps(notebook))
+    path = folder / "checks" / "light.json"
+    file = json.loads(path.read_text())
+    for case in file["exercises"]["light-halves"]["cases"]:
+        for name in case["expected"]:
+            file["values"][name].pop("items", None)
+    path.write_text(json.dumps(file))
     return folder
 
 
