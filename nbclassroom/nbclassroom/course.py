@@ -30,6 +30,7 @@ KEYS = {
     # Functions that prepare the lab: each is called with a function that prints, before JupyterLab starts.
     "lab_prepare": [],
     "packages": [],  # of the course's package: those that an exercise may allow in its answers
+    "modules": [],  # files of the package that these import
     "hidden_folders": [],  # of the package: what nobody's answer may read
     "always_allowed": [],  # modules that every answer may use
     "silent_packages": [],  # of the package: in grading something stands in their place that does nothing

@@ -13,7 +13,9 @@ from nbclassroom.autograder.pool import autograde
 from nbclassroom.exercises import read_exercises
 
 ROOT = Path(__file__).parents[3]
-FOLDERS = sorted({path.parent for path in ROOT.glob("*/**/masters/[0-9]*.py")})
+FOLDERS = sorted(
+    {path.parent for name in ("notebooks", "tests") for path in (ROOT / name).glob("**/masters/[0-9]*.py")}
+)
 
 
 def samples(folders):

@@ -211,7 +211,7 @@ def _course_packages():
     if source := course.package_folder():
         root = f"{COURSE}/{course.package}"
         options += _new_folders(root, *(f"{root}/{name}" for name in course.silent_packages))
-        for name in ("__init__.py", *course.packages):
+        for name in ("__init__.py", *course.modules, *course.packages):
             if (source / name).exists():
                 options += ["--ro-bind", str(source / name), f"{root}/{name}"]
         for name in course.hidden_folders:
