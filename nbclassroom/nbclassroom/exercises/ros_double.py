@@ -53,11 +53,10 @@ def _messages():
         package, name, *fields = line.split()
         pairs = (field.split(":") for field in fields)
         made = [(field, object, dataclasses.field(default_factory=kinds[kind])) for field, kind in pairs]
-        place = {"__module__": f"{package}.msg"}
-        kinds[name] = dataclasses.make_dataclass(
-            name, made, bases=(_Message,), namespace=place, slots=True, kw_only=True
-        )
-        yield kinds[name]
+        kind = dataclasses.make_dataclass(name, made, bases=(_Message,), slots=True, kw_only=True)
+        kind.__module__ = f"{package}.msg"  # here: from Python 3.12 on, make_dataclass sets it itself
+        kinds[name] = kind
+        yield kind
 
 
 _PYTHON_TYPES = {bool: "BOOL", int: "INTEGER", float: "DOUBLE", str: "STRING", type(None): "NOT_SET"}
