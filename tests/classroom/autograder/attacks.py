@@ -134,7 +134,7 @@ attack(
     "raised",
     wrong=True,
 )
-MIME = "application/vnd.imgproc-course.answer+json"
+MIME = "application/vnd.nbclassroom.answer+json"
 attack(
     "an answer of its own is shown beside the check's",
     f"""

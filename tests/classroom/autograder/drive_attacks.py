@@ -11,7 +11,7 @@ from textwrap import dedent
 
 STANDS = "\ndef control(observation, memory):\n    return 0.0, 0.0\n"
 INSIDE = "import os\nfrom nbclassroom.autograder.sandbox.inside import check_cell, drive_cell, shell\n"
-MIME = "application/vnd.imgproc-course.answer+json"
+MIME = "application/vnd.nbclassroom.answer+json"
 FIGURES = "{'metrics': {'bumps': 0, 'clearance': 9, 'reach': 99}, 'missed': [], 'ended': ''}"
 
 

@@ -32,7 +32,7 @@ CONTROLLERS = {
     "syntax": "import numpy\ndef control(o, m)\n    return 'from the learner'\n",
 }
 INSIDE = "from nbclassroom.autograder.sandbox.inside import shell\n"
-MIME = "application/vnd.imgproc-course.answer+json"
+MIME = "application/vnd.nbclassroom.answer+json"
 
 
 def write(folder, sources):
