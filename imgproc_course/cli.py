@@ -8,14 +8,13 @@ from pathlib import Path
 
 import click
 from click import option
+from nbclassroom.cli import CourseGroup, in_one_line
+from nbclassroom.cli import main as classroom
 
 from imgproc_course.course_file import COURSE_FILE
 from nbclassroom import course
 
 course.use(COURSE_FILE)
-from nbclassroom.cli import CourseGroup, in_one_line  # noqa: E402
-from nbclassroom.cli import main as classroom  # noqa: E402
-
 _FOLDER = click.Path(path_type=Path, file_okay=False)
 _IMAGES = "/kachaka/front_camera/image_raw"
 
