@@ -8,6 +8,7 @@ def main():
     try:
         from imgproc_course.cli import main as run
     except ModuleNotFoundError as error:
-        what = "./nbclassroom" if error.name == "nbclassroom" else '".[lab]" ./nbclassroom'
-        sys.exit(f"imgproc-course needs {error.name}; in the checkout of the course: pip install {what}")
+        module = (error.name or "").partition(".")[0]
+        what = "./nbclassroom" if module == "nbclassroom" else '".[lab]" ./nbclassroom'
+        sys.exit(f"imgproc-course needs {module}; in the checkout of the course: pip install {what}")
     run()

@@ -119,7 +119,7 @@ def test_a_wall_stops_the_robot_which_can_still_turn_and_leave():
 
 def test_inside_of_something_the_robot_may_leave_but_not_go_deeper():
     with Simulation(start=(0.0, -1.4, -math.pi / 2)) as room:
-        room._drive.place = (0.0, -1.93, -math.pi / 2)  # its front is now 6 cm in the wall
+        room._wheels.place = (0.0, -1.93, -math.pi / 2)  # its front is now 6 cm in the wall
         for _ in range(30):
             room.step(0.3, 0)
         assert room.bumped
@@ -154,22 +154,22 @@ def way_of(room, linear, angular, steps=100):
 
 def test_from_a_wedged_ball_the_robot_can_move_away():
     with Simulation(start=(4.4, -1.55, -1.233), time=60.0) as room:
-        room._drive.place = (4.456305232, -1.671509979, -1.233024163)  # the ball is between it and a corner
+        room._wheels.place = (4.456305232, -1.671509979, -1.233024163)  # the ball is between it and a corner
         room._movers.ball.x, room._movers.ball.y = 4.639998628, -1.974826058
         assert max(way_of(room, *command) for command in ((-0.3, 0), (0, 1), (0, -1), (0.3, 0))) > 0.1
 
 
 def test_the_car_goes_back_for_a_robot_that_it_holds():
     with Simulation(start=(0.4, -0.3, 0), time=60.0) as room:
-        room._drive.place = (2.081686465, 0.955950364, 1.411943624)  # between furniture and car
+        room._wheels.place = (2.081686465, 0.955950364, 1.411943624)  # between furniture and car
         room._movers.walkers["toycar"].time = 7.6
         assert max(way_of(room, linear, 0, 200) for linear in (0.3, -0.3) * 2) > 0.1
 
 
 def test_the_car_goes_back_for_a_robot_that_can_only_move_to_and_fro():
     with Simulation(1, room=furnished(32), sensor=False) as room:
-        room._drive.place = (-0.762153225, -1.628152218, -1.611798562)  # in a corner; the car is behind it
-        room._held = room._drive.place, 28.9, frozenset({1.0})  # after it has chased the ball
+        room._wheels.place = (-0.762153225, -1.628152218, -1.611798562)  # in a corner; the car is behind it
+        room._held = room._wheels.place, 28.9, frozenset({1.0})  # after it has chased the ball
         room._movers.walkers["toycar"].time = 27.32
         room._movers.ball.x, room._movers.ball.y = -0.773003969, -1.974999974
         assert max(way_of(room, linear, 0, 150) for linear in (0.3, -0.3) * 4) > 0.1
@@ -177,7 +177,7 @@ def test_the_car_goes_back_for_a_robot_that_can_only_move_to_and_fro():
 
 def test_a_robot_that_is_stuck_in_furniture_gets_some_play():
     with Simulation(start=FREE, time=60.0) as room:
-        room._drive.place = (1.963734977, -1.576336448, 1.14163877)  # every motion leads into something
+        room._wheels.place = (1.963734977, -1.576336448, 1.14163877)  # every motion leads into something
         room.step(0.3, 0, 1.0)
         assert place(room)[:2] == pytest.approx((1.964, -1.576), abs=0.002)
         commands = ((-0.3, 0), (0.3, 0), (0, 1), (0, -1)) * 2

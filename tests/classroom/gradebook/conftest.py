@@ -23,9 +23,9 @@ from template_master import write_carried_files, write_master
 __all__ = ["write_master"]
 
 
-@pytest.fixture(scope="session", autouse=True)
+@pytest.fixture(scope="module", autouse=True)
 def one_worker():
-    """All runs with one worker share an nbval process and its fork server: two seconds to start them."""
+    """All runs of a module with one worker share an nbval process and its fork server: two seconds to start them."""
     with open_worker_threads(1) as shared, pytest.MonkeyPatch.context() as patch:
 
         def open_shared(workers):
