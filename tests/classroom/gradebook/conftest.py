@@ -25,7 +25,7 @@ __all__ = ["write_master"]
 
 @pytest.fixture(scope="module", autouse=True)
 def one_worker():
-    """All runs of a module with one worker share an nbval process and its fork server: two seconds to start them."""
+    """All runs of a module with one worker share an nbval process, which takes two seconds to start."""
     with open_worker_threads(1) as shared, pytest.MonkeyPatch.context() as patch:
 
         def open_shared(workers):
