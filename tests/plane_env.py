@@ -104,14 +104,14 @@ def draw_map(path, bumps=(), *, room=None, goal=None, ball=None, mark=None):
 def driving_on_a_plane():
     """Exercises that drive use this environment."""
     import pytest  # here, because simulators import this module
-    from nbclassroom.exercises import drive_check
+    from nbclassroom.exercises.kinds.drive import simulators
 
     with pytest.MonkeyPatch.context() as patch, course_on_a_plane() as variables:
         for name, value in variables.items():
             patch.setenv(name, value)
-        drive_check.close_simulators()
+        simulators.close_simulators()
         yield
-        drive_check.close_simulators()
+        simulators.close_simulators()
 
 
 @contextlib.contextmanager

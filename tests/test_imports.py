@@ -108,6 +108,13 @@ def test_the_classroom_imports_nothing_of_the_course_and_the_course_the_classroo
     ]
 
 
+def test_only_the_folder_of_a_kind_of_answer_asks_for_the_kind():
+    asks = re.compile(r"\b(subject|kind\.name) (==|!=|in|not in) (?!NAMES)|isinstance\([^\n]*Kind\)")
+    paths = [path for path in modules(CLASSROOM) if "kinds" not in path.parts]
+    code = {relative(path): path.read_text(encoding="utf-8") for path in paths}
+    assert [f"{name}: {found[0]}" for name, text in code.items() for found in asks.finditer(text)] == []
+
+
 def test_no_file_of_the_classroom_names_the_course():
     named = re.compile("imgproc|kachaka", re.IGNORECASE)
     paths = [path for path in CLASSROOM.rglob("*") if path.suffix in (".py", ".txt", ".html", ".toml")]

@@ -12,9 +12,9 @@ import sys
 import time
 
 import click
-from nbclassroom.autograder.draw_scenarios import drive_here
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
-from nbclassroom.exercises.drive import SENSORS
+from nbclassroom.exercises.kinds.drive.draw_scenarios import drive_here
+from nbclassroom.exercises.kinds.drive.drive import SENSORS
 from nbclassroom.league import explorations
 from nbclassroom.league.league import scenarios_of
 

@@ -4,7 +4,7 @@ from itertools import islice
 
 import pytest
 from all_masters import PATHS, all_masters
-from nbclassroom.autograder.draw_scenarios import is_passed_by_repeating, public_drives
+from nbclassroom.exercises.kinds.drive.draw_scenarios import is_passed_by_repeating, public_drives
 
 FIXED_SPEEDS = [[(0.3, 0.0)] * 1000, [(0.0, 0.5)] * 1000]
 KEY_SEED = 1

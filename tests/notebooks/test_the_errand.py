@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from nbclassroom.exercises import read_exercises
-from nbclassroom.exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS
+from nbclassroom.exercises.kinds.drive.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS
 from nbclassroom.exercises.percent_script import read_script
 
 from imgproc_course.geometry import Pose, compose_poses, relative_pose, wrap_angle

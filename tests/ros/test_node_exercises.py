@@ -4,17 +4,17 @@ import contextlib
 
 import numpy as np
 import pytest
-from nbclassroom.exercises import node_driver
 from nbclassroom.exercises.canonical import canonical
 from nbclassroom.exercises.comparison import compare
-from nbclassroom.exercises.recording_node import (
+from nbclassroom.exercises.kinds.node import driver as node_driver
+from nbclassroom.exercises.kinds.node.recording_node import (
     OF_ROS,
     NodeError,
     NodeRecord,
     RecordingNode,
     fields_of,
 )
-from nbclassroom.exercises.ros_double import _POLICIES, _modules, offer_modules
+from nbclassroom.exercises.kinds.node.ros_double import _POLICIES, _modules, offer_modules
 from node_answers import ANSWERS
 
 pytestmark = [pytest.mark.ros, pytest.mark.timeout(60)]

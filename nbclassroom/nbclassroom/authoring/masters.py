@@ -187,7 +187,7 @@ def _lesson_cells(path, timed, exercises, references):
     counts, latest = Counter(), ""
     declared = iter(exercises)
     solutions = {exercise.id: exercise.solution for exercise in exercises}
-    drives = {exercise.id for exercise in exercises if exercise.subject == "drive"}
+    varying = {exercise.id for exercise in exercises if not exercise.kind.expects_values}
     position = 0
     for cell, deeper in zip(timed.cells, timed.deeper, strict=True):
         role = cell.role
@@ -201,7 +201,7 @@ def _lesson_cells(path, timed, exercises, references):
         if role in ("predict", *OF_QUESTIONS):
             owner = lesson_name(path.stem)
         tags = tuple(cell.options.get("tags", ()))
-        if role == "check" and owner in drives:  # a path depends on the processor
+        if role == "check" and owner in varying:  # a path depends on the processor
             tags = (*tags, VARYING_TAG)
         id = f"{lesson_name(path.stem)}-{position}"
         if role == "answer":

@@ -5,7 +5,6 @@ import re
 
 from .. import course
 from ..exercises.cell_syntax import bound_names, top_level
-from ..exercises.running import NODES
 from .names_used import names_used
 
 VARYING_TAG = "nbval-ignore-output"
@@ -41,8 +40,8 @@ def _exercise_rules(exercise):
     yield not exercise.public, 'has no role="case"; without one, `check` has nothing to run'
     yield not exercise.hidden, 'has no role="hidden"; an answer could copy the public values'
     classes = {node.name for node in top_level(exercise.stub) if isinstance(node, ast.ClassDef)}
-    has_node = exercise.subject in NODES  # `node_feedback` has the sentences for its mistakes
-    yield not (exercise.mistakes or has_node), 'has no role="mistake"; which wrong answer do learners give?'
+    explains = exercise.kind.has_sentences
+    yield not (exercise.mistakes or explains), 'has no role="mistake"; which wrong answer do learners give?'
     yield (
         len(hints) != HINTS or not all(map(_is_text, hints)),
         f"needs hints=(...) with {HINTS} texts: a question that points to the idea, the steps in words,"
@@ -53,7 +52,7 @@ def _exercise_rules(exercise):
     another_way = 'needs another_way="You can also write ...", one sentence'
     yield not _is_text(exercise.another_way), another_way
     no_class = f'has subject="node"; its answer cell must define class {exercise.function}(Node)'
-    yield exercise.subject == "node" and exercise.function not in classes, no_class
+    yield exercise.kind.noun == "class" and exercise.function not in classes, no_class
     for name in _repeated([mistake.name for mistake in exercise.mistakes]):
         yield True, f"declares the mistake {name!r} twice"
 

@@ -9,7 +9,6 @@ import numpy as np
 from ..exercises.canonical import array_of, canonical
 from ..exercises.checking import run_cases, run_mistake
 from ..exercises.comparison import as_float, compare, describe, kind_of, named_items
-from ..exercises.feedback import explain_failure
 from ..exercises.lesson import PUBLIC_SEED
 from ..exercises.names_read import NamesRead
 from ..exercises.percent_script import MasterError
@@ -27,8 +26,8 @@ def validate_exercise(exercise, seeds=BUILD_SEEDS):
     And checks whose points an answer can earn that looks at none of its arguments, with so many seeds.
     """
     solution = exercise.function_of(exercise.solution, "solution")
-    if exercise.subject == "drive":
-        return [*_refusals(exercise), *_drive_problems(exercise, solution)]
+    if not exercise.kind.expects_values:
+        return [*_refusals(exercise), *_problems_of_thresholds(exercise, solution)]
     problems = [
         f"{case_result.case.id}: the solution does not pass it a second time; is the solution random?"
         for seed in (PUBLIC_SEED, _ANOTHER_SEED)
@@ -68,11 +67,11 @@ def _refusals(exercise):
     ]
 
 
-def _drive_problems(exercise, solution):
-    """Problems of an exercise that drives, in its public scenarios; the key proves those that it draws."""
+def _problems_of_thresholds(exercise, solution):
+    """Problems of an exercise that thresholds judge, in its public cases; a key proves its own."""
     for case_result in run_cases(exercise, solution).results:
         if not case_result.passed:
-            text = explain_failure(exercise, case_result.failed_call)
+            text = exercise.kind.explain(exercise, case_result.failed_call)
             yield f"{case_result.case.id}: the solution does not pass it. {text}"
     stub = run_cases(exercise, exercise.function_of(exercise.stub, "stub"))
     if any(case_result.passed for case_result in stub.results):
@@ -85,10 +84,7 @@ def _drive_problems(exercise, solution):
 
 
 def _recognition_problems(exercise, mistake):
-    if exercise.subject == "drive":
-        result = run_mistake(exercise, mistake)
-    else:
-        result = run_cases(exercise, exercise.function_of_mistake(mistake))
+    result = run_mistake(exercise, mistake)
     if all(case_result.passed for case_result in result.results):
         yield f"{exercise.id}: the mistake {mistake.name!r} passes every public case; add one that catches it"
     elif result.mistake is None or result.mistake.name != mistake.name:
@@ -116,7 +112,7 @@ def _mistake_problems(exercise, mistake):
 def _seed_problems(exercise, case, solution, seeds):
     """Points need an answer that looks at its arguments: what it must return changes with the key's seed."""
     calls = [exercise.arguments(case, seed) for seed in seeds]
-    if exercise.subject != "function" and not any(steps for _, steps in calls[0]):
+    if not exercise.kind.has_inputs(calls[0]):
         return []  # what __init__ makes has no inputs, and the task says what it is
     arguments = [
         sorted(str([canonical(value, limit=None) for value in call]) for call in drawn) for drawn in calls

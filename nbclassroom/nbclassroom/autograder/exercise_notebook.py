@@ -5,10 +5,8 @@ The stored outputs of the check cells are the values of the answer key.
 
 import re
 
-from .drives import CHECK
 from .sandbox.inside.answer_mime import MIME
 
-_EMIT_IMPORT = "from nbclassroom.autograder.sandbox.inside.check_cell import emit"
 _NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 _KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
 
@@ -21,7 +19,8 @@ def notebook_of(exercise, answer):
     given = [(f"given-{exercise.id}-{number}", source) for number, source in enumerate(exercise.given, 1)]
     before = [*given, (f"answer-{exercise.id}", _NBVAL_COMMENT.sub(r"\1-\3", answer))]
     cells = [_cell(*parts, ["nbval-ignore-output", "nbval-raises-exception"]) for parts in before]
-    cells += [_cell(case.id, check_source(exercise), [], _stored_outputs(case)) for case in exercise.cases]
+    check = exercise.kind.check_source(exercise)
+    cells += [_cell(case.id, check, [], _stored_outputs(case)) for case in exercise.cases]
     for count, cell in enumerate(cells, 1):
         cell["execution_count"] = count  # nbval never compares a cell without one
     return {"cells": cells, "metadata": {"kernelspec": _KERNEL}, "nbformat": 4, "nbformat_minor": 5}
@@ -38,11 +37,3 @@ def _stored_outputs(case):
     values = [call.result.value for call in case.calls]
     calls = [{"changed": [], "printed": "", "value": value} for value in values if value is not None]
     return [{"output_type": "display_data", "metadata": {}, "data": {MIME: {"calls": calls}}}]
-
-
-def check_source(exercise):
-    """The source of an exercise's check cells."""
-    if exercise.drives:
-        return CHECK.format(function=exercise.function)
-    subject = "" if exercise.subject == "function" else f', "{exercise.subject}"'
-    return f"{_EMIT_IMPORT}\n\nemit({exercise.function}{subject})"

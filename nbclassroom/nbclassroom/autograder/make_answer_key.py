@@ -16,22 +16,18 @@ from .. import course
 from ..authoring.lesson_files import exercise_files, stored_exercise
 from ..authoring.masters import find_masters, read_master
 from ..exercises.atomic_write import write_file, write_folder
-from ..exercises.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS, looks_of
-from ..exercises.expected_results import results_of_mistake, with_results
+from ..exercises.expected_results import with_results
 from ..exercises.input_encoding import encode
 from ..exercises.lesson import ExpectedCall
 from ..exercises.percent_script import MasterError
 from . import answer_key
 from .answer_forms import read_answer, read_calls
-from .draw_scenarios import draw_scenario, public_drives
-from .drives import GradedDrive
-from .exercise_notebook import check_source
 from .sandbox import bubblewrap
 from .sandbox.inside.check_cell import call_to_json
 from .sandbox.kernel_factory import KernelFactory
 from .verdict import verdict_on
 
-_SECONDS_PER_EXERCISE, _SECONDS_PER_DRIVE = 2.5, 2.2  # fitted to the course's own lessons
+_SECONDS_PER_EXERCISE = 2.5  # fitted to the course's own lessons
 
 
 def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, say=str):
@@ -88,8 +84,8 @@ def _jobs(masters, seed, folder, unsafe):
 
 def _seconds_of(exercise):
     """About how long an exercise takes on two quiet cores."""
-    drives = len(exercise.cases) * (1 + len(exercise.mistakes)) if exercise.subject == "drive" else 0
-    return 0 if exercise.practice else _SECONDS_PER_EXERCISE + _SECONDS_PER_DRIVE * drives
+    seconds = _SECONDS_PER_EXERCISE + exercise.kind.seconds_for_key(exercise)
+    return 0 if exercise.practice else seconds
 
 
 def _run(jobs, seed, kernel_factory):
@@ -115,48 +111,37 @@ class _Solutions:
 
     def __init__(self, exercise, seed, kernel_factory):
         self._exercise, self._seed, self._kernel_factory = exercise, seed, kernel_factory
-        self._drawn = dict(self._drawn_scenarios()) if exercise.drives else {}
+        self._drawn = exercise.kind.draw_for_key(exercise, seed, self._run_with)
 
     def exercise(self):
         """The Exercise with them."""
         return with_results(self._exercise, self._exercise.cases, self._solve, self._results_of)
 
-    def _drawn_scenarios(self):
-        """(id of a case, its DrawnScenario) of an exercise that drives."""
-        exercise, drive = self._exercise, self._drive_solution
-        least = len(exercise.cases) * (1 + len(exercise.mistakes))
-        with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
-            public = list(public_drives(exercise))
-            for case in exercise.cases:
-                yield case.id, draw_scenario(exercise, case, self._seed, drive, public, bar.update)
-
-    def _drive_solution(self, scenario):
-        """The record of the solution's drive, in a kernel like those that grade."""
+    def _run_with(self, partner):
+        """The verdict of what the solution's check talks to, in a kernel like those that grade."""
         exercise = self._exercise
-        robot = GradedDrive(exercise.sensors, scenario)
-        seconds = MEAN_LOOK_SECONDS * looks_of(scenario)
-        subject = f"{exercise.master.name}: the solution of {exercise.id}"
-        with self._kernel_after_solution(seconds, subject) as kernel:
-            _require_run(kernel.run_drive(check_source(exercise), robot, seconds, LOOK_SECONDS), subject)
-        return robot.verdict().record
+        about = f"{exercise.master.name}: the solution of {exercise.id}"
+        with self._kernel_after_solution(partner.cpu_seconds, about) as kernel:
+            _require_run(kernel.run_with(exercise.kind.check_source(exercise), partner), about)
+        return partner.verdict()
 
     @contextlib.contextmanager
-    def _kernel_after_solution(self, seconds, subject):
+    def _kernel_after_solution(self, seconds, about):
         """A kernel like those that grade, which has run the solution."""
         exercise = self._exercise
         kernel = self._kernel_factory.start(exercise.allowed, seconds)
         try:
             for source in (*exercise.given, exercise.solution):
-                _require_run(kernel.run(source), subject)
+                _require_run(kernel.run(source), about)
             yield kernel
         finally:
             kernel.stop()
 
     def _solve(self, exercise, case):
         """The ExpectedCalls of a case, of what the solution's check cell shows in such a kernel."""
-        if exercise.drives:
-            return [ExpectedCall((self._drawn[case.id].scenario,))]
-        drawn, subject = (
+        if case.id in self._drawn:
+            return self._drawn[case.id][0]
+        drawn, about = (
             exercise.arguments(case, self._seed),
             f"{exercise.master.name}, {case.id}: the solution",
         )
@@ -167,31 +152,31 @@ class _Solutions:
                 f"{exercise.master.name}, line {case.line}: {case.id}: {error}; or make the exercise"
                 " practice=True"
             ) from error
-        with self._kernel_after_solution(exercise.time_limit * len(inputs), subject) as kernel:
-            run = kernel.run_check(check_source(exercise), inputs, exercise.time_limit)
-            _require_run(run, subject)
+        with self._kernel_after_solution(exercise.time_limit * len(inputs), about) as kernel:
+            run = kernel.run_check(exercise.kind.check_source(exercise), inputs, exercise.time_limit)
+            _require_run(run, about)
         calls = read_answer(run.answers)
         if calls is None:
-            raise MasterError(f"{subject} shows no values")
+            raise MasterError(f"{about} shows no values")
         for call in calls:
             problem = _comparison_problem(call)
             if problem:
-                raise MasterError(f"{subject} returns nothing that can be compared: {problem}")
+                raise MasterError(f"{about} returns nothing that can be compared: {problem}")
         if not verdict_on(run.answers, [call.value for call in calls], case.tolerance).passed:
-            raise MasterError(f"{subject} does not equal itself")
+            raise MasterError(f"{about} does not equal itself")
         return map(ExpectedCall, drawn, calls)
 
     def _results_of(self, exercise, mistake, cases):
-        if exercise.drives:
-            return {case.id: [self._drawn[case.id].mistakes[mistake.name]] for case in cases}
-        results = {case.id: results_of_mistake(exercise, mistake, case) for case in cases}
+        if self._drawn:
+            return {case.id: self._drawn[case.id][1][mistake.name] for case in cases}
+        results = {case.id: exercise.results_of_mistake(mistake, case) for case in cases}
         # As a check cell would show them: answers are compared with them.
         return {id: read_calls(map(call_to_json, calls)) for id, calls in results.items()}
 
 
-def _require_run(run, subject):
+def _require_run(run, about):
     if run.ended or run.error[0]:
-        raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
+        raise MasterError(f"{about} fails in grading: {run.ended} {': '.join(run.error)}".strip())
 
 
 def _comparison_problem(call):

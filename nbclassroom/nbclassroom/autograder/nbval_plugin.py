@@ -17,10 +17,7 @@ from pathlib import Path
 
 import pytest
 
-from ..exercises.drive import LOOK_SECONDS
 from ..exercises.input_encoding import encode
-from ..exercises.lesson import scenario_of
-from .drives import GradedDrive
 from .exercise_notebook import notebook_of
 from .outcomes import Outcome
 from .page_kernels import PageKernels
@@ -123,8 +120,9 @@ class ExerciseRun:
 
     def _run_in_same_process(self, case, source):
         """A CaseRun that passed, or None. The process must not have more time than a new one would."""
-        exercise = self._exercise
-        if self._process is None or exercise.drives or self._seconds > exercise.seconds_of(case):
+        kind = self._exercise.kind
+        is_shared = self._process is not None and kind.shares_kernel
+        if not is_shared or self._seconds > kind.seconds_of(self._exercise, case):
             return None
         run = CaseRun(answer=self._answer_run)
         self._run_check(run, case, source)
@@ -133,7 +131,7 @@ class ExerciseRun:
     def _run_in_new_process(self, case, source, *, alone=False):
         """A CaseRun; `alone`: while no other kernel waits, which could use memory that this one needs."""
         self.close()
-        self._seconds = self._exercise.seconds_of(case)
+        self._seconds = self._exercise.kind.seconds_of(self._exercise, case)
         self._process, self._answer_run = self._kernels.open_check(self._exercise, self._seconds, alone=alone)
         run = CaseRun(answer=self._answer_run)
         if not run.ended:
@@ -148,8 +146,9 @@ class ExerciseRun:
 
     def _run_check(self, run, case, source):
         exercise = self._exercise
-        if exercise.drives:
-            return self._run_drive(run, case, source)
+        partner = exercise.kind.partner(exercise, case)
+        if partner is not None:
+            return self._run_with(partner, run, source)
         inputs = [encode(call.arguments) for call in case.calls]
         run.check = self._process.run_check(source, inputs, exercise.time_limit)
         if not run.ended:
@@ -160,13 +159,12 @@ class ExerciseRun:
         expected = [call.result.value for call in case.calls]
         return StoredAnswer(expected, case.tolerance, self._exercise.exact_type)
 
-    def _run_drive(self, run, case, source):
-        """Drive through a case's scenario. What fails in the environment is raised: no answer causes it."""
-        robot = GradedDrive(self._exercise.sensors, scenario_of(case))
-        run.check = self._process.run_drive(source, robot, self._exercise.seconds_of(case), LOOK_SECONDS)
+    def _run_with(self, partner, run, source):
+        """Run a check that talks to a partner. What fails in the partner is raised: no answer causes it."""
+        run.check = self._process.run_with(source, partner)
         run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
-        self.stop_at += robot.seconds
-        run.verdict = robot.verdict()
+        self.stop_at += partner.seconds
+        run.verdict, run.is_measured = partner.verdict(), True
 
     def close(self):
         """End its process, if it has one."""

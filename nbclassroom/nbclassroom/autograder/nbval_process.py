@@ -149,14 +149,14 @@ class NbvalProcess:
     def _patience(self, lesson):
         """Seconds after which the process itself must be stuck: twice what kernels and robots may take."""
         deadlines = [
-            self._limits.deadline(exercise.seconds_of(case))
+            self._limits.deadline(exercise.kind.seconds_of(exercise, case))
             for exercise in lesson.exercises
             for case in exercise.cases
         ]
         # The last case begins within the submission's time, and it may be run again.
         kernels = self._limits.submission + 2 * max(deadlines, default=0)
         # A robot needs less time than the one in the scenario would.
-        robots = sum(exercise.simulated_seconds for exercise in lesson.exercises)
+        robots = sum(exercise.kind.simulated_seconds(exercise) for exercise in lesson.exercises)
         return 60 + 2 * (kernels + robots)
 
     def _receive(self, patience):

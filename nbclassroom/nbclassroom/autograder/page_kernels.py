@@ -36,7 +36,7 @@ class PageKernels:
         use memory that this one needs.
         """
         place = self._page["checks"][exercise.id]
-        if not alone and not exercise.drives:
+        if not alone and exercise.kind.shares_kernel:
             run = self._run_to(place, exercise.allowed)
             check = None if run.ended else self._kernel.fork_check(seconds)
             if check is not None:

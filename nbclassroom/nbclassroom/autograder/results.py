@@ -11,19 +11,16 @@ import builtins
 import hashlib
 import json
 import re
-from dataclasses import dataclass, is_dataclass, replace
-from types import SimpleNamespace
+from dataclasses import dataclass, is_dataclass
+from itertools import chain
 
 import msgspec
 
 from ..exercises.canonical import canonical
-from ..exercises.drive import LOOK, LOOK_SECONDS, METRICS, metric_text, sentences_of
-from ..exercises.node_feedback import sentence_on_node
-from ..exercises.recording_node import UNKNOWN_PART
-from ..exercises.running import NODES, CallResult
+from ..exercises.kinds.node.recording_node import UNKNOWN_PART
 from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
 from .sanitize import sanitize_text
-from .verdict import CaseRun, DriveVerdict
+from .verdict import CaseRun, Verdict
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 # How IPython and ipykernel name a cell, with a number that differs from run to run.
@@ -152,128 +149,46 @@ def graded_exercise(exercise, exercise_run):
         else _faulty_case(case, exercise_run.faults[case.id])
         for case in exercise.cases
     )
-    mistake = None
-    if not all(case.passed for case in cases):
-        mistake = (_mistake_in_drives if exercise.drives else _mistake_in_calls)(exercise, runs)
+    mistake = None if all(case.passed for case in cases) else _known_mistake(exercise, runs)
     known = (mistake.name, mistake.says) if mistake else ("", "")
     message = _message_about_cell(runs)
     return GradedExercise(exercise.id, exercise.title, exercise.points, cases, *known, message)
 
 
-def _mistake_in_calls(exercise, runs):
-    """The declared mistake (or None) that did, on every public call, exactly what the answer did.
-
-    A mistake that agrees on the hidden calls too is preferred to one that does not. `check` has the same
-    rule, so a lesson and a report name the same mistake.
-    """
-    calls = {id: run.verdict.calls for id, run in runs.items()}
-    for cases in (exercise.cases, exercise.public):
-        for mistake in exercise.mistakes:
-            if all(_agree(calls.get(case.id) or (), mistake.results[case.id], case) for case in cases):
-                return mistake
+def _known_mistake(exercise, runs):
+    """The declared mistake that explains the public cases, as in `check`, or else all cases; or None."""
+    done = [case for case in exercise.cases if case.id in runs]
+    calls = {case.id: runs[case.id].verdict.case_calls(exercise, case) for case in done}
+    for cases in (exercise.public, exercise.cases):
+        own = [calls.get(case.id) for case in cases]
+        mistake = all(own) and exercise.kind.known_mistake(exercise, [*chain(*own)])
+        if mistake:
+            return mistake
     return None
 
 
-def _agree(calls, others, case):
-    pairs = zip(calls, others, strict=False)
-    return len(calls) == len(others) and all(call.matches(other, case.tolerance) for call, other in pairs)
-
-
-def _mistake_in_drives(exercise, runs):
-    """The declared mistake that drives as the answer does where it fails, by the rule of `check`."""
-    from ..exercises.drive_check import form_of, known_mistake
-
-    calls = [
-        SimpleNamespace(case=case, passed=run.passed, record=run.verdict.record, result=result)
-        for case in exercise.cases
-        if isinstance((run := runs.get(case.id, CaseRun())).verdict, DriveVerdict)
-        for result in [run.verdict.ending or CallResult(value=form_of(run.verdict.record))]
-    ]
-    return known_mistake(exercise, calls)
-
-
-def _graded_case(case, outcome, message="", failed_call=None):
+def _graded_case(case, outcome, message="", failed_call=None, drawn=None):
     points, hint = (case.points, "") if outcome == Outcome.PASSED else (0, case.hint)
     about = (case.id, case.title, case.hidden, points, case.points)
-    return GradedCase(*about, outcome, hint, message, failed_call)
+    return GradedCase(*about, outcome, hint, message, failed_call, drawn)
 
 
 def _case_of_run(exercise, case, run, passed):
-    if exercise.drives:
-        return _case_of_drive(exercise, case, run, passed)
-    if passed:
-        return _graded_case(case, Outcome.PASSED)
-    outcome, message = _outcome_of_run(exercise, run)
-    failed_call = _failed_call(case, run.verdict)
-    shown_call = failed_call if exercise.subject == "function" else None  # a node's record is no reading
-    if case.hidden:
-        message = _message_of_hidden(outcome, message)
-    elif not shown_call:
-        message = _message_on_node(case, run.verdict, failed_call) or message
-    return _graded_case(case, outcome, message, shown_call)
-
-
-def _case_of_drive(exercise, case, run, passed):
-    """The GradedCase of a drive. Its metrics are the environment's: a hidden case has them, too."""
-    verdict = run.verdict if isinstance(run.verdict, DriveVerdict) else None
-    outcome, message = (Outcome.PASSED, "") if passed else _outcome_of_drive(exercise, run)
-    if case.hidden and not passed:
-        message = _message_of_hidden_drive(outcome, message, run)
-    if verdict and verdict.is_whole:
-        metrics = _metrics_text(verdict)
-        message = f"{message.rstrip('.')} ({metrics})" if message else metrics
-    return replace(_graded_case(case, outcome, message), drive=_drawn(verdict) if verdict else None)
-
-
-def _outcome_of_drive(exercise, run):
-    verdict = run.verdict
-    if not isinstance(verdict, DriveVerdict):
-        return _outcome_of_run(exercise, run)
-    when = f"{verdict.record['looks'] * LOOK:.1f} s after the start"
-    if run.ended or run.check.error[0]:
+    kind, verdict = exercise.kind, run.verdict
+    outcome, message, failed_call = Outcome.PASSED, "", None
+    if not passed:
         outcome, message = _outcome_of_run(exercise, run)
-        return outcome, f"{message}, {when}" if run.ended else message
-    if verdict.ending and verdict.ending.timed_out:
-        return Outcome.TIME, f"one look took more than {LOOK_SECONDS:g} s of processor time, {when}"
-    if verdict.ending:
-        outcome, message = _outcome_of_exception(exercise, verdict.ending)
-        return outcome, f"{message}, {when}" if outcome == Outcome.RAISED else message
-    if verdict.passed:
-        return Outcome.NOT_GRADED, "its drive is right, but nbval did not let it pass: look at it by hand"
-    sentences = " ".join(sentences_of(verdict.record, verdict.scenario))
-    is_unfinished = not verdict.is_whole and not verdict.record["ended"]
-    return Outcome.HOSTILE if is_unfinished else Outcome.WRONG, reproducible_text(sentences)
-
-
-def _message_of_hidden_drive(outcome, message, run):
-    """The message without any text of the learner's, such as a part of a value that was returned."""
-    if outcome == Outcome.WRONG and run.verdict.record["ended"]:
-        return "it returned something else than two numbers"
-    return message if outcome in (Outcome.WRONG, Outcome.HOSTILE) else _message_of_hidden(outcome, message)
-
-
-def _metrics_text(verdict):
-    """The metrics that have a threshold, with their units."""
-    metrics = verdict.record["metrics"]
-    return ", ".join(
-        f"{METRICS[name].title} {metric_text(name, metrics[name])}" for name in verdict.scenario["thresholds"]
-    )
-
-
-def _drawn(verdict):
-    """What a map shows of a drive, as plain data; positions to a millimetre."""
-    record, scenario = verdict.record, verdict.scenario
-    path = [[round(number, 3) for number in place] for place in record["path"]]
-    drawn = {"path": path, "bumps": record["bumps"], "decisive": record["decisive"]}
-    return drawn | {name: scenario.get(name) for name in ("room", "goal", "ball")}
-
-
-def _message_on_node(case, verdict, failed_call):
-    """What a node does wrong, in a sentence; "" if it gave no record, or if there is no sentence."""
-    if verdict.difference is None or failed_call.actual is None:
-        return ""
-    arguments = case.calls[verdict.failed_call].arguments
-    return reproducible_text(sentence_on_node(failed_call.expected, failed_call.actual, arguments))
+        if kind.expects_values:
+            failed_call = _failed_call(case, verdict)
+        if case.hidden:
+            message = _message_of_hidden(outcome, message, verdict)
+        elif failed_call and verdict.difference and failed_call.actual:
+            arguments = case.calls[verdict.failed_call].arguments
+            sentence = kind.sentence_on(failed_call.expected, failed_call.actual, arguments)
+            message = reproducible_text(sentence) or message
+    if verdict.measured:
+        message = f"{message.rstrip('.')} ({verdict.measured})" if message else verdict.measured
+    return _graded_case(case, outcome, message, failed_call if kind.shows_values else None, verdict.drawn)
 
 
 def _faulty_case(case, fault):
@@ -289,32 +204,36 @@ def _outcome_of_run(exercise, run):
         return Outcome.TIME, BUDGET_MESSAGE
     if run.ended:
         outcome = Outcome(run.ended)
-        return outcome, TEXTS[outcome].message
+        return outcome, _at(TEXTS[outcome].message, run.verdict)
     error = run.check.error
     if error[0] and not run.check.answers:
         if error[0] == "NameError":
             return _outcome_without_function(exercise, run)
         return Outcome.RAISED, _exception_text(*error)
-    if error[0] or run.verdict.calls is None:
-        return Outcome.HOSTILE, "its check cell showed something else than what the function returned"
+    if error[0]:
+        return Outcome.HOSTILE, Verdict().forged
     return _outcome_of_verdict(exercise, run.verdict)
 
 
+def _at(message, verdict):
+    return f"{message}, {verdict.when}" if verdict.when else message
+
+
 def _outcome_of_verdict(exercise, verdict):
-    if verdict.failed_call is None:
-        return Outcome.NOT_GRADED, "its values are right, but nbval did not let it pass: look at it by hand"
-    if verdict.failed_call >= len(verdict.calls):
-        return Outcome.HOSTILE, "its check cell reported other calls than were made"
-    call = verdict.calls[verdict.failed_call]
-    if call.timed_out:
-        limit = f"{exercise.time_limit:g} s of processor time"
-        return Outcome.TIME, f"{exercise.answer_name} used more than {limit}"
-    if call.error:
-        return _outcome_of_exception(exercise, call)
-    if call.changed:
+    if verdict.passed:
+        return Outcome.NOT_GRADED, "it is right, but nbval did not let it pass: look at it by hand"
+    call = verdict.call
+    if call and call.timed_out:
+        text = f"{exercise.kind.limit_text(exercise)} s of processor time"
+        return Outcome.TIME, _at(text, verdict)
+    if call and call.error:
+        outcome, message = _outcome_of_exception(exercise, call)
+        return outcome, _at(message, verdict) if outcome == Outcome.RAISED else message
+    if verdict.forged:
+        return Outcome.HOSTILE, reproducible_text(verdict.forged)
+    if call and call.changed:
         return Outcome.WRONG, f"it changed its input {reproducible_text(', '.join(call.changed), 100)}"
-    place = f"in answer{verdict.difference.path}: " if verdict.difference.path else ""
-    return Outcome.WRONG, reproducible_text(f"{place}{verdict.difference.message}")
+    return Outcome.WRONG, reproducible_text(verdict.sentence)
 
 
 def _outcome_of_exception(exercise, call):
@@ -328,9 +247,9 @@ def _outcome_of_exception(exercise, call):
 
 
 def _outcome_of_error(exercise, name):
-    """The Outcome of an error of ours, or None; only the check of a node can meet what it does not know."""
+    """The Outcome of an error of ours, or None; only some kinds can meet what they do not know."""
     outcome = _OUTCOMES_OF_ERRORS.get(name)
-    return outcome if outcome != Outcome.NOT_GRADED or exercise.subject in NODES else None
+    return outcome if outcome != Outcome.NOT_GRADED or exercise.kind.refuses_parts else None
 
 
 def _outcome_without_function(exercise, run):
@@ -348,8 +267,10 @@ def _message_about_cell(runs):
     return f"a statement in its cell fails: {_exception_text(*error)}" if error[0] else ""
 
 
-def _message_of_hidden(outcome, message):
+def _message_of_hidden(outcome, message, verdict):
     """The message without any text of the learner's: an exception could carry the hidden input out."""
+    if outcome in (Outcome.WRONG, Outcome.HOSTILE) and verdict.told_of_hidden:
+        return verdict.told_of_hidden
     if outcome == Outcome.RAISED or (outcome == Outcome.MEMORY and message != TEXTS[outcome].message):
         name = message.partition(":")[0]
         return name if name in _EXCEPTIONS else "an exception"

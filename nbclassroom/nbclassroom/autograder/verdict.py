@@ -1,10 +1,9 @@
 """The one comparison of a test case: what its check cell showed, against what the key expects."""
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from ..exercises.comparison import Difference, compare
-from ..exercises.drive import looks_of, passes
-from ..exercises.running import CallResult
 from .answer_forms import read_answer
 from .sandbox.cell_run import CellRun
 
@@ -17,28 +16,37 @@ class Verdict:
     failed_call: int | None = None  # index of the first call that did not do what the key expects
     difference: Difference | None = None  # of that call's value; None: there was no value to compare
 
+    # What a partner measures is told of hidden cases, too (see `kinds.drive.graded.DriveVerdict`).
+    when, measured, told_of_hidden, drawn = "", "", "", None
+
     @property
     def passed(self):
         return self.calls is not None and self.failed_call is None
 
-
-@dataclass(frozen=True)
-class DriveVerdict:
-    """The verdict on a drive."""
-
-    record: dict  # what the robot did, see `drive.Drive.record`
-    scenario: dict
-    ending: CallResult | None = None  # of the controller's call that ended the drive too early
-    calls = None  # a controller's calls are no answers
+    @property
+    def call(self):
+        """The CallResult of the call that failed, or None."""
+        is_there = self.failed_call is not None and self.failed_call < len(self.calls)
+        return self.calls[self.failed_call] if is_there else None
 
     @property
-    def is_whole(self):
-        """Whether the robot drove as long as the scenario asks for."""
-        return self.record["looks"] == looks_of(self.scenario)
+    def forged(self):
+        """Why no honest check shows this, "" if one does."""
+        if self.calls is None:
+            return "its check cell showed something else than what the function returned"
+        is_other = self.failed_call is not None and self.call is None
+        return "its check cell reported other calls than were made" if is_other else ""
 
     @property
-    def passed(self):
-        return passes(self.record, self.scenario)
+    def sentence(self):
+        """What is wrong with the value of the call that failed."""
+        place = f"in answer{self.difference.path}: " if self.difference.path else ""
+        return f"{place}{self.difference.message}"
+
+    def case_calls(self, exercise, case):
+        """The CaseCalls of a case."""
+        pairs = zip(case.calls, self.calls or (), strict=False)
+        return [exercise.judge(case, expected, result) for expected, result in pairs]
 
 
 @dataclass
@@ -47,8 +55,9 @@ class CaseRun:
 
     answer: CellRun = field(default_factory=CellRun)
     check: CellRun = field(default_factory=CellRun)
-    verdict: Verdict | DriveVerdict = field(default_factory=Verdict)
-    told: list = field(default_factory=list)  # what the kernel showed in a drive: no verdict reads it
+    verdict: Any = field(default_factory=Verdict)  # or that of a partner, see `kinds.kind.Kind.partner`
+    is_measured: bool = False  # by a partner
+    told: list = field(default_factory=list)  # what the kernel showed beside a partner: no verdict reads it
 
     @property
     def ended(self):
@@ -64,8 +73,8 @@ class CaseRun:
 class StoredAnswer:
     """What nbval finds as the stored output of a check: the answer key's values. `==` is our comparison.
 
-    nbval asks `stored != shown`, and lets the check's cell fail if it is so. Of a drive the thresholds are
-    stored, and compared with what the environment has measured.
+    nbval asks `stored != shown`, and lets the check's cell fail if it is so. What a partner has measured is
+    compared with the thresholds of its scenario.
     """
 
     expected: list  # a canonical form for each call
@@ -74,7 +83,7 @@ class StoredAnswer:
 
     def verdict(self, run):
         """The Verdict on a CaseRun."""
-        if isinstance(run.verdict, DriveVerdict):
+        if run.is_measured:
             return run.verdict
         return verdict_on(run.check.answers, self.expected, self.tolerance, exact_type=self.exact_type)
 

@@ -19,8 +19,8 @@ def usual_workers(lessons):
 
     A worker with its kernels, the next submission and the pages keep two cores busy; a robot keeps one.
     """
-    cores, drives = os.cpu_count() or 1, (each.drives for lesson in lessons for each in lesson.exercises)
-    return cores if any(drives) else (cores + 1) // 2
+    cores, kinds = os.cpu_count() or 1, (each.kind for lesson in lessons for each in lesson.exercises)
+    return (cores + 1) // 2 if all(kind.shares_kernel for kind in kinds) else cores
 
 
 @contextlib.contextmanager

@@ -5,12 +5,12 @@ from .cell_runs import watch_cells
 from .check_files import CheckFileError
 from .checking import CheckResult, check, run_cases
 from .declaration import MasterError, exercise, read_exercises
-from .drive_check import with_progress
 from .error_advice import advise_everywhere
 from .guesses import GuessComparison, ask, compare_guess
 from .help_steps import hint, solution
+from .kinds.node.ros_double import offer_modules
 from .overview import Certificate, Overview, certificate, overview
-from .ros_double import offer_modules
+from .progress_bar import with_progress
 
 __all__ = ["Certificate", "CheckFileError", "CheckResult", "GuessComparison", "MasterError", "Overview"]
 __all__ += ["array_of", "ask", "certificate", "check", "compare_guess", "exercise", "hint", "offer_modules"]

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from PIL import Image, ImageDraw
 
-from .canonical import array_of
-from .values import MOST_NUMBERS
+from .canonical import array_of, canonical
+from .values import MOST_NUMBERS, answer_parts, differing_elements
 
 _SMALLEST = 4  # rows and cols of an image
 _SIDE = 200  # pixels on the page, about: a smaller image is enlarged by a whole factor
@@ -52,9 +52,14 @@ def answer_images(argument, name, expected, actual, wrong):
     return images
 
 
-def given_images(arguments):
-    """The arguments of a call that are images, of (name, value) pairs, as AnswerImages."""
-    images = [(name, value) for name, value in arguments if is_image(value)]
+def images_of_call(names, call):
+    """The images of the first part of a CaseCall's answer that is a wrong image; else those that it got."""
+    for part_name, expected, actual in answer_parts(call.expected.value, call.result.value):
+        wrong = differing_elements(expected, actual, call.case.tolerance)
+        if wrong is not None and wrong.any() and is_image(array_of(actual)):
+            argument_form = canonical(call.arguments[0], limit=None) if call.arguments else None
+            return answer_images(argument_form, part_name, expected, actual, wrong)
+    images = [(name, value) for name, value in zip(names, call.arguments, strict=False) if is_image(value)]
     return [_draw_values(f"given {name}", value, _limits(value)) for name, value in images]
 
 

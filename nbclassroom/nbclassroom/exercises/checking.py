@@ -1,6 +1,5 @@
 """`check`: run an answer's public cases in the learner's notebook."""
 
-import contextlib
 import inspect
 import linecache
 import re
@@ -8,51 +7,25 @@ import types
 from dataclasses import dataclass, field, replace
 from functools import partial
 
-import numpy as np
-
-from . import feedback, running
-from .canonical import array_of
+from . import feedback
+from .case_call import CaseCall
 from .cell_runs import RUNS
 from .cell_syntax import function_definitions, plain_python, program_lines
 from .check_files import find_check_file
-from .comparison import Difference, compare
 from .diagnosis import Diagnosis, diagnose
-from .drive import passes, sentences_of
-from .drive_check import drive_scenarios, known_mistake, progress_bar
 from .expected_results import check_data_of
 from .last_resort import with_last_resort
-from .lesson import PUBLIC_SEED, Case, Exercise, Mistake
-from .names_read import NamesRead, with_own_globals
+from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake
+from .mistakes import has_right_values
+from .names_read import NamesRead
 from .one_change import sentence_on_change
 from .progress import ExerciseProgress, content_of, digest_of, note_progress
-from .running import (
-    CallResult,
-    attempt,
-    codes_of,
-    globals_of,
-    source_of,
-)
+from .running import attempt, codes_of, globals_of, source_of
 from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
 _NONE = {"type": "None"}
 _MOST_LINES = 3  # of a program, that are named
 _LONGEST_REMARK = 1_000  # characters
-
-
-@dataclass(frozen=True)
-class CaseCall:
-    """One call of a case: what was expected, what the answer did; of a drive the `drive.Drive.record`."""
-
-    case: Case
-    arguments: tuple
-    expected: CallResult
-    result: CallResult
-    difference: Difference | None
-    record: dict | None = None
-
-    @property
-    def passed(self):
-        return self.result.finished and not self.result.changed and self.difference is None
 
 
 @dataclass(frozen=True)
@@ -78,7 +51,7 @@ class CheckResult:
     remarks       what is certain from the source of the function, sentences
     one_change    where one change would make it right, a sentence
     why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
-    drives        the calls if they are drives, those that passed too
+    calls         tuple of CaseCall, those that passed too
     """
 
     exercise: Exercise
@@ -91,7 +64,7 @@ class CheckResult:
     remarks: tuple = ()
     one_change: str = ""
     why_older: str = ""
-    drives: tuple = ()
+    calls: tuple = ()
 
     @property
     def passed(self):
@@ -147,10 +120,11 @@ def check(exercise_id, function):
     TypeError : `function` cannot be called, or is no class where the answer is one
     """
     exercise = find_check_file(exercise_id).exercise(exercise_id)
-    if not exercise.can_be_answer(function):
+    if not exercise.kind.can_be_answer(function):
+        noun = exercise.kind.noun
         raise TypeError(
-            f"check({exercise_id!r}, ...) needs your {exercise.kind} {exercise.function} itself, got a value"
-            f" of type {type(function).__name__}; run the cell with your {exercise.kind} first (if it shows"
+            f"check({exercise_id!r}, ...) needs your {noun} {exercise.function} itself, got a value"
+            f" of type {type(function).__name__}; run the cell with your {noun} first (if it shows"
             f" an error, repair that), and write check({exercise_id!r}, {exercise.function}), no parentheses"
             " after the name"
         )
@@ -165,9 +139,8 @@ def _check_in_notebook(exercise, function):
     why_older = RUNS.why_older(exercise.id, exercise.function, function)
     if why_older:
         return CheckResult(exercise, attempted=True, why_older=why_older)
-    bar = progress_bar(f"Driving {len(exercise.cases)} scenarios")
     try:
-        with bar if exercise.subject == "drive" else contextlib.nullcontext() as progress:
+        with exercise.kind.progress(exercise) as progress:
             result = run_check(exercise, function, progress)
     except KeyboardInterrupt:
         raise CheckInterrupted from None
@@ -177,10 +150,9 @@ def _check_in_notebook(exercise, function):
 
 def _bare_result(exercise, function, fault):
     """The CheckResult of an answer as it stands, without explanations; what stopped them is a remark."""
-    calls = _run_calls(exercise, function)
+    calls = exercise.kind.run_cases(exercise, function)
     results = tuple(_case_result(case, calls) for case in exercise.cases)
-    drives = tuple(calls) if exercise.subject == "drive" else ()
-    return CheckResult(exercise, attempted=True, results=results, remarks=(fault,), drives=drives)
+    return CheckResult(exercise, attempted=True, results=results, remarks=(fault,), calls=tuple(calls))
 
 
 def _note(result, function):
@@ -201,11 +173,10 @@ def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
 
 
 def run_mistake(exercise, mistake):
-    """The CheckResult of a declared mistake of an Exercise that drives; it does not drive again."""
+    """The CheckResult of a declared mistake of an Exercise on its public cases."""
     data = check_data_of(exercise)
-    (results,) = (known.results for known in data.mistakes if known.name == mistake.name)
-    function = exercise.function_of_mistake(mistake)
-    return _judge_calls(data, function, _judge_drives(data, results.drives()))
+    calls = data.kind.run_mistake(data, mistake)
+    return _judge_calls(data, exercise.function_of_mistake(mistake), calls)
 
 
 def run_check(exercise, function, progress=None, *, searches=True):
@@ -214,7 +185,7 @@ def run_check(exercise, function, progress=None, *, searches=True):
     `function` is as the notebook has it. `progress` takes the share of the drives that is done. `searches`:
     whether one change is looked for that makes it right.
     """
-    calls = _run_calls(exercise, function, progress)
+    calls = exercise.kind.run_cases(exercise, function, progress)
     result = _judge_calls(exercise, function, calls)
     result = attempt(lambda: _with_names(result, NamesRead(function, RUNS)), result)
     one_change = attempt(lambda: _one_change(result, function, calls), "", seconds=5) if searches else ""
@@ -229,7 +200,7 @@ def _with_names(result, names):
     exercise, given, remarks = result.exercise, set(result.exercise.provided), result.remarks
     values = ", ".join(names.values(given))
     is_wrong = result.attempted and not all(case_result.passed for case_result in result.results)
-    if values and is_wrong and exercise.subject == "function":
+    if values and is_wrong and exercise.kind.shows_values:
         parts = {"values": values, "arguments": ", ".join(exercise.names)}
         remarks = (SAYS["value of another cell"].format(name=exercise.answer_name, **parts), *remarks)
     refused = names.refused(exercise.allowed, given)
@@ -255,18 +226,16 @@ def _remarks_on_program(function):
 def _one_change(result, function, calls):
     """Where one change would make a wrong answer right, unless only its type is wrong."""
     exercise, shown = result.exercise, result.shown
-    if exercise.subject != "function" or not result.attempted or shown is None:
+    if not exercise.kind.shows_values or not result.attempted or shown is None:
         return ""
-    if any(call.result.timed_out for call in calls) or all(map(_has_right_values, calls)):
+    if any(call.result.timed_out for call in calls) or all(map(has_right_values, calls)):
         return ""
     # The shown call first: most changes fail it.
     ordered = sorted(calls, key=lambda call: call is not shown)
+    pairs = [(call.case, ExpectedCall(call.arguments, call.expected)) for call in ordered]
 
     def passes(changed, seconds):
-        return all(
-            _run_call(exercise, changed, call.case, call.arguments, call.expected, seconds).passed
-            for call in ordered
-        )
+        return all(exercise.judged_call(changed, *pair, seconds).passed for pair in pairs)
 
     return sentence_on_change(function, passes)
 
@@ -279,56 +248,12 @@ def _are_same(codes, other_codes):
     return contents[0] == contents[1]
 
 
-def _run_calls(exercise, function, progress=None):
-    """Run a function on the cases of an exercise, until a call does not end in time; a list of CaseCall."""
-    if exercise.subject == "drive":
-        return _drive_cases(exercise, function, progress)
-    calls = []
-    pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
-    for case, expected in pairs:
-        running.overwrite_freed_memory(expected.result.value)
-        calls.append(_run_call(exercise, function, case, expected.arguments, expected.result))
-        if calls[-1].result.timed_out or calls[-1].result.error == "NotImplementedError":
-            break  # a learner waits for one time limit, not for one per call
-    return calls
-
-
-def _run_call(exercise, function, case, arguments, expected, seconds=None):
-    """The CaseCall of a function, as of an answer; within `seconds` in place of the exercise's time limit."""
-    result, difference = exercise.call(function, arguments, seconds, expected.value), None
-    if result.finished:
-        values = expected.value, result.value
-        difference = compare(*values, case.tolerance, exact_type=exercise.exact_type)
-    return CaseCall(case, arguments, expected, result, difference)
-
-
-def _drive_cases(exercise, function, progress):
-    """Let `control` drive in each case, each time with values of its own."""
-    scenarios = [expected.arguments[0] for case in exercise.cases for expected in case.calls]
-    return _judge_drives(
-        exercise, drive_scenarios(exercise, scenarios, lambda: with_own_globals(function), progress)
-    )
-
-
-def _judge_drives(exercise, drives):
-    """Drives (record, CallResult), one for each case, as a list of CaseCall."""
-    calls, pairs = [], [(case, expected) for case in exercise.cases for expected in case.calls]
-    for (case, expected), (record, result) in zip(pairs, drives, strict=True):
-        (scenario,) = expected.arguments
-        difference = None
-        if result.finished and not passes(record, scenario):
-            difference = Difference("drive", "", " ".join(sentences_of(record, scenario)))
-        calls.append(CaseCall(case, expected.arguments, expected.result, result, difference, record))
-    return calls
-
-
 def _judge_calls(exercise, function, calls):
     """The CheckResult of the calls of a function."""
     errors = {case_call.result.error for case_call in calls}
     errors |= {"None" for call in calls if call.difference is not None and call.result.value == _NONE}
     is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
-    is_drive = exercise.subject == "drive"
-    if "NotImplementedError" in errors or (is_stub and not is_drive):
+    if "NotImplementedError" in errors or (is_stub and exercise.kind.expects_values):
         remarks = tuple(remarks_on_source(function))
         if isinstance(function, type):
             remarks = () if is_stub else (STUB_LINE,)
@@ -341,13 +266,12 @@ def _judge_calls(exercise, function, calls):
     if is_stub and _has_other_lines(exercise, function):
         never_run = SAYS["lines that never run"].format(name=exercise.answer_name)
         is_stub, remarks = False, (never_run, *remarks)
-    parts = {"remarks": remarks, "drives": tuple(calls) if is_drive else ()}
-    result = CheckResult(exercise, not is_stub, results, mistake, **parts)
+    result = CheckResult(exercise, not is_stub, results, mistake, remarks=remarks, calls=tuple(calls))
     return replace(result, diagnosis=attempt(lambda: _diagnosis(result, calls), Diagnosis()))
 
 
 def _explanation(exercise, function, calls):
-    mistake = _known_mistake(exercise, calls)
+    mistake = exercise.kind.known_mistake(exercise, calls)
     return None if mistake and _has_another_reason(mistake, function, calls) else mistake
 
 
@@ -366,9 +290,7 @@ def _has_other_lines(exercise, function):
 
 def _diagnosis(result, calls):
     shown, exercise = result.shown, result.exercise
-    if exercise.subject != "function":
-        return Diagnosis()  # `node_feedback` or `drive` says what is wrong
-    if shown is None or shown.difference is None or shown.result.changed:
+    if not exercise.kind.shows_values or shown is None or shown.difference is None or shown.result.changed:
         return Diagnosis()
     return diagnose(calls, shown, exercise.names, exact_type=exercise.exact_type)
 
@@ -391,51 +313,3 @@ def _case_result(case, calls):
     own_calls = [case_call for case_call in calls if case_call.case is case]
     failed_call = next((case_call for case_call in own_calls if not case_call.passed), None)
     return CaseResult(case, bool(own_calls) and failed_call is None, failed_call)
-
-
-def _known_mistake(exercise, calls):
-    """The declared mistake that explains an answer, or None.
-
-    A mistake explains an answer if both do the same in every call. It may also be the only mistake that does
-    the same in every call in which the answer returned a value. First a mistake with the same types is looked
-    for; then one with the same values, unless they are right and only their type is not.
-    """
-    if exercise.subject == "drive":
-        return known_mistake(exercise, calls)
-    returned = [case_call for case_call in calls if case_call.result.value not in (None, _NONE)]
-    is_right = all(case_call.passed for case_call in returned)
-    for exact_type in (True,) if all(map(_has_right_values, returned)) else (True, False):
-        matches = _mistakes_like(exercise, calls, exact_type)
-        if not matches and not is_right:
-            matches = _mistakes_like(exercise, returned, exact_type)
-            matches = matches if len(matches) == 1 else []
-        if matches:
-            return matches[0]
-    return None
-
-
-def _mistakes_like(exercise, calls, exact_type):
-    """The declared mistakes that do the same in all these calls."""
-    return [
-        mistake
-        for mistake in exercise.mistakes
-        if all(_does_the_same(mistake, case_call, exact_type) for case_call in calls)
-    ]
-
-
-def _has_right_values(case_call):
-    """Whether values are right, in a type that may be wrong, also if that type has cut them."""
-    expected, result = case_call.expected, case_call.result
-    if result.matches(expected, case_call.case.tolerance, exact_type=False):
-        return True
-    values, actual = array_of(expected.value), array_of(result.value)
-    if values is None or actual is None:
-        return False
-    with np.errstate(all="ignore"):
-        return np.array_equal(values.astype(actual.dtype), actual)
-
-
-def _does_the_same(mistake, case_call, exact_type):
-    position = [id(expected.arguments) for expected in case_call.case.calls].index(id(case_call.arguments))
-    predicted = mistake.results[case_call.case.id][position]
-    return case_call.result.matches(predicted, case_call.case.tolerance, exact_type=exact_type)

@@ -6,10 +6,9 @@ from functools import lru_cache
 from pathlib import Path
 
 from .. import course
-from .drive import PATH_TOLERANCE, SENSORS
+from .kinds import NAMES, kind_of
 from .lesson import Case, Exercise, Mistake
 from .percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
-from .running import NODES, SUBJECTS
 
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
 
@@ -81,8 +80,8 @@ def exercise(
         "sensors": tuple(sensors),
         "title": title or id,
         "time_limit": float(time_limit),
-        "allowed": (*allowed, *(course.node_modules() if subject in NODES else ())),
-        "tolerance": PATH_TOLERANCE if subject == "drive" else float(tolerance),
+        "allowed": (*allowed, *kind_of(subject).modules()),
+        "tolerance": kind_of(subject).tolerance(float(tolerance)),
         "exact_type": bool(exact_type),
         "practice": bool(practice),
         "hints": tuple(hints),
@@ -99,12 +98,13 @@ def _declaration_rules(function, subject, sensors, time_limit, tolerance, allowe
     """(whether an argument is wrong, what is wrong with it) of each rule."""
     is_name = isinstance(function, str) and function.isidentifier()
     yield not is_name, f"function={function!r}, expected the name of a function"
-    yield subject not in SUBJECTS, f"subject={subject!r}, expected {' or '.join(map(repr, SUBJECTS))}"
-    are_sensors = not isinstance(sensors, str) and {*sensors} <= {*SENSORS}
+    yield subject not in NAMES, f"subject={subject!r}, expected {' or '.join(map(repr, NAMES))}"
+    known = kind_of(subject).sensors
+    are_sensors = not isinstance(sensors, str) and {*sensors} <= {*known}
+    expected = f"a tuple with some of {', '.join(known)}" if known else "none"
     yield (
-        not are_sensors or bool(sensors) != (subject == "drive"),
-        f"sensors={sensors!r}, expected a tuple with some of {', '.join(SENSORS)} if"
-        ' subject="drive", else none',
+        not are_sensors or bool(sensors) != bool(known),
+        f"sensors={sensors!r}, expected {expected} for subject={subject!r}",
     )
     limits = f"time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
     yield not time_limit > 0 or not tolerance >= 0, limits

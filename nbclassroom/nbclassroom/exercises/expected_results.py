@@ -3,30 +3,20 @@
 from dataclasses import replace
 from functools import lru_cache, wraps
 
-from . import feedback
-from .drive_check import drive_scenarios
-from .lesson import PUBLIC_SEED, ExpectedCall, scenario_of
+from .case_call import explain_call
+from .lesson import PUBLIC_SEED, ExpectedCall
 from .percent_script import MasterError
-from .running import argument_names
 
 
 class MistakeResults(dict):
     """The results of a declared mistake: computed when asked for, because most checks ask for none."""
 
     def __init__(self, exercise, mistake, cases, seed):
-        self._exercise, self._mistake, self._cases, self._seed = exercise, mistake, cases, seed
+        self._about = exercise, mistake, cases, seed
 
     def __missing__(self, case_id):
-        if self._exercise.drives:
-            for case, (_record, result) in zip(self._cases, self.drives(), strict=True):
-                self[case.id] = (result,)
-            return self[case_id]
-        case = next(case for case in self._cases if case.id == case_id)
-        return _results_of_mistake(self._exercise, self._mistake, case, self._seed)
-
-    def drives(self):
-        """What it drove: (record, CallResult) of each case."""
-        return _drive_mistake(self._exercise, self._mistake, self._cases, self._seed)
+        self.update(_results_of_mistake(*self._about, case_id))
+        return self[case_id]
 
 
 def _cached(function):
@@ -42,17 +32,11 @@ def with_results(exercise, cases, solve, results_of):
     them, gives {id of a case: CallResults}. MasterError: the solution or a case fails.
     """
     solution = exercise.function_of(exercise.solution, "solution")
-    names, provided = argument_names(solution, exercise.subject), sorted(exercise.namespace())
+    names, provided = exercise.kind.argument_names(solution), sorted(exercise.namespace())
     exercise = replace(exercise, names=tuple(names), provided=tuple(provided))
     cases = tuple(replace(case, calls=tuple(solve(exercise, case))) for case in cases)
     mistakes = [replace(one, results=results_of(exercise, one, cases)) for one in exercise.mistakes]
     return replace(exercise, cases=cases, mistakes=tuple(mistakes))
-
-
-def results_of_mistake(exercise, mistake, case):
-    """What a declared mistake does in a case that has its calls, a tuple of CallResult."""
-    wrong_function = exercise.function_of_mistake(mistake)
-    return tuple(exercise.call(wrong_function, expected.arguments) for expected in case.calls)
 
 
 # Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
@@ -74,25 +58,19 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
 
 @_cached
 def _solve(exercise, case, seed):
-    if exercise.drives:
+    if not exercise.kind.expects_values:
         return tuple(ExpectedCall(arguments) for arguments in exercise.arguments(case, seed))
     solution = exercise.function_of(exercise.solution, "solution")
     calls = []
     for arguments in exercise.arguments(case, seed):
         result = exercise.call(solution, arguments)
         if not result.finished or result.changed:
-            explanation = feedback.explain_call(result, None, exercise.answer_name)
+            explanation = explain_call(result, None, exercise.answer_name)
             raise MasterError(f"{exercise.master.name}, {case.id}: the solution fails. {explanation}")
         calls.append(ExpectedCall(arguments, result))
     return tuple(calls)
 
 
 @_cached
-def _drive_mistake(exercise, mistake, cases, _seed):
-    scenarios = list(map(scenario_of, cases))
-    return drive_scenarios(exercise, scenarios, lambda: exercise.function_of_mistake(mistake))
-
-
-@_cached
-def _results_of_mistake(exercise, mistake, case, _seed):
-    return results_of_mistake(exercise, mistake, case)
+def _results_of_mistake(exercise, mistake, cases, _seed, case_id):
+    return exercise.kind.results_of_mistake(exercise, mistake, cases, case_id)

@@ -8,11 +8,7 @@ import html
 import re
 from itertools import chain, repeat
 
-from .canonical import array_of, canonical
-from .drive import METRICS, metric_text, question_of, sentences_of
-from .error_advice import advice_on
-from .node_feedback import NODE_ERRORS, advice_on_node_error, differing_images, sentence_on_node
-from .running import NODES
+from .canonical import canonical
 from .source_remarks import SAYS
 from .values import answer_parts, describe_value, differing_elements, table_rows
 
@@ -28,45 +24,6 @@ _COLOURS = {
 }
 
 
-def explain_call(result, difference, name):
-    """What went wrong in one call of an answer of this name, in a sentence or two; "" if nothing did."""
-    if result.timed_out:
-        text = f"{name} did not finish in time and was stopped."
-        return text + " It could not be stopped: restart the kernel before you go on." * result.stuck
-    if result.error:
-        text = f"{name} raised {result.error}" + (f": {result.message}" if result.message else "")
-        return text + (f"\nin your {result.line}" if result.line else "")
-    if result.changed:
-        return _explain_change(name, result.changed[0])
-    if difference is None:
-        return ""
-    if result.value["type"] == "None" and result.printed:
-        return f"{name} returned None. print only shows a value: write return in place of print."
-    message = difference.message[0].upper() + difference.message[1:] + "."
-    return f"In answer{difference.path}: {message}" if difference.path else message
-
-
-def explain_failure(exercise, call):
-    """What went wrong in a CaseCall of an answer, in a sentence or two."""
-    if exercise.subject == "drive":
-        return "\n".join(sentences_of(call.record, *call.arguments))
-    if exercise.subject != "function":
-        if call.result.error in NODE_ERRORS:
-            return "\nin your ".join(filter(None, (call.result.message, call.result.line)))
-        if call.difference is not None:
-            sentence = sentence_on_node(call.expected.value, call.result.value, call.arguments)
-            return sentence or explain_call(call.result, call.difference, exercise.answer_name)
-    return explain_call(call.result, call.difference, exercise.answer_name)
-
-
-def _explain_change(name, argument):
-    text = f"{name} changed its input {argument}."
-    if not argument.isidentifier():
-        return f"{text} Only read it, and store what you compute under new names."
-    advice = f"write the result into a new array, or begin with {argument} = {argument}.copy()."
-    return f"{text} Leave the input as it is: {advice}"
-
-
 # ---------------------------------------------------------------- the parts of the feedback
 
 
@@ -78,26 +35,10 @@ def _values(result, call, marks):
         yield f"{label.strip()}: {describe_value(form)}{marks if has_marks else ''}", rows
 
 
-def _drive_rows(result):
-    """The rows of a table of drives: (text, whether it is marked as missed) of each cell."""
-    thresholds = [drive.arguments[0]["thresholds"] for drive in result.drives]
-    metrics = [name for name in METRICS if any(name in own for own in thresholds)]
-    if result.drives:
-        yield [(text, False) for text in ("scenario", *(METRICS[name].title for name in metrics), "points")]
-    for drive, own in zip(result.drives, thresholds, strict=True):
-        cells = [(f"{'✓' if drive.passed else '✗'} {drive.arguments[0]['title']}", False)]
-        missed = {name for name, *_ in drive.record["missed"]}
-        for name in metrics:
-            limit = f" ({metric_text(name, own[name][1], own[name][0])})" if name in own else ""
-            cells.append((metric_text(name, drive.record["metrics"][name]) + limit, name in missed))
-        points = drive.case.points
-        yield [*cells, (f"{points if drive.passed else 0} of {points}", False)]
-
-
 def _labelled_forms(result, call):
     """(label, form, which of its elements differ) of what was given, and returned and expected."""
-    if result.exercise.subject != "function":
-        return  # a record is no reading
+    if not result.exercise.kind.shows_values:
+        return
     names = [*result.exercise.names, *("" for _ in call.arguments)]
     for name, argument in zip(names, call.arguments, strict=False):
         argument_form = canonical(argument, limit=None)
@@ -134,36 +75,29 @@ def _gone(result):
 
 def _cases(result):
     """(CaseResult, what went wrong, the call whose values are shown or None) of each case."""
-    steps, ending = {}, _common_ending(result)
+    kind = result.exercise.kind
+    steps, ending = {}, kind.common_failure(result.exercise, result.calls)
     for case_result in result.results:
         call, explanation = case_result.failed_call, ""
         if ending:
             explanation = f"In all {len(result.results)} scenarios: {ending}" if not steps else ""
             steps[ending] = ending
         elif call is not None:
-            explanation = explain_failure(result.exercise, call)
+            explanation = kind.explain(result.exercise, call)
             step = case_result.case.title.partition(":")[0]
             first = steps.setdefault(re.sub(r"\d+", "", explanation), step)
-            if result.exercise.subject in ("node", "package") and first != step:
+            if kind.has_sentences and first != step:
                 explanation = f"as in {first} above"
         elif not case_result.passed:
             explanation = "not run, because the call above did not finish"
         yield case_result, explanation, call if call is result.shown else None
 
 
-def _common_ending(result):
-    """The sentence on drives that all ended early in the same way, with numbers of the first one; else "" """
-    if len(result.drives) < 2 or not all(drive.record["ended"] for drive in result.drives):
-        return ""
-    texts = [explain_failure(result.exercise, drive) for drive in result.drives]
-    return texts[0] if len({re.sub(r"[0-9]+", "", text) for text in texts}) == 1 else ""
-
-
 def _headline(result):
     if result.why_older:
-        return f"this is an older {result.exercise.kind}"
+        return f"this is an older {result.exercise.kind.noun}"
     if not result.attempted:
-        return "not attempted yet" + "; the function drives as you got it" * bool(result.drives)
+        return result.exercise.kind.not_attempted
     passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
     refused = "grading would refuse this answer"
     if result.exercise.practice:
@@ -183,7 +117,7 @@ def _footer(result):
     if result.why_older:
         return ""
     if not result.attempted:
-        return SAYS["not attempted"].format(name=exercise.answer_name, kind=exercise.kind)
+        return SAYS["not attempted"].format(name=exercise.answer_name, kind=exercise.kind.noun)
     if exercise.practice:
         return "Practice: no points."
     text = f"Points here: {result.points} of {exercise.points}."
@@ -205,6 +139,7 @@ def _ends(result):
 
 def _advice(result, call):
     """What is known of the mistake; if that is not all, the hint of the case."""
+    kind = result.exercise.kind
     if result.mistake is not None:
         yield result.mistake.says
         yield result.one_change
@@ -214,15 +149,9 @@ def _advice(result, call):
         if "overflow" in call.result.warning:
             yield SAYS["overflow in a loop"]
     elif call.result.error:
-        error, exercise = call.result, result.exercise
-        names = exercise.names if exercise.subject not in NODES else None
-        node_advice = advice_on_node_error(error) if exercise.subject != "function" else ""
-        about = (error.error, error.message, error.line, names, exercise.function, error.closest)
-        yield node_advice or advice_on(*about)
+        yield kind.advice_on_error(result.exercise, call.result)
     yield result.one_change
-    if call.difference is None or call.result.changed or result.exercise.subject in NODES:
-        return
-    if result.drives and (call.record["ended"] or question_of(call.record)):
+    if call.difference is None or call.result.changed or kind.explains_enough(call):
         return
     diagnosis = result.diagnosis
     yield diagnosis.text
@@ -232,7 +161,7 @@ def _advice(result, call):
         yield f"Hint: {call.case.hint}"
 
 
-def _warning_and_output(call, kind, is_drive=False):
+def _warning_and_output(call, kind):
     if call.result.warning:
         yield f"NumPy or Python warned: {call.result.warning}"
         if "empty slice" in call.result.warning:
@@ -240,8 +169,9 @@ def _warning_and_output(call, kind, is_drive=False):
     if call.result.printed.strip():
         lines = call.result.printed.rstrip().splitlines()
         ellipsis = ["…"] if len(lines) > _MOST_LINES else []
-        shown = ellipsis + lines[-_MOST_LINES:] if is_drive else lines[:_MOST_LINES] + ellipsis
-        yield f"Your {kind} printed:\n" + "\n".join(shown)
+        from_the_end = ellipsis + lines[-_MOST_LINES:]
+        shown = from_the_end if kind.shows_last_prints else lines[:_MOST_LINES] + ellipsis
+        yield f"Your {kind.noun} printed:\n" + "\n".join(shown)
 
 
 # ---------------------------------------------------------------- plain text
@@ -250,7 +180,7 @@ def _warning_and_output(call, kind, is_drive=False):
 def as_text(result):
     """A CheckResult as plain text."""
     lines = [f"{result.exercise.id}: {_headline(result)}.", *_remarks(result)]
-    lines += _rows_as_text(list(_drive_rows(result)))
+    lines += _rows_as_text(result.exercise.kind.table_of(result.calls))
     for case_result, explanation, call in _cases(result):
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
         lines += map(_indent, (explanation, *_details_as_text(result, call)))
@@ -276,7 +206,7 @@ def _details_as_text(result, call):
         yield caption
         yield from _rows_as_text(rows)
     yield from _advice(result, call)
-    yield from _warning_and_output(call, result.exercise.kind, result.drives)
+    yield from _warning_and_output(call, result.exercise.kind)
 
 
 def _rows_as_text(rows):
@@ -298,7 +228,7 @@ def as_html(result):
     headline = html.escape(f"{result.exercise.id}: {_headline(result)}")
     body = [f'<div style="font-weight: 600; color: {colour}">{headline}</div>']
     body += map(_paragraph, _remarks(result))
-    body += _drives_as_html(result)
+    body += _table_of_all(result)
     for case_result, explanation, call in _cases(result):
         mark, mark_colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
         title = html.escape(case_result.case.title)
@@ -316,14 +246,12 @@ def as_bare_html(result, fault):
     return _paragraph(as_bare_text(result, fault))
 
 
-def _drives_as_html(result):
-    """The table of drives, and their maps."""
-    if result.drives:
-        from .drive_check import images_of_drive  # here, as in `_figures`
-
-        yield _table(_drive_rows(result), 'th scope="col"')
-        images = [image for drive in result.drives for image in images_of_drive("draw_map", drive)]
-        yield _row_of_figures(images)
+def _table_of_all(result):
+    """The table of all calls, and their images, of a kind that has them."""
+    kind = result.exercise.kind
+    if rows := kind.table_of(result.calls):
+        yield _table(rows, 'th scope="col"')
+        yield _row_of_figures(kind.images_of_all(result.calls))
         yield _paragraph(SAYS["map of a drive"])
 
 
@@ -339,8 +267,8 @@ def _details_as_html(result, call):
         yield f"<div>{html.escape(caption)}</div>"
         if rows:
             yield _table(rows)
-    yield _figures(result, call)
-    yield from map(_paragraph, _warning_and_output(call, result.exercise.kind, result.drives))
+    yield _row_of_figures(result.exercise.kind.images_of(result.exercise, call))
+    yield from map(_paragraph, _warning_and_output(call, result.exercise.kind))
 
 
 def _table(rows, first="td"):
@@ -357,46 +285,6 @@ def _table(rows, first="td"):
         lines += f"<tr>{cells}</tr>"
     table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{lines}</table>'
     return f'<div style="overflow-x: auto" tabindex="0">{table}</div>'
-
-
-def _figures(result, call):
-    """The images of the first part of the answer that is a wrong image; else the images that were given."""
-    # Here, because it imports Pillow: the processes that grade import this package, and draw nothing.
-    from .answer_images import answer_images, given_images, is_image
-
-    if result.exercise.subject == "drive":
-        return _images_before(call)
-    if not call.result.finished:
-        return ""
-    if result.exercise.subject != "function":
-        return _images_of_node(call)
-    images = given_images(zip(result.exercise.names, call.arguments, strict=False))
-    for part_name, expected, actual in answer_parts(call.expected.value, call.result.value):
-        wrong = differing_elements(expected, actual, call.case.tolerance)
-        if wrong is not None and wrong.any() and is_image(array_of(actual)):
-            argument_form = canonical(call.arguments[0], limit=None) if call.arguments else None
-            images = answer_images(argument_form, part_name, expected, actual, wrong)
-            break
-    return _row_of_figures(images)
-
-
-def _images_before(drive):
-    """What the camera saw before the decisive moment of a drive."""
-    from .drive_check import images_of_drive
-
-    has_moment = drive.record["decisive"] and not drive.record["ended"]
-    return _row_of_figures(images_of_drive("look_back", drive)) if has_moment else ""
-
-
-def _images_of_node(call):
-    """The first image that a node published, and that differs, with what was sent and what was expected."""
-    from .answer_images import answer_images
-
-    images = call.difference and differing_images(call.expected.value, call.result.value, call.arguments)
-    if not images or images[1].shape != images[2].shape:
-        return ""
-    given, expected, actual = (canonical(image, limit=None) for image in images)
-    return _row_of_figures(answer_images(given, "", expected, actual, images[1] != images[2]))
 
 
 def _row_of_figures(images):

@@ -74,7 +74,7 @@ def _hint(exercise, step):
             return Help(
                 f"There are no more hints for {exercise_id}: you saw all {len(hints)}.",
                 f"hint({quoted_id}, step=1) shows the first one again. solution({quoted_id}) shows how the"
-                f" {exercise.kind} can be written.",
+                f" {exercise.kind.noun} can be written.",
             )
     if isinstance(step, bool) or not isinstance(step, numbers.Integral) or not 1 <= step <= len(hints):
         return Help(f"{exercise_id} has the hints 1 to {len(hints)}.", f"Write hint({quoted_id}, step=1).")
@@ -126,6 +126,7 @@ def _not_yet(exercise, count):
     so_far = {0: "no try", 1: "1 try"}.get(count, f"{count} tries")
     return Help(
         f"The solution of {exercise.id} opens after {TRIES} tries of your own: {so_far} so far.",
-        f"A try is check({quoted_id}, {exercise.function}) with a changed {exercise.kind} that runs and does"
-        f" not pass yet. hint({quoted_id}) gives help. solution({quoted_id}, give_up=True) opens it now.",
+        f"A try is check({quoted_id}, {exercise.function}) with a changed {exercise.kind.noun} that runs"
+        f" and does not pass yet. hint({quoted_id}) gives help."
+        f" solution({quoted_id}, give_up=True) opens it now.",
     )

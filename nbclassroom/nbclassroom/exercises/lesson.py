@@ -11,10 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from .drive import LOOK, MEAN_LOOK_SECONDS, looks_of
+from .case_call import CaseCall
+from .comparison import compare
+from .kinds import kind_of
 from .percent_script import MasterError
-from .ros_double import offer_modules
-from .running import NODES, CallResult, answer_name, bytes_allowed, call
+from .running import CallResult, bytes_allowed, call
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
 
@@ -102,39 +103,18 @@ class Exercise:
         return tuple(case for case in self.cases if case.hidden)
 
     @property
-    def drives(self):
-        """Whether its answer is a controller."""
-        return self.subject == "drive"
+    def kind(self):
+        """The Kind of its answers."""
+        return kind_of(self.subject)
 
     @property
     def answer_name(self):
         """How texts name its answer, double() or Doubler."""
-        return answer_name(self.function, self.subject)
-
-    @property
-    def kind(self):
-        """What texts call its answer."""
-        return "class" if self.subject == "node" else "function"
-
-    def can_be_answer(self, value):
-        """Whether a value is of the kind of its answers."""
-        return isinstance(value, type) if self.subject == "node" else callable(value)
-
-    def seconds_of(self, case):
-        """Processor time of a case in grading: the time limit for each call; a drive has its own."""
-        if self.drives:
-            return MEAN_LOOK_SECONDS * looks_of(scenario_of(case))
-        return self.time_limit * len(case.calls)
-
-    @property
-    def simulated_seconds(self):
-        """How long its drives are, together."""
-        return LOOK * sum(looks_of(scenario_of(case)) for case in self.cases) if self.drives else 0.0
+        return self.kind.name_of(self.function)
 
     def namespace(self):
         """A new namespace as an answer gets it in grading: np, and what the given cells define."""
-        if self.subject in NODES:
-            offer_modules()
+        self.kind.prepare()
         names = {"np": np, "__name__": self.id}
         for number, source in enumerate(self.given, 1):
             self.run_part(source, names, f"given cell {number} of {self.id}")
@@ -165,9 +145,9 @@ class Exercise:
             names["solution"] = self.function_of(self.solution, "solution")
         self.run_part(source, names, f"{label} of {self.id}")
         answer = names.get(self.function)
-        if not self.can_be_answer(answer):
+        if not self.kind.can_be_answer(answer):
             place = f"{self.master.name}: the {label} of {self.id}"
-            raise MasterError(f"{place} does not define the {self.kind} {self.answer_name}")
+            raise MasterError(f"{place} does not define the {self.kind.noun} {self.answer_name}")
         return answer
 
     def function_of_mistake(self, mistake):
@@ -180,7 +160,25 @@ class Exercise:
         Of a value that is much larger than the `expected` form, the arrays are given without their values.
         """
         most = None if expected is None else bytes_allowed(expected)
-        return call(function, arguments, self.names, seconds or self.time_limit, self.subject, most)
+        return call(function, arguments, self.names, seconds or self.time_limit, self.kind.run, most)
+
+    def judged_call(self, answer, case, expected, seconds=None):
+        """The CaseCall of an answer for an ExpectedCall of a case, within the time limit or these seconds."""
+        value = expected.result.value
+        return self.judge(case, expected, self.call(answer, expected.arguments, seconds, value))
+
+    def judge(self, case, expected, result):
+        """The CaseCall of what an answer did, a CallResult."""
+        difference = None
+        if result.finished:
+            values = expected.result.value, result.value
+            difference = compare(*values, case.tolerance, exact_type=self.exact_type)
+        return CaseCall(case, expected.arguments, expected.result, result, difference)
+
+    def results_of_mistake(self, mistake, case):
+        """What a declared mistake does in a case that has its calls, a tuple of CallResult."""
+        answer = self.function_of_mistake(mistake)
+        return tuple(self.call(answer, expected.arguments) for expected in case.calls)
 
     def arguments(self, case, seed=PUBLIC_SEED):
         """A tuple of arguments for each call that a case makes; it depends only on the seed and the case.
@@ -209,27 +207,8 @@ class Exercise:
         if not calls or not all(isinstance(call, tuple) for call in calls):
             text = "inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
             raise MasterError(f"{place}: {text}")
-        if self.drives:
-            return [(_scenario(case, calls, place),)]
+        calls = self.kind.checked_inputs(case, calls, place)
         return calls if seed == PUBLIC_SEED else [calls[number] for number in rng.permutation(len(calls))]
-
-
-def _scenario(case, calls, place):
-    # Here, because the kernels that grade import this module too.
-    from .scenario import read_scenario
-
-    if len(calls) != 1 or len(calls[0]) != 1 or not isinstance(calls[0][0], dict):
-        raise MasterError(f"{place}: inputs(rng) of a drive returns one scenario, a dict: return (scenario,)")
-    try:
-        return read_scenario({"title": case.title} | calls[0][0])
-    except ValueError as error:
-        raise MasterError(f"{place}: {error}") from error
-
-
-def scenario_of(case):
-    """What a case of an exercise that drives lets an answer drive through, a dict."""
-    ((scenario,),) = (call.arguments for call in case.calls)
-    return scenario
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ import io
 import keyword
 import linecache
 import math
+import operator
 import re
 import signal
 import sys
@@ -31,7 +32,6 @@ import numpy as np
 
 from .canonical import canonical
 from .comparison import compare, named_items
-from .recording_node import NodeError, NotGradedError
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
 _MOST_BYTES = 200_000  # of a value, beside its share of the expected one: 8 for each element of an array
@@ -39,12 +39,17 @@ _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
 _PATIENCE = 2  # time limits that a function may wait in addition, for the processor or in a sleep
-SUBJECTS = ("function", "node", "package", "drive")  # what an answer may be
 # Looked up before any code of a learner's runs; Windows has no timers.
 set_timer, set_handler = getattr(signal, "setitimer", None), signal.signal
 _monotonic, _thread_time = time.monotonic, time.thread_time
-NODES = ("node", "package")  # those whose answer has a node, which `node_driver` drives
-_NODE_ARGUMENTS = ["look", "steps"]  # of a call in an exercise that drives, see `node_driver`
+
+
+class NotGradedError(BaseException):
+    """An answer uses a part of ROS that the check does not have; no `except Exception` of it catches it."""
+
+
+class NodeError(BaseException):
+    """An answer does not make a node that can be driven; the message says what to do."""
 
 
 # By these names grading knows how an answer ended, if the classes are these.
@@ -84,18 +89,12 @@ class CallResult:
         return not self.finished or compare(other.value, self.value, tolerance, exact_type=exact_type) is None
 
 
-def answer_name(function, subject):
-    """How texts name an answer: double(), or the class Doubler."""
-    return function if subject == "node" else f"{function}()"
-
-
-def call(function, arguments, names, time_limit, subject="function", most_bytes=None):
+def call(function, arguments, names, time_limit, run=operator.call, most_bytes=None):
     """Call a function on copies of its arguments; the CallResult says what it did.
 
     `names` are the arguments'; those without a name are numbered. The time limit is in seconds; on a busy
-    machine up to three times as long. If the subject is "node", the function is the class of a node, and is
-    driven through the steps in its arguments; of a "package", it returns the files. Arrays are given with
-    their values up to `most_bytes` together, see `canonical`.
+    machine up to three times as long. `run(function, *arguments)` gives the value.
+    Arrays are given with their values up to `most_bytes` together, see `canonical`.
     """
     copies = copy.deepcopy(arguments)
     names = [*names[: len(copies)], *(f"argument {k + 1}" for k in range(len(names), len(copies)))]
@@ -105,7 +104,7 @@ def call(function, arguments, names, time_limit, subject="function", most_bytes=
         warnings.simplefilter("always")
         warnings.showwarning = functools.partial(_keep_warning, texts)
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
-            fields = _call_fields(function, copies, time_limit, subject, most_bytes)
+            fields = _call_fields(function, copies, time_limit, run, most_bytes)
     if not fields.get("stuck"):
         pairs = zip(names, before, copies, strict=True)
         fields["changed"] = tuple(
@@ -137,24 +136,10 @@ def by_itself():
         sys.stdin = stdin
 
 
-def argument_names(function, subject="function"):
-    """The names of an answer's arguments; [] if they are not known."""
-    try:
-        return _NODE_ARGUMENTS if subject in NODES else list(inspect.signature(function).parameters)
-    except (TypeError, ValueError):
-        return []
-
-
-def _call_fields(function, arguments, time_limit, subject, most_bytes):
+def _call_fields(function, arguments, time_limit, run, most_bytes):
     """The fields of CallResult that the call itself gives, as a dict."""
-    run = function
-    if subject in NODES:
-        from . import node_driver, package_driver  # here: only nodes need them
-
-        drive = {"node": node_driver.drive, "package": package_driver.drive_package}[subject]
-        run = functools.partial(drive, function)
     try:
-        value = call_within(lambda: run(*arguments), time_limit)
+        value = call_within(lambda: run(function, *arguments), time_limit)
         return {"value": canonical(value, most=most_bytes)}
     except KeyboardInterrupt:
         raise

@@ -10,7 +10,6 @@ from pathlib import Path
 
 from .. import course
 from ..authoring.lesson_names import notebook_name
-from ..autograder.exercise_notebook import check_source
 from ..autograder.nbval_plugin import ExerciseRun
 from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from ..autograder.page_kernels import PageKernels
@@ -171,7 +170,7 @@ def _run_answer(entry, kernels):
         return
     exercise_run = ExerciseRun(exercise, kernels)
     for case in exercise.cases:
-        run = exercise_run.run(case, check_source(exercise))
+        run = exercise_run.run(case, exercise.kind.check_source(exercise))
         exercise_run.passed |= {case.id} if run.passed else set()
     exercise_run.close()
     entry.result = result = graded_exercise(exercise, exercise_run)

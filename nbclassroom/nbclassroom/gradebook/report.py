@@ -201,7 +201,7 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
 
 def _map_of(case):
     """The map of a case's drive, an AnswerImage."""
-    from ..exercises.drive_images import draw_map
+    from ..exercises.kinds.drive.images import draw_map
 
     record = case.drive | {"ended": "", "missed": not case.passed}
     return draw_map(record, case.drive | {"title": _MAP_CAPTION})

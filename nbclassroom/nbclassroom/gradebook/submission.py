@@ -16,7 +16,6 @@ from ..autograder.sanitize import sanitize_line
 from ..exercises.cell_syntax import function_definitions, plain_python, program_lines
 from ..exercises.error_advice import advice_on
 from ..exercises.page import is_marked
-from ..exercises.running import answer_name
 from ..exercises.source_remarks import SAYS, STUB_LINE
 from .submission_reader import MOST_CHARACTERS
 
@@ -301,7 +300,7 @@ def _similar_name(exercise, cell):
     """The function of the cell whose name was meant: the only one, or one written nearly so; or ""."""
     defined = sorted(cell["functions"])
     names = defined if len(defined) == 1 else difflib.get_close_matches(exercise.function, defined, 1)
-    return answer_name(sanitize_line(names[0], 60), exercise.subject) if names else ""
+    return exercise.kind.name_of(sanitize_line(names[0], 60)) if names else ""
 
 
 def _report_place(exercise, answer, content):

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 
 from nbclassroom import course
-from nbclassroom.autograder.drives import environment
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.outcomes import Outcome
 from nbclassroom.autograder.page_kernels import PageKernels
@@ -20,8 +19,9 @@ from nbclassroom.autograder.sandbox.bubblewrap import Limits
 from nbclassroom.autograder.sandbox.inside import confine
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 from nbclassroom.autograder.verdict import CaseRun
-from nbclassroom.exercises.drive import SENSORS
-from nbclassroom.exercises.drive_images import draw_film, draw_map
+from nbclassroom.exercises.kinds.drive.drive import SENSORS
+from nbclassroom.exercises.kinds.drive.graded import environment
+from nbclassroom.exercises.kinds.drive.images import draw_film, draw_map
 from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
 from nbclassroom.exercises.page import page_of
 

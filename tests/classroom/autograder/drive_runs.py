@@ -8,10 +8,10 @@ from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import patch
 
-from nbclassroom.autograder.drives import CHECK, environment
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.results import graded_exercise
+from nbclassroom.exercises.kinds.drive.graded import environment
 from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
 from nbclassroom.exercises.page import page_of
 from plane_env import PlaneEnv, course_on_a_plane
@@ -72,7 +72,7 @@ def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, hidden
     exercise_run = ExerciseRun(exercise, kernels, stop_at=time.monotonic() + 1000)
     try:
         for case in cases:
-            run = exercise_run.run(case, CHECK.format(function="control"))
+            run = exercise_run.run(case, exercise.kind.check_source(exercise))
             exercise_run.passed |= {case.id} if run.passed else set()
     finally:
         exercise_run.close()

@@ -9,7 +9,10 @@ from node_answers import ORIGINAL, PUBLISH
 
 SUBSCRIBES = ORIGINAL.replace(PUBLISH, "")
 CALLBACK = "        try:\n"
-DRIVER = "from nbclassroom.exercises import node_driver, recording_node, running\n"
+DRIVER = (
+    "from nbclassroom.exercises import running\n"
+    "from nbclassroom.exercises.kinds.node import driver as node_driver, recording_node\n"
+)
 RECORD = '{"steps": [{"delivered": 1, "ended": "", "log": "", "published": []}] * 3, "sleeps": False, "windows": False}'
 
 
@@ -24,5 +27,5 @@ NODE_ATTACKS = (
     ("the arguments of the drive", in_callback("import sys; f = sys._getframe(3); f.f_locals['steps'].clear()"), {"wrong", "raised", "hostile"}),
     ("a class that makes another object", SUBSCRIBES + "\nclass Meta(type):\n    def __call__(cls):\n        return object()\n\n\nclass ImageGrayProcessor(ImageGrayProcessor, metaclass=Meta):\n    pass\n", {"raised", "wrong"}),
     ("an instance that says yes to all", "class ImageGrayProcessor:\n    __mro__ = ()\n\n    def __getattr__(self, name):\n        return lambda *a, **k: True\n", {"raised"}),
-    ("not graded, on purpose", in_callback("recording_node = __import__('nbclassroom.exercises.recording_node', fromlist=['x']); recording_node.refuse('this')"), {"not graded", "wrong"}),
+    ("not graded, on purpose", in_callback("recording_node = __import__('nbclassroom.exercises.kinds.node.recording_node', fromlist=['x']); recording_node.refuse('this')"), {"not graded", "wrong"}),
 )  # fmt: skip

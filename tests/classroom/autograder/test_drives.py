@@ -8,13 +8,13 @@ from attacks import SHORT
 from drive_attacks import DRIVE_ATTACKS
 from drive_runs import GOOD, HIDDEN, MASTERS, PUBLIC, on_the_plane, run_drives
 from nbclassroom.autograder.answer_key import load_key
-from nbclassroom.autograder.draw_scenarios import MARGIN, with_margin
 from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 from nbclassroom.exercises.declaration import MasterError
-from nbclassroom.exercises.lesson import scenario_of
+from nbclassroom.exercises.kinds.drive.draw_scenarios import MARGIN, with_margin
+from nbclassroom.exercises.kinds.drive.kind import scenario_of
 
 pytestmark = pytest.mark.sandbox
 ATTACKED = tuple(replace(case, calls=8) for case in (PUBLIC, HIDDEN))  # a second of processor time
@@ -278,7 +278,8 @@ def test_a_key_names_the_case_that_no_draw_fits(key_of):
 
 
 def test_a_key_knows_how_long_each_drive_is(key_of):
-    assert key_of().exercise("plane-drive").simulated_seconds == 16.0
+    exercise = key_of().exercise("plane-drive")
+    assert exercise.kind.simulated_seconds(exercise) == 16.0
 
 
 # ---------------------------------------------------------------- nbval, and the room

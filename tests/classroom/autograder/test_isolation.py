@@ -7,7 +7,6 @@ from unittest.mock import patch
 import pytest
 from attacks import LESSON, RIGHT, SHORT
 from jupyter_kernel import JupyterKernels
-from nbclassroom.autograder.exercise_notebook import check_source
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.pool import Limits, SandboxError, autograde
@@ -67,7 +66,7 @@ def exercise_run_of(key, source, kind_of_kernels=sandbox_kernels, id="attacked-m
     exercise = key.exercise(id)
     with kind_of_kernels(page_of({id: source}, key.lessons[LESSON])) as kernels:
         exercise_run = ExerciseRun(exercise, kernels)
-        yield exercise_run, [(case, check_source(exercise)) for case in exercise.cases]
+        yield exercise_run, [(case, exercise.kind.check_source(exercise)) for case in exercise.cases]
         exercise_run.close()
 
 

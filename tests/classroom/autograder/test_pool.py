@@ -15,7 +15,6 @@ from contextlib import suppress
 import psutil
 import pytest
 from nbclassroom.autograder import nbval_process
-from nbclassroom.autograder.exercise_notebook import check_source
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
 from nbclassroom.autograder.outcomes import TEXTS, Outcome
@@ -395,7 +394,7 @@ def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
     with KillsKernels() as kernels:
         page = page_of({exercise.id: right[exercise.id]}, key.lessons[LESSON])
         exercise_run = ExerciseRun(exercise, PageKernels(page, kernels))
-        run = exercise_run.run(exercise.cases[0], check_source(exercise))
+        run = exercise_run.run(exercise.cases[0], exercise.kind.check_source(exercise))
         exercise_run.close()
         assert kernels.kills_left == 0
     assert (run.ended, run.passed) == ("", True)
@@ -427,7 +426,7 @@ def test_a_thread_of_a_stopped_pool_starts_no_process_again():
 
 
 OWN = "class {name}(Exception):\n    pass\n\n"
-IMPORTED = "from nbclassroom.exercises.recording_node import {name}\n\n"
+IMPORTED = "from nbclassroom.exercises.running import {name}\n\n"
 KNOWN_NAMES = (
     "NotGradedError",
     "NodeError",

@@ -144,7 +144,7 @@ def left_out(*_arguments, **_options):
     raise RuntimeError("ours")
 
 
-@pytest.mark.parametrize("name", ["remarks_on_source", "diagnose", "_known_mistake", "sentence_on_change"])
+@pytest.mark.parametrize("name", ["remarks_on_source", "diagnose", "_explanation", "sentence_on_change"])
 def test_a_remark_that_cannot_be_computed_is_left_out(name, monkeypatch):
     monkeypatch.setattr(checking, name, left_out)
     text = shown("def luma(bgr):\n    return bgr[..., 0]")

@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from nbclassroom.exercises.drive import (
+from nbclassroom.exercises.kinds.drive.drive import (
     Drive,
     decisive_moment,
     passes,
@@ -12,7 +12,7 @@ from nbclassroom.exercises.drive import (
     sentences_of,
     speeds_of,
 )
-from nbclassroom.exercises.scenario import read_scenario
+from nbclassroom.exercises.kinds.drive.scenario import read_scenario
 from plane_env import PlaneEnv, driving_on_a_plane
 
 SCENARIO = {

@@ -15,21 +15,15 @@ import pytest
 from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.authoring.validation import validate_exercise
-from nbclassroom.exercises import drive_check, progress
+from nbclassroom.exercises import progress
 from nbclassroom.exercises.check_files import read_check_file
 from nbclassroom.exercises.checking import check, run_cases, run_check
 from nbclassroom.exercises.declaration import MasterError, exercise, read_exercises
-from nbclassroom.exercises.drive import (
-    LOOK,
-    METRICS,
-    OPTIONS,
-    PATH_TOLERANCE,
-    SENSORS,
-    Drive,
-)
-from nbclassroom.exercises.drive_images import draw_map, look_back
 from nbclassroom.exercises.expected_results import check_data_of
-from nbclassroom.exercises.scenario import read_scenario
+from nbclassroom.exercises.kinds.drive import simulators
+from nbclassroom.exercises.kinds.drive.drive import LOOK, METRICS, OPTIONS, PATH_TOLERANCE, SENSORS, Drive
+from nbclassroom.exercises.kinds.drive.images import draw_map, look_back
+from nbclassroom.exercises.kinds.drive.scenario import read_scenario
 from PIL import Image
 from plane_env import BLIND, LATE, PARTS, RIGHT, STOPS, PlaneEnv, driving_on_a_plane
 
@@ -85,7 +79,8 @@ def test_a_scenario_has_the_defaults_of_the_environment():
     ("subject", "sensors"), [("drive", ()), ("drive", "scan"), ("drive", ("radar",)), ("function", ("scan",))]
 )
 def test_an_exercise_that_drives_names_its_sensors(subject, sensors):
-    message = "exercise a-drive: sensors=.*, expected a tuple with some of scan, depth, image, odometry if"
+    expected = "a tuple with some of scan, depth, image, odometry" if subject == "drive" else "none"
+    message = f"exercise a-drive: sensors=.*, expected {expected} for subject='{subject}'"
     with pytest.raises(MasterError, match=message):
         exercise("a-drive", function="control", subject=subject, sensors=sensors)
 
@@ -165,7 +160,7 @@ def test_an_exercise_that_drives_is_validated(master, changes, problem):
 def test_a_right_controller_earns_its_points(data):
     result = checked(data, RIGHT)
     assert result.passed and result.points == 4
-    assert [drive.record["path"][-1][0] for drive in result.drives] == pytest.approx([0.6, 1.02, 0.51])
+    assert [drive.record["path"][-1][0] for drive in result.calls] == pytest.approx([0.6, 1.02, 0.51])
 
 
 def test_a_drive_that_fails_costs_its_case_alone(data):
@@ -183,7 +178,7 @@ def test_each_scenario_has_memory_and_globals_of_its_own(data):
         "    COUNT[0] += 1\n    memory['count'] = memory.get('count', 0) + 1\n"
         "    assert memory['count'] == COUNT[0] == round(observation['time'] * 10) + 1\n    return 0.0, 0.0\n"
     )
-    assert [drive.record["ended"] for drive in checked(data, source).drives] == [""] * 3
+    assert [drive.record["ended"] for drive in checked(data, source).calls] == [""] * 3
 
 
 def test_a_controller_cannot_change_what_the_robot_does(data):
@@ -235,8 +230,8 @@ def test_what_ends_a_drive_is_said(data, body, sentence, advice):
 def test_a_controller_that_costs_too_much_ends_all_drives_early(data, line, sentence, most):
     body = f"    end = time.thread_time() + 0.08\n    memory['n'] = memory.get('n', 0) + 1\n    {line}\n"
     result = checked(data, f"import time\ndef control(observation, memory):\n{body}    return 0, 0\n")
-    assert [sentence in drive.record["ended"] for drive in result.drives] == [True] * 3
-    looks = [drive.record["looks"] for drive in result.drives]
+    assert [sentence in drive.record["ended"] for drive in result.calls] == [True] * 3
+    looks = [drive.record["looks"] for drive in result.calls]
     assert max(looks) <= most and looks[2] == 0
     assert repr(result).count("The drive ended after") == 1
 
@@ -262,10 +257,10 @@ def test_what_a_controller_prints_until_the_moment_that_is_shown_and_what_numpy_
     result = checked(data, source)
     text = repr(result)
     printed = re.findall(r"^    (\d+\.\d) s: now (\d+\.\d)$", text, re.M)
-    end = result.drives[0].record["decisive"] * 0.1
+    end = result.calls[0].record["decisive"] * 0.1
     assert "Your function printed:\n    …\n" in text and len(printed) == 12
     assert [times[0] for times in printed] == [times[1] for times in printed]
-    assert float(printed[-1][0]) == pytest.approx(end) and end < result.drives[0].record["looks"] * 0.1
+    assert float(printed[-1][0]) == pytest.approx(end) and end < result.calls[0].record["looks"] * 0.1
     assert "NumPy or Python warned: divide by zero" in text
 
 
@@ -329,7 +324,7 @@ def test_a_mistake_that_misses_other_thresholds_explains_nothing(master):
     data = replace(data, cases=data.cases[2:])
     results = [checked(data, source) for source in (LATE, STOPS.format(0.27))]
     assert [result.mistake and result.mistake.name for result in results] == ["late", None]
-    paths = [result.drives[0].record["path"][-1][0] for result in results]
+    paths = [result.calls[0].record["path"][-1][0] for result in results]
     assert paths == pytest.approx([0.81, 0.84])
 
 
@@ -390,7 +385,7 @@ def test_the_map_of_a_drive_that_passes_has_no_ring():
 
 
 def pids():
-    return [simulator._process.pid for simulator in drive_check._simulators]
+    return [simulator._process.pid for simulator in simulators._simulators]
 
 
 def test_the_simulators_are_kept_for_the_next_check(data):
@@ -402,7 +397,7 @@ def test_the_simulators_are_kept_for_the_next_check(data):
 
 def test_an_interrupt_ends_the_drives_and_leaves_no_process(data):
     checked(data, RIGHT)
-    processes = [simulator._process for simulator in drive_check._simulators]
+    processes = [simulator._process for simulator in simulators._simulators]
     with pytest.raises(KeyboardInterrupt):
         checked(data, "def control(observation, memory):\n    raise KeyboardInterrupt\n")
     assert [process.returncode for process in processes] == [-signal.SIGKILL] * 2 and pids() == []
@@ -413,7 +408,7 @@ def test_a_simulator_that_ends_is_said_and_replaced(data):
     checked(data, RIGHT)
     for pid in pids():
         os.kill(pid, signal.SIGKILL)
-    with pytest.raises(drive_check.SimulatorError, match="a simulator ended unexpectedly; check again"):
+    with pytest.raises(simulators.SimulatorError, match="a simulator ended unexpectedly; check again"):
         checked(data, RIGHT)
     assert checked(data, RIGHT).passed
 
@@ -421,15 +416,15 @@ def test_a_simulator_that_ends_is_said_and_replaced(data):
 def test_an_error_of_the_environment_is_not_the_learners(data):
     (call,) = data.cases[0].calls
     scenario = call.arguments[0] | {"start": ["left"]}
-    with pytest.raises(drive_check.SimulatorError, match="Traceback"):
-        drive_check.drive_scenarios(data, [scenario], lambda: control_in(RIGHT))
+    with pytest.raises(simulators.SimulatorError, match="Traceback"):
+        simulators.drive_scenarios(data, [scenario], lambda: control_in(RIGHT))
     assert checked(data, RIGHT).passed
 
 
 KILLED = """
 import os, signal
-from nbclassroom.exercises import drive_check
-with drive_check._all_simulators() as simulators:
+from nbclassroom.exercises.kinds.drive.simulators import _all_simulators
+with _all_simulators() as simulators:
     print(*(simulator._process.pid for simulator in simulators), flush=True)
     os.kill(os.getpid(), signal.SIGKILL)
 """

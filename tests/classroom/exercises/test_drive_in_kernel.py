@@ -10,10 +10,10 @@ from nbclassroom.authoring.masters import read_master
 from plane_env import PARTS, RIGHT, course_on_a_plane, driving_on_a_plane
 
 SET_UP = """
-from nbclassroom.exercises import drive_check
+from nbclassroom.exercises.kinds.drive import simulators
 from imgproc_course.exercises import check
 """
-PIDS = "print(*(simulator._process.pid for simulator in drive_check._simulators))"
+PIDS = "print(*(simulator._process.pid for simulator in simulators._simulators))"
 
 
 @pytest.fixture

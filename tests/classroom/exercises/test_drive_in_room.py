@@ -4,10 +4,10 @@ import re
 
 import numpy as np
 import pytest
-from nbclassroom.exercises import drive_check
 from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.declaration import read_exercises
 from nbclassroom.exercises.expected_results import check_data_of
+from nbclassroom.exercises.kinds.drive import simulators
 
 BLIND = "def control(observation, memory):\n    return 0.3, 0.0\n"
 LOOKS = """def control(observation, memory):
@@ -47,13 +47,13 @@ def checked(data, source):
 
 def test_a_controller_gets_what_its_sensors_see(data):
     result = checked(data, LOOKS)
-    assert [drive.record["ended"] for drive in result.drives] == [""] * 3
-    assert result.results[0].passed and result.drives[0].record["metrics"]["bumps"] == 0
+    assert [drive.record["ended"] for drive in result.calls] == [""] * 3
+    assert result.results[0].passed and result.calls[0].record["metrics"]["bumps"] == 0
 
 
 def test_a_drive_is_the_same_again(data):
     scenario = data.cases[0].calls[0].arguments[0]
-    results = drive_check.drive_scenarios(data, [scenario, scenario, scenario], lambda: _control(LOOKS))
+    results = simulators.drive_scenarios(data, [scenario, scenario, scenario], lambda: _control(LOOKS))
     assert results[0][0] == results[1][0] == results[2][0] and results[0][0]["looks"] == 20
 
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.authoring.masters import read_master
-from nbclassroom.autograder.exercise_notebook import check_source
 from nbclassroom.exercises import progress
 from nbclassroom.exercises.cell_runs import CellRuns
 from nbclassroom.exercises.check_files import read_check_file
@@ -155,7 +154,8 @@ def test_a_nodes_stub_must_define_its_class(node_master):
 
 
 def test_the_check_cell_of_a_key_names_the_subject(node_master, write_master):
-    node, function = (check_source(*read_exercises(write())) for write in (node_master, write_master))
+    exercises = [read_exercises(write())[0] for write in (node_master, write_master)]
+    node, function = (exercise.kind.check_source(exercise) for exercise in exercises)
     assert node.endswith('\n\nemit(Doubler, "node")') and function.endswith("\n\nemit(double)")
 
 

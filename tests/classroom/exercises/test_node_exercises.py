@@ -12,9 +12,9 @@ from answer_names import names_of_answer
 from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.declaration import read_exercises
 from nbclassroom.exercises.expected_results import check_data_of
-from nbclassroom.exercises.node_driver import drive
-from nbclassroom.exercises.recording_node import NodeError, NotGradedError
-from nbclassroom.exercises.ros_double import offer_modules
+from nbclassroom.exercises.kinds.node.driver import drive
+from nbclassroom.exercises.kinds.node.recording_node import NodeError, NotGradedError
+from nbclassroom.exercises.kinds.node.ros_double import offer_modules
 from node_answers import ANSWERS, STARTED, changed
 
 MASTERS = Path(__file__).parents[3] / "notebooks/masters"
@@ -25,7 +25,7 @@ EXERCISES = {
 }
 WITHOUT_ROS = """
 import json, sys
-from nbclassroom.exercises.ros_double import offer_modules
+from nbclassroom.exercises.kinds.node.ros_double import offer_modules
 offer_modules(even_if_installed=True)
 sys.path[:0] = sys.argv[1:]
 from test_node_exercises import everything
@@ -162,7 +162,7 @@ def test_a_drive_leaves_nothing_behind():
 def test_ros_stays_missing_where_the_double_takes_its_place():
     program = (
         "from imgproc_course.exercises import offer_modules\n"
-        "from nbclassroom.exercises import ros_double\n"
+        "from nbclassroom.exercises.kinds.node import ros_double\n"
         "ros_double.offer_modules(even_if_installed=True)\n"
         "from imgproc_course.ros import ros_available, ros_problem\n"
         "import rclpy.node, sensor_msgs.msg, cv_bridge\n"

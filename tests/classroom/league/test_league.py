@@ -11,7 +11,7 @@ from click.testing import CliRunner
 from nbclassroom.autograder.outcomes import Outcome
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
-from nbclassroom.exercises import drive_images
+from nbclassroom.exercises.kinds.drive import images as drive_images
 from nbclassroom.league import explorations, league
 from nbclassroom.league.explorations import Exploration
 from nbclassroom.league.league import Controller, name_all, ranking, read_controllers
@@ -276,7 +276,7 @@ def test_rooms_come_from_the_seed_and_are_no_small_numbers():
 
 
 def test_a_film_is_small_whatever_it_shows(monkeypatch):
-    from nbclassroom.exercises.drive import Drive
+    from nbclassroom.exercises.kinds.drive.drive import Drive
 
     from imgproc_course.simulation.room_env import RoomEnv
 

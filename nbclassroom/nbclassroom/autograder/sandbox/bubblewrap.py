@@ -21,13 +21,19 @@ from pathlib import Path
 import nbclassroom
 from nbclassroom import course
 from nbclassroom.autograder.sandbox.inside import confine
+from nbclassroom.exercises import kinds
 
 _SOURCE = Path(nbclassroom.__file__).resolve().parent
 _STUB = _SOURCE / "autograder" / "sandbox" / "inside" / "package_stub.py"
 # Modules of `exercises` that check cells need; none of them knows an answer.
 EXERCISES_MODULES = (
-    *("canonical", "comparison", "drive", "input_encoding", "running"),
-    *("cell_syntax", "node_driver", "package_driver", "page_run", "recording_node", "ros_double"),
+    *("canonical", "case_call", "cell_syntax", "comparison", "input_encoding", "page_run", "running"),
+    *("kinds/__init__", "kinds/kind"),
+    *(
+        f"kinds/{name}/{module}"
+        for name in kinds.NAMES
+        for module in ("__init__", "kind", *kinds.kind_of(name).kernel_modules)
+    ),
 )
 # Paths inside the sandbox.
 SITE, COURSE, COURSE_FILE, PYTHON = "/course/site", "/course/packages", "/course/course.toml", "/python"
@@ -223,9 +229,9 @@ def _course_packages():
 
 def _classroom():
     root = f"{COURSE}/nbclassroom"
-    options = _new_folders(
-        root, *(f"{root}/{name}" for name in ("exercises", "autograder", "autograder/sandbox"))
-    )
+    folders = ["exercises", "exercises/kinds", *(f"exercises/kinds/{name}" for name in kinds.NAMES)]
+    folders += ["autograder", "autograder/sandbox"]
+    options = _new_folders(root, *(f"{root}/{name}" for name in folders))
     names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in EXERCISES_MODULES)]
     names += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
     for name in names:

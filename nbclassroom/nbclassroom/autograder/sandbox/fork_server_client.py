@@ -65,25 +65,26 @@ class Connection:
             run.ended = "time"
         return run
 
-    def run_drive(self, code, robot, seconds, look_seconds):
-        """Run a drive's check cell, whose kernel gives speeds to `robot`, a GradedDrive; returns its CellRun.
+    def run_with(self, code, partner):
+        """Run a check cell that asks a partner again and again, such as a GradedDrive; returns its CellRun.
 
-        The processor time of all its processes together is limited for each look, and for the drive. The time
-        that the robot takes is its own: the deadline leaves it out.
+        The processor time of all its processes together is limited for each call, and for all. The time that
+        the partner takes is its own: the deadline leaves it out.
         """
-        run, group = CellRun(), self._group
-        case = {"layout": robot.layout, "seconds": look_seconds}
+        run, group, seconds = CellRun(), self._group, partner.cpu_seconds
+        case = {"layout": partner.layout, "seconds": partner.call_seconds}
         data = _line_of({"case": case, "code": code})
         cpu_end = (group.cpu_seconds() or 0.0) + seconds + self._limits.grace
         # The page's time is not the drive's: a controller that sends and never reads waits for its end.
         deadline = time.monotonic() + self._limits.deadline(seconds)
-        self._deadline = min(self._deadline, deadline) + robot.seconds
+        self._deadline = min(self._deadline, deadline) + partner.seconds
         self._bytes_left = self._limits.output
         while (action := self._run_until_action(run, data)) is not None:
-            self._most_cpu = min(cpu_end, (group.cpu_seconds() or 0.0) + look_seconds) + _OWN_SECONDS
-            robot_seconds = robot.seconds
-            data = robot.answer(action)
-            self._deadline += robot.seconds - robot_seconds
+            self._most_cpu = min(cpu_end, (group.cpu_seconds() or 0.0) + partner.call_seconds)
+            self._most_cpu += _OWN_SECONDS
+            seconds_before = partner.seconds
+            data = partner.answer(action)
+            self._deadline += partner.seconds - seconds_before
         return run
 
     def run_below(self, name):

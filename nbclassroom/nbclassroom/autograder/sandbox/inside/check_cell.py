@@ -14,6 +14,7 @@ import numpy as np
 from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
 from nbclassroom.exercises import running
 from nbclassroom.exercises.input_encoding import decode
+from nbclassroom.exercises.kinds import kind_of
 
 MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest
 _case = {}  # "calls", "seconds"
@@ -35,26 +36,25 @@ def delivered():
     return _case
 
 
-def emit(function, subject="function"):
-    """Call a function, or drive a node, with the inputs of this case; show what it did, as data."""
+def emit(function, kind="function"):
+    """Run an answer of a kind with the inputs of this case; show what it did, as data."""
     from IPython.display import display
 
-    calls = []
+    kind, calls = kind_of(kind), []
     for encoded in _case["calls"]:
-        result = _call(function, decode(encoded), _case["seconds"], subject)
+        result = _call(function, decode(encoded), _case["seconds"], kind)
         calls.append(call_to_json(result))
         if result.timed_out:
             break
     display({MIME: {"calls": calls}}, raw=True)
 
 
-def _call(function, arguments, seconds, subject):
+def _call(function, arguments, seconds, kind):
     """Call it as `check` does, but measure processor time: a busy machine costs nobody any time."""
     running.set_handler(signal.SIGPROF, raise_time_up)
     running.set_timer(signal.ITIMER_PROF, seconds, 0.1)
     try:
-        names = running.argument_names(function, subject)
-        return running.call(function, arguments, names, 1e6, subject)
+        return running.call(function, arguments, kind.argument_names(function), 1e6, kind.run)
     except running.TimeUp:  # raised between the call's end and here
         return running.CallResult(timed_out=True)
     finally:

@@ -16,7 +16,7 @@ import numpy as np
 from nbclassroom.autograder.sandbox.inside import check_cell, shell
 from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
 from nbclassroom.exercises import running
-from nbclassroom.exercises.drive import speeds_of
+from nbclassroom.exercises.kinds.drive.drive import speeds_of
 
 
 def drive(control):

@@ -60,7 +60,7 @@ def _load():
         builtins.input = check_cell.refuse_input  # nobody would answer
         if "rclpy" in allowed:
             # Few exercises need it: a double of ROS, because nothing here can reach a network.
-            from nbclassroom.exercises.ros_double import offer_modules
+            from nbclassroom.exercises.kinds.node.ros_double import offer_modules
 
             offer_modules(even_if_installed=True)
         refusal.allow_modules(allowed)

@@ -11,14 +11,7 @@ import importlib
 import inspect
 import re
 
-
-class NotGradedError(BaseException):
-    """A node uses a part of ROS that the check does not have; no `except Exception` of a node catches it."""
-
-
-class NodeError(BaseException):
-    """A class does not make a node that can be driven; the message says what to do."""
-
+from ...running import NodeError, NotGradedError
 
 UNKNOWN_PART = "This check does not know"  # how the messages of NotGradedError begin
 LEVELS = ("debug", "info", "warn", "error", "fatal")

@@ -8,10 +8,11 @@ import ast
 import sys
 import xml.etree.ElementTree as ET
 
-from .. import course
-from .cell_syntax import program_lines
-from .node_driver import drive
-from .recording_node import NodeError
+from nbclassroom import course
+
+from ...cell_syntax import program_lines
+from ...running import NodeError
+from ..node.driver import drive
 
 # {what a node imports: its rosdep key}
 _KEYS = {"cv2": "python3-opencv", "numpy": "python3-numpy"} | {

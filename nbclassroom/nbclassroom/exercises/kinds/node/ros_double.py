@@ -16,7 +16,8 @@ import sys
 import types
 from importlib.machinery import ModuleSpec
 
-from .. import course
+from nbclassroom import course
+
 from .recording_node import RecordingNode, refuse, ros_name
 
 

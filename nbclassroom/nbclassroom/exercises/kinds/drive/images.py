@@ -8,7 +8,7 @@ from PIL import Image
 
 from nbclassroom import course
 from nbclassroom.exercises.answer_images import encode_image
-from nbclassroom.exercises.drive import LOOK, Drive, decisive_moment
+from nbclassroom.exercises.kinds.drive.drive import LOOK, Drive, decisive_moment
 
 _MAP_WIDTH, _FRAME_WIDTH = 280, 208  # pixels on the page
 _LOOKS_BEFORE = (15, 10, 5, 0)  # the decisive moment

@@ -20,7 +20,8 @@ import threading
 
 import numpy as np
 
-from .recording_node import LEVELS, NodeError, RecordingNode, refuse, takes, type_text
+from ...running import NodeError
+from .recording_node import LEVELS, RecordingNode, refuse, takes, type_text
 from .ros_double import offer_modules
 
 _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows", "destroyWindow")

@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta
 
-from nbclassroom.exercises.drive import METRICS
+from nbclassroom.exercises.kinds.drive.drive import METRICS
 
 _Number = Annotated[int, Meta(ge=0)]
 _Metric = Literal[tuple(METRICS)]

@@ -19,10 +19,9 @@ from pathlib import Path
 
 import numpy as np
 
-from .canonical import array_of, canonical
-from .drive import LOOK, LOOK_SECONDS, MEAN_LOOK_SECONDS, PATH_TOLERANCE, looks_of, speeds_of
-from .progress import TEST_VARIABLE
-from .running import CallResult, LimitedOutput, call_within, failure_fields
+from ...canonical import array_of, canonical
+from ...running import CallResult, LimitedOutput, call_within, failure_fields
+from .drive import LOOK, LOOK_SECONDS, MEAN_LOOK_SECONDS, PATH_TOLERANCE, looks_of, seconds_of, speeds_of
 
 _SIMULATORS = 2
 _SHOWN_LOOKS = 20  # between two states of the progress bar
@@ -154,7 +153,7 @@ class _Run:
             return "stop", _reason(self.failure, name)
         if _memory() - self.burden.memory > _MOST_MEMORY:
             self.burden.excess = f"{name} {_LARGE}"
-        elif self.slow_looks >= _MOST_SLOW or self.seconds > MEAN_LOOK_SECONDS * looks_of(self.scenario):
+        elif self.slow_looks >= _MOST_SLOW or self.seconds > seconds_of(self.scenario):
             self.burden.excess = f"{name} {_SLOW}"
         if self.burden.excess:
             return self._end()
@@ -237,41 +236,10 @@ def drive_scenarios(exercise, scenarios, make_control, progress=None):
 
 
 def images_of_drive(request, call):
-    """What a simulator draws of the drive of a CaseCall; the request names a function of `drive_images`."""
+    """What a simulator draws of the drive of a CaseCall; the request names a function of `images`."""
     with _all_simulators() as simulators:
         simulators[0].ask(request, call.record, *call.arguments)
         return simulators[0].reply()
-
-
-@contextlib.contextmanager
-def progress_bar(text):
-    """Shows in a learner's notebook how much is done: gives a function of the share, else None."""
-    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
-    if not hasattr(shell, "kernel") or TEST_VARIABLE in os.environ:
-        yield None
-        return
-    from IPython.display import display
-
-    shown = display(_bar(text, 0), raw=True, display_id=True)
-    try:
-        yield lambda share: shown.update(_bar(text, share), raw=True)
-    finally:
-        shown.update({"text/plain": "", "text/html": ""}, raw=True)
-
-
-def with_progress(values, text):
-    """The values one by one; a learner's notebook shows how many are done."""
-    values = list(values)
-    with progress_bar(text) as progress:
-        for number, value in enumerate(values):
-            if progress:
-                progress(number / len(values))
-            yield value
-
-
-def _bar(text, share):
-    bar = f'<progress value="{share:.2f}" max="1" aria-label="{text}"></progress>'
-    return {"text/plain": f"{text}: {share:.0%}", "text/html": f"<div>{text} {bar} {share:.0%}</div>"}
 
 
 def known_mistake(exercise, calls):

@@ -7,10 +7,13 @@ scenario stub and mistakes must fail, and so must what the solution drives in a 
 import itertools
 from collections import namedtuple
 
-from nbclassroom.autograder.drives import environment
+from tqdm import tqdm
+
 from nbclassroom.exercises.declaration import MasterError
-from nbclassroom.exercises.drive import Drive, passes, sentences_of, speeds_of
-from nbclassroom.exercises.drive_check import form_of
+from nbclassroom.exercises.kinds.drive.drive import Drive, passes, sentences_of, speeds_of
+from nbclassroom.exercises.kinds.drive.graded import GradedDrive, environment
+from nbclassroom.exercises.kinds.drive.simulators import form_of
+from nbclassroom.exercises.lesson import ExpectedCall
 from nbclassroom.exercises.running import CallResult, failure_fields
 
 MOST_DRAWS = 20  # of one case
@@ -19,6 +22,22 @@ MARGIN = 0.2  # by which the solution keeps each threshold, as a share of it
 
 # A scenario that fits, the solution's record of it, and {mistake: CallResult of its drive}.
 DrawnScenario = namedtuple("DrawnScenario", ("scenario", "record", "mistakes"))
+
+
+def draw_for_key(exercise, seed, run_solution):
+    """As `Kind.draw_for_key`; `run_solution` gives the verdict of a GradedDrive."""
+
+    def drive_solution(scenario):
+        return run_solution(GradedDrive(exercise.sensors, scenario)).record
+
+    drawn, least = {}, len(exercise.cases) * (1 + len(exercise.mistakes))
+    with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
+        public = list(public_drives(exercise))
+        for case in exercise.cases:
+            one = draw_scenario(exercise, case, seed, drive_solution, public, bar.update)
+            mistakes = {name: [result] for name, result in one.mistakes.items()}
+            drawn[case.id] = [ExpectedCall((one.scenario,))], mistakes
+    return drawn
 
 
 def draw_scenario(exercise, case, seed, drive_solution, public=(), on_drive=lambda: None):

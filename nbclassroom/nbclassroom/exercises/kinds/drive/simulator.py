@@ -10,8 +10,8 @@ import sys
 import traceback
 
 from nbclassroom import course
-from nbclassroom.exercises.drive import Drive
-from nbclassroom.exercises.drive_images import draw_map, look_back
+from nbclassroom.exercises.kinds.drive.drive import Drive
+from nbclassroom.exercises.kinds.drive.images import draw_map, look_back
 
 
 class Simulator:

@@ -182,6 +182,11 @@ def looks_of(scenario):
     return round(scenario.get("duration", DURATION) / LOOK)
 
 
+def seconds_of(scenario):
+    """Processor time that a controller has for a whole drive, seconds."""
+    return MEAN_LOOK_SECONDS * looks_of(scenario)
+
+
 def passes(record, scenario):
     """Whether a drive gives the points of its case."""
     return not record["ended"] and not record["missed"] and record["looks"] == looks_of(scenario)

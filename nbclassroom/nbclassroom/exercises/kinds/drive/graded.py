@@ -1,0 +1,127 @@
+"""Drives in grading: the environment is in this process, the controller in a kernel of the sandbox.
+
+Between them are observations and two numbers. All that comes from the kernel may be forged: each message can
+at most be the next two numbers, and what is judged is the record that the environment gives.
+"""
+
+import struct
+import time
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from .... import course
+from ...case_call import CaseCall
+from ...comparison import Difference
+from ...running import CallResult
+from .drive import LOOK, LOOK_SECONDS, METRICS, Drive, looks_of, metric_text, passes, seconds_of, sentences_of
+from .simulators import form_of
+
+_LONGEST = 2_000  # characters of a text from a kernel
+
+
+@lru_cache(maxsize=4)
+def environment(sensors):
+    """This process's environment for these sensors: the next drive in it begins at once."""
+    return course.load(course.drive_environment)(sensors)
+
+
+class GradedDrive:
+    """A drive through a scenario that a kernel controls by its messages."""
+
+    def __init__(self, sensors, scenario):
+        began = time.monotonic()
+        self._drive, self._scenario = Drive(environment(tuple(sensors)), scenario), scenario
+        self.layout = self._drive.layout  # (name, dtype, shape) of each array of an observation
+        self.cpu_seconds, self.call_seconds = seconds_of(scenario), LOOK_SECONDS  # for all its calls, for one
+        self.seconds = time.monotonic() - began  # that the robot took
+        self._ending, self._has_begun = None, False
+
+    def answer(self, action):
+        """The bytes for the kernel after the content of its message "action"; the first one has no speeds."""
+        began = time.monotonic()
+        if self._has_begun and not self._drive.over:
+            self._act(action)
+        self._has_begun = True
+        data = b"" if self._drive.over else self._observation()
+        self.seconds += time.monotonic() - began
+        return struct.pack("<I", len(data)) + data
+
+    def _act(self, action):
+        if "timed_out" in action:
+            self._ending = CallResult(timed_out=True)
+            self._drive.stop(f"one look took more than {LOOK_SECONDS:g} s of processor time")
+        elif "error" in action:
+            texts = {key: str(action.get(key, ""))[:_LONGEST] for key in ("error", "message", "line")}
+            self._ending = call = CallResult(**texts)
+            reason = ": ".join(filter(None, (call.error, call.message)))
+            self._drive.stop(f"{reason} ({call.line})" if call.line else reason)
+        elif "refused" in action:
+            self._drive.stop(str(action["refused"])[:_LONGEST])
+        else:
+            self._drive.act(action.get("speeds"))
+
+    def _observation(self):
+        observation = self._drive.observation
+        return b"".join(np.asarray(observation[name], dtype).tobytes() for name, dtype, _ in self.layout)
+
+    def verdict(self):
+        """The DriveVerdict on what the robot did until now."""
+        return DriveVerdict(self._drive.record(), self._scenario, self._ending)
+
+
+@dataclass(frozen=True)
+class DriveVerdict:
+    """The verdict on a drive, as `autograder.verdict.Verdict`; its metrics are the environment's."""
+
+    record: dict  # what the robot did, see `drive.Drive.record`
+    scenario: dict
+    call: CallResult | None = None  # of the controller, that ended the drive too early
+    calls = None  # a controller's calls are no answers
+
+    @property
+    def is_whole(self):
+        """Whether the robot drove as long as the scenario asks for."""
+        return self.record["looks"] == looks_of(self.scenario)
+
+    @property
+    def passed(self):
+        return passes(self.record, self.scenario)
+
+    @property
+    def forged(self):
+        return "" if self.is_whole or self.record["ended"] else self.sentence
+
+    @property
+    def sentence(self):
+        return " ".join(sentences_of(self.record, self.scenario))
+
+    @property
+    def told_of_hidden(self):
+        """The sentence without any text of the learner's, such as a part of a value that was returned."""
+        return "it returned something else than two numbers" if self.record["ended"] else self.sentence
+
+    @property
+    def when(self):
+        return f"{self.record['looks'] * LOOK:.1f} s after the start"
+
+    @property
+    def measured(self):
+        """The metrics that have a threshold, with their units."""
+        metrics, thresholds = self.record["metrics"], self.scenario["thresholds"] if self.is_whole else ()
+        return ", ".join(f"{METRICS[name].title} {metric_text(name, metrics[name])}" for name in thresholds)
+
+    @property
+    def drawn(self):
+        """What a map shows of a drive, as plain data; positions to a millimetre."""
+        record, scenario = self.record, self.scenario
+        path = [[round(number, 3) for number in place] for place in record["path"]]
+        drawn = {"path": path, "bumps": record["bumps"], "decisive": record["decisive"]}
+        return drawn | {name: scenario.get(name) for name in ("room", "goal", "ball")}
+
+    def case_calls(self, exercise, case):
+        (expected,) = case.calls
+        result = self.call or CallResult(value=form_of(self.record))
+        difference = None if self.passed else Difference("drive", "", self.sentence)
+        return [CaseCall(case, expected.arguments, expected.result, result, difference, self.record)]

@@ -1,0 +1,185 @@
+"""What is particular about controllers, `control(observation, memory)`."""
+
+import json
+import re
+from dataclasses import replace
+from functools import lru_cache
+
+from ..kind import Kind as AnyKind
+from .drive import (
+    LOOK,
+    LOOK_SECONDS,
+    METRICS,
+    PATH_TOLERANCE,
+    SENSORS,
+    looks_of,
+    metric_text,
+    passes,
+    question_of,
+    seconds_of,
+    sentences_of,
+)
+
+_CHECK = "from nbclassroom.autograder.sandbox.inside.drive_cell import drive\n\ndrive({function})"
+_SECONDS_PER_DRIVE = 2.2  # of the solution or a mistake, while a key is made
+
+
+class Kind(AnyKind):
+    """A controller, which thresholds judge, never values."""
+
+    name = "drive"
+    kernel_modules = ("drive",)
+    sensors = SENSORS
+    expects_values = shares_kernel = False
+    shows_last_prints = True
+    not_attempted = "not attempted yet; the function drives as you got it"
+
+    def tolerance(self, declared):
+        return PATH_TOLERANCE
+
+    def checked_inputs(self, case, calls, place):
+        """One scenario, read and checked."""
+        # Here, because the kernels that grade import this module too.
+        from ...percent_script import MasterError
+        from .scenario import read_scenario
+
+        if len(calls) != 1 or len(calls[0]) != 1 or not isinstance(calls[0][0], dict):
+            text = "inputs(rng) of a drive returns one scenario, a dict: return (scenario,)"
+            raise MasterError(f"{place}: {text}")
+        try:
+            return [(read_scenario({"title": case.title} | calls[0][0]),)]
+        except ValueError as error:
+            raise MasterError(f"{place}: {error}") from error
+
+    def seconds_of(self, exercise, case):
+        return seconds_of(scenario_of(case))
+
+    def limit_text(self, exercise):
+        return f"one look took more than {LOOK_SECONDS:g}"
+
+    def simulated_seconds(self, exercise):
+        return LOOK * sum(looks_of(scenario_of(case)) for case in exercise.cases)
+
+    # ---------------------------------------------------------------- running
+
+    def check_source(self, exercise):
+        return _CHECK.format(function=exercise.function)
+
+    def partner(self, exercise, case):
+        from .graded import GradedDrive
+
+        return GradedDrive(exercise.sensors, scenario_of(case))
+
+    def progress(self, exercise):
+        from ...progress_bar import progress_bar
+
+        return progress_bar(f"Driving {len(exercise.cases)} scenarios")
+
+    def run_cases(self, exercise, answer, progress=None):
+        """Each drive with values of its own."""
+        from ...names_read import with_own_globals
+        from .simulators import drive_scenarios
+
+        scenarios = list(map(scenario_of, exercise.cases))
+        return _judged(
+            exercise, drive_scenarios(exercise, scenarios, lambda: with_own_globals(answer), progress)
+        )
+
+    def run_mistake(self, exercise, mistake):
+        """It does not drive again."""
+        return _judged(exercise, _drives_of_mistake(exercise, mistake, exercise.cases))
+
+    def results_of_mistake(self, exercise, mistake, cases, case_id):
+        drives = _drives_of_mistake(exercise, mistake, cases)
+        return {case.id: (result,) for case, (_, result) in zip(cases, drives, strict=True)}
+
+    def draw_for_key(self, exercise, seed, run_solution):
+        from .draw_scenarios import draw_for_key
+
+        return draw_for_key(exercise, seed, run_solution)
+
+    def seconds_for_key(self, exercise):
+        return _SECONDS_PER_DRIVE * len(exercise.cases) * (1 + len(exercise.mistakes))
+
+    # ---------------------------------------------------------------- judging and explaining
+
+    def known_mistake(self, exercise, calls):
+        from .simulators import known_mistake
+
+        return known_mistake(exercise, calls)
+
+    def explain(self, exercise, call):
+        return "\n".join(sentences_of(call.record, *call.arguments))
+
+    def explains_enough(self, call):
+        return bool(call.record["ended"] or question_of(call.record))
+
+    def common_failure(self, exercise, calls):
+        """With the numbers of the first drive."""
+        if len(calls) < 2 or not all(call.record["ended"] for call in calls):
+            return ""
+        texts = [self.explain(exercise, call) for call in calls]
+        return texts[0] if len({re.sub(r"[0-9]+", "", text) for text in texts}) == 1 else ""
+
+    def images_of(self, exercise, call):
+        """What the camera saw before the decisive moment."""
+        from .simulators import images_of_drive
+
+        has_moment = call.record["decisive"] and not call.record["ended"]
+        return images_of_drive("look_back", call) if has_moment else ()
+
+    def images_of_all(self, calls):
+        """A map of each drive."""
+        from .simulators import images_of_drive
+
+        return [image for call in calls for image in images_of_drive("draw_map", call)]
+
+    def table_of(self, calls):
+        """The metrics that have a threshold; those that are missed are marked."""
+        thresholds = [call.arguments[0]["thresholds"] for call in calls]
+        metrics = [name for name in METRICS if any(name in own for own in thresholds)]
+        head = ("scenario", *(METRICS[name].title for name in metrics), "points")
+        rows = [[(text, False) for text in head]]
+        for call, own in zip(calls, thresholds, strict=True):
+            cells = [(f"{'✓' if call.passed else '✗'} {call.arguments[0]['title']}", False)]
+            missed = {name for name, *_ in call.record["missed"]}
+            for name in metrics:
+                limit = f" ({metric_text(name, own[name][1], own[name][0])})" if name in own else ""
+                cells.append((metric_text(name, call.record["metrics"][name]) + limit, name in missed))
+            points = call.case.points
+            rows.append([*cells, (f"{points if call.passed else 0} of {points}", False)])
+        return rows if calls else ()
+
+
+def scenario_of(case):
+    """What a case lets a controller drive through, a dict."""
+    ((scenario,),) = (call.arguments for call in case.calls)
+    return scenario
+
+
+def _judged(exercise, drives):
+    """Drives (record, CallResult), one for each case, as a list of CaseCall."""
+    from ...case_call import CaseCall
+    from ...comparison import Difference
+
+    calls = []
+    for case, (record, result) in zip(exercise.cases, drives, strict=True):
+        scenario, difference = scenario_of(case), None
+        if result.finished and not passes(record, scenario):
+            difference = Difference("drive", "", " ".join(sentences_of(record, scenario)))
+        (expected,) = case.calls
+        calls.append(CaseCall(case, expected.arguments, expected.result, result, difference, record))
+    return calls
+
+
+def _drives_of_mistake(exercise, mistake, cases):
+    """What a declared mistake drove: (record, CallResult) of each case; it drives once."""
+    same = replace(exercise, cases=(), mistakes=(), names=(), provided=())  # before and after it has run
+    return _drive_mistake(same, mistake, json.dumps(list(map(scenario_of, cases))))
+
+
+@lru_cache(maxsize=1024)
+def _drive_mistake(exercise, mistake, scenarios):
+    from .simulators import drive_scenarios
+
+    return drive_scenarios(exercise, json.loads(scenarios), lambda: exercise.function_of_mistake(mistake))

@@ -1,0 +1,1 @@
+"""Functions: an answer gets arguments, and what it returns is compared."""

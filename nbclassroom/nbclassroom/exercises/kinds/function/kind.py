@@ -1,0 +1,49 @@
+"""What is particular about functions."""
+
+from ...case_call import explain_call
+from ...running import overwrite_freed_memory
+from ..kind import Kind as AnyKind
+
+_EMIT = "from nbclassroom.autograder.sandbox.inside.check_cell import emit\n\nemit({function}{name})"
+
+
+class Kind(AnyKind):
+    """A function; also what nodes and packages have in common with it."""
+
+    name = "function"
+    shows_values = True
+
+    def check_source(self, exercise):
+        name = "" if self.name == "function" else f', "{self.name}"'
+        return _EMIT.format(function=exercise.function, name=name)
+
+    def run_cases(self, exercise, answer, progress=None):
+        """Until a call does not end in time, or is not attempted."""
+        calls = []
+        pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
+        for case, expected in pairs:
+            overwrite_freed_memory(expected.result.value)
+            call = exercise.judged_call(answer, case, expected)
+            calls.append(call)
+            if call.result.timed_out or call.result.error == "NotImplementedError":
+                break  # a learner waits for one time limit, not for one per call
+        return calls
+
+    def results_of_mistake(self, exercise, mistake, cases, case_id):
+        case = next(case for case in cases if case.id == case_id)
+        return {case_id: exercise.results_of_mistake(mistake, case)}
+
+    def known_mistake(self, exercise, calls):
+        from ...mistakes import known_mistake
+
+        return known_mistake(exercise, calls)
+
+    def explain(self, exercise, call):
+        return explain_call(call.result, call.difference, exercise.answer_name)
+
+    def images_of(self, exercise, call):
+        """The images of the first part of the answer that is a wrong image; else those that were given."""
+        # Here, because it imports Pillow: the processes that grade import this package, and draw nothing.
+        from ...answer_images import images_of_call
+
+        return images_of_call(exercise.names, call) if call.result.finished else ()

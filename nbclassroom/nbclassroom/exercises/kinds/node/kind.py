@@ -1,0 +1,74 @@
+"""What is particular about classes of nodes, and about packages, which have a node."""
+
+from dataclasses import replace
+
+from .... import course
+from ...case_call import explain_call
+from ..function.kind import Kind as FunctionKind
+
+
+class Kind(FunctionKind):
+    """A class of a node."""
+
+    name, noun = "node", "class"
+    kernel_modules = ("driver", "recording_node", "ros_double")
+    shows_values = False  # a record is no reading
+    has_sentences = True
+    refuses_parts = True
+
+    def name_of(self, function):
+        return function
+
+    def can_be_answer(self, value):
+        return isinstance(value, type)
+
+    def modules(self):
+        return course.node_modules()
+
+    def prepare(self):
+        from .ros_double import offer_modules
+
+        offer_modules()
+
+    def has_inputs(self, calls):
+        return any(steps for _, steps in calls)  # what __init__ makes has none, and the task says what it is
+
+    def argument_names(self, answer):
+        return ["look", "steps"]
+
+    def run(self, answer, *arguments):
+        from .driver import drive
+
+        return drive(answer, *arguments)
+
+    def explain(self, exercise, call):
+        from .feedback import NODE_ERRORS
+
+        if call.result.error in NODE_ERRORS:
+            return "\nin your ".join(filter(None, (call.result.message, call.result.line)))
+        if call.difference is not None:
+            sentence = self.sentence_on(call.expected.value, call.result.value, call.arguments)
+            return sentence or explain_call(call.result, call.difference, exercise.answer_name)
+        return super().explain(exercise, call)
+
+    def sentence_on(self, expected, actual, arguments):
+        from .feedback import sentence_on_node
+
+        return sentence_on_node(expected, actual, arguments)
+
+    def advice_on_error(self, exercise, result):
+        from .feedback import advice_on_node_error
+
+        return advice_on_node_error(result) or super().advice_on_error(replace(exercise, names=None), result)
+
+    def images_of(self, exercise, call):
+        """The first image that it published, and that differs, with what was sent and what was expected."""
+        from ...answer_images import answer_images
+        from ...canonical import canonical
+        from .feedback import differing_images
+
+        images = call.difference and differing_images(call.expected.value, call.result.value, call.arguments)
+        if not call.result.finished or not images or images[1].shape != images[2].shape:
+            return ()
+        given, expected, actual = (canonical(image, limit=None) for image in images)
+        return answer_images(given, "", expected, actual, images[1] != images[2])

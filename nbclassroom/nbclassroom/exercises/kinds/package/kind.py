@@ -1,0 +1,21 @@
+"""What is particular about packages."""
+
+from ..node.kind import Kind as NodeKind
+
+
+class Kind(NodeKind):
+    """A function that returns the files of a package."""
+
+    name, noun = "package", "function"
+    kernel_modules = ("driver",)
+
+    def name_of(self, function):
+        return f"{function}()"
+
+    def can_be_answer(self, value):
+        return callable(value)
+
+    def run(self, answer, *arguments):
+        from .driver import drive_package
+
+        return drive_package(answer, *arguments)
