@@ -13,6 +13,7 @@ from .cell_runs import RUNS
 from .cell_syntax import function_definitions, plain_python, program_lines
 from .check_files import find_check_file
 from .diagnosis import Diagnosis, diagnose
+from .document import Text
 from .expected_results import check_data_of
 from .last_resort import with_last_resort
 from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake
@@ -87,12 +88,14 @@ class CheckResult:
         return sum(result.case.points for result in self.results if result.passed)
 
     def __repr__(self):
-        bare = partial(feedback.as_bare_text, self)
-        return with_last_resort(self.exercise.id, lambda: feedback.as_text(self), bare)
+        bare = partial(feedback.bare_text, self)
+        return with_last_resort(self.exercise.id, lambda: feedback.document_of(self).plain(), bare)
 
     def _repr_html_(self):
-        bare = partial(feedback.as_bare_html, self)
-        return with_last_resort(self.exercise.id, lambda: feedback.as_html(self), bare)
+        def bare(fault):
+            return Text(feedback.bare_text(self, fault)).html()
+
+        return with_last_resort(self.exercise.id, lambda: feedback.document_of(self).html(), bare)
 
 
 class CheckInterrupted(KeyboardInterrupt):

@@ -1,38 +1,15 @@
-"""The feedback of `check`, as plain text and as HTML.
+"""The feedback of `check`, as a Document."""
 
-Both hold nothing that varies from run to run: no time, no address, no random order. nbval compares them byte
-for byte.
-"""
-
-import html
 import re
-from itertools import chain, repeat
 
 from .canonical import canonical
+from .document import Check, Document, Figures, Table, Text
 from .source_remarks import SAYS
 from .values import answer_parts, describe_value, differing_elements, table_rows
 
 _MOST_LINES = 12  # of the function's own prints
 
 _BORDER = "Pixels there have neighbours outside the image: how does the task treat those?"
-
-# JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
-_COLOURS = {
-    "passed": "var(--jp-success-color0, #1b5e20)",
-    "failed": "var(--jp-error-color1, #c62828)",
-    "open": "var(--jp-content-font-color2, #616161)",
-}
-
-
-# ---------------------------------------------------------------- the parts of the feedback
-
-
-def _values(result, call, marks):
-    """(caption, rows of its table) of each value of a call; `marks` says how those that differ are shown."""
-    for label, form, wrong in _labelled_forms(result, call):
-        rows = table_rows(form, wrong)
-        has_marks = any(is_wrong for row in rows for _, is_wrong in row)
-        yield f"{label.strip()}: {describe_value(form)}{marks if has_marks else ''}", rows
 
 
 def _labelled_forms(result, call):
@@ -174,21 +151,40 @@ def _warning_and_output(call, kind):
         yield f"Your {kind.noun} printed:\n" + "\n".join(shown)
 
 
-# ---------------------------------------------------------------- plain text
+def document_of(result):
+    """The Document of a CheckResult."""
+    kind = result.exercise.kind
+    checks = [
+        Check(one.case.title, one.passed, (Text(explanation), *_details(result, call)))
+        for one, explanation, call in _cases(result)
+    ]
+    blocks = [*map(Text, _remarks(result)), *_table_of_all(kind, result.calls), *checks]
+    blocks += [Text(_footer(result), "margin-top: 4px"), *map(Text, _ends(result))]
+    colour = "passed" if result.passed else "failed" if result.attempted else "open"
+    return Document(f"{result.exercise.id}: {_headline(result)}", tuple(blocks), colour, ".")
 
 
-def as_text(result):
-    """A CheckResult as plain text."""
-    lines = [f"{result.exercise.id}: {_headline(result)}.", *_remarks(result)]
-    lines += _rows_as_text(result.exercise.kind.table_of(result.calls))
-    for case_result, explanation, call in _cases(result):
-        lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
-        lines += map(_indent, (explanation, *_details_as_text(result, call)))
-    return "\n".join(filter(None, (*lines, _footer(result), *_ends(result))))
+def _table_of_all(kind, calls):
+    """The table of all calls, and their images, of a kind that has them."""
+    if rows := kind.table_of(calls):
+        yield Table(rows, has_head=True)
+        yield Figures(lambda: kind.images_of_all(calls), SAYS["map of a drive"])
 
 
-def as_bare_text(result, fault):
-    """The verdict, the values and a sentence on a fault: what is left if `as_text` fails."""
+def _details(result, call):
+    """Blocks on the call whose values are shown, if it is one."""
+    if call is None:
+        return
+    kind = result.exercise.kind
+    yield from map(Text, _advice(result, call))
+    for label, form, wrong in _labelled_forms(result, call):
+        yield Table(table_rows(form, wrong), f"{label.strip()}: {describe_value(form)}")
+    yield Figures(lambda: kind.images_of(result.exercise, call))
+    yield from map(Text, _warning_and_output(call, kind))
+
+
+def bare_text(result, fault):
+    """The verdict, the values and a sentence on a fault: what is left if there is no Document."""
     lines = [f"{result.exercise.id}: {_headline(result)}.", fault]
     for case_result in result.results:
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
@@ -197,106 +193,3 @@ def as_bare_text(result, fault):
             forms = {"returned": call.result.value, "expected": call.expected.value}
             lines += [f"    {name}: {describe_value(form)}" for name, form in forms.items()]
     return "\n".join(lines)
-
-
-def _details_as_text(result, call):
-    if call is None:
-        return
-    for caption, rows in _values(result, call, ", * differs"):
-        yield caption
-        yield from _rows_as_text(rows)
-    yield from _advice(result, call)
-    yield from _warning_and_output(call, result.exercise.kind)
-
-
-def _rows_as_text(rows):
-    width = max((len(text) for row in rows for text, _ in row), default=0) + 1
-    for row in rows:
-        yield "".join(f"{text:>{width}}{'*' if mark else ' '}" for text, mark in row).rstrip()
-
-
-def _indent(text):
-    return "\n".join(f"    {line}" for line in text.splitlines())
-
-
-# ---------------------------------------------------------------- HTML
-
-
-def as_html(result):
-    """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
-    colour = _COLOURS["passed" if result.passed else "failed" if result.attempted else "open"]
-    headline = html.escape(f"{result.exercise.id}: {_headline(result)}")
-    body = [f'<div style="font-weight: 600; color: {colour}">{headline}</div>']
-    body += map(_paragraph, _remarks(result))
-    body += _table_of_all(result)
-    for case_result, explanation, call in _cases(result):
-        mark, mark_colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
-        title = html.escape(case_result.case.title)
-        body.append(f'<div><span style="color: {mark_colour}">{mark}</span> {title}</div>')
-        if not case_result.passed:
-            details = "".join((_paragraph(explanation), *_details_as_html(result, call)))
-            body.append(f'<div style="margin: 0 0 6px 18px">{details}</div>')
-    body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
-    body += map(_paragraph, _ends(result))
-    return f'<div style="border-left: 4px solid {colour}; padding: 4px 10px">{"".join(body)}</div>'
-
-
-def as_bare_html(result, fault):
-    """As `as_bare_text`."""
-    return _paragraph(as_bare_text(result, fault))
-
-
-def _table_of_all(result):
-    """The table of all calls, and their images, of a kind that has them."""
-    kind = result.exercise.kind
-    if rows := kind.table_of(result.calls):
-        yield _table(rows, 'th scope="col"')
-        yield _row_of_figures(kind.images_of_all(result.calls))
-        yield _paragraph(SAYS["map of a drive"])
-
-
-def _paragraph(text):
-    return f'<div style="white-space: pre-wrap">{html.escape(text)}</div>' if text else ""
-
-
-def _details_as_html(result, call):
-    if call is None:
-        return
-    yield from map(_paragraph, _advice(result, call))
-    for caption, rows in _values(result, call, " (values that differ are framed)"):
-        yield f"<div>{html.escape(caption)}</div>"
-        if rows:
-            yield _table(rows)
-    yield _row_of_figures(result.exercise.kind.images_of(result.exercise, call))
-    yield from map(_paragraph, _warning_and_output(call, result.exercise.kind))
-
-
-def _table(rows, first="td"):
-    """A table of (text, whether it is marked) of each cell; `first` is the tag of the first row's cells."""
-    plain = "padding: 1px 6px; text-align: right; white-space: nowrap; font-family: monospace"
-    plain += "; border: 1px solid #9e9e9e"
-    framed = f"{plain}; border: 2px solid {_COLOURS['failed']}; font-weight: 700"
-    lines = ""
-    for tag, row in zip(chain([first], repeat("td")), rows, strict=False):
-        styled = [(framed if mark else plain, html.escape(text)) for text, mark in row]
-        if tag.startswith("th"):  # a long name of a metric takes two lines
-            styled = [(style.replace("nowrap", "normal"), text) for style, text in styled]
-        cells = "".join(f'<{tag} style="{style}">{text}</{tag[:2]}>' for style, text in styled)
-        lines += f"<tr>{cells}</tr>"
-    table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{lines}</table>'
-    return f'<div style="overflow-x: auto" tabindex="0">{table}</div>'
-
-
-def _row_of_figures(images):
-    figures = "".join(map(_figure, images))
-    flow = "display: flex; flex-wrap: wrap; gap: 10px; margin: 4px 0"
-    return f'<div style="{flow}">{figures}</div>' if figures else ""
-
-
-def _figure(image):
-    return (
-        f'<figure style="margin: 0"><img src="{image.url}" alt="{html.escape(image.alt)}"'
-        f' width="{image.width}" height="{image.height}"'
-        ' style="max-width: 100%; height: auto; image-rendering: pixelated">'
-        f"<figcaption>{html.escape(image.caption)}</figcaption></figure>"
-    )

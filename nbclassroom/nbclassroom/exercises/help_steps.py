@@ -1,22 +1,15 @@
 """`hint` and `solution`: help in steps, for a learner who is stuck. Neither changes anything in grading."""
 
-import html
 import json
 import numbers
-import re
 from dataclasses import dataclass
 
 from .check_files import SOLUTIONS, find_check_file, read_lesson_file, reading
+from .document import Code, Document, Paragraphs
 from .last_resort import with_last_resort
 from .progress import ExerciseProgress, note_progress, progress_of
 
 TRIES = 3  # honest ones, before a solution opens
-_CODE_SPAN = re.compile(r"`([^`]+)`")
-_FRAME = "border-left: 4px solid var(--jp-info-color1, #1976d2); padding: 4px 10px"
-_CODE = (
-    "background: var(--jp-cell-editor-background, transparent); border: 1px solid"
-    " var(--jp-border-color1, #9e9e9e); padding: 6px 10px; overflow-x: auto"
-)
 
 
 @dataclass(frozen=True)
@@ -29,20 +22,13 @@ class Help:
     more: str = ""  # sentences below the code, as `text`
 
     def __repr__(self):
-        code = "\n".join(f"    {line}".rstrip() for line in self.code.splitlines())
-        return "\n".join(part for part in (self.heading, self.text, code, self.more) if part)
+        return self._document().plain()
 
     def _repr_html_(self):
-        body = f'<div style="font-weight: 600">{html.escape(self.heading)}</div>{_paragraphs(self.text)}'
-        if self.code:
-            body += f'<pre style="{_CODE}" tabindex="0">{html.escape(self.code)}</pre>'
-        return f'<div style="{_FRAME}">{body}{_paragraphs(self.more)}</div>'
+        return self._document().html()
 
-
-def _paragraphs(text):
-    style = "margin-top: 4px; white-space: pre-wrap"
-    lines = [_CODE_SPAN.sub(r"<code>\1</code>", html.escape(line)) for line in text.splitlines()]
-    return "".join(f'<div style="{style}">{line}</div>' for line in lines)
+    def _document(self):
+        return Document(self.heading, (Paragraphs(self.text), Code(self.code), Paragraphs(self.more)), "help")
 
 
 def hint(exercise_id, step=None):

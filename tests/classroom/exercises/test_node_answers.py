@@ -13,6 +13,7 @@ from nbclassroom.exercises.checking import check, run_cases, run_check
 from nbclassroom.exercises.declaration import MasterError, read_exercises
 from nbclassroom.exercises.expected_results import check_data_of
 from nbclassroom.exercises.help_steps import solution
+from nbclassroom.exercises.kinds import kind_of
 from nbclassroom.exercises.progress import content_of, digest_of
 from nbclassroom.exercises.running import (
     call,
@@ -94,7 +95,7 @@ class Size:
 
 
 def test_a_value_that_is_no_class_is_refused_with_its_type():
-    result = call(Size(3, 4), ("setup", []), ["look", "steps"], 1, "node")
+    result = call(Size(3, 4), ("setup", []), ["look", "steps"], 1, kind_of("node").run)
     assert (result.error, result.message) == (
         "TypeError",
         "expected the class of your node, got a value of type Size",
