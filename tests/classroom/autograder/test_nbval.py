@@ -49,7 +49,7 @@ def test_a_cell_that_nbval_lets_fail_costs_its_points(key, right, monkeypatch):
     (graded,) = autograde([("one", LESSON, right)], key, workers=1)
     _, mean = graded.exercises
     assert [(case.outcome, case.points) for case in mean.cases] == [("not graded", 0), ("passed", 4)]
-    assert mean.cases[0].message.startswith("its values are right, but nbval did not let it pass")
+    assert mean.cases[0].message.startswith("it is right, but nbval did not let it pass")
 
 
 def stock_notebook(key, id, source):

@@ -134,7 +134,7 @@ def test_a_functions_subject_is_not_stored(write_master):
     [
         (
             {"exercise": NODE_PARTS["exercise"].replace('"node"', '"class"')},
-            "exercise test-double: subject='class', expected 'function' or 'node'",
+            "exercise test-double: subject='class', expected 'drive' or 'function' or 'node' or 'package'",
         ),
         (
             {"solution": '# %% role="solution"\ndef Doubler(): ...'},
