@@ -21,19 +21,13 @@ from pathlib import Path
 import nbclassroom
 from nbclassroom import course
 from nbclassroom.autograder.sandbox.inside import confine
-from nbclassroom.exercises import kinds
 
 _SOURCE = Path(nbclassroom.__file__).resolve().parent
 _STUB = _SOURCE / "autograder" / "sandbox" / "inside" / "package_stub.py"
-# Modules of `exercises` that check cells need; none of them knows an answer.
-EXERCISES_MODULES = (
+# Modules of `exercises` that check cells need, beside those of the kinds; none of them knows an answer.
+_EXERCISES = (
     *("canonical", "case_call", "cell_syntax", "comparison", "input_encoding", "page_run", "running"),
     *("kinds/__init__", "kinds/kind"),
-    *(
-        f"kinds/{name}/{module}"
-        for name in kinds.NAMES
-        for module in ("__init__", "kind", *kinds.kind_of(name).kernel_modules)
-    ),
 )
 # Paths inside the sandbox.
 SITE, COURSE, COURSE_FILE, PYTHON = "/course/site", "/course/packages", "/course/course.toml", "/python"
@@ -228,11 +222,15 @@ def _course_packages():
 
 
 def _classroom():
+    from nbclassroom.exercises import kinds  # here, because it imports NumPy: a process starts without
+
     root = f"{COURSE}/nbclassroom"
+    modules = [(name, ("__init__", "kind", *kinds.kind_of(name).kernel_modules)) for name in kinds.NAMES]
+    names = [*_EXERCISES, *(f"kinds/{name}/{module}" for name, own in modules for module in own)]
     folders = ["exercises", "exercises/kinds", *(f"exercises/kinds/{name}" for name in kinds.NAMES)]
     folders += ["autograder", "autograder/sandbox"]
     options = _new_folders(root, *(f"{root}/{name}" for name in folders))
-    names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in EXERCISES_MODULES)]
+    names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in names)]
     names += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
     for name in names:
         options += ["--ro-bind", str(_SOURCE / name), f"{root}/{name}"]
