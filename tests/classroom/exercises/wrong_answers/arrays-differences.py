@@ -1,12 +1,3 @@
-# %% name="return forgotten" sentence="You compute the differences but never give them back: write return." must_say=["return"] kind="no-return"
-def differences(gray):
-    wide = gray.astype(np.int16)
-    result = wide[:, 1:] - wide[:, :-1]
-
-# %% name="widened too late" sentence="The subtraction is done in uint8, and wraps around: widen first." must_say=["widen|uint8|before|negative"] kind="value"
-def differences(gray):
-    return (gray[:, 1:] - gray[:, :-1]).astype(np.int16)
-
 # %% name="np.diff along the wrong axis" sentence="axis=0 goes down the rows; the right neighbour is along axis 1." must_say=["axis|column|row"] kind="shape"
 def differences(gray):
     return np.diff(gray.astype(np.int16), axis=0)

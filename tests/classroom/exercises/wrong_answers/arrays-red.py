@@ -1,7 +1,3 @@
-# %% name="return forgotten" sentence="You take the channel but never give it back: write return." must_say=["return"] kind="no-return"
-def red_channel(bgr):
-    red = bgr[..., 2]
-
 # %% name="row 2" sentence="bgr[2] is row 2 of the image: put the channel last, bgr[..., 2] or bgr[:, :, 2]." must_say=["row", "\\.\\.\\.|:, ?:|last|channel"] kind="value"
 def red_channel(bgr):
     return bgr[2]

@@ -9,7 +9,3 @@ def row_means(gray):
 # %% name="rounded to integers" sentence="The means lost their decimals: return them as float, without astype or rounding." must_say=["decimal|round|fraction|whole|float|dtype|trunc|cut"] kind="dtype"
 def row_means(gray):
     return gray.mean(axis=1).astype(np.uint8)
-
-# %% name="axis 2" sentence="A gray image has the axes 0 and 1 only: the mean of each row is axis=1." must_say=["axis", "1|two|out of|0 and 1"] kind="error"
-def row_means(gray):
-    return gray.mean(axis=2)

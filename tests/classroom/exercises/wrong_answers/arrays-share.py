@@ -2,10 +2,6 @@
 def bright_percent(gray, level):
     print((gray > level).mean() * 100)
 
-# %% name="count instead of percent" sentence="You count the pixels: divide by their number and multiply by 100, or take mean() * 100." must_say=["count|number of pixels|sum", "mean|percent|divid|100|share"] kind="value"
-def bright_percent(gray, level):
-    return (gray > level).sum()
-
 # %% name="a text with percent sign" sentence="You return a text: return the number itself, without the percent sign." must_say=["text|string|str", "number|float|without"] kind="type"
 def bright_percent(gray, level):
     return f"{(gray > level).mean() * 100}%"

@@ -13,20 +13,3 @@ def otsu(gray):
             if variance > best_variance:
                 best_t, best_variance = t, variance
     return best_t
-
-# %% name="cv2 finds the threshold" sentence="cv2 is refused here, since the task is Otsu by hand: compute the variance of every t with NumPy." must_say=["cv2|opencv", "refus|by hand|yourself|not allowed|numpy|forbid"] kind="refused"
-import cv2
-
-
-def otsu(gray):
-    return int(cv2.threshold(gray, 0, 255, cv2.THRESH_OTSU)[0])
-
-# %% name="no return" sentence="The best threshold is found and then lost: add return best_t at the end." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] kind="no-return"
-def otsu(gray):
-    best, best_t = -1.0, 0
-    for t in range(256):
-        low, high = gray[gray <= t], gray[gray > t]
-        if low.size and high.size:
-            variance = low.size * high.size * (low.mean() - high.mean()) ** 2
-            if variance > best:
-                best, best_t = variance, t

@@ -6,12 +6,6 @@ def hide_boxes(frame, boxes, size):
             result[r:r + size, c:c + size] = frame[r:r + size, c:c + size].mean(axis=(0, 1))
     return result
 
-# %% name="no return" sentence="The function returns nothing: add return." must_say=["return"] kind="no-return"
-def hide_boxes(frame, boxes, size):
-    result = frame.copy()
-    for left, top, width, height in boxes:
-        result[max(top, 0):top + height, max(left, 0):left + width] = 0
-
 # %% name="only the parts" sentence="Return the whole image, and not the hidden part." must_say=["whole image"] kind="shape"
 def hide_boxes(frame, boxes, size):
     for left, top, width, height in boxes:
@@ -21,16 +15,6 @@ def hide_boxes(frame, boxes, size):
             for c in range(0, cols, size):
                 part[r:r + size, c:c + size] = part[r:r + size, c:c + size].mean(axis=(0, 1)).round()
     return part
-
-# %% name="changes the frame" sentence="Your function changes its input: make a copy first." must_say=["copy|changed|changes"] kind="input-changed"
-def hide_boxes(frame, boxes, size):
-    for left, top, width, height in boxes:
-        last_row, last_col = min(top + height, frame.shape[0]), min(left + width, frame.shape[1])
-        for r in range(max(top, 0), last_row, size):
-            for c in range(max(left, 0), last_col, size):
-                part = frame[r:min(r + size, last_row), c:min(c + size, last_col)]
-                part[:] = part.mean(axis=(0, 1))
-    return frame
 
 # %% name="no limits at all" sentence="A negative index counts from the other side: cut the box to the image, and end each block where the box ends." must_say=["max\\(|negative", "border of the box|ends"] kind="value"
 def hide_boxes(frame, boxes, size):

@@ -1,7 +1,3 @@
-# %% name="plain average in uint8" sentence="You take the plain average, and luma needs the weights of blue, green and red; besides, the uint8 sum runs past 255, so widen first." must_say=["average|mean", "weight"] kind="value"
-def luma(bgr):
-    return (bgr[..., 0] + bgr[..., 1] + bgr[..., 2]) // 3
-
 # %% name="weights as uint8 multiplication" sentence="3735 does not fit into uint8, the dtype of your channels: widen them with astype(np.uint32) before you multiply." must_say=["3735|19235|9798|multipl", "uint8|fit|overflow|255", "widen|astype|uint32|int"] must_not_say=["uint16"] kind="error"
 def luma(bgr):
     return (bgr[..., 0] * 3735 + bgr[..., 1] * 19235 + bgr[..., 2] * 9798 + 2**14) >> 15

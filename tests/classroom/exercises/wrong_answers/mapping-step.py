@@ -12,38 +12,6 @@ def graph_step(poses, edges):
     step = np.linalg.solve(J.T @ W @ J, -J.T @ W @ np.array(errors))
     return np.vstack([[0, 0, 0], step.reshape(-1, 3)])
 
-# %% name="input changed" sentence="Copy the poses before you change them." must_say=["copy|changed"] kind="input-changed"
-def graph_step(poses, edges):
-    J = np.zeros((3 * len(edges), 3 * len(poses)))
-    errors, weights = [], []
-    for k, (i, j, motion, (place, angle)) in enumerate(edges):
-        error, by_first, by_second = linearize(poses[i], poses[j], motion)
-        J[3 * k:3 * k + 3, 3 * i:3 * i + 3] = by_first
-        J[3 * k:3 * k + 3, 3 * j:3 * j + 3] = by_second
-        errors.extend(error)
-        weights.extend([place, place, angle])
-    J, W = J[:, 3:], np.diag(weights)
-    step = np.linalg.solve(J.T @ W @ J, -J.T @ W @ np.array(errors))
-    result = poses
-    result[1:] += step.reshape(-1, 3)
-    return result
-
-# %% name="W only left" sentence="W is missing before the errors." must_say=["W"] kind="value"
-def graph_step(poses, edges):
-    J = np.zeros((3 * len(edges), 3 * len(poses)))
-    errors, weights = [], []
-    for k, (i, j, motion, (place, angle)) in enumerate(edges):
-        error, by_first, by_second = linearize(poses[i], poses[j], motion)
-        J[3 * k:3 * k + 3, 3 * i:3 * i + 3] = by_first
-        J[3 * k:3 * k + 3, 3 * j:3 * j + 3] = by_second
-        errors.extend(error)
-        weights.extend([place, place, angle])
-    J, W = J[:, 3:], np.diag(weights)
-    step = np.linalg.solve(J.T @ W @ J, -J.T @ np.array(errors))
-    result = poses.copy()
-    result[1:] += step.reshape(-1, 3)
-    return result
-
 # %% name="W only right" sentence="W is missing in J.T @ W @ J." must_say=["W"] kind="value"
 def graph_step(poses, edges):
     J = np.zeros((3 * len(edges), 3 * len(poses)))

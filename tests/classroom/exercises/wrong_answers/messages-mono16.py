@@ -1,8 +1,3 @@
-# %% name="bytes widened one by one" sentence="A pixel takes two bytes: read both as one number." must_say=["two bytes|pixel"] kind="shape"
-def decode_mono16(message):
-    a = np.frombuffer(message.data, np.uint8).astype(np.uint16)
-    return a.reshape(message.height, message.width * 2)
-
 # %% name="always little-endian" sentence="You always read the less significant byte first; where is_bigendian is 1 the more significant byte comes first, so use the field." must_say=["endian|byte order|significant", "is_bigendian|>u2|field"] kind="value"
 def decode_mono16(message):
     flat = np.frombuffer(message.data, dtype="<u2")
@@ -11,11 +6,6 @@ def decode_mono16(message):
 # %% name="signed numbers" sentence="i2 has a sign and ends at 32767, so large values became negative: use u2, unsigned." must_say=["sign|negative|int16|32767", "u2|uint16|unsigned"] kind="dtype"
 def decode_mono16(message):
     dtype = ">i2" if message.is_bigendian else "<i2"
-    return np.frombuffer(message.data, dtype=dtype).reshape(message.height, message.width)
-
-# %% name="field without message" sentence="is_bigendian is a field of the message: write message.is_bigendian." must_say=["is_bigendian", "message|field|not defined"] kind="error"
-def decode_mono16(message):
-    dtype = ">u2" if is_bigendian else "<u2"
     return np.frombuffer(message.data, dtype=dtype).reshape(message.height, message.width)
 
 # %% name="return only for big-endian" sentence="If is_bigendian is 0, your function ends without return and gives None: add the little-endian case." must_say=["None|no return|without (a )?return|nothing|missing", "little|is_bigendian|other case|else|last case"] kind="no-return"

@@ -11,11 +11,6 @@ def decode_mono8(message):
     flat = np.frombuffer(message.data, dtype=np.uint8)
     return flat.reshape(message.height, message.width)[::-1]
 
-# %% name="return forgotten" sentence="The array is stored in image, but the function ends without return: give image back." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] kind="no-return"
-def decode_mono8(message):
-    flat = np.frombuffer(message.data, dtype=np.uint8)
-    image = flat.reshape(message.height, message.width)
-
 # %% name="np.array of the bytes" sentence="np.array(message.data) makes one single object of the bytes, not their numbers: np.frombuffer(message.data, dtype=np.uint8) reads them." must_say=["frombuffer|list\\(", "np\\.array|single|object|one value"] kind="error"
 def decode_mono8(message):
     pixels = np.array(message.data)

@@ -8,18 +8,7 @@ def decode_padded(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
     return rows[:, : message.width]
 
-# %% name="return forgotten" sentence="The array is stored in image, but the function ends without return: give image back." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] kind="no-return"
-def decode_padded(message):
-    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
-    image = rows[:, : message.width * 3].reshape(message.height, message.width, 3)
-
 # %% name="the lesson's padded message" sentence="You decode padded of an earlier cell, not the message that your function receives: use the parameter message." must_say=["padded|another cell|other cell|earlier cell", "message|argument|parameter"] kind="other-cell"
 def decode_padded(message):
     rows = np.frombuffer(padded.data, dtype=np.uint8).reshape(padded.height, padded.step)
     return rows[:, : padded.width * 3].reshape(padded.height, padded.width, 3)
-
-# %% name="uint16 at the end" sentence="The values are right, but the dtype is not: the pixels of rgb8 are uint8, so leave astype(np.uint16) out." must_say=["uint16|values are right", "uint8"] kind="dtype"
-def decode_padded(message):
-    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
-    pixels = rows[:, : message.width * 3]
-    return pixels.reshape(message.height, message.width, 3).astype(np.uint16)

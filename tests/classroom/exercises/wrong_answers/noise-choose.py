@@ -12,20 +12,3 @@ from imgproc_course.imaging import psnr
 
 def best_filter(clean, noisy, filters):
     return max(psnr(clean, f(noisy)) for f in filters.values())
-
-# %% name="print instead of return" sentence="You print the best name and return nothing: use return." must_say=["return", "print"] kind="no-return"
-from imgproc_course.imaging import psnr
-
-
-def best_filter(clean, noisy, filters):
-    print(max(filters, key=lambda name: psnr(clean, filters[name](noisy))))
-
-# %% name="filter not called" sentence="filters[name] is the function, not its result: call it with noisy, filters[name](noisy)." must_say=["call|\\(noisy\\)|parenthes", "function|result|\\(noisy\\)"] kind="error"
-from imgproc_course.imaging import psnr
-
-
-def best_filter(clean, noisy, filters):
-    scores = {}
-    for name, f in filters.items():
-        scores[name] = psnr(clean, f)
-    return max(scores, key=scores.get)

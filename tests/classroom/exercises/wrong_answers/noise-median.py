@@ -6,18 +6,6 @@ def median3(gray):
             result[y, x] = np.sort(gray[y - 1 : y + 2, x - 1 : x + 2], axis=None)[4]
     return result
 
-# %% name="index -1 at the border" sentence="At the border gray[y - 1] becomes gray[-1], the last row on the other side of the image: repeat the outermost rows and columns with np.pad first." must_say=["-1|other side|last row|negative|outside|out of bounds", "pad|repeat|replicat|border"] kind="error"
-def median3(gray):
-    result = np.empty_like(gray)
-    for y in range(gray.shape[0]):
-        for x in range(gray.shape[1]):
-            values = []
-            for dy in (-1, 0, 1):
-                for dx in (-1, 0, 1):
-                    values.append(gray[y + dy, x + dx])
-            result[y, x] = sorted(values)[4]
-    return result
-
 # %% name="median of the whole image" sentence="You sort the whole image and get one number; each pixel needs the median of its own 3 × 3 neighbourhood." must_say=["whole image|one number|entire|all pixels", "own|each pixel|every pixel|neighbo"] kind="type"
 def median3(gray):
     return np.sort(gray, axis=None)[gray.size // 2]
@@ -25,9 +13,3 @@ def median3(gray):
 # %% name="the course's median_blur" sentence="median_blur is the course's own function, from another cell; the task is to write the median yourself: sort the nine values." must_say=["median_blur", "yourself|by hand|own|another cell|other cell|refus|import|write"] kind="other-cell"
 def median3(gray):
     return median_blur(gray, 3)
-
-# %% name="smaller result" sentence="Your result has two rows and two columns less than the image: pad the image by one pixel at each side before you cut out the slices." must_say=["result .*(less|smaller|fewer)|smaller|too small|two rows and two columns less|shape", "pad|border|repeat|replicat"] kind="shape"
-def median3(gray):
-    h, w = gray.shape
-    stack = [gray[y : y + h - 2, x : x + w - 2] for y in range(3) for x in range(3)]
-    return np.median(stack, axis=0).astype(np.uint8)

@@ -5,16 +5,6 @@ def cell_histogram(grad_row, grad_col):
     bins = (angles // 20).astype(int)
     return np.bincount(bins.ravel(), magnitudes.ravel()) / bins.size
 
-# %% name="float bins" sentence="// of floats gives a float: make whole numbers with astype(int)." must_say=["astype\\(int\\)|int\\(", "float"] must_not_say=["^Divide with //,"] kind="error"
-def cell_histogram(grad_row, grad_col):
-    angles = np.degrees(np.arctan2(grad_row, grad_col)) % 180
-    magnitudes = np.hypot(grad_row, grad_col)
-    bins = angles // 20
-    histogram = np.zeros(9)
-    for b, m in zip(bins.ravel(), magnitudes.ravel()):
-        histogram[b] += m
-    return histogram / bins.size
-
 # %% name="always 64 pixels" sentence="A cell has grad_row.size pixels, not always 64." must_say=["64|number of pixels", "size"] kind="value"
 def cell_histogram(grad_row, grad_col):
     angles = np.degrees(np.arctan2(grad_row, grad_col)) % 180

@@ -1,17 +1,3 @@
-# %% name="third numbers without a column" sentence="moved[:, 2] has one axis: write moved[:, 2:]." must_say=[":, 2:"] must_not_say=["multiplies value by value", "width and height"] kind="error"
-def find_inliers(points, pixels, samples, limit):
-    with_one = np.column_stack([points, np.ones(len(points))])
-    best = np.zeros(len(points), bool)
-    for sample in samples:
-        H = homography(points[sample], pixels[sample])
-        moved = with_one @ H.T
-        moved = moved[:, :2] / moved[:, 2]
-        distances = np.linalg.norm(moved - pixels, axis=1)
-        inliers = distances < limit
-        if inliers.sum() > best.sum():
-            best = inliers
-    return best
-
 # %% name="axis=0" sentence="One distance for each match: axis=1." must_say=["axis=1"] must_not_say=["multiplies value by value"] kind="value"
 def find_inliers(points, pixels, samples, limit):
     with_one = np.column_stack([points, np.ones(len(points))])
@@ -39,28 +25,3 @@ def find_inliers(points, pixels, samples, limit):
         if inliers.sum() > best.sum():
             best = inliers
     return best
-
-# %% name="no return" sentence="The function returns nothing: add return." must_say=["return"] kind="no-return"
-def find_inliers(points, pixels, samples, limit):
-    best = np.zeros(len(points), bool)
-    with_one = np.column_stack([points, np.ones(len(points))])
-    for sample in samples:
-        H = homography(points[sample], pixels[sample])
-        moved = with_one @ H.T
-        moved = moved[:, :2] / moved[:, 2:]
-        near = np.linalg.norm(moved - pixels, axis=1) < limit
-        if near.sum() > best.sum():
-            best = near
-
-# %% name="count" sentence="Return the mask." must_say=["mask"] kind="type"
-def find_inliers(points, pixels, samples, limit):
-    best = np.zeros(len(points), bool)
-    with_one = np.column_stack([points, np.ones(len(points))])
-    for sample in samples:
-        H = homography(points[sample], pixels[sample])
-        moved = with_one @ H.T
-        moved = moved[:, :2] / moved[:, 2:]
-        near = np.linalg.norm(moved - pixels, axis=1) < limit
-        if near.sum() > best.sum():
-            best = near
-    return best.sum()

@@ -1,7 +1,3 @@
-# %% name="tolerance doubled" sentence="The tolerance holds on each side: do not double it." must_say=["tolerance|twice|double"] kind="value"
-def inliers(points, normal, offset, tolerance):
-    return np.abs(points @ normal + offset) < 2 * tolerance
-
 # %% name="distances" sentence="You return distances: compare them with the tolerance." must_say=["compar|tolerance|bool|True"] kind="dtype"
 def inliers(points, normal, offset, tolerance):
     return np.abs(points @ normal + offset)

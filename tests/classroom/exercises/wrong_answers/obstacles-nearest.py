@@ -1,13 +1,3 @@
-# %% name="forward times the mask" sentence="Points outside become 0 and are the minimum: select with forward[mask]." must_say=["forward\\[mask\\]", "0"] kind="value" must_not_say=["fixed"]
-def nearest_obstacle(forward, left, height, width):
-    mask = (abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)
-    return (forward * mask).min()
-
-# %% name="empty corridor" sentence="If no point is in the corridor, min fails: return math.inf first." must_say=["inf"] kind="error"
-def nearest_obstacle(forward, left, height, width):
-    mask = (np.abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)
-    return forward[mask].min()
-
 # %% name="None for empty" sentence="Return math.inf, not None, if the corridor is free." must_say=["inf"] kind="type"
 def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)

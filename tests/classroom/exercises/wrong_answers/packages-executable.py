@@ -1,7 +1,3 @@
-# %% name="join of five arguments" sentence="join takes one list of the parts." must_say=["join", "list"] kind="error"
-def executable_of(install, package):
-    return "/".join(install, package, "lib", package, package)
-
 # %% name="Path instead of text" sentence="You return a Path, and the task asks for text: wrap it in str()." must_say=["\\bPath\\b", "\\bstr\\b"] kind="type"
 def executable_of(install, package):
     from pathlib import Path

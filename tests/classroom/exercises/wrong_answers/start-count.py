@@ -10,10 +10,6 @@ def count_pixels():
 def countpixels(frame):
     return frame.shape[0] * frame.shape[1]
 
-# %% name="number of different values" sentence="np.unique lists the different values, so you count gray levels and not pixels: multiply the rows by the columns." must_say=["unique|different|distinct|gray level", "row|column|shape|pixel"] kind="value"
-def count_pixels(frame):
-    return len(np.unique(frame))
-
 # %% name="rows and columns as a tuple" sentence="You return two numbers, the rows and the columns, as a tuple: the task asks for one number, so multiply them." must_say=["tuple|pair|returns? (two|both)|two (numbers|values) came", "multipl|one (whole )?number|product"] kind="type"
 def count_pixels(frame):
     return frame.shape[0], frame.shape[1]

@@ -7,48 +7,6 @@ def label(mask):
         labels[tuple(start)] = count
     return labels
 
-# %% name="no inside test at all" sentence="A pixel at the border has neighbours outside of the image: test that row and col are inside." must_say=["inside|border|last index|bounds|outside|ends"] kind="error"
-def label(mask):
-    labels = np.zeros(mask.shape, int)
-    count = 0
-    for start in np.argwhere(mask):
-        if labels[tuple(start)] == 0:
-            count += 1
-            stack = [tuple(start)]
-            while stack:
-                row, col = stack.pop()
-                if mask[row, col] and labels[row, col] == 0:
-                    labels[row, col] = count
-                    stack += [(row + i, col + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
-    return labels
-
-# %% name="returns the count" sentence="Return the label image, not how many components there are." must_say=["label image|labels|number of each pixel|shape|array"] kind="type"
-def label(mask):
-    labels = np.zeros(mask.shape, int)
-    count = 0
-    for start in np.argwhere(mask):
-        if labels[tuple(start)] == 0:
-            count += 1
-            stack = [tuple(start)]
-            while stack:
-                row, col = stack.pop()
-                if 0 <= row < mask.shape[0] and 0 <= col < mask.shape[1] and mask[row, col] and labels[row, col] == 0:
-                    labels[row, col] = count
-                    stack += [(row + i, col + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
-    return count
-
-# %% name="all ink is 1" sentence="Each component needs a number of its own: add 1 to the count." must_say=["number of its own|add 1|count"] kind="value"
-def label(mask):
-    labels = np.zeros(mask.shape, int)
-    for start in np.argwhere(mask):
-        stack = [tuple(start)]
-        while stack:
-            row, col = stack.pop()
-            if 0 <= row < mask.shape[0] and 0 <= col < mask.shape[1] and mask[row, col] and labels[row, col] == 0:
-                labels[row, col] = 1
-                stack += [(row + i, col + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
-    return labels
-
 # %% name="count before the test" sentence="Add 1 to the count only if the pixel has no number yet." must_say=["no number|count"] kind="value"
 def label(mask):
     labels = np.zeros(mask.shape, int)

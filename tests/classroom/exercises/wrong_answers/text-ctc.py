@@ -15,15 +15,6 @@ def decode(scores, characters):
         before = i
     return text
 
-# %% name="threshold" sentence="Take the largest score of each row, not those above a threshold." must_say=["largest|argmax|best"] kind="value"
-def decode(scores, characters):
-    text = ""
-    for row in scores:
-        for i in range(1, len(row)):
-            if row[i] > 0.6:
-                text += characters[i]
-    return text
-
 # %% name="blanks removed first" sentence="Leave the blanks out after the repeated characters, not before." must_say=["blank"] kind="value"
 def decode(scores, characters):
     best = [i for i in scores.argmax(axis=1) if i != 0]

@@ -9,31 +9,3 @@ def edit_distance(a, b):
         for j in range(1, len(b) + 1):
             t[i, j] = min(t[i - 1, j] + 1, t[i, j - 1] + 1, t[i - 1, j - 1] + (a[i - 1] != b[j - 1]))
     return int(t[-1, -1])
-
-# %% name="no return" sentence="The function returns nothing: add return." must_say=["return"] kind="no-return"
-def edit_distance(a, b):
-    t = np.zeros((len(a) + 1, len(b) + 1), int)
-    t[:, 0] = range(len(a) + 1)
-    t[0, :] = range(len(b) + 1)
-    for i in range(1, len(a) + 1):
-        for j in range(1, len(b) + 1):
-            t[i, j] = min(t[i - 1, j] + 1, t[i, j - 1] + 1, t[i - 1, j - 1] + (a[i - 1] != b[j - 1]))
-    print(t[-1, -1])
-
-# %% name="the table" sentence="Return the last number of the table, not the table." must_say=["last number|one number|whole number|integer|int"] kind="type"
-def edit_distance(a, b):
-    t = np.zeros((len(a) + 1, len(b) + 1), int)
-    t[:, 0] = range(len(a) + 1)
-    t[0, :] = range(len(b) + 1)
-    for i in range(1, len(a) + 1):
-        for j in range(1, len(b) + 1):
-            t[i, j] = min(t[i - 1, j] + 1, t[i, j - 1] + 1, t[i - 1, j - 1] + (a[i - 1] != b[j - 1]))
-    return t
-
-# %% name="place by place" sentence="You compare place by place; after an insertion all later letters are moved." must_say=["insert|place by place|moved|shift"] kind="value"
-def edit_distance(a, b):
-    count = 0
-    for first, second in zip(a, b):
-        if first != second:
-            count += 1
-    return count + abs(len(a) - len(b))

@@ -6,16 +6,6 @@ def name_operation(before, after):
         return "binarization"
     return "grayscale"
 
-# %% name="names of the pages, not of the task" sentence="The name \"gray\" is not one of the four: return exactly \"grayscale\", \"binarization\", \"edges\" or \"noise removal\"." must_say=["\"?gr[ae]y\"?", "grayscale"] must_not_say=["capital"] kind="value"
-def name_operation(before, after):
-    if after.ndim == 3:
-        return "noise removal"
-    if len(np.unique(after)) > 2:
-        return "gray"
-    if (after == 255).mean() < 0.2:
-        return "edges"
-    return "binarization"
-
 # %% name="single = in the if" sentence="Python cannot read this: = stores a value, and a comparison needs ==." must_say=["==", "stores|assign|syntax|Python cannot|needs =="] kind="syntax"
 def name_operation(before, after):
     if after.ndim = 3:
@@ -27,12 +17,3 @@ def name_operation(before, after):
     if after.ndim == 3:
         return after
     return "grayscale"
-
-# %% name="no answer for the last case" sentence="For a binary image none of your ifs is true, so the function ends without return and gives None: add the last case." must_say=["None|no return|without (a )?return|nothing|last case|\\belse\\b|missing", "binar|last|case"] kind="no-return"
-def name_operation(before, after):
-    if after.ndim == 3:
-        return "noise removal"
-    if len(np.unique(after)) > 2:
-        return "grayscale"
-    if (after == 255).mean() < 0.2:
-        return "edges"

@@ -1,12 +1,3 @@
-# %% name="ten hues" sentence="The number of bins is len(weights), not always 18." must_say=["len|bins|18"] kind="error"
-def backproject(hue, weights):
-    return weights[hue // 10]
-
-# %% name="the first row" sentence="Return all rows of the image, not the first." must_say=["row|shape|\\(H, W\\)"] kind="shape"
-def backproject(hue, weights):
-    bins = hue.astype(int) * len(weights) // 180
-    return weights[bins][0]
-
 # %% name="overflow" sentence="The product does not fit into uint8: widen the hue first." must_say=["widen|uint8|astype|overflow|wrap"] kind="value"
 def backproject(hue, weights):
     bins = hue * len(weights) // 180

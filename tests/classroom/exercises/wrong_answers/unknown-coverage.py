@@ -1,15 +1,3 @@
-# %% name="whole numbers divided" sentence="// drops the fraction. Divide with /." must_say=["//|fraction|/"] kind="value"
-def coverage(path, cells):
-    pairs = {(math.floor(x / 0.5), math.floor(y / 0.5)) for x, y, _ in path}
-    reachable = {tuple(cell) for cell in cells.tolist()}
-    return len(pairs & reachable) // len(reachable)
-
-# %% name="rows and columns exchanged" sentence="The column comes from x, the row from y." must_say=["column|row|x and y"] kind="value"
-def coverage(path, cells):
-    pairs = {(math.floor(y / 0.5), math.floor(x / 0.5)) for x, y, _ in path}
-    reachable = {tuple(cell) for cell in cells.tolist()}
-    return len(pairs & reachable) / len(reachable)
-
 # %% name="in percent" sentence="The result is a share from 0 to 1, not in percent." must_say=["0 to 1|100|percent"] kind="value"
 def coverage(path, cells):
     pairs = {(math.floor(x / 0.5), math.floor(y / 0.5)) for x, y, _ in path}

@@ -1,21 +1,3 @@
-# %% name="the number of points less the visited" sentence="Count cells, not points, and subtract the set." must_say=["set|cells"] kind="value"
-def count_new(place, heading, way, visited):
-    cells = set()
-    for d in np.arange(0.1, way, 0.1):
-        x, y = place[0] + d * math.cos(heading), place[1] + d * math.sin(heading)
-        cells.add((math.floor(x / 0.5), math.floor(y / 0.5)))
-    return len(np.arange(0.1, way, 0.1)) - len(visited)
-
-# %% name="int for floor" sentence="int cuts towards 0, so -0.2 becomes 0; math.floor gives -1." must_say=["floor|negative|towards 0|round"] kind="value"
-def count_new(place, heading, way, visited):
-    known = set(map(tuple, visited.tolist()))
-    cells = set()
-    for d in np.arange(0.1, way, 0.1):
-        col = int((place[0] + d * math.cos(heading)) / 0.5)
-        row = int((place[1] + d * math.sin(heading)) / 0.5)
-        cells.add((col, row))
-    return len(cells - known)
-
 # %% name="heading not used" sentence="The way goes in the direction heading; you go only along x." must_say=["heading|direction"] kind="value"
 def count_new(place, heading, way, visited):
     distances = np.arange(0.1, way, 0.1)
