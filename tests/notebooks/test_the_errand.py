@@ -14,7 +14,7 @@ from nbclassroom.exercises import read_exercises
 from nbclassroom.exercises.kinds.drive.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS
 from nbclassroom.exercises.percent_script import read_script
 
-from imgproc_course.geometry import Pose, compose_poses, relative_pose, wrap_angle
+from imgproc_course.geometry import Pose, compose_poses, free_way, wrap_angle
 from imgproc_course.recording import open_recording
 from imgproc_course.simulation import Simulation, furnished
 from imgproc_course.simulation.wheels import gap
@@ -58,16 +58,23 @@ def random_readings(rng):
 
 
 def test_the_parts_of_the_course_do_what_the_solutions_do(solutions):
+    """And the functions that the lesson shows; the package's are tested in tests/geometry/test_driving.py."""
     rng, parts = np.random.default_rng(6), the_errand.course_parts
+    compose, lessons_free_way = names_of_cells("compose", "free_way")
     believed = Counter()
     for _ in range(1000):
         place, counted = random_pose(rng), random_pose(rng)
-        x, y, yaw = np.subtract(parts.map_to_odom(place, counted), solutions["map_to_odom"](place, counted))
+        frame = solutions["map_to_odom"](place, counted)
+        x, y, yaw = np.subtract(parts.map_to_odom(place, counted), frame)
+        assert math.hypot(x, y) < 1e-12 and abs(wrap_angle(yaw)) < 1e-12 and abs(frame[2]) <= math.pi
+        x, y, yaw = np.subtract(compose(place, counted), compose_poses(place, counted))
         assert math.hypot(x, y) < 1e-12 and abs(wrap_angle(yaw)) < 1e-12
         robot = (*rng.uniform((-0.2, 0, 0.2, 0.1), (2, 1, 4, 2)).tolist(),)
         assert parts.safe_speed(*robot) == pytest.approx(solutions["safe_speed"](*robot), abs=1e-12)
         ways = random_ways(rng)
         assert parts.choose_direction(*ways) == solutions["choose_direction"](*ways)
+        corridor = rng.uniform(-3, 3, (30, 2)), *rng.uniform((-math.pi, 0.1), (math.pi, 0.6)).tolist()
+        assert lessons_free_way(*corridor) == pytest.approx(free_way(*corridor), abs=1e-12)
         readings = random_readings(rng)
         name = parts.believe(*readings)
         assert name == solutions["believe"](*readings)
@@ -90,29 +97,6 @@ def test_a_referee_counts_bumps_and_gives_points():
     assert the_errand.points_of(None, 0.6, 45, 0, 0.4) == 10
 
 
-def test_map_to_odom_is_the_inverse_of_composing(solutions):
-    rng = np.random.default_rng(0)
-    (compose,) = names_of_cells("compose")
-    for _ in range(500):
-        place, counted = random_pose(rng), random_pose(rng)
-        frame = solutions["map_to_odom"](place, counted)
-        assert -math.pi <= frame[2] <= math.pi
-        inverse = relative_pose(counted, (0.0, 0.0, 0.0))
-        for x, y, yaw in (compose_poses(place, inverse) - frame, np.subtract(compose(frame, counted), place)):
-            assert math.hypot(x, y) < 1e-12 and abs(wrap_angle(yaw)) < 1e-12
-
-
-def test_safe_speed_is_the_inverse_of_the_stopping_distance(solutions):
-    rng = np.random.default_rng(1)
-    for _ in range(1000):
-        speed, reaction, deceleration = rng.uniform((0.01, 0, 0.2), (3, 1, 4)).tolist()
-        free = reaction * speed + speed**2 / (2 * deceleration)
-        assert abs(solutions["safe_speed"](free, reaction, deceleration, 5.0) - speed) < 1e-12
-        assert solutions["safe_speed"](free, reaction, deceleration, 0.9 * speed) == 0.9 * speed
-        assert solutions["safe_speed"](-free, reaction, deceleration, 5.0) == 0.0
-    assert solutions["safe_speed"](math.inf, 0.2, 0.6, 0.3) == 0.3
-
-
 def test_a_robot_at_the_safe_speed_stands_within_the_free_way(solutions):
     for free in (0.03, 0.07, 0.12):
         speed = solutions["safe_speed"](free, 0.16, 0.6, 0.3)
@@ -125,41 +109,6 @@ def test_a_robot_at_the_safe_speed_stands_within_the_free_way(solutions):
         while robot.speeds[0] > 0:
             robot.step(0.0, 0.0)
         assert free - 0.005 < math.dist(seen[:2], robot.pose("robot")[:2]) < free + 0.005
-
-
-def angle_between(first, second):
-    """Of two directions, by the vectors that point to them: no angle is wrapped."""
-    a, b = (np.array([math.cos(angle), math.sin(angle)]) for angle in (first, second))
-    return math.atan2(abs(a[0] * b[1] - a[1] * b[0]), a @ b)
-
-
-def test_choose_direction_is_the_nearest_by_brute_force(solutions):
-    rng = np.random.default_rng(2)
-    chosen = []
-    for _ in range(1000):
-        directions = rng.uniform(-math.pi, math.pi, rng.integers(1, 13))
-        ways = rng.choice([0.2, 0.5, 0.8, 1.3, math.inf], len(directions))
-        goal, need = float(rng.uniform(-math.pi, math.pi)), float(rng.choice([0.5, 0.8, 1.5]))
-        free = [float(d) for d, way in zip(directions, ways, strict=True) if way >= need]
-        nearest = min(free, key=lambda d: angle_between(d, goal), default=None)
-        chosen.append(solutions["choose_direction"](directions, ways, goal, need))
-        assert chosen[-1] == nearest
-    assert 50 < chosen.count(None) < 500
-    pair, ways = np.array([0.4, -0.4]), np.array([1.0, 1.0])
-    assert solutions["choose_direction"](pair, ways, 0.0, 1.0) == 0.4
-    assert solutions["choose_direction"](pair[::-1], ways, 0.0, 1.0) == -0.4
-
-
-def test_free_way_is_that_of_a_robot_turned_into_the_direction():
-    (free_way,) = names_of_cells("free_way")
-    rng = np.random.default_rng(3)
-    for _ in range(100):
-        points = rng.uniform(-3, 3, (30, 2))
-        direction, width = float(rng.uniform(-math.pi, math.pi)), float(rng.uniform(0.1, 0.6))
-        poses = np.column_stack([points, np.zeros(30)])
-        ahead, left, _ = relative_pose((0.0, 0.0, direction), poses).T
-        ways = [a for a, side in zip(ahead, left, strict=True) if a > 0 and abs(side) <= width / 2]
-        assert free_way(points, direction, width) == pytest.approx(min(ways, default=math.inf), abs=1e-12)
 
 
 @cache
