@@ -55,15 +55,8 @@ def test_an_answered_lesson_is_ready(lesson):
     ]
 
 
-@pytest.mark.parametrize(
-    "source", [None, 'def double(pixels):\n    # hm\n    raise NotImplementedError("your turn")\n']
-)
-def test_the_stub_is_not_attempted(lesson, source):
-    def change(cells):
-        if source:
-            cells[ANSWER]["source"] = source
-
-    lesson_check, state, _ = inspect(lesson(change, solved=False))
+def test_the_stub_is_not_attempted(lesson):
+    lesson_check, state, _ = inspect(lesson(solved=False))
     assert state == "not attempted" and not lesson_check.ready
 
 
@@ -96,11 +89,6 @@ def assign(cells):
     cells[ANSWER] = None
 
 
-def define_in_the_check(cells):
-    cells["check-template-double-1"]["source"] = cells[ANSWER]["source"]
-    cells[ANSWER] = None
-
-
 def split(cells):
     cells["mine"] = dict(cells[ANSWER], id="mine", metadata={})
     cells[ANSWER]["source"] = "helper = 3"
@@ -109,32 +97,16 @@ def split(cells):
 MISSING = "its answer cell (answer-template-double) is missing"
 
 
-@pytest.mark.parametrize(
-    ("change", "state", "text"),
-    [
-        (assign, "missing", f"{MISSING} Open the lesson afresh"),
-        (edit(ANSWER, source="# later"), "broken", "its answer cell is empty"),
-    ],
-)
-def test_an_answer_that_would_get_no_points_is_reported(lesson, change, state, text):
-    lesson_check, found, notes = inspect(lesson(change))
-    assert found == state and not lesson_check.ready
-    assert text in notes
+def test_an_answer_that_would_get_no_points_is_reported(lesson):
+    lesson_check, found, notes = inspect(lesson(assign))
+    assert found == "missing" and not lesson_check.ready
+    assert f"{MISSING} Open the lesson afresh" in notes
 
 
-@pytest.mark.parametrize(
-    ("change", "text"),
-    [
-        (define_in_the_check, "graded from another cell (check-template-double-1), which defines double()"),
-        (split, "graded from another cell (mine), which defines double(): its answer cell does not define"),
-    ],
-)
-def test_an_answer_that_grading_finds_is_ready_and_its_place_is_reported(lesson, change, text):
-    lesson_check, found, notes = inspect(lesson(change))
+def test_an_answer_that_grading_finds_is_ready_and_its_place_is_reported(lesson):
+    lesson_check, found, notes = inspect(lesson(split))
     assert found == "answered" and lesson_check.ready
-    assert text in notes
-    run_answers(lesson_check)
-    assert all(case.passed for case in lesson_check.exercises[0].result.cases)
+    assert "graded from another cell (mine), which defines double(): its answer cell does not def" in notes
 
 
 def test_the_lessons_own_function_of_that_name_is_not_a_misplaced_answer(lesson, write_master):
@@ -234,11 +206,6 @@ def test_a_file_of_another_kind_and_a_folder_are_one_line(tmp_path):
     assert done.exit_code == 1 and done.output == f"{folder} {tmp_path / '03_mine.ipynb'}\n"
 
 
-def test_a_file_that_does_not_exist(tmp_path):
-    with pytest.raises(LessonFileError, match="no such file"):
-        check_lesson(tmp_path / "nothing.ipynb")
-
-
 # ---------------------------------------------------------------- running the answers
 
 
@@ -246,12 +213,6 @@ def run(path):
     lesson_check = check_lesson(path)
     run_answers(lesson_check)
     return lesson_check
-
-
-def test_answers_run_by_themselves(lesson):
-    lesson_check = run(lesson())
-    assert all(case.passed for case in lesson_check.exercises[0].result.cases)
-    assert "  template-double: 1 of 1 checks pass" in list(report_lines(lesson_check))
 
 
 def test_the_terminal_shows_nothing_that_an_answer_prints_or_asks(lesson, capsys, monkeypatch):
@@ -332,10 +293,9 @@ def test_a_cell_that_fails_without_a_refused_module_names_the_module(lesson, imp
 def test_the_exit_code_is_1_while_the_lesson_is_not_ready(lesson):
     done = CliRunner().invoke(check, ["--run", str(lesson())])
     assert done.exit_code == 0 and done.output.endswith("Ready to submit: every check passes.\n")
+    assert "  template-double: 1 of 1 checks pass\n" in done.output
     done = CliRunner().invoke(check, [str(lesson(solved=False))])
     assert done.exit_code == 1 and "template-double: not attempted" in done.output
-    done = CliRunner().invoke(check, ["nothing.ipynb"])
-    assert done.exit_code == 1 and "Error: nothing.ipynb: no such file" in done.output
 
 
 def test_an_answer_that_ends_python_is_named(lesson):

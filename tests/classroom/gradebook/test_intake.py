@@ -21,7 +21,6 @@ from nbclassroom.gradebook.teacher_tables import Deadlines
 from submissions import answers_of, make_zip, notebook, write
 
 LESSONS = ("light", "sound")
-BOB_IN_MOODLE = "Bob Ray_7_assignsubmission_file_/20_light.ipynb"
 
 
 @pytest.fixture
