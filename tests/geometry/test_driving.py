@@ -19,16 +19,6 @@ def test_the_frame_of_the_odometry_composed_with_what_it_counts_is_the_place():
         assert math.hypot(x, y) < 1e-12 and abs(math.remainder(yaw, 2 * math.pi)) < 1e-12
 
 
-def test_a_free_way_ends_at_the_first_point_in_the_corridor():
-    points = [(2.0, 0.0), (1.0, 0.14), (0.5, 0.16), (-0.4, 0.0), (0.1, -1.2)]
-    assert free_way(points, 0.0, 0.3) == 1.0
-    assert free_way(points, 0.0, 0.2) == 2.0
-    assert free_way(points, 0.0, 0.4) == 0.5
-    assert free_way(points, math.pi, 0.3) == pytest.approx(0.4)
-    assert free_way(points, -math.pi / 2, 0.3) == pytest.approx(1.2)
-    assert free_way(points, math.pi / 2, 0.05) == math.inf
-
-
 def test_a_free_way_is_that_of_points_turned_one_by_one():
     rng = np.random.default_rng(1)
     ways = []

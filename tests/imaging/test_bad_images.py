@@ -60,16 +60,10 @@ ON_BOTH = {
 ALL_FUNCTIONS = {**ON_GRAY, **ON_BGR, **ON_BOTH}
 
 CONVERT = "convert it to uint8 first: its values go from 0 to 0, so "
+FLOATS, INTEGERS = ("float64", "float32", "float16"), ("uint16", "int8", "int16", "int32", "uint32", "int64")
 WRONG_DTYPES = {
-    "float64": CONVERT + r"np.rint\((\w+) \* 255\).astype\(np.uint8\)",
-    "float32": CONVERT + r"np.rint\((\w+) \* 255\).astype\(np.uint8\)",
-    "float16": CONVERT + r"np.rint\((\w+) \* 255\).astype\(np.uint8\)",
-    "uint16": CONVERT + r"\w+.astype\(np.uint8\)",
-    "int8": CONVERT + r"\w+.astype\(np.uint8\)",
-    "int16": CONVERT + r"\w+.astype\(np.uint8\)",
-    "int32": CONVERT + r"\w+.astype\(np.uint8\)",
-    "uint32": CONVERT + r"\w+.astype\(np.uint8\)",
-    "int64": CONVERT + r"\w+.astype\(np.uint8\)",
+    **dict.fromkeys(FLOATS, CONVERT + r"np.rint\((\w+) \* 255\).astype\(np.uint8\)"),
+    **dict.fromkeys(INTEGERS, CONVERT + r"\w+.astype\(np.uint8\)"),
     "bool": r"make True white: \w+.astype\(np.uint8\) \* 255",
     "complex64": "scale real numbers to 0..255 and convert them to uint8 first",
     "object": "scale real numbers to 0..255 and convert them to uint8 first",

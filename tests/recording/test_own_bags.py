@@ -563,20 +563,3 @@ def test_the_error_for_an_unknown_camera_topic_names_the_topics(robot_bag):
 def test_the_error_for_missing_data_names_them(raw_bag, read, missing):
     with open_recording(raw_bag) as recording, pytest.raises(NotRecordedError, match=missing):
         read(recording)
-
-
-def test_messages_of_a_type_that_is_not_installed_are_read(tmp_path):
-    TYPES.register(_own_type())
-    bumper = TYPES.types["my_robot/msg/Bumper"](pressed=True, force=2.5)
-    with BagWriter(tmp_path / "mine") as bag:
-        bag.write("/bumper", bumper, START)
-        bag.write("/cam", raw_image(0, START), START + 1)
-    with open_recording(tmp_path / "mine") as recording:
-        (_, message), _ = recording
-        assert (message.pressed, message.force) == (True, 2.5)
-
-
-def _own_type():
-    from rosbags.typesys import get_types_from_msg
-
-    return get_types_from_msg("bool pressed\nfloat64 force\n", "my_robot/msg/Bumper")

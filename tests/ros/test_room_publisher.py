@@ -29,26 +29,17 @@ def body(session, monkeypatch):
         def count(self, name):
             self.calls[name] = self.calls.get(name, 0) + 1
 
-        def frame(self):
-            self.count("frame")
-            return super().frame()
+    def counted(name):
+        method = getattr(Simulation, name)
 
-        def depth(self, camera="front"):
-            self.count(camera)
-            return super().depth(camera)
+        def count(self, *arguments):
+            self.count(arguments[0] if arguments else "front" if name == "depth" else name)
+            return method(self, *arguments)
 
-        def scan(self):
-            self.count("scan")
-            return super().scan()
+        return count
 
-        def odometry(self):
-            self.count("odometry")
-            return super().odometry()
-
-        def pose(self, name):
-            self.count(name)
-            return super().pose(name)
-
+    for name in ("frame", "depth", "scan", "odometry", "pose"):
+        setattr(Counting, name, counted(name))
     monkeypatch.setattr(room_images, "Simulation", Counting)
     request = {"seed": 0, "size": (640, 360), "lighting": "day", "start": (0.4, -0.3, 0.0), "room": None}
     body = open_room({"topic": TOPIC, "rate": 30.0} | request)

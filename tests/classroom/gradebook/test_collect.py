@@ -152,14 +152,6 @@ def test_a_file_that_is_replaced_after_it_was_collected_is_not_read(files_by_sou
     assert "replaced by another file" in reason(file)
 
 
-def test_a_huge_file_is_not_read(files_by_source, submissions):
-    path = submissions / "ada.ipynb"
-    with path.open("wb") as file:
-        file.truncate(200_000_000)
-    (file,) = files_by_source(submissions).values()
-    assert "200 MB" in reason(file) and "clear its outputs" in reason(file)
-
-
 def test_a_zip_bomb_is_not_unpacked(files_by_source, submissions):
     make_zip(submissions / "ada_1_2_x.zip", [("bomb.ipynb", b"0" * 20_000_000), ("good.ipynb", b"{}")])
     by_name = files_by_source(submissions)

@@ -202,6 +202,7 @@ def test_without_bubblewrap_grading_needs_unsafe(light, key_path, tmp_path):
     )
     assert refused.returncode == 1 and len(refused.stderr.splitlines()) == 1
     assert "bubblewrap is not installed" in refused.stderr and "--unsafe" in refused.stderr
+    assert not (tmp_path / "grades").exists()
     unsafe = subprocess.run(
         [*words, "--unsafe"], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
     )

@@ -11,9 +11,7 @@ from datetime import datetime
 import pytest
 from form_attacks import FORM_ATTACKS, grade_attacks
 from nbclassroom.autograder.answer_key import load_key
-from nbclassroom.autograder.pool import SandboxError
 from nbclassroom.autograder.results import from_json
-from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.grades_json import lesson_names
 from nbclassroom.gradebook.result_store import GradesFolderError, ResultStore, show_time
@@ -192,16 +190,6 @@ def test_no_grades_among_the_submissions(light, key_path, submissions):
     for out in (submissions, submissions / "grades", key_path / "grades"):
         with pytest.raises(ValueError, match="name a folder outside it"):
             grade_submissions(submissions, [key_path], out, quiet=True)
-
-
-def test_grading_without_a_sandbox_is_refused_before_anything_is_read(
-    light, key_path, submissions, tmp_path, monkeypatch
-):
-    write(submissions / "ada.ipynb", notebook(light))
-    monkeypatch.setattr(bubblewrap, "sandbox_problem", lambda: "bubblewrap is not installed")
-    with pytest.raises(SandboxError, match="--unsafe"):
-        grade_submissions(submissions, [key_path], tmp_path / "grades", quiet=True)
-    assert not (tmp_path / "grades").exists()
 
 
 def test_a_folder_that_cannot_be_written(light, key_path, submissions, tmp_path):
