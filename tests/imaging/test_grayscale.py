@@ -40,11 +40,6 @@ def test_luma_equals_opencvs_for_every_memory_layout(colours, frames, count):
     count.report("to_gray on images")
 
 
-def test_luma_follows_its_integer_formula():
-    frame = np.array([[[255, 255, 255], [255, 0, 0], [0, 255, 0], [0, 0, 255], [10, 20, 30]]], np.uint8)
-    assert to_gray(frame).tolist() == [[255, 29, 150, 76, (37350 + 384700 + 293940 + 16384) >> 15]]
-
-
 def test_average_is_the_nearest_level_to_the_mean():
     for frame in every_colour():
         if frame[0, 0, 0] % 15 == 0:
