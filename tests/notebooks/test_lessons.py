@@ -32,9 +32,9 @@ from nbclassroom.authoring.execute import execute
 from nbclassroom.authoring.lesson_files import lesson_file_differences, lesson_files
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.authoring.validation import validate_exercise
-from nbclassroom.exercises import expected_results
 from nbclassroom.exercises.check_files import read_check_file
 from nbclassroom.exercises.checking import run_cases, run_check
+from nbclassroom.exercises.kinds.drive import kind as drive_kind
 from selection import IS_SHORT
 from solved_twin import solved_twin
 
@@ -149,18 +149,19 @@ def one_mistake_drives(monkeypatch):
     A drive takes a second, and one lesson has 27 of them. The benchmark `term` lets all drive, and so does a
     build.
     """
-    drive = expected_results._drive_mistake
+    drive = drive_kind._drives_of_mistake
 
-    def drive_the_last(exercise, mistake, cases, seed):
-        if mistake == exercise.mistakes[-1] or os.environ.get("WHOLE_TERM"):
-            return drive(exercise, mistake, cases, seed)
+    def drive_the_last(exercise, mistake, cases):
+        (declared,) = (one for one in read_master(exercise.master).exercises if one.id == exercise.id)
+        if mistake == declared.mistakes[-1] or os.environ.get("WHOLE_TERM"):
+            return drive(exercise, mistake, cases)
         stored = read_check_file(NOTEBOOKS / "checks" / f"{read_master(exercise.master).name}.json")
         (results,) = (
             known.results for known in stored.exercise(exercise.id).mistakes if known.name == mistake.name
         )
         return [(None, *results[case.id]) for case in cases]
 
-    monkeypatch.setattr(expected_results, "_drive_mistake", drive_the_last)
+    monkeypatch.setattr(drive_kind, "_drives_of_mistake", drive_the_last)
 
 
 @pytest.mark.parametrize("path", by_lesson(MASTERS))
