@@ -3,19 +3,16 @@
 from .binarization import adaptive_threshold, otsu_threshold, threshold
 from .canny import (
     CannyStages,
-    canny_gradient,
     canny_stages,
     double_threshold,
     hysteresis,
     smooth,
     suppress,
-    threshold_in_unit,
 )
 from .canny_fast import canny
 from .filters import (
     bilateral_filter,
     box_blur,
-    fixed_point_gaussian_kernel,
     gaussian_blur,
     gaussian_kernel,
     median_blur,
@@ -34,11 +31,9 @@ __all__ = [
     "bilateral_filter",
     "box_blur",
     "canny",
-    "canny_gradient",
     "canny_stages",
     "direction",
     "double_threshold",
-    "fixed_point_gaussian_kernel",
     "gaussian_blur",
     "gaussian_kernel",
     "gradient_angle",
@@ -56,6 +51,5 @@ __all__ = [
     "ssim",
     "suppress",
     "threshold",
-    "threshold_in_unit",
     "to_gray",
 ]

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Literal
 
 import numpy as np
 
 from .array_types import Gray
-from .filters import box_mean, gaussian_kernel
-from .row_blocks import filter_blocks
+from .filters import box_mean
 from .validation import check_gray, check_number, check_size
 
 # Otsu: a class with a smaller share of the pixels counts as empty (FLT_EPSILON in OpenCV).
@@ -97,9 +95,7 @@ def otsu_threshold(gray: Gray) -> int:
     return best_level
 
 
-def adaptive_threshold(
-    gray: Gray, size: int, offset: float, *, weights: Literal["mean", "gaussian"] = "mean"
-) -> Gray:
+def adaptive_threshold(gray: Gray, size: int, offset: float) -> Gray:
     """Adaptive threshold: white where the gray level is above the local mean minus `offset`.
 
     A global threshold fails if one half of the floor lies in the sun. Compared with its own neighbourhood, a
@@ -110,8 +106,6 @@ def adaptive_threshold(
     gray : (H, W) uint8
     size : odd side of the neighbourhood in pixels, at least 3; choose it larger than the details of interest
     offset : gray levels below the local mean that still count as white (OpenCV's C); rounded up
-    weights : "mean": all neighbours have the same weight; "gaussian": near ones have more (OpenCV's
-        sigma for the size)
 
     Returns
     -------
@@ -120,12 +114,10 @@ def adaptive_threshold(
 
     Raises
     ------
-    ValueError : another shape or dtype, an even size, other weights
+    ValueError : another shape or dtype, an even size
 
-    Source: cv2.adaptiveThreshold with cv2.THRESH_BINARY and its border BORDER_REPLICATE. Its Gaussian mean
-    adds float32 numbers. This function does it as a processor with fused multiply-add; on other processors
-    about one local mean in 50,000 differs by one level, and the pixel differs if its level is that close to
-    the threshold.
+    Source: cv2.adaptiveThreshold with cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY and its border
+    BORDER_REPLICATE.
 
     Examples
     --------
@@ -135,39 +127,7 @@ def adaptive_threshold(
     """
     gray, size = check_gray(gray), check_size(size, minimum=3)
     offset = math.ceil(check_number(offset, "offset"))
-    if weights not in ("mean", "gaussian"):
-        raise ValueError(f'weights must be "mean" or "gaussian", got {weights!r}; try "mean" first')
-    mean = box_mean(gray, size, "replicate") if weights == "mean" else _gaussian_mean(gray, size)
+    mean = box_mean(gray, size, "replicate")
     # An offset beyond ±256 has no further effect, and int16 can hold the smaller ones.
     offset = min(max(offset, -256), 256)
     return (gray > mean.astype(np.int16) - offset).view(np.uint8) * np.uint8(255)
-
-
-def _gaussian_mean(gray, size):
-    """Gaussian mean with border "replicate", rounded to the nearest, halves to even.
-
-    The sums are float32 in OpenCV's order: along rows from left to right, down columns from the
-    middle outwards.
-    """
-    half = size // 2
-    kernel = gaussian_kernel(0, size)
-
-    def mean_of_block(block):
-        rows, cols = len(block) - 2 * half, gray.shape[1]
-        block = block.astype(np.float32)
-        row_sums = _fused_sum([block[:, k : k + cols] for k in range(size)], kernel)
-        shifted = [row_sums[k : k + rows] for k in range(size)]
-        pairs = [shifted[half - k] + shifted[half + k] for k in range(1, half + 1)]
-        return np.rint(_fused_sum([shifted[half], *pairs], kernel[half:]))
-
-    return filter_blocks(gray, half, "replicate", mean_of_block)
-
-
-def _fused_sum(images, weights):
-    """Weighted sum of float32 images; each product is added before it is rounded (fused multiply-add)."""
-    weights = np.array(weights, np.float32).astype(np.float64)
-    total = images[0] * np.float32(weights[0])
-    for image, weight in zip(images[1:], weights[1:], strict=True):
-        # float64 holds the product of two float32 exactly, like the wide register of the processor.
-        total = (image * weight + total).astype(np.float32)
-    return total

@@ -133,28 +133,8 @@ def smooth(gray: Gray, sigma: float = 0) -> Gray:
     return gaussian_blur(gray, sigma)
 
 
-def canny_gradient(smoothed: Gray, aperture: int = 3) -> tuple[Gradient, Gradient]:
-    """Second stage: Sobel's gradient; at aperture 7 divided by 16, as cv2.Canny does.
-
-    Parameters
-    ----------
-    smoothed : (H, W) uint8
-    aperture : 3, 5 or 7
-
-    Returns
-    -------
-    grad_row, grad_col : (H, W) int32; aperture 7: divided by 16, rounded, halves to even
-
-    Raises
-    ------
-    ValueError : another shape, dtype or aperture
-
-    Examples
-    --------
-    >>> grad_row, grad_col = canny_gradient(np.array([[0, 0, 10, 10]], np.uint8))
-    >>> print(grad_col)
-    [[ 0 40 40  0]]
-    """
+def canny_gradient(smoothed, aperture):
+    """Second stage: Sobel's gradient; at aperture 7 a sixteenth of it, halves to even, as in cv2.Canny."""
     grad_row, grad_col = sobel(smoothed, aperture)
     if aperture == 7:
         grad_row = np.rint(grad_row / APERTURE_7_SCALE).astype(np.int32)
@@ -294,28 +274,8 @@ def check_thresholds(low, high):
     return low, high
 
 
-def threshold_in_unit(value: float, aperture: int = 3, l2_gradient: bool = False) -> float:
-    """Convert a threshold to the unit in which cv2.Canny compares magnitudes.
-
-    Parameters
-    ----------
-    value : number in the unit of the gradient's norm, as the caller of canny passes it
-    aperture, l2_gradient : as for canny
-
-    Returns
-    -------
-    float: a sixteenth of it at aperture 7; its square with l2_gradient; below 0 it counts as 0, above 32767
-    as 32767
-
-    Raises
-    ------
-    ValueError : another aperture
-
-    Examples
-    --------
-    >>> threshold_in_unit(100), threshold_in_unit(100, 7), threshold_in_unit(100, 3, True)
-    (100.0, 6.25, 10000.0)
-    """
+def threshold_in_unit(value, aperture, l2_gradient):
+    """A threshold of canny in the unit in which cv2.Canny compares magnitudes, float."""
     if check_aperture(aperture) == 7:
         value = value / APERTURE_7_SCALE
     value = min(max(float(value), 0.0), float(LARGEST_THRESHOLD))

@@ -114,31 +114,10 @@ def gaussian_kernel(sigma: float, size: int | None = None) -> list[float]:
     return [*outer, middle, *reversed(outer)]
 
 
-def fixed_point_gaussian_kernel(sigma: float, size: int | None = None) -> list[int]:
-    """Gaussian kernel along one axis, as integers in units of 1/256, rounded as OpenCV rounds them.
+def fixed_point_gaussian_kernel(sigma, size=None):
+    """The weights of `gaussian_kernel` as integers of sum 256, as OpenCV's smooth.dispatch.cpp rounds them.
 
-    Each weight is rounded to an integer, and its rounding error is added to the next weight, from the ends
-    inwards. The middle weight is the rest to 256. So the sum is exactly 256, and the filter does not change
-    an image of one gray level.
-
-    Parameters
-    ----------
-    sigma, size : as for `gaussian_kernel`
-
-    Returns
-    -------
-    list of `size` ints, symmetric, of sum 256
-
-    Raises
-    ------
-    ValueError : an even size; neither sigma nor size
-
-    Source: the fixed-point kernel of cv2.GaussianBlur for uint8 (OpenCV's smooth.dispatch.cpp).
-
-    Examples
-    --------
-    >>> fixed_point_gaussian_kernel(0, 3)
-    [64, 128, 64]
+    The rounding error of each is added to the next one, from the ends inwards; the middle is the rest to 256.
     """
     kernel = gaussian_kernel(sigma, size)
     outer, error = [], 0.0

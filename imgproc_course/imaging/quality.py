@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
 from scipy import ndimage
 
 from .array_types import Gray, GrayOrBgr
-from .validation import check_number, check_pair, check_size
+from .validation import check_pair, check_size
 
 # SSIM's constants, as fractions of the largest level. They keep its denominators away from zero.
 K1, K2 = 0.01, 0.03
@@ -41,18 +42,13 @@ def psnr(reference: GrayOrBgr, image: GrayOrBgr) -> float:
     return math.inf if error == 0 else float(10 * np.log10(255**2 / error))
 
 
-def ssim(
-    reference: Gray, image: Gray, *, size: int = 7, gaussian_weights: bool = False, sigma: float = 1.5
-) -> float:
+def ssim(reference: Gray, image: Gray, *, size: int = 7) -> float:
     """Structural similarity: do both images have the same mean, contrast and pattern around each pixel?
 
     Parameters
     ----------
     reference, image : (H, W) uint8 of the same shape, at least as large as the window
-    size : odd side of the window in pixels; not used with gaussian_weights
-    gaussian_weights : weight the window with a Gaussian of `sigma` pixels, truncated at 3.5 sigma, as the
-        paper does
-    sigma : pixels, used only with gaussian_weights
+    size : odd side of the window in pixels
 
     Returns
     -------
@@ -63,7 +59,7 @@ def ssim(
     ValueError : another shape or dtype, different shapes, a window larger than the image
 
     Source: Z. Wang et al., 2004, doi:10.1109/TIP.2003.819861; as skimage.metrics.structural_similarity with
-    win_size=size, gaussian_weights, sigma, data_range=255.
+    win_size=size, data_range=255; it can also weight the window with a Gaussian, as the paper does.
 
     Examples
     --------
@@ -72,20 +68,13 @@ def ssim(
     (1.0, -0.75)
     """
     reference, image = check_pair(reference, image)
-    if gaussian_weights:
-        size = 2 * int(3.5 * check_number(sigma, "sigma", minimum=0.15) + 0.5) + 1
     size = check_size(size, minimum=3)
     if reference.ndim != 2 or size > min(reference.shape):
         raise ValueError(
             f"ssim needs gray images of at least {size}×{size} pixels, got {reference.shape}; "
             f"make them gray with to_gray, or use a smaller window"
         )
-
-    def local_mean(values):
-        if gaussian_weights:
-            return ndimage.gaussian_filter(values, sigma, truncate=3.5)
-        return ndimage.uniform_filter(values, size)
-
+    local_mean = functools.partial(ndimage.uniform_filter, size=size)
     a, b = reference.astype(np.float64), image.astype(np.float64)
     mean_a, mean_b = local_mean(a), local_mean(b)
     # Bessel's correction: the mean of each window is estimated from the same window.

@@ -197,7 +197,6 @@ BAD_NUMBERS = {
     "size 0": (lambda: median_blur(GRAY, 0), "size must be an odd whole number"),
     "size with a fraction": (lambda: gaussian_blur(GRAY, 1, 3.5), "size must be an odd whole number"),
     "adaptive size 1": (lambda: adaptive_threshold(GRAY, 1, 0), "at least 3"),
-    "adaptive weights": (lambda: adaptive_threshold(GRAY, 3, 0, weights="box"), 'weights must be "mean"'),
     "level NaN": (lambda: threshold(GRAY, np.nan), "level must be a number"),
     "sigma_color 0": (lambda: bilateral_filter(GRAY, 0, 3), "sigma_color must be above 0"),
     "sigma_space -1": (lambda: bilateral_filter(GRAY, 3, -1), "sigma_space must be above 0"),

@@ -12,14 +12,13 @@ from hypothesis.extra import numpy as arrays
 from imgproc_course.imaging import (
     CannyStages,
     canny,
-    canny_gradient,
     canny_stages,
     double_threshold,
     hysteresis,
     smooth,
     suppress,
-    threshold_in_unit,
 )
+from imgproc_course.imaging.canny import canny_gradient, threshold_in_unit
 
 APERTURES = (3, 5, 7)
 STRONGEST = {3: 1020, 5: 12240, 7: 163200}  # gradient of a step from black to white
@@ -197,9 +196,9 @@ def test_aperture_7_gradients_are_sixteenths_with_halves_rounded_to_even():
 
 
 def test_thresholds_in_the_unit_in_which_opencv_compares():
-    assert threshold_in_unit(100) == 100
-    assert threshold_in_unit(100, 5) == 100
-    assert threshold_in_unit(100, 7) == 6.25
+    assert threshold_in_unit(100, 3, False) == 100
+    assert threshold_in_unit(100, 5, False) == 100
+    assert threshold_in_unit(100, 7, False) == 6.25
     assert threshold_in_unit(100, 3, True) == 10_000
     assert threshold_in_unit(100, 7, True) == 39.0625
     assert threshold_in_unit(-100, 3, True) == 0
