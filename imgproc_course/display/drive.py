@@ -40,7 +40,7 @@ def drive(
     linear: float = 0.3,
     angular: float = 1.2,
     width: int = 480,
-    text: str | tuple[str, str] | None = None,
+    text: str | None = None,
     caption: str | None = None,
     alt: str | None = None,
 ) -> "DriveView":

@@ -59,7 +59,7 @@ def show(
     titles: str | Sequence[str] | None = None,
     *,
     encoding: str | Sequence[str] = "bgr8",
-    text: str | tuple[str, str] | None = None,
+    text: str | None = None,
     alt: str | None = None,
     caption: str | None = None,
     limits: tuple[float, float] | None = None,
@@ -83,9 +83,9 @@ def show(
     encoding : str or list of str, one per image
         Channel order of colour images: "bgr8", "rgb8", "bgra8", "rgba8", "8UC3" (bgr). An (H, W) array is
         gray under each of these. "mono8", "mono16", "16UC1", "32FC1" and similar ones require their dtype.
-    text : "<lesson>/<name>", or (caption, alt)
-        Both texts of the figure, instead of `caption` and `alt`; a name is read in texts/<lesson>.json, in
-        the current folder or in the course's. A missing file or name makes the figure one without texts.
+    text : "<lesson>/<name>"
+        Names both texts of the figure in texts/<lesson>.json, in the current folder or in the course's,
+        instead of `caption` and `alt`. A missing file or name makes the figure one without texts.
     alt : str
         Alternative text: what the figure shows. If omitted, it is made of titles and sizes.
     caption : str
@@ -146,7 +146,7 @@ def show_figure(
     *,
     alt: str | None = None,
     caption: str | None = None,
-    text: str | tuple[str, str] | None = None,
+    text: str | None = None,
 ) -> None:
     """Shows any matplotlib figure as an image with an alternative text, and closes it.
 
@@ -157,7 +157,7 @@ def show_figure(
     figure : matplotlib Figure
     alt : str, what the figure shows
     caption : str, a sentence under the figure
-    text : name of both texts, or (caption, alt), as in `show`, instead of `caption` and `alt`
+    text : name of both texts, as in `show`, instead of `caption` and `alt`
     """
     caption, alt = split_text(text, caption, alt)
     if text is not None and alt is None:
@@ -172,27 +172,16 @@ def show_figure(
 
 
 def split_text(
-    text: str | tuple[str, str] | None, caption: str | None = None, alt: str | None = None
+    text: str | None, caption: str | None = None, alt: str | None = None
 ) -> tuple[str | None, str | None]:
-    """(caption, alt) of a figure: of its `text`, if it has one, and None for one that is not stored.
-
-    ValueError: both are given, or `text` is neither a name nor a pair of texts.
-    """
+    """(caption, alt) of a figure: those stored by its `text`, if it has one; None if there are none."""
     if text is None:
         return caption, alt
     if caption is not None or alt is not None:
         raise ValueError("give text=, or caption= and alt=, not both")
-    if isinstance(text, str):
-        return _stored_texts(text)
-    is_pair = isinstance(text, tuple | list) and len(text) == 2
-    if not is_pair or not all(isinstance(part, str) and part.strip() for part in text):
-        raise ValueError(f'text must be "lesson/name" or ("caption", "alternative text"), got {text!r}')
-    return text[0], text[1]
-
-
-def _stored_texts(name):
-    """(caption, alt) in the file of a lesson; (None, None) if there is no such file or name."""
-    lesson, _, figure = name.partition("/")
+    if not isinstance(text, str):
+        raise ValueError(f'text must be "lesson/name", got {text!r}; give your own as caption= and alt=')
+    lesson, _, figure = text.partition("/")
     for folder in (Path(), Path(__file__).parents[2] / "notebooks"):
         with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
             texts = json.loads((folder / "texts" / f"{lesson}.json").read_text(encoding="utf-8"))

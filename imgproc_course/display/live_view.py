@@ -35,7 +35,7 @@ def live_view(
     encoding: str = "bgr8",
     width: int | None = None,
     limits: tuple[float, float] | None = None,
-    text: str | tuple[str, str] | None = None,
+    text: str | None = None,
     caption: str | None = None,
     alt: str | None = None,
     **ranges: Any,
@@ -58,7 +58,7 @@ def live_view(
         CSS pixels. If omitted: 640 for one image, 960 for several. Frames are sent at this width.
     limits : (low, high)
         The values shown black and white, for gray results that are neither uint8 nor bool.
-    text : name of both texts, or (caption, alt), as in `show`, instead of `caption` and `alt`
+    text : name of both texts, as in `show`, instead of `caption` and `alt`
     caption : str, a sentence under the view
     alt : str, alternative text. If omitted: made of the function's name
     **ranges
@@ -342,11 +342,6 @@ def _feed_from(source, encoding):
         f"cannot show {type(source).__name__} live; expected a Camera, an ImageSubscriber, a topic name "
         'such as "/kachaka/front_camera/image_raw", or a Recording; for a single image call show()'
     )
-
-
-def is_live(source):
-    """Whether a source gives frames repeatedly."""
-    return isinstance(source, str) or any(hasattr(source, name) for name in ("wait", "frame", "topic"))
 
 
 class _Feed:

@@ -13,7 +13,6 @@ from IPython.display import display
 
 from imgproc_course.display.controls import Controls, in_a_row
 from imgproc_course.display.figures import Output, split_text
-from imgproc_course.display.live_view import LiveView, is_live, live_view
 from imgproc_course.display.printing import captured_prints, last_lines
 from imgproc_course.display.screen import Look, Screen, View, describe_error
 
@@ -28,11 +27,11 @@ def tune(
     encoding: str = "bgr8",
     width: int | None = None,
     limits: tuple[float, float] | None = None,
-    text: str | tuple[str, str] | None = None,
+    text: str | None = None,
     caption: str | None = None,
     alt: str | None = None,
     **sliders: Any,
-) -> "Tuner | LiveView":
+) -> "Tuner":
     """Shows the result of `function` on a frame, with a slider for each of its parameters.
 
     tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0)) calls canny(gray, low=..., high=..., sigma=...)
@@ -41,7 +40,7 @@ def tune(
     Parameters
     ----------
     function : function (frame, **parameters) -> array, or a list or dict (title -> array) of arrays
-    frame : array, or any source of `live_view`: a Camera, ImageSubscriber, topic name or Recording
+    frame : array; for a live source, live_view(source, function, **sliders)
     encoding, width, limits, text, caption, alt : as in `live_view`
     **sliders
         name=(low, high) or (low, high, step): a slider, of integers if all are integers. It starts at the
@@ -52,7 +51,7 @@ def tune(
 
     Returns
     -------
-    Tuner, or LiveView of a live source : .parameters, .value, .call, .error, .reset()
+    Tuner : .parameters, .value, .call, .error, .reset()
 
     Raises
     ------
@@ -64,16 +63,15 @@ def tune(
         )
     if not sliders:
         raise ValueError("nothing to tune: give a parameter and its range, such as sigma=(0, 5.0)")
-    look = Look(encoding, width, limits, *split_text(text, caption, alt))
-    if isinstance(frame, np.ndarray):
-        tuner = Tuner(function, frame, look, sliders)
-        tuner.publish()
-        return tuner
-    if not is_live(frame):
+    if not isinstance(frame, np.ndarray):
         raise ValueError(
-            f"frame is {type(frame).__name__}; expected an array, or a source that live_view takes"
+            f"frame is {type(frame).__name__}; expected an array; for a live source call "
+            "live_view(source, function, name=(low, high))"
         )
-    return live_view(frame, function, **look._asdict(), **sliders)
+    look = Look(encoding, width, limits, *split_text(text, caption, alt))
+    tuner = Tuner(function, frame, look, sliders)
+    tuner.publish()
+    return tuner
 
 
 class Tuner(View):

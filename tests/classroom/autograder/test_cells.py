@@ -48,7 +48,7 @@ CELLS = [
         ("RefusedModule", "write this exercise without imgproc_course.imaging"),
     ),
     ("try:\n    import scipy\nexcept ImportError:\n    print('without')", "without\n", ("", "")),
-    ("from imgproc_course.display import show\nshow(np.ones((2, 2)), text=('a', 'b'))", "", ("", "")),
+    ("from imgproc_course.display import show\nshow(np.ones((2, 2)), caption='a', alt='b')", "", ("", "")),
     (
         "%matplotlib inline\nimport matplotlib.pyplot as plt\nplt.imshow(np.ones((2, 2)))\nplt.show()",
         None,
