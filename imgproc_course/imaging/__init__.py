@@ -1,22 +1,9 @@
 """Image processing by hand, in NumPy: grayscale, noise, filters, binarization, gradients and Canny."""
 
 from .binarization import adaptive_threshold, otsu_threshold, threshold
-from .canny import (
-    CannyStages,
-    canny_stages,
-    double_threshold,
-    hysteresis,
-    smooth,
-    suppress,
-)
+from .canny import CannyStages, canny_stages, double_threshold, hysteresis, smooth, suppress
 from .canny_fast import canny
-from .filters import (
-    bilateral_filter,
-    box_blur,
-    gaussian_blur,
-    gaussian_kernel,
-    median_blur,
-)
+from .filters import bilateral_filter, box_blur, gaussian_blur, gaussian_kernel, median_blur
 from .gradients import direction, gradient_angle, magnitude, sobel
 from .grayscale import average_gray, lightness_gray, linear_light, linear_light_gray, srgb_levels, to_gray
 from .noise import add_gaussian_noise, add_salt_and_pepper
