@@ -14,8 +14,8 @@ from .errors import ConversionError
 
 _CHANNEL_ORDERS = {"gray", "rgb", "bgr", "rgba", "bgra"}
 _BAYER_IN_OPENCV = {"rggb": "BG", "bggr": "RG", "gbrg": "GR", "grbg": "GB"}  # OpenCV names the second row
-_PACKED_YUV = {"uyvy": "UYVY", "yuyv": "YUY2"}  # two pixels share one pair of U and V
-_PLANAR_420 = {"nv12": "NV12", "nv21": "NV21"}  # 2 × 2 pixels share one
+_PACKED_YUV = ("uyvy", "yuyv")  # two pixels share one pair of U and V
+_YUV_IN_OPENCV = {"uyvy": "UYVY", "yuyv": "YUY2", "nv12": "NV12", "nv21": "NV21"}
 
 
 def converter(source, desired, field="msg.encoding"):
@@ -54,16 +54,14 @@ def _recolor(source, desired):
     a, b = source.color, desired.color
     if b not in _CHANNEL_ORDERS:
         raise ConversionError(_why_not(source, desired))
+    if source.is_planar and b == "gray":
+        return lambda planes: planes[: source.height(planes.shape[0])].copy()
     if a == "nv24":
         return functools.partial(_from_nv24, color=b)
-    if a in _PLANAR_420 and b == "gray":
-        return _luma_plane
     if a in _CHANNEL_ORDERS:
         code = f"{a}2{b}".upper()
-    elif a in _PACKED_YUV:
-        code = f"YUV2{b.upper()}_{_PACKED_YUV[a]}"
-    elif a in _PLANAR_420:
-        code = f"YUV2{b.upper()}_{_PLANAR_420[a]}"
+    elif a in _YUV_IN_OPENCV:
+        code = f"YUV2{b.upper()}_{_YUV_IN_OPENCV[a]}"
     elif b in {"gray", "rgb", "bgr"}:
         code = f"Bayer{_BAYER_IN_OPENCV[a.removeprefix('bayer_')]}2{b.upper()}"
     else:
@@ -72,17 +70,10 @@ def _recolor(source, desired):
     return lambda frame: cv2.cvtColor(frame, code)
 
 
-def _luma_plane(planes):
-    return planes[: planes.shape[0] * 2 // 3].copy()
-
-
 def _from_nv24(planes, color):
     """The colors of nv24 (one U and one V per pixel): OpenCV converts them as yuyv with doubled pixels."""
     height, width = planes.shape[0] // 3, planes.shape[1]
-    luma = planes[:height]
-    if color == "gray":
-        return luma.copy()
-    chroma = planes[height:].reshape(height, width, 2)
+    luma, chroma = planes[:height], planes[height:].reshape(height, width, 2)
     twice = np.empty((height, 2 * width, 2), np.uint8)
     twice[:, 0::2, 0] = twice[:, 1::2, 0] = luma
     twice[:, 0::2, 1], twice[:, 1::2, 1] = chroma[..., 0], chroma[..., 1]
@@ -108,17 +99,16 @@ def _rescale(source, target):
     """Function of a frame that changes its depth; None if both are equal."""
     if source == target:
         return None
-    if target.kind == "f":
-        return functools.partial(_to_float, dtype=target)
-    if source.kind == "f":
-        return functools.partial(_float_to_integer, dtype=target)
-    if (source.itemsize, target.itemsize) == (1, 2):
-        return functools.partial(_8_to_16_bits, dtype=target)
     if (source, target) == (np.uint16, np.uint8):
         return _gray_levels_16_to_8
-    if (source.itemsize, target.itemsize) == (2, 1):
-        return functools.partial(_16_to_8_bits, dtype=target)
-    return functools.partial(_saturate, dtype=target)
+    if target.kind == "f":
+        rescale = _to_float
+    elif source.kind == "f":
+        rescale = _float_to_integer
+    else:
+        bits = {(1, 2): _8_to_16_bits, (2, 1): _16_to_8_bits}
+        rescale = bits.get((source.itemsize, target.itemsize), _saturate)
+    return functools.partial(rescale, dtype=target)
 
 
 def _to_float(frame, dtype):
