@@ -255,11 +255,11 @@ def test_an_opencv_without_cascades_is_a_warning(monkeypatch, tmp_path, cascades
 
 def test_without_ros_the_lessons_still_run(monkeypatch):
     missing = "ROS 2 is missing (rclpy is not installed), and this needs a running graph"
-    problem = f"{missing}. On Linux x86-64: environment/setup"
+    problem = f"{missing}; on Linux x86-64: environment/setup"
     monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: problem)
     monkeypatch.setattr(graph.importlib.util, "find_spec", lambda _: None)
     (finding,) = graph.check_ros()
-    assert (finding.verdict, finding.remedy) == ("warning", "On Linux x86-64: environment/setup")
+    assert (finding.verdict, finding.remedy) == ("warning", "on Linux x86-64: environment/setup")
     assert finding.observation == missing
 
 

@@ -585,7 +585,8 @@ def _part(bgr, panel, size):
 def _encode_image(bgr, width, largest_png):
     """Kind, bytes and CSS width: PNG if it is small, as for numbers and edges; JPEG for photographs."""
     quick_png = _png(bgr, 1)
-    jpeg = _jpeg(bgr) if quick_png.size > largest_png else None
+    options = [cv2.IMWRITE_JPEG_QUALITY, 88, cv2.IMWRITE_JPEG_OPTIMIZE, 1]
+    jpeg = cv2.imencode(".jpg", bgr, options)[1] if quick_png.size > largest_png else None
     # The smallest PNG of a photograph takes a second to make. Over all figures of the lessons it has at least
     # two thirds of the bytes of a quick PNG: if the quick one is more than twice too large, do not try.
     if jpeg is None or quick_png.size <= 2 * max(largest_png, jpeg.size):
@@ -597,7 +598,3 @@ def _encode_image(bgr, width, largest_png):
 
 def _png(bgr, effort):
     return cv2.imencode(".png", bgr, [cv2.IMWRITE_PNG_COMPRESSION, effort])[1]
-
-
-def _jpeg(bgr):
-    return cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, 88, cv2.IMWRITE_JPEG_OPTIMIZE, 1])[1]

@@ -8,7 +8,6 @@ import socket
 import sys
 
 from imgproc_course.doctor.report import failure, failure_of, ok, warning
-from imgproc_course.doctor.software import SET_UP
 from imgproc_course.ros_domain import DOMAINS, discovery_problem, discovery_range, shared_domain
 
 FRAMES = 3  # that must arrive
@@ -21,11 +20,8 @@ def check_ros():
 
     problem = ros_problem()
     if problem is not None:
-        observation, _, remedy = problem.partition("; ")
-        if not remedy:
-            observation, _, remedy = problem.partition(". ")
         is_missing = importlib.util.find_spec("rclpy") is None
-        yield (warning if is_missing else failure)("ROS 2", observation, remedy or SET_UP)
+        yield (warning if is_missing else failure)("ROS 2", *problem.split("; ", 1))
         return
     names = ("rclpy", "sensor_msgs")
     yield ok("ROS 2", ", ".join(f"{name} {_version_of(name)}" for name in names))
@@ -116,21 +112,18 @@ def check_topics():
         return
     was_running = RosSession().running
     try:
-        yield _finding_of_topic(_why_no_frames_of_the_camera())
+        problem = _why_no_frames_of_the_camera()
+        also = "see the lines on DDS profile, shared memory and loopback; a firewall may block the frames"
+        if problem is None:
+            yield ok("topic", "frames arrive from the camera, a process of its own")
+        else:
+            yield failure_of("topic", f"{problem}; {also}")
     # A node or the robot process did not start; the error names the environment variable that is wrong.
     except (ValueError, RuntimeError) as error:
         yield failure_of("topic", error, "correct it, then restart the kernel")
     finally:
         if not was_running:
             RosSession().stop()
-
-
-def _finding_of_topic(problem):
-    if problem is None:
-        return ok("topic", "frames arrive from the camera, a process of its own")
-    observation, _, remedy = problem.partition("; ")
-    also = "see the lines on DDS profile, shared memory and loopback; a firewall may block the frames"
-    return failure("topic", observation, f"{remedy}; {also}" if remedy else also)
 
 
 def _why_no_frames_of_the_camera():

@@ -34,8 +34,8 @@ def import_problem():
             if not isinstance(error, ModuleNotFoundError) or error.name not in own_names:
                 return _load_problem(error)
             return (
-                f"ROS 2 is missing ({name} is not installed), and this needs a running graph. "
-                "On Linux x86-64: environment/setup. On macOS or ARM: environment/pixi.toml or "
+                f"ROS 2 is missing ({name} is not installed), and this needs a running graph; "
+                "on Linux x86-64: environment/setup. On macOS or ARM: environment/pixi.toml or "
                 "environment/Dockerfile. On Windows: WSL. Without ROS, use open_recording('drive')"
             )
     return None

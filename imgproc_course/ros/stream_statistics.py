@@ -2,6 +2,7 @@
 
 import time
 
+COUNTS = ("received", "processed", "failed", "ignored")  # of images
 SILENCE = 3.0  # seconds without an image after which a stream is silent
 LATE = 1.5  # seconds between two reports, one second apart, from which on the thread was blocked
 
@@ -47,14 +48,10 @@ class LossCounter:
             self.total += number - self._last_number - 1
         self._last_number = number
 
-    def set_publishers(self, count):
-        """Takes the new number of publishers: each has its own numbers, and two cannot be told apart."""
-        self._last_number = None
-        self._can_count = count <= 1
-
     def on_matched(self, event):
-        """The callback of a subscription whose publishers have changed."""
-        self.set_publishers(event.current_count)
+        """Takes a change of the publishers: each has its own numbers, and two cannot be told apart."""
+        self._last_number = None
+        self._can_count = event.current_count <= 1
 
     @property
     def lost(self):
@@ -90,19 +87,12 @@ class ProcessingStatistics:
         ), counts
 
     def as_dict(self):
-        return {
-            "received": self.received,
-            "processed": self.processed,
-            "failed": self.failed,
-            "ignored": self.ignored,
-            "lost": self.losses.lost,
-            "last_error": self.last_error,
-        }
+        counts = {name: getattr(self, name) for name in COUNTS}
+        return {**counts, "lost": self.losses.lost, "last_error": self.last_error}
 
 
 def statistics_line(statistics):
-    counts = ("received", "processed", "failed", "ignored", "lost")
-    parts = [f"{statistics[key]} {key}" for key in counts if statistics[key] is not None]
+    parts = [f"{statistics[key]} {key}" for key in (*COUNTS, "lost") if statistics[key] is not None]
     if statistics["last_error"] is not None:
         parts.append(f"last error: {statistics['last_error']}")
     return ", ".join(parts)

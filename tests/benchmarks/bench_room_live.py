@@ -43,9 +43,7 @@ class Streams:
             ("scan", LaserScan, SCAN),
         ):
             self.counts[name], self.losses[name] = 0, LossCounter()
-            events = SubscriptionEventCallbacks(
-                matched=lambda event, name=name: self.losses[name].set_publishers(event.current_count)
-            )
+            events = SubscriptionEventCallbacks(matched=self.losses[name].on_matched)
             session.node.create_subscription(
                 kind, topic, lambda _, info, name=name: self.count(name, info), qos, event_callbacks=events
             )
