@@ -21,7 +21,7 @@ from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
 from .channels import READ_ERRORS, Channel, deserialized, typestores_of, zstd
-from .errors import FrameIndexError, NotRecordedError, RecordingError
+from .errors import FrameIndexError, RecordingError
 from .mcap import McapFile
 from .sqlite import SqliteFile
 
@@ -245,30 +245,19 @@ class Bag:
         with self._lock, readable(self.path):
             return _unpacked(file.read(place))
 
-    def raw(self, topic, k):
-        """Message k of a topic, serialized (CDR)."""
-        return self._read(topic, k)[0]
-
     def message(self, topic, k):
         """Message k of a topic, of the classes of rosbags."""
-        return self.deserialize(*self._read(topic, k))
-
-    def _read(self, topic, k):
         places = self.index(topic, k).places
         if not 0 <= k < len(places):
             raise FrameIndexError(
                 f"{topic} has messages 0 to {len(places) - 1}, got {k}; choose one of these"
             )
-        return self._raw_at(*places[k]), places[k][-1]
+        return self.deserialize(self._raw_at(*places[k]), places[k][-1])
 
     def index(self, topic, k=None):
         """The topic's index, read to message k, or to the end."""
         self.check_open()
         with self._lock, readable(self.path):
-            if topic not in self.topics:
-                raise NotRecordedError(
-                    f"{self.path.name} has no topic {topic}; it has {', '.join(self.topics)}"
-                )
             # Kept only if reading ends well: after an error, the iterator would look as if the bag ended.
             index = self._indexes.pop(topic, None) or TopicIndex(self._entries(topic), [], [])
             while k is None or len(index.places) <= k:

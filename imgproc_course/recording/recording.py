@@ -70,8 +70,7 @@ class Recording:
     Iterating yields (topic, message) lazily, in the order of recording; a warning names each topic of which
     messages are skipped, because nothing here reads them. `len()` is the number of frames.
     Messages are of ROS's classes (sensor_msgs.msg.CompressedImage and so on) if ROS is installed, otherwise
-    of the classes of rosbags, which have the same fields. The fastest way to publish a message is to pass
-    `raw(k)` to the publisher: rclpy publishes serialized messages directly.
+    of the classes of rosbags, which have the same fields.
     A number k counts from 0, a negative one from the end. Any thread may call any method.
 
     Attributes
@@ -161,21 +160,6 @@ class Recording:
     def message(self, k: int) -> Message:
         """The recorded message of frame k: a CompressedImage, or an Image in a recording of raw images."""
         return to_installed(self._bag.message(self.camera_topic, self._number(k)))
-
-    def raw(self, k: int, topic: str | None = None) -> bytes:
-        """Message k of a topic, serialized (CDR): rclpy's `publisher.publish` accepts these bytes.
-
-        Parameters
-        ----------
-        k : number of the message within its topic
-        topic : if omitted, the camera topic
-
-        Returns
-        -------
-        bytes
-        """
-        topic = topic or self.camera_topic
-        return self._bag.raw(topic, self._number(k, topic))
 
     @property
     def camera_info(self) -> Message:
@@ -305,8 +289,8 @@ class Recording:
             )
         return topic
 
-    def _number(self, k, topic=None):
-        count = self._bag.count(topic) if topic in self._bag.topics else len(self)
+    def _number(self, k):
+        count = len(self)
         try:
             number = k.__index__()
         except AttributeError:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from imgproc_course.messages.message_classes import installed_class
-from imgproc_course.recording import FrameIndexError, NotRecordedError, RecordingError, open_recording
+from imgproc_course.recording import FrameIndexError, RecordingError, open_recording
 
 CAMERA = "/kachaka/front_camera/image_raw/compressed"
 POSES = ["camera", "person", "ball", "toycar", "marker"]
@@ -68,7 +68,6 @@ def test_a_frame_has_the_requested_encoding(drive):
 
 
 def test_numbers_count_from_the_end_too(drive):
-    assert bytes(drive.raw(-1)) == bytes(drive.raw(89))
     np.testing.assert_array_equal(drive.frame(np.int64(-90)), drive.frame(0))
 
 
@@ -177,19 +176,9 @@ def test_messages_are_of_the_classes_that_publishers_accept(drive):
             assert type(message).__module__.startswith(f"{package}.msg")
 
 
-@pytest.mark.ros
-def test_serialized_messages_are_those_of_ros(drive):
-    from rclpy.serialization import deserialize_message
-    from sensor_msgs.msg import CameraInfo, CompressedImage
-
-    assert deserialize_message(drive.raw(7), CompressedImage) == drive.message(7)
-    raw = drive.raw(0, "/kachaka/front_camera/camera_info")
-    assert deserialize_message(raw, CameraInfo) == drive.camera_info
-
-
 @pytest.mark.parametrize("k", [90, -91, 10**30])
 def test_the_error_for_a_number_out_of_range_names_the_range(drive, k):
-    for read in (drive.frame, drive.message, drive.raw, drive.depth, drive.labels):
+    for read in (drive.frame, drive.message, drive.depth, drive.labels):
         with pytest.raises(
             FrameIndexError, match=r"^drive has frames 0 to 89, got -?\d+; choose one of these$"
         ):
@@ -210,11 +199,6 @@ def test_the_error_for_an_unknown_pose_names_the_poses(drive):
     assert str(caught.value) == "drive holds no pose of 'cat'; it holds camera, person, ball, toycar, marker"
 
 
-def test_the_error_for_an_unknown_topic_names_the_topics(drive):
-    with pytest.raises(NotRecordedError, match=r"has no topic /tf; it has /kachaka/front_camera/image_raw"):
-        drive.raw(0, "/tf")
-
-
 def test_a_closed_recording_raises_an_error():
     recording = open_recording()
     recording.frame(0)
@@ -226,13 +210,13 @@ def test_a_closed_recording_raises_an_error():
 
 
 def test_many_threads_read_the_right_messages(drive):
-    expected = [digest(drive.raw(k)) for k in range(90)]
+    expected = [digest(drive.message(k).data) for k in range(90)]
     with open_recording() as shared:
         found, wrong = threading.Semaphore(0), []
 
         def read(seed):
             for k in np.random.default_rng(seed).permutation(90):
-                if digest(shared.raw(int(k))) != expected[k]:
+                if digest(shared.message(int(k)).data) != expected[k]:
                     wrong.append(k)
             found.release()
 
