@@ -79,27 +79,15 @@ class CameraModel:
     def resized(self, width: int, height: int) -> CameraModel:
         """The model of the image resized to width × height, as cv2.resize does: the corners stay corners."""
         horizontal, vertical = width / self.width, height / self.height
-        return replace(
-            self,
-            width=width,
-            height=height,
-            fx=self.fx * horizontal,
-            fy=self.fy * vertical,
-            cx=(self.cx + 0.5) * horizontal - 0.5,
-            cy=(self.cy + 0.5) * vertical - 0.5,
-        )
+        fx, fy = self.fx * horizontal, self.fy * vertical
+        cx, cy = (self.cx + 0.5) * horizontal - 0.5, (self.cy + 0.5) * vertical - 0.5
+        return replace(self, width=width, height=height, fx=fx, fy=fy, cx=cx, cy=cy)
 
     def every(self, stride: int) -> CameraModel:
         """The model of image[::stride, ::stride]."""
-        return replace(
-            self,
-            width=-(-self.width // stride),
-            height=-(-self.height // stride),
-            fx=self.fx / stride,
-            fy=self.fy / stride,
-            cx=self.cx / stride,
-            cy=self.cy / stride,
-        )
+        width, height = -(-self.width // stride), -(-self.height // stride)
+        fx, fy, cx, cy = (pixels / stride for pixels in (self.fx, self.fy, self.cx, self.cy))
+        return replace(self, width=width, height=height, fx=fx, fy=fy, cx=cx, cy=cy)
 
     def rays(self) -> NDArray[np.float64]:
         """The ray of each pixel, (height, width, 3) float64."""
