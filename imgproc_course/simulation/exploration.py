@@ -4,7 +4,6 @@ import math
 from typing import Any
 
 from .metrics import cell_of
-from .room import Room
 from .room_env import LOOK, RoomEnv, reachable_cells
 
 ROOMS = tuple(range(31, 41))  # furnished rooms, by their numbers
@@ -40,7 +39,7 @@ def exploration_score(env: RoomEnv, found: Any) -> dict[str, Any]:
     """
     found = found if isinstance(found, dict) else {}
     word = found.get("word")
-    cells = exploration_cells(env.room)
+    cells = {cell_of(place) for place in reachable_cells(env.room).tolist()}
     values: dict[str, Any] = {
         "coverage": round(len(cells & {cell_of(place) for place in env.path}) / len(cells), 4),
         "markers": _count_markers(env, found.get("markers")),
@@ -51,11 +50,6 @@ def exploration_score(env: RoomEnv, found: Any) -> dict[str, Any]:
     for_found = FOR_MARKER * values["markers"] + FOR_WORD * values["word"]
     points = 100 * values["coverage"] + for_found + FOR_BUMP * values["bumps"]
     return values | {"score": max(0, round(points))}
-
-
-def exploration_cells(room: Room) -> set[tuple[int, int]]:
-    """The cells that the robot can reach: (floor(x / 0.5), floor(y / 0.5)) of their points in the map."""
-    return {cell_of(place) for place in reachable_cells(room).tolist()}
 
 
 def _count_markers(env, markers):
