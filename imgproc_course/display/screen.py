@@ -1,7 +1,6 @@
 """The screen of a live view or a tuner: an image of fixed size, with a line for errors below it."""
 
 import html
-import linecache
 from typing import Any, NamedTuple
 
 import cv2
@@ -192,5 +191,4 @@ def describe_error(error, function):
     if not calls:
         return f"{text}\n(called as {name_of(function)})"
     call = calls[-1]
-    line = linecache.getline(call.filename, call.lineno or 0).strip()
-    return f"{text}\nin {call.name}, line {call.lineno}:  {line}"
+    return f"{text}\nin {call.name}, line {call.lineno}:  {call.line}"
