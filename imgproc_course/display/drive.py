@@ -149,8 +149,6 @@ class DriveView(LiveView):
     def __repr__(self):
         return f"Drive: {self._name}"
 
-    # ------------------------------------------------------------ commands
-
     def _on_message(self, _, content, buffers):
         kind = content.get("kind")
         if kind == "hello":  # a page shows the pad: it needs all of the map
@@ -189,8 +187,6 @@ class DriveView(LiveView):
             self._robot.restart()
         except (AttributeError, RuntimeError, TimeoutError, ValueError) as error:
             self._say_error(f"this robot cannot restart: {error}")
-
-    # ------------------------------------------------------------ the map
 
     def _draw_map(self, stopping):
         while not stopping.wait(MAP_PERIOD):

@@ -135,8 +135,6 @@ class LiveView(View):
         self._screen.image._view_count = 0
         self._screen.image.observe(self._count_views, "_view_count")
 
-    # ------------------------------------------------------------ what a learner calls
-
     @property
     def running(self) -> bool:
         """Whether the view shows new images now."""
@@ -198,8 +196,6 @@ class LiveView(View):
 
     def __repr__(self):
         return f"Live view: {self._name}"
-
-    # ------------------------------------------------------------ the thread
 
     def _run(self):
         recent_times = [0.0]  # when the processing of the last two seconds' frames started
@@ -323,9 +319,6 @@ class _Pacer:
         self._interval = min(1.0, max(self._fastest, self._interval * (1.25 if is_late else 0.8)))
 
 
-# ---------------------------------------------------------------- sources of frames
-
-
 def _feed_from(source, encoding):
     if isinstance(source, str) and source in ("recording", "webcam", "drive"):
         call = 'open_recording("drive")' if source == "drive" else f'open_camera("{source}")'
@@ -405,9 +398,6 @@ class _Playback(_Feed):
         number = max(self._next_number, int((time.monotonic() - self._started) * self._rate))
         self._next_number = number + 1
         return self._recording.frame(number % len(self._recording), encoding=self._encoding)
-
-
-# ---------------------------------------------------------------- in the notebook
 
 
 def _running_cell():

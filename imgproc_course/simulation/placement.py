@@ -108,8 +108,6 @@ class Placement:
         painted(self._taken, [turned(self._hulls[name], place)])
         self._to_taken = squared_distances(self._taken)
 
-    # at a wall
-
     def _at_wall(self, name):
         wall = int(self._random.integers(len(WALLS)))
         axis, at, inwards = WALLS[wall]
@@ -158,8 +156,6 @@ class Placement:
             return False
         self._kept |= cover
         return True
-
-    # elsewhere
 
     def _rug_place(self, name):
         yaw = round(int(self._random.integers(2)) * math.pi / 2 + self._uniform(-0.1, 0.1), 6)

@@ -118,9 +118,6 @@ def textures(poses, lighting, word=None, markers=None):
     return lit
 
 
-# images and ratios
-
-
 def reduced(image, size):
     """An image by a whole factor smaller."""
     return cv2.resize(image, size, interpolation=cv2.INTER_AREA)
@@ -197,9 +194,6 @@ def blend(image, name, sunny, light, share):
     image[:] = (image * (255 - share) + sunny * share + 127) // 255
 
 
-# shadows
-
-
 class Placed:
     """The places and turns of the pieces; and the bodies that cast shadows, each a cloud of points."""
 
@@ -272,9 +266,6 @@ def sky_share(plane, placed):
     for x, y in stored()["sky"].tolist():
         covered += placed.paint(plane.shape, columns - across * x, rows - along * y)
     return (255 - covered * np.float32(SKY_SHARE / len(stored()["sky"]))).astype(np.uint8)
-
-
-# light
 
 
 def light_image(atlas, kind, lighting):
