@@ -48,6 +48,16 @@ def describe(error):
     return "\n".join(filter(None, [*calls, name, advice_on(error)])) if calls else ""
 
 
+def failed_line(error, own_file=None):
+    """The learner's line that led to an error, if possible one in `own_file`, and what the error says."""
+    calls = traceback.extract_tb(error.__traceback__)
+    line = (learners_calls(error) or calls)[-1]
+    line = next((call for call in reversed(calls) if call.filename == own_file), line)
+    file = f" of {Path(line.filename).name}" if own_file is not None else ""
+    text = traceback.format_exception_only(error)[-1].strip()
+    return f"in line {line.lineno}{file} ({line.line}): {text}"
+
+
 class RepeatedErrors:
     """Which causes were shown already, and how often each one came again."""
 

@@ -1,12 +1,9 @@
 """What an ImageProcessor does with a frame: it calls the function, and publishes the outputs."""
 
-import traceback
-from pathlib import Path
-
 import numpy as np
 from sensor_msgs.msg import Image
 
-from imgproc_course.learner_errors import learners_calls
+from imgproc_course.learner_errors import failed_line
 from imgproc_course.messages import ConversionError, array_to_image
 
 
@@ -22,19 +19,11 @@ def call_process(process, frame, parameters, outputs):
             values = {output: results[output] for output in outputs}
             return {output: value() if callable(value) else value for output, value in values.items()}
     except Exception as error:  # process is other people's code, and the node must live on
-        raise SkippedImageError(f"process failed {_location(error, process)}") from error
+        # Its last line in the learner's own file helps more than one deep in a library that it called.
+        own_file = getattr(getattr(process, "__code__", None), "co_filename", "")
+        raise SkippedImageError(f"process failed {failed_line(error, own_file)}") from error
     returned = list(results) if isinstance(results, dict) else f"a {type(results).__name__}"
     raise SkippedImageError(f"process must return a dict with the keys {outputs}, but it returned {returned}")
-
-
-def _location(error, process):
-    # The last line in the learner's own file helps more than a line deep in a library that it called.
-    own_file = getattr(getattr(process, "__code__", None), "co_filename", None)
-    frames = traceback.extract_tb(error.__traceback__)
-    last = (learners_calls(error) or frames)[-1]
-    frame = next((frame for frame in reversed(frames) if frame.filename == own_file), last)
-    text = traceback.format_exception_only(error)[-1].strip()
-    return f"in line {frame.lineno} of {Path(frame.filename).name} ({frame.line}): {text}"
 
 
 class OutputPublishers:

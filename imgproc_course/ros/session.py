@@ -360,7 +360,8 @@ class _Spinner:
         except InvalidHandle:
             pass  # something was destroyed between the wait and its callback; the next round is in order
         except Exception as error:  # noqa: BLE001  callbacks are other people's code; the graph must live on
-            self.callback_errors[self.executor.node] = f"a callback failed {failed_line(error)}"
+            failed_line = learner_errors.failed_line(error)
+            self.callback_errors[self.executor.node] = f"a callback failed {failed_line}"
             lines = learner_errors.describe(error) or "".join(traceback.format_exception(error)).rstrip()
             text = self._errors.news(error, f"a ROS callback failed; the graph continues\n{lines}")
             if text:
@@ -391,13 +392,6 @@ class _Executor(SingleThreadedExecutor):
         ready: Any = super().wait_for_ready_callbacks(*arguments, **options)
         self.node = ready[2]
         return ready  # (handler, entity, node)
-
-
-def failed_line(error):
-    """The learner's line that led to an exception, or the last one, and what it says, in one line."""
-    line = (learner_errors.learners_calls(error) or traceback.extract_tb(error.__traceback__))[-1]
-    text = traceback.format_exception_only(error)[-1].strip()
-    return f"in line {line.lineno} ({line.line}): {text}"
 
 
 def spin_once(executor, timeout_sec=None):

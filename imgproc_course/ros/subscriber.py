@@ -11,12 +11,12 @@ from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import QoSPolicyKind, QoSProfile, qos_profile_sensor_data
 from sensor_msgs.msg import CompressedImage, Image
 
-from imgproc_course.learner_errors import RepeatedErrors, describe
+from imgproc_course.learner_errors import RepeatedErrors, describe, failed_line
 from imgproc_course.messages import ConversionError, compressed_to_array, encoding_info, image_to_array
 from imgproc_course.messages.compressed import TRANSPORTS
 from imgproc_course.ros.diagnostics import explain_missing_messages
 from imgproc_course.ros.entities import Entities, Stoppable, weak_callback
-from imgproc_course.ros.session import RCLError, RosSession, Throttle, failed_line, log
+from imgproc_course.ros.session import RCLError, RosSession, Throttle, log
 from imgproc_course.ros.stream_statistics import LossCounter
 
 QOS = {
