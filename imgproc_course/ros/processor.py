@@ -13,20 +13,20 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from rcl_interfaces.msg import SetParametersResult
 from rclpy.clock import Clock, ClockType
-from rclpy.event_handler import SubscriptionEventCallbacks
+from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.qos import qos_policy_name_from_kind
 
 from imgproc_course.learner_errors import RepeatedErrors, advice_on
 from imgproc_course.messages import ConversionError
 from imgproc_course.ros.diagnostics import explain_missing_messages
-from imgproc_course.ros.node_log import NodeLog
-from imgproc_course.ros.node_parameters import NodeParameters
 from imgproc_course.ros.numeric_parameter import NumericParameter
 from imgproc_course.ros.process_function import OutputPublishers, SkippedImageError, call_process
 from imgproc_course.ros.robot_topics import TOPIC
-from imgproc_course.ros.session import RosSession, spin_once
+from imgproc_course.ros.session import RosSession, Throttle, spin_once
 from imgproc_course.ros.stream_statistics import SILENCE, ProcessingStatistics, SilenceMonitor
 from imgproc_course.ros.subscriber import QOS, image_type
 
@@ -35,6 +35,7 @@ from imgproc_course.ros.subscriber import QOS, image_type
 SENSOR_DATA = QOS["sensor_data"]
 
 REPORT_PERIOD = 1.0  # seconds between two looks at what the node logs
+DUPLICATE_NAME_PERIOD = 60.0  # seconds without a second node of the same name until it is news again
 
 
 class ImageProcessor(Node):
@@ -186,3 +187,89 @@ class ImageProcessor(Node):
             reason = explain_missing_messages(self, self._subscription, SILENCE, received, own_topics=topics)
             self.get_logger().warning(reason)
         self._log.warn_about_duplicate_name()
+
+
+class NodeParameters:
+    """Declares the parameters, checks every request to change them, and holds their `values`."""
+
+    def __init__(self, node, numeric_parameters, check):
+        self._types = {p.name: type(p.default) for p in numeric_parameters}
+        self._check = check
+        declared = [(p.name, p.default, p.descriptor()) for p in numeric_parameters]
+        self.values = self._checked({p.name: p.value for p in node.declare_parameters("", declared)})
+        node.add_on_set_parameters_callback(self._validate)
+        node.add_post_set_parameters_callback(self._apply)
+
+    def _checked(self, values):
+        """The values in their declared types; ValueError if they are refused."""
+        for name, value in values.items():
+            if isinstance(value, bool) or not isinstance(value, int | float):
+                raise ValueError(f"{name} must be a number, got {value!r}")
+        values = {name: self._types[name](value) for name, value in values.items()}
+        if self._check is not None:
+            self._check(**values)
+        return values
+
+    def _merged(self, request):
+        """All values as they are after the request."""
+        changes = {parameter.name: parameter.value for parameter in request if parameter.name in self.values}
+        return {**self.values, **changes}
+
+    def _validate(self, request):
+        """Called once for all parameters of a request: either all are accepted, or none."""
+        try:
+            self._checked(self._merged(request))
+        except ValueError as error:
+            return SetParametersResult(successful=False, reason=str(error))
+        return SetParametersResult(successful=True)
+
+    def _apply(self, request):
+        # One assignment: an image is processed with all old values or with all new ones, never with a mix.
+        self.values = self._checked(self._merged(request))
+
+
+class NodeLog:
+    """Logs in the name of a node: a warning once for each cause, and one of a kind every few seconds."""
+
+    def __init__(self, node):
+        self._node = node
+        self._may_log = Throttle()
+        self._causes = set()
+        self._may_log_duplicate = Throttle(DUPLICATE_NAME_PERIOD, while_it_lasts=True)
+
+    def info(self, text):
+        self._node.get_logger().info(text)
+
+    def warn(self, kind, cause, details=""):
+        if cause not in self._causes and self._may_log(kind):
+            self._causes.add(cause)
+            self._node.get_logger().warning(f"{cause}{details}")
+
+    def warn_about_duplicate_name(self):
+        node = self._node
+        own_name = (node.get_name(), node.get_namespace())
+        if node.get_node_names_and_namespaces().count(own_name) > 1 and self._may_log_duplicate():
+            node.get_logger().warning(
+                f"another node has the name {node.get_fully_qualified_name()} too (or had it, and was killed "
+                "just now): both publish on the same topics; rename one: --ros-args -r __node:=another",
+            )
+
+    def count_changed(self, topic, count, role):
+        """Logs the new number of a topic's publishers or subscribers."""
+        self.info(f"{topic} has {count or 'no'} {role}{'' if count == 1 else 's'}")
+
+    def publisher_events(self, topic):
+        """PublisherEventCallbacks that log who subscribes to the topic, and with which QoS in vain."""
+
+        def on_incompatible_qos(event):
+            policy = qos_policy_name_from_kind(event.last_policy_kind)
+            self.warn(
+                f"{topic} qos",
+                f"a subscriber of {topic} requests an incompatible QoS policy ({policy}) and receives "
+                "nothing; images are published BEST_EFFORT: subscribe with qos_profile_sensor_data",
+            )
+
+        def on_matched(event):
+            self.count_changed(topic, event.current_count, "subscriber")
+
+        return PublisherEventCallbacks(incompatible_qos=on_incompatible_qos, matched=on_matched)

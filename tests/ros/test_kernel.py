@@ -155,7 +155,7 @@ TALKER = """
 from rclpy.node import Node
 from std_msgs.msg import Empty
 from imgproc_course.ros import *
-from imgproc_course.ros.node_log import NodeLog
+from imgproc_course.ros.processor import NodeLog
 
 class Talker(Node):
     def __init__(self):
