@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 from click import option
-from nbclassroom.cli import CourseGroup, in_one_line
+from nbclassroom.cli import CourseGroup
 from nbclassroom.cli import main as classroom
 
 from imgproc_course.course_file import COURSE_FILE
@@ -48,8 +48,10 @@ def _with_ros():
     problem = ros_problem()
     if problem is not None:
         raise click.ClickException(problem)
-    with in_one_line(ValueError, RuntimeError):
+    try:
         yield
+    except RuntimeError as error:
+        raise click.ClickException(str(error)) from error
 
 
 @main.command()

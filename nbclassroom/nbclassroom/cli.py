@@ -16,13 +16,11 @@ _COULD_NOT_GRADE = 3
 
 
 class CourseGroup(click.Group):
-    """The commands. If a package or a course is missing, they print one line instead of a traceback."""
+    """The commands. An error that says what to do is printed as one line, without a traceback."""
 
     def invoke(self, ctx):
         try:
             return super().invoke(ctx)
-        except course.CourseError as error:
-            raise click.ClickException(str(error)) from error
         except ModuleNotFoundError as error:
             # A robot's environment, for example, has the course but not all the packages that it needs.
             package = (error.name or "").partition(".")[0]
@@ -32,21 +30,14 @@ class CourseGroup(click.Group):
                 f"this command needs {package}, which is not installed for this Python; use the "
                 f"{course.command} in the course's own .venv"
             ) from error
-
-
-@contextlib.contextmanager
-def in_one_line(*errors, written=""):
-    """Prints these errors as one line, without a traceback; so too what stops the writing of `written`."""
-    try:
-        yield
-    except errors as error:
-        exception = click.ClickException(str(error))
-        exception.exit_code = getattr(error, "exit_code", 1)
-        raise exception from error
-    except OSError as error:
-        if not written:
-            raise
-        raise click.ClickException(f"{written} cannot be written: {error}") from error
+        except Exception as error:
+            is_ours = type(error).__module__.startswith("nbclassroom.") or isinstance(error, ValueError)
+            if not is_ours and not isinstance(error, OSError):
+                raise
+            text = str(error) if is_ours else f"{ctx.invoked_subcommand} stopped: {error}"
+            exception = click.ClickException(text)
+            exception.exit_code = getattr(error, "exit_code", 1)
+            raise exception from error
 
 
 @contextlib.contextmanager
@@ -83,11 +74,9 @@ def start(jupyter_options):
     An update of the course never overwrites your work: an updated lesson is added under a new name.
     JupyterLab gets all options: --no-browser, --port 8890, --ip ADDRESS, and so on.
     """
-    from nbclassroom.lab.server import LabError
     from nbclassroom.lab.server import start as start_lab
 
-    with in_one_line(LabError):
-        start_lab(jupyter_options, say=click.echo)
+    start_lab(jupyter_options, say=click.echo)
 
 
 @main.command()
@@ -115,17 +104,15 @@ def build(lessons, only_check, masters, out, solved, with_solutions):
     """
     from nbclassroom.authoring.build import build as build_lessons
     from nbclassroom.authoring.build import compare_lessons
-    from nbclassroom.exercises.declaration import MasterError
 
     out = out or masters.parent
     solved = solved or course.folder().parent / "solved"
-    with in_one_line(MasterError, written="the lessons"):
-        if only_check:
-            result = compare_lessons(masters, out, lessons, progress=click.echo)
-        else:
-            with_solutions |= masters.resolve() == course.folder() / "masters"
-            options = {"progress": click.echo, "with_solutions": with_solutions}
-            result = build_lessons(masters, out, solved, lessons, **options)
+    if only_check:
+        result = compare_lessons(masters, out, lessons, progress=click.echo)
+    else:
+        with_solutions |= masters.resolve() == course.folder() / "masters"
+        options = {"progress": click.echo, "with_solutions": with_solutions}
+        result = build_lessons(masters, out, solved, lessons, **options)
     for problem in result.problems:
         click.echo(problem, err=True)
     if result.problems:
@@ -153,12 +140,9 @@ def handout(folder, lessons, source, with_solutions, zipped):
     LESSON is a number or a name: 03 or images_as_messages. Without LESSON, all lessons are handed out.
     A file in FOLDER that differs is never replaced.
     """
-    from nbclassroom.authoring.handout import HandoutError, hand_out
-    from nbclassroom.exercises.declaration import MasterError
+    from nbclassroom.authoring.handout import hand_out
 
-    with in_one_line(HandoutError, MasterError, written="the lessons"):
-        options = {"with_solutions": with_solutions, "zipped": zipped}
-        count, archive = hand_out(folder, source, lessons, **options)
+    count, archive = hand_out(folder, source, lessons, with_solutions=with_solutions, zipped=zipped)
     place = f"{folder}/ and {archive}" if zipped else f"{folder}/"
     solutions = "with" if with_solutions else "without"
     click.echo(f"Lessons handed out: {count}, {solutions} solutions, in {place}")
@@ -217,14 +201,10 @@ def key(lessons, seed, out, masters, replace, unsafe):
     take about ten minutes on two quiet cores. After Ctrl-C, the same command goes on where it stopped.
     """
     from nbclassroom.autograder import key_seed
-    from nbclassroom.autograder.answer_key import KeyFolderError
     from nbclassroom.autograder.make_answer_key import make_key
-    from nbclassroom.autograder.sandbox.bubblewrap import SandboxError
-    from nbclassroom.exercises.declaration import MasterError
 
     seed_file, is_seed_saved = key_seed.seed_file_of(out), seed is None
-    stopped = "Stopped. Finished exercises are kept: run the same command again to continue."
-    with until_ctrl_c(stopped), in_one_line(KeyFolderError, SandboxError, MasterError, written="the key"):
+    with until_ctrl_c("Stopped. Finished exercises are kept: run the same command again to continue."):
         seed = key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed
         key_seed.require_unguessable(seed)
         options = {"unsafe": unsafe, "replace": replace, "say": click.echo}
@@ -341,12 +321,9 @@ def grade(submissions, keys, out, review, forget_rules, yes, dry_run, **options)
     if dry_run:
         from nbclassroom.gradebook.grade import who_sent_what
 
-        with in_one_line(ValueError):
-            click.echo(who_sent_what(submissions, keys, layouts=options["layouts"] or ()))
+        click.echo(who_sent_what(submissions, keys, layouts=options["layouts"] or ()))
         return
-    if not options["workers"]:
-        with in_one_line(ValueError):
-            options["workers"] = usual_workers(load_keys(keys).lessons.values())
+    options["workers"] = options["workers"] or usual_workers(load_keys(keys).lessons.values())
     with until_ctrl_c("Stopped. Finished grades are saved: run the same command again to continue."):
         report = _grade_and_review(submissions, keys, out, rules, review, options)
     click.echo(report.text)
@@ -365,19 +342,16 @@ def _grade_and_review(submissions, keys, out, rules, review, options):
             settings = {name: options[name] for name in ("workers", "unsafe")}
             options["executor"] = stack.enter_context(open_worker_threads(early=is_first, **settings))
         # Imported while the workers start.
-        from nbclassroom.autograder.sandbox.bubblewrap import SandboxError
         from nbclassroom.gradebook.grade import grade_submissions
         from nbclassroom.gradebook.review_server import serve_review
 
-        # The other errors of grading are ValueErrors.
-        with in_one_line(SandboxError, ValueError, written="the grades"):
+        report = grade_submissions(submissions, keys, out, **options)
+        rules.keep()
+        if review:
+            click.echo(report.text)
+            serve_review(out, keys, options["decisions"], say=click.echo)
+            options["fresh"] = False
             report = grade_submissions(submissions, keys, out, **options)
-            rules.keep()
-            if review:
-                click.echo(report.text)
-                serve_review(out, keys, options["decisions"], say=click.echo)
-                options["fresh"] = False
-                report = grade_submissions(submissions, keys, out, **options)
     return report
 
 
@@ -385,8 +359,7 @@ def _rules_of_run(out, given, forget, yes):
     """The RunRules; asks if a rule of the run before would be lost."""
     from nbclassroom.gradebook.run_rules import NAMES, RunRules
 
-    with in_one_line(ValueError):
-        rules = RunRules(out, {name: given[name] for name in NAMES}, forget=forget)
+    rules = RunRules(out, {name: given[name] for name in NAMES}, forget=forget)
     if rules.kept:
         click.echo(f"As in the run before: {', '.join(rules.kept)}.")
     if rules.lost and not yes:
@@ -421,11 +394,9 @@ def league(folder, out, **options):
     league.html, has aliases, maps and films; league.csv says whose alias it is. A controller that fails or
     never ends costs only its own points.
     """
-    from nbclassroom.autograder.sandbox.bubblewrap import SandboxError
     from nbclassroom.league.league import run_league
 
-    reported = in_one_line(SandboxError, ValueError, written="the league")
-    with until_ctrl_c("Stopped; nothing is written."), reported:
+    with until_ctrl_c("Stopped; nothing is written."):
         lines = run_league(folder, out, **options)
     click.echo("\n".join(lines))
 
@@ -436,10 +407,8 @@ def league(folder, out, **options):
 def new_lesson(name, out):
     """Create a lesson of your own: a master that you can build and grade at once."""
     from nbclassroom.authoring.new_lesson import new_lesson as write
-    from nbclassroom.exercises.declaration import MasterError
 
-    with in_one_line(MasterError):
-        path = write(name, out)
+    path = write(name, out)
     click.echo(f"{path}: change it, then run")
     click.echo(f"  {course.command} build --masters {out} --out LESSONS --solved SOLVED")
     click.echo(f"  {course.command} key --masters {out} --out KEY")

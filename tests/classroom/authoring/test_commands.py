@@ -2,21 +2,15 @@
 
 import pytest
 from click.testing import CliRunner
-from nbclassroom.cli import build
+from nbclassroom.cli import main
 
 
 @pytest.fixture
 def call(tmp_path):
     def run(path, *options):
-        folders = [
-            "--masters",
-            str(path.parent),
-            "--out",
-            str(tmp_path / "out"),
-            "--solved",
-            str(tmp_path / "twins"),
-        ]
-        return CliRunner().invoke(build, [*folders, *options])
+        folders = {"--masters": path.parent, "--out": tmp_path / "out", "--solved": tmp_path / "twins"}
+        words = [str(word) for option in folders.items() for word in option]
+        return CliRunner().invoke(main, ["build", *words, *options])
 
     return run
 

@@ -17,9 +17,10 @@ from nbclassroom.authoring.names_used import names_used
         ("class A:\n    names = [w for w in words]\n    f = lambda self: {w for w in self}", {"words"}),
         ("f = lambda a: [w for w in a if w > least]", {"least"}),
         ("for w in [w for w in words]:\n    print(w)", {"print", "words"}),
-        ("x = [w := k for k in words], w", {"words", "w"}),
+        ("for w in words:\n    count += w", {"words", "count"}),
+        ("class A:\n    w = least\n    k = w", {"least"}),
     ],
 )
-def test_the_variable_of_a_comprehension_is_no_name_that_a_statement_reads(source, reads):
+def test_the_names_that_a_statement_reads_before_it_binds_them(source, reads):
     [statement] = names_used(source)
     assert statement.reads == reads

@@ -64,7 +64,7 @@ def test_a_full_disk_is_one_line(light, key_path, submissions, tmp_path, monkeyp
     monkeypatch.setattr(tempfile, "TemporaryFile", full)
     command = ["grade", str(submissions), "--key", str(key_path), "--out", str(tmp_path / "grades")]
     done = CliRunner().invoke(main, command)
-    error = "Error: the grades cannot be written: [Errno 28] No space left on device"
+    error = "Error: grade stopped: [Errno 28] No space left on device"
     assert (done.exit_code, done.output.splitlines()[-1]) == (1, error)
 
 
