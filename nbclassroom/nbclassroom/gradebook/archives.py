@@ -37,9 +37,8 @@ def too_large(size, largest):
     return f"{text} (Kernel > Restart Kernel and Clear Outputs), save it and submit it again"
 
 
-def _open_collected(path, device, inode, largest):
-    """Open a regular file for reading bytes; CollectError: it is none, larger than `largest`, or another."""
-    status = os.lstat(path)
+def _open_collected(path, status, largest):
+    """Open for reading bytes what had this status when it was collected; CollectError: it is no such file."""
     if stat.S_ISLNK(status.st_mode):
         raise CollectError("it is a link; links are not followed: submit the notebook itself")
     if not stat.S_ISREG(status.st_mode):
@@ -47,8 +46,7 @@ def _open_collected(path, device, inode, largest):
     if status.st_size > largest:
         raise CollectError(too_large(status.st_size, largest))
     file = os.fdopen(os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
-    status = os.fstat(file.fileno())
-    if (status.st_dev, status.st_ino) != (device, inode):
+    if not os.path.samestat(status, os.fstat(file.fileno())):
         file.close()
         raise CollectError("it was replaced by another file while it was collected")
     return file
@@ -80,7 +78,7 @@ class _ContentsReader(io.BufferedReader):
 class Archives:
     """Keeps the zips open that the last member was in: members are read one after another.
 
-    A location is ((path, device, inode),), and for what is in that zip the number of the member, and so on.
+    A location is ((path, its os.lstat),), and for what is in that zip the number of the member, and so on.
     """
 
     def __init__(self):
@@ -90,13 +88,14 @@ class Archives:
         """The members of the zip at a location, without its folders; CollectError: it cannot be read."""
         self.close(location)
         if location not in self._opened:
-            self._open(location)
+            with _named_errors("the zip"):
+                self._opened[location] = self._open(location)
         return self._opened[location][-1]
 
     def _open(self, location):
         if len(location) > DEEPEST_ZIPS:
             raise CollectError(f"zips in zips are read {DEEPEST_ZIPS} deep; submit the notebook itself")
-        with _named_errors("the zip"), ExitStack() as stack:
+        with ExitStack() as stack:
             inner = io.BytesIO(self.read(location)) if len(location) > 1 else None
             raw = inner or _open_collected(*location[0], LARGEST_ZIP).detach()
             file = stack.enter_context(_ContentsReader(raw))
@@ -111,7 +110,7 @@ class Archives:
                 with suppress(UnicodeError):
                     if not member.flag_bits & 0x800:  # macOS writes UTF-8 and does not say so
                         member.filename = member.filename.encode("cp437").decode()
-            self._opened[location] = (stack.pop_all(), archive, members)
+            return stack.pop_all(), archive, members
 
     def read(self, location):
         """The bytes of the file or the member at a location; CollectError: it cannot be read."""
@@ -123,10 +122,7 @@ class Archives:
                 raise CollectError(problem)
             open_file = partial(self._opened[location[:-1]][1].open, member)
         with _named_errors("it"), open_file() as file:
-            data = file.read(LARGEST + 1)
-        if len(data) > LARGEST:
-            raise CollectError(too_large(len(data), LARGEST))
-        return data
+            return file.read(LARGEST)  # of a member, zipfile reads no more than the size that was looked at
 
     def close(self, location=()):
         """Close the zips that are open, except those that the location is in."""

@@ -17,7 +17,7 @@ from pathlib import Path, PurePosixPath
 from ..authoring.lesson_names import notebook_name, split_repetition
 from ..autograder.sanitize import sanitize_line
 from .archives import Archives, CollectError, member_time
-from .layouts import FolderLayout, Sender, doubt, shown
+from .layouts import FolderLayout, Sender, doubt
 
 MOST_NOTEBOOKS = 100  # of one learner; the course has 22 lessons
 MOST_FILES = 20_000  # in the zips of a folder
@@ -31,23 +31,25 @@ _LEFT_OUT = _TOOLS_FOLDERS | {"venv", "env", "site-packages", "node_modules"}  #
 class SubmittedFile(Sender):
     """One submitted file, not yet read, and whose it is.
 
-    path          below the folder of submissions; it ends with "/" if a folder or a zip cannot be read
-    dates         (path, local time) of each zip that it is in, the outermost first, and its own
-    reason        why the file is not read, or ""; else `reader` returns its bytes
-    submitted_at  the first date that the learner did not write, or None
-    version       as in Sender; of files that dates order, ("", the date)
+    path    below the folder of submissions; it ends with "/" if a folder or a zip cannot be read
+    dates   (path, local time) of each zip that it is in, the outermost first, and its own
+    reason  why the file is not read, or ""; else `reader` returns its bytes
     """
 
     path: str = ""
     dates: tuple = ()
     reason: str = ""
     reader: object = None
-    submitted_at: datetime | None = None
+
+    @property
+    def submitted_at(self):
+        """The first date that the learner did not write, or None."""
+        return next((date for path, date in self.dates if len(path) > len(self.place)), None)
 
     @property
     def source(self):
         """Where it was found, one printable line."""
-        return shown(self.path.rstrip("/"))
+        return sanitize_line(self.path.rstrip("/"))
 
     def read(self):
         """The bytes of the file; CollectError if it cannot be read, or if it is too large."""
@@ -55,15 +57,12 @@ class SubmittedFile(Sender):
             raise CollectError(self.reason)
         return self.reader()
 
-    def give_to(self, sender):
-        """Set what the Sender says, and what follows from it."""
-        vars(self).update(vars(sender))
-        self.submitted_at = next((date for path, date in self.dates if len(path) > len(self.place)), None)
-        self.version = self.version or ("", str(self.submitted_at))
-
 
 class Collection(AbstractContextManager):
-    """What was collected, of each learner no more than their budget of files.
+    """What is in a folder or a zip, of each learner no more than their budget of files.
+
+    `layouts` are names or patterns, () for the one that fits. CollectError: there is no submission in it, or
+    nobody knows whose a file is.
 
     layout   the name of the layout
     files    list of SubmittedFile, sorted by source
@@ -72,16 +71,24 @@ class Collection(AbstractContextManager):
     Use it as a context manager: a zip stays open until the end of the block.
     """
 
-    def __init__(self, search, layout):
+    def __init__(self, path, lessons=(), layouts=()):
+        path = Path(path)
+        if not path.exists():
+            raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
+        search = _Search(path.resolve())
+        if not search.notebooks:
+            text = "no notebooks (*.ipynb) and no zip in it; give the folder of submissions"
+            raise CollectError(f"{path}: {text}")
+        paths = [file.path for file in search.notebooks]
+        layout = FolderLayout(path.resolve().stem, lessons, paths, layouts)
         self.layout = " or ".join(layout.layouts)
         self.files, self.ignored, self._archives = [], [], search.archives
-        paths = (file.path for file in search.notebooks + search.others)
-        senders = {path: sender for path in paths if (sender := layout.sender_of(path))}
-        _make_names_unique(senders)
+        for file in search.notebooks + search.others:
+            vars(file).update(vars(layout.sender_of(file.path) or Sender()))
+        _make_names_unique([file for file in search.notebooks + search.others if file.learner])
         files = defaultdict(lambda: ([], []))  # {learner: (notebooks, others)}, nobody's with ""
         for index, found in enumerate((search.notebooks, search.others)):
             for file in found:
-                file.give_to(senders.get(file.path, Sender()))
                 files[file.learner][index].append(file)
         for learner, (notebooks, others) in files.items():
             if learner and not notebooks:  # They get a page that says so.
@@ -92,7 +99,7 @@ class Collection(AbstractContextManager):
                 file.path = f"{file.path.rpartition('/')[0]}/"
                 file.reason = f"more than {MOST_NOTEBOOKS} notebooks and zips; the others were not read"
             self.files += notebooks[: MOST_NOTEBOOKS + 1]
-            self.ignored += [shown(file.path) for file in others[:_MOST_LISTED]]
+            self.ignored += [sanitize_line(file.path) for file in others[:_MOST_LISTED]]
             if len(others) > _MOST_LISTED:
                 self.ignored.append(f"{learner or 'in this folder'}: more files")
         self.files.sort(key=lambda file: file.source)
@@ -100,21 +107,6 @@ class Collection(AbstractContextManager):
 
     def __exit__(self, *_error):
         self._archives.close()
-
-
-def collect(path, lessons=(), layouts=()):
-    """The Collection of a folder or a zip; `layouts` are names or patterns, () for the one that fits.
-
-    CollectError: there is no submission in it, or nobody knows whose a file is.
-    """
-    path = Path(path)
-    if not path.exists():
-        raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
-    search = _Search(path.resolve())
-    if not search.notebooks:
-        raise CollectError(f"{path}: no notebooks (*.ipynb) and no zip in it; give the folder of submissions")
-    paths = [file.path for file in search.notebooks]
-    return Collection(search, FolderLayout(path.resolve().stem, lessons, paths, layouts))
 
 
 class _Search:
@@ -153,7 +145,7 @@ class _Search:
         location = ()
         try:
             status = os.lstat(entry)
-            location = ((os.fspath(entry), status.st_dev, status.st_ino),)
+            location = ((os.fspath(entry), status),)
             moment = datetime.fromtimestamp(min(max(0, int(status.st_mtime)), _LATEST))
             file.dates, file.reader = ((file.path, moment),), partial(self.archives.read, location)
         except OSError as error:
@@ -189,26 +181,26 @@ class _Search:
                 self._add(inner, (*location, number), own if len(location) == 1 else budget)
 
 
-def _make_names_unique(senders):
-    """Sets the learners' names in {path: Sender}; CollectError: names of two learners look the same.
+def _make_names_unique(files):
+    """Set the final names of learners; CollectError: names of two learners look the same.
 
     If several learners of a platform have one name, the platform's number follows it. In Moodle a person has
     another number in each assignment, and so in each zip. Two forms of one letter (NFC, NFD) are the same.
     "ada (1)" beside "ada" can be ada's copy.
     """
     numbers, spellings = defaultdict(set), defaultdict(dict)
-    for sender in senders.values():
-        place = sender.place if sender.platform == "moodle" else ""
-        numbers[sender.learner, sender.platform, place].add(sender.platform_id)
+    for file in files:
+        place = file.place if file.platform == "moodle" else ""
+        numbers[file.learner, file.platform, place].add(file.platform_id)
     namesakes = {(learner, platform) for (learner, platform, _), ids in numbers.items() if len(ids) > 1}
-    learners = {sender.learner for sender in senders.values()}
-    for path, sender in senders.items():
-        number = f" ({sender.platform_id})" if (sender.learner, sender.platform) in namesakes else ""
-        learner = unicodedata.normalize("NFC", sender.learner)
-        stem, copy = split_repetition(sender.learner)
-        sender.learner = sanitize_line(learner.strip(), 120) + number
-        spelling = stem if copy and stem in learners else sender.learner
-        spellings[spelling].setdefault((learner, number), shown(path))
+    learners = {file.learner for file in files}
+    for file in files:
+        number = f" ({file.platform_id})" if (file.learner, file.platform) in namesakes else ""
+        learner = unicodedata.normalize("NFC", file.learner)
+        stem, copy = split_repetition(file.learner)
+        file.learner = sanitize_line(learner.strip(), 120) + number
+        spelling = stem if copy and stem in learners else file.learner
+        spellings[spelling].setdefault((learner, number), sanitize_line(file.path))
     alike = [" and ".join(paths.values()) for paths in spellings.values() if len(paths) > 1]
     if alike:
         raise doubt("these names look the same, and are different", alike, "Rename a file or folder of each.")

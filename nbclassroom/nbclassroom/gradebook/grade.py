@@ -12,7 +12,7 @@ from ..autograder.pool import open_scheduler
 from ..autograder.sandbox import bubblewrap
 from . import result_store
 from .answer_keys import load_keys
-from .collect import collect
+from .collect import Collection
 from .copies import find_copies, report_copies
 from .csv_table import TableError
 from .grades_folder import LearnerPages, write_grades
@@ -70,7 +70,7 @@ def grade_submissions(
         bubblewrap.require_sandbox()
     roster = read_roster(roster) if roster else None
     with contextlib.ExitStack() as stack:
-        collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons), layouts or ()))
+        collection = stack.enter_context(Collection(submissions, tuple(answer_keys.lessons), layouts or ()))
         stack.enter_context(result_store.open_grades_folder(out))
         decisions = decisions or _decisions_file(out)
         rules = TeacherRules(
@@ -108,7 +108,7 @@ def who_sent_what(submissions, keys, *, layouts=(), quiet=None):
     """
     answer_keys = load_keys(keys)
     with tempfile.TemporaryDirectory() as results, contextlib.ExitStack() as stack:
-        collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons), layouts or ()))
+        collection = stack.enter_context(Collection(submissions, tuple(answer_keys.lessons), layouts or ()))
         store = result_store.ResultStore(results, {})
         learners = read_all(collection, answer_keys, store, quiet=quiet)
     lines = [f"layout {collection.layout}: {count_of(len(learners), 'learner')}, nothing graded"]

@@ -97,32 +97,31 @@ class FolderLayout:
         self._lessons = tuple(lessons)
         named = [_BY_FOLDED_NAME.get(layout.casefold(), layout) for layout in given]
         named.sort(key=lambda layout: layout not in _MARKED)
-        readings = {layout: [self._sender(path, layout) for path in paths] for layout in named or LAYOUTS}
-        self.layouts = named or self._fitting(paths, readings)
-        indices = range(len(paths))
-        firsts = [_first(one for one in self.layouts or LAYOUTS if readings[one][index]) for index in indices]
+        readings = {path: self._senders(path, named or LAYOUTS) for path in paths}
+        self.layouts = named or self._fitting(readings)
+        firsts = {next(iter(senders), None) for senders in readings.values()}
         needed = self.layouts or [layout for layout in LAYOUTS if layout in firsts]
         fitting = self.layouts or needed[:1]
-        unknown = [shown(path) for path, first in zip(paths, firsts, strict=True) if first not in fitting]
+        unknown = [path for path, senders in readings.items() if not senders.keys() & fitting]
         text, remedy = "nothing says whose these are", _NAME_THEM
         if needed:
-            text += f"; {len(paths) - len(unknown)} others fit {_options(fitting)}"
+            text += f"; {len(readings) - len(unknown)} others fit {_options(fitting)}"
             remedy = f"Move or rename them, or give a layout for them, too: {_options(needed)}."
         if unknown:
-            raise doubt(text, unknown, remedy)
+            raise doubt(text, map(sanitize_line, unknown), remedy)
 
-    def _fitting(self, paths, readings):
+    def _fitting(self, readings):
         """A list of the one of LAYOUTS that fits all paths, or an empty one; CollectError: several do."""
         for layouts in (_MARKED,) if _have_marks(readings) else (_MARKED, _FORMED, _NAMED):
-            fitting = [layout for layout in layouts if None not in readings[layout]]
-            plain = [layout for layout in fitting if self._is_plain(paths, readings[layout])]
+            fitting = [one for one in layouts if all(one in senders for senders in readings.values())]
+            plain = [layout for layout in fitting if self._is_plain(readings, layout)]
             for remaining in (fitting, plain):
                 if len(remaining) == 1:
                     return remaining
             if fitting:
                 lines = (
-                    shown(f"{path}: {' or '.join(dict.fromkeys(one.learner for one in senders))}")
-                    for path, *senders in zip(paths, *map(readings.get, fitting), strict=True)
+                    sanitize_line(f"{path}: {' or '.join({senders[one].learner: None for one in fitting})}")
+                    for path, senders in readings.items()
                 )
                 remedy = f"Give one: {_options(fitting, ' or ')}."
                 raise doubt("several layouts fit, and they name different learners", lines, remedy)
@@ -130,13 +129,19 @@ class FolderLayout:
 
     def sender_of(self, path):
         """The Sender of a file, or None if its path names nobody."""
-        return _first(self._sender(path, layout) for layout in self.layouts)
+        return next(iter(self._senders(path, self.layouts).values()), None)
+
+    def _senders(self, path, layouts):
+        """{layout: Sender} of the layouts that name the learner of a file."""
+        senders = {layout: self._sender(path, layout) for layout in layouts}
+        return {layout: sender for layout, sender in senders.items() if sender}
 
     def _sender(self, path, layout):
         parent, platform = self._parent if layout in _MARKED else "", _PLATFORMS.get(layout, "")
         path = notebook_name(parent + path)
         patterns = LAYOUTS.get(layout, (layout,))
-        match = _first(_expression(pattern, self._lessons).fullmatch(path) for pattern in patterns)
+        matches = (_expression(pattern, self._lessons).fullmatch(path) for pattern in patterns)
+        match = next(filter(None, matches), None)
         if match is None:
             return None
         fields = match.groupdict("")
@@ -163,10 +168,11 @@ class FolderLayout:
             version=() if platform == "moodle" else (stem, copy),
         )
 
-    def _is_plain(self, paths, senders):
+    def _is_plain(self, readings, layout):
         """Whether no learner has two files named after one lesson, and some group has several learners."""
         groups, files = defaultdict(set), defaultdict(set)
-        for path, sender in zip(paths, senders, strict=True):
+        for path, senders in readings.items():
+            sender = senders[layout]
             groups[sender.place].add(sender.learner)
             for lesson in lessons_named(PurePosixPath(path).name, self._lessons):
                 files[sender.learner, lesson].add(sender.version[:1])
@@ -184,25 +190,16 @@ def doubt(text, lines, remedy):
     return error
 
 
-def shown(path):
-    """A path as one printable line."""
-    return sanitize_line(path, 300)
-
-
 def _options(layouts, separator=" "):
     return separator.join(f'--layout "{layout}"' for layout in layouts)
-
-
-def _first(values):
-    return next(filter(None, values), None)
 
 
 def _have_marks(readings):
     """Whether platforms' marks are in names at the top, in a zip there, or of several people in a folder."""
     learners = defaultdict(set)
-    for layout in _MARKED:
-        for sender in filter(None, readings[layout]):
-            learners[layout, sender.place].add(sender.learner)
+    for senders in readings.values():
+        for layout in _MARKED.keys() & senders:
+            learners[layout, senders[layout].place].add(senders[layout].learner)
     return any(
         place if len(names) > 1 else layout in _PLATFORMS and re.fullmatch(r"([^/]+\.zip/)?", place)
         for (layout, place), names in learners.items()

@@ -45,7 +45,7 @@ class Learner:
     @property
     def files(self):
         """The SubmittedFiles of all submissions, also of those that do not count."""
-        lists = (self.submissions.values(), *self.earlier.values(), self.unidentified)
+        lists = self.submissions.values(), *self.earlier.values(), self.unidentified
         return [one.file for one in chain(*lists)]
 
     @property
@@ -125,11 +125,10 @@ def _latest(submissions):
     answered = [one for one in submissions if one.answered]
     if not answered:
         return [max(submissions, key=lambda one: (bool(one.answers_digest), _age(one)))]
-    newest = {}
-    for family, number in (one.file.version for one in answered):
-        newest[family] = max(number, newest.get(family, number))
-    latest = (one for one in answered if newest[one.file.version[0]] == one.file.version[1])
-    return list({one.answers_digest: one for one in latest}.values())
+    versions = [one.file.version or ("", str(one.file.submitted_at)) for one in answered]
+    newest = dict(sorted(versions)).items()  # of each family the last one
+    pairs = zip(answered, versions, strict=True)
+    return list({one.answers_digest: one for one, version in pairs if version in newest}.values())
 
 
 def _age(submission):

@@ -2,7 +2,7 @@
 
 import pytest
 from nbclassroom.gradebook import copies, notebook_reader
-from nbclassroom.gradebook.collect import collect
+from nbclassroom.gradebook.collect import Collection
 from nbclassroom.gradebook.copies import find_copies, report_copies
 from nbclassroom.gradebook.learners import read_all
 from nbclassroom.gradebook.notebook_reader import NotebookReader
@@ -118,7 +118,7 @@ def submit(light, submissions):
 def learners_of(folder, answer_keys, tmp_path):
     (tmp_path / "results").mkdir(exist_ok=True)
     store = ResultStore(tmp_path / "results", {})
-    with collect(folder, ("light", "sound")) as collection:
+    with Collection(folder, ("light", "sound")) as collection:
         return read_all(collection, answer_keys, store, quiet=True), store
 
 

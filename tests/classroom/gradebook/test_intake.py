@@ -12,7 +12,7 @@ import pytest
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.gradebook import learners as learners_module
 from nbclassroom.gradebook.archives import CollectError
-from nbclassroom.gradebook.collect import collect
+from nbclassroom.gradebook.collect import Collection
 from nbclassroom.gradebook.csv_table import TableError
 from nbclassroom.gradebook.learners import read_all
 from nbclassroom.gradebook.result_store import ResultStore
@@ -30,7 +30,7 @@ def read(answer_keys, tmp_path):
 
     def learners_of(submissions, **options):
         store = ResultStore(tmp_path / "results", {})
-        with collect(submissions, LESSONS, **options) as collection:
+        with Collection(submissions, LESSONS, **options) as collection:
             learners = read_all(collection, answer_keys, store, quiet=True)
         return collection, {learner.name: learner for learner in learners}
 
@@ -170,7 +170,7 @@ def test_a_folder_that_cannot_be_read_costs_nobody_else(light):
         (folder / "dora").chmod(0o444)  # its names can be listed, and no more
         if os.geteuid() == 0:  # the superuser reads every folder
             os.seteuid(65534)
-        with collect(folder, LESSONS) as collection:
+        with Collection(folder, LESSONS) as collection:
             reasons = {(file.learner, file.source): reason(file) for file in collection.files}
     finally:
         if os.getuid() == 0:
@@ -193,7 +193,7 @@ def test_a_learner_has_a_budget_of_files(submissions):
         write(submissions / "eve" / f"20_light-{number}.ipynb", b"")
     for number in range(40):
         write(submissions / "eve" / f"{number}.txt", b"")
-    with collect(submissions, LESSONS) as collection:
+    with Collection(submissions, LESSONS) as collection:
         assert [file.source for file in collection.files if file.reason] == ["eve"]
         assert len(collection.files) == 101
         assert len(collection.ignored) == 21 and "eve: more files" in collection.ignored
@@ -207,7 +207,7 @@ def test_who_sends_no_notebook_is_told_so(light, submissions):
         write(submissions / "eve" / name, notebook(light))
     write(submissions / "bob" / ".DS_Store", b"")
     write(submissions / "roster.csv", b"")
-    with collect(submissions, LESSONS) as collection:
+    with Collection(submissions, LESSONS) as collection:
         reasons = {file.source: file.reason for file in collection.files if file.reason}
     assert reasons == {"fay/essay.7z": "it is no notebook (*.ipynb) and no zip; submit the notebook itself"}
     assert len(collection.ignored) == 5
@@ -312,7 +312,7 @@ def test_names_that_look_alike_stop_the_run(submissions, names):
     for name in names:
         write(submissions / name if "ipynb" in name else submissions / name / "20_light.ipynb", b"{}")
     with pytest.raises(CollectError, match="these names look the same, and are different") as stopped:
-        collect(submissions, LESSONS)
+        Collection(submissions, LESSONS)
     assert " and " in str(stopped.value).splitlines()[1]
 
 
@@ -320,14 +320,14 @@ def test_names_that_look_alike_stop_the_run(submissions, names):
 def test_names_that_differ_by_a_space_the_case_or_a_letter_are_two_people(submissions, names):
     for name in names:
         write(submissions / name / "20_light.ipynb", b"{}")
-    with collect(submissions, LESSONS) as collection:
+    with Collection(submissions, LESSONS) as collection:
         assert {file.learner for file in collection.files} == set(names)
 
 
 def test_two_forms_of_one_letter_are_one_person(submissions):
     write(submissions / "light" / "l\u00e9a.ipynb", b"{}")
     write(submissions / "sound" / "le\u0301a.ipynb", b"{}")
-    with collect(submissions, LESSONS) as collection:
+    with Collection(submissions, LESSONS) as collection:
         assert [file.learner for file in collection.files] == ["l\u00e9a", "l\u00e9a"]
 
 
@@ -341,7 +341,7 @@ def test_a_date_beyond_the_calendar_ends_nothing(submissions):
     """Some file systems store years after 9999."""
     for name, seconds in {"ada": 2**33, "bob": -(2**31)}.items():
         os.utime(write(submissions / f"{name}.ipynb", b"{}"), (seconds, seconds))
-    with collect(submissions, LESSONS) as collection:
+    with Collection(submissions, LESSONS) as collection:
         years = {file.learner: file.submitted_at.year for file in collection.files}
     assert years == {"ada": 2242, "bob": 1970}
 

@@ -14,7 +14,7 @@ from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.gradebook.answer_keys import load_keys
 from nbclassroom.gradebook.check import LessonFileError, check_lesson, run_answers
-from nbclassroom.gradebook.collect import collect
+from nbclassroom.gradebook.collect import Collection
 from nbclassroom.gradebook.learners import read_all
 from nbclassroom.gradebook.syntax_shapes import syntax_tokens
 from own_cells import FORMS, MORE, NODE, NODE_FORMS, NODE_MORE, TIMES
@@ -59,7 +59,7 @@ def verdict_of_grade(path, answer_keys):
     folder = path.with_name(f"{path.name}, submitted")
     (folder / "ada").mkdir(parents=True, exist_ok=True)
     shutil.copy(path, folder / "ada")
-    with collect(folder, tuple(answer_keys.lessons), ["{learner}"]) as collection:
+    with Collection(folder, tuple(answer_keys.lessons), ["{learner}"]) as collection:
         (learner,) = read_all(collection, answer_keys, store, quiet=True)
     (submission,) = [*learner.submissions.values(), *learner.unidentified]
     if submission.content.reason:
