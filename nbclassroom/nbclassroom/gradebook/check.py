@@ -39,7 +39,6 @@ class ExerciseCheck:
 
     exercise: Exercise
     state: AnswerState
-    source: str
     notes: list = field(default_factory=list)
     result: GradedExercise | None = None
 
@@ -75,10 +74,9 @@ class CheckFileCatalog:
         for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
             try:
                 file = check_files.read_check_file(path)
+                self.lessons.setdefault(file.lesson, file)
             except check_files.CheckFileError as error:
                 self.damage.append(error)
-            else:
-                self.lessons.setdefault(file.lesson, file)
 
     def functions(self, lesson):
         """{(id of an exercise, the function that it asks for)} of a lesson."""
@@ -89,17 +87,15 @@ class CheckFileCatalog:
         return self.lessons[lesson].read()
 
 
-def check_lesson(path, folders=None):
+def check_lesson(path):
     """Inspect a learner's notebook, without running anything in it; a LessonCheck.
 
-    `folders` are those of checks, if not the one beside the notebook and the course's. LessonFileError: no
-    such file, no notebook, or no lesson of this course; CheckFileError: its checks are missing or damaged.
+    LessonFileError: no such file, no notebook, or no lesson of this course; CheckFileError: its checks are
+    missing or damaged.
     """
     path = Path(path)
     data = _read(path)
-    if folders is None:
-        folders = check_files.checks_folders(path.resolve().parent)
-    catalog = CheckFileCatalog(folders)
+    catalog = CheckFileCatalog(check_files.checks_folders(path.resolve().parent))
     if not catalog.lessons and not catalog.damage:
         raise check_files.CheckFileError(check_files.NO_CHECKS)
     with NotebookReader() as reader:
@@ -109,7 +105,11 @@ def check_lesson(path, folders=None):
     if content.reason:
         raise LessonFileError(f"{path}: {content.reason}")
     lesson = catalog.describe(content.lesson, content.version)
-    checks = [_exercise_check(exercise, content) for exercise in lesson.exercises]
+    checks = []
+    for exercise in lesson.exercises:
+        state = content.states[exercise.id]
+        notes = content.texts_about(exercise.id) + ([_ADVICE[state]] if state in _ADVICE else [])
+        checks.append(ExerciseCheck(exercise, state, notes))
     return LessonCheck(path, content, checks, deeper=_deeper_exercises(data))
 
 
@@ -119,13 +119,6 @@ def _deeper_exercises(data):
         return frozenset(json.loads(data)["metadata"][course.name]["deeper"])
     except (KeyError, TypeError, ValueError):  # an older lesson, or another form that is read all the same
         return frozenset()
-
-
-def _exercise_check(exercise, content):
-    state = content.states[exercise.id]
-    notes = content.texts_about(exercise.id)
-    notes += [_ADVICE[state]] if state in _ADVICE else []
-    return ExerciseCheck(exercise, state, content.answers.get(exercise.id, ""), notes)
 
 
 def _read(path):

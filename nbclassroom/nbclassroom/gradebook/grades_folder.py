@@ -4,18 +4,22 @@ results/*.json has every result, by a digest of key and answers: an interrupted 
 grades that differed last are in grades.previous.json.
 """
 
+import json
 from functools import partial
 from pathlib import Path
 
 from ..autograder.sanitize import sanitize_line
 from .anonymity import learner_without_name, without_names
-from .changes import PREVIOUS, changed_points, read_grades
-from .grades_json import grades_text, learner_entry
+from .grades_json import FORMAT, grades_text, learner_entry
 from .lms_export import checks_csv, feedback_zips, grades_csv
-from .report import learner_page
+from .report import count_of, learner_page
 from .result_store import write_grades_file
 from .review import FOLDER, AnswerParts, review_pages
 from .summary import summary_page
+
+PREVIOUS = "grades.previous.json"
+_MOST_CHANGES = 20  # lines
+_NOT_THERE = "not there"
 
 
 class LearnerPages:
@@ -110,3 +114,45 @@ def _remove_others(folder, pattern, names):
     for path in folder.glob(pattern):
         if path.name not in names:
             path.unlink()
+
+
+def read_grades(path):
+    """The content of a grades.json, or None if there is none in today's format."""
+    try:
+        grades = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return grades if isinstance(grades, dict) and grades.get("format") == FORMAT else None
+
+
+def changed_points(before, after):
+    """Lines for the terminal: each lesson whose points differ in two contents of grades.json."""
+    old, new = map(_points_of_lessons, (before, after))
+    lines = [
+        f"  {name}: {lesson}: {old.get((name, lesson), _NOT_THERE)} → {new.get((name, lesson), _NOT_THERE)}"
+        for name, lesson in sorted(old.keys() | new.keys())
+        if old.get((name, lesson)) != new.get((name, lesson))
+    ]
+    first = f"{count_of(len(lines), 'lesson')} with other points than in the run before ({PREVIOUS}):"
+    more = [f"  and {len(lines) - _MOST_CHANGES} more"] if len(lines) > _MOST_CHANGES else []
+    return [first, *lines[:_MOST_CHANGES], *more] if lines else []
+
+
+def _points_of_lessons(grades):
+    return {
+        (learner["name"], lesson["lesson"] or lesson["file"]): _points(lesson)
+        for learner in grades["learners"]
+        for lesson in learner["lessons"]
+    }
+
+
+def _points(lesson):
+    if lesson["status"] == "not graded":
+        return f"not graded: {lesson['reason']}"
+    if lesson.get("decision") and lesson["decision"]["excused"]:
+        return "excused"
+    text = f"{lesson['points']} of {lesson['max_points']}"
+    if lesson.get("late_deduction"):
+        text += f", {lesson['late_deduction']} deducted because late"
+    decided = f", decided by hand; the autograder gives {lesson.get('autograded_points')}"
+    return text + (decided if lesson.get("decision") else "")

@@ -1,23 +1,12 @@
-"""What is exported: tables of points for a spreadsheet, and pages as zips.
+"""What is exported: tables of points for a spreadsheet, and the learners' pages as zips.
 
-grades.csv
-    one row per learner and lesson: the final points, the autograder's, and what makes the difference; UTF-8
-    with a byte order mark, by which spreadsheets recognize it
-checks.csv
-    one row per learner and check, in the same form
-exports/moodle-feedback-<lesson>.zip
-    for "Upload multiple feedback files in a zip". Moodle reads the participant's number and the kind of file
-    from the folder's name, Ada Lovelace_12345_assignsubmission_file
-exports/canvas-feedback-<lesson>.zip
-    for "Re-Upload Submissions". Canvas reads the numbers of the learner and of the submitted file from the
-    file's name, lovelaceada_77_100_20_light.html, and attaches the page to the submission as a comment
-exports/feedback-<learner>.zip
-    of a learner who submitted through no platform: nobody else's page is in it
+Moodle reads the participant's number and the kind of file from a folder's name in the zip, such as
+Ada Lovelace_12345_assignsubmission_file; Canvas reads the numbers of the learner and of the submitted file
+from a file's name, lovelaceada_77_100_20_light.html. A platform has one maximum per assignment: if an
+exercise is excused, the others' points are scaled to it.
 
-`grade --platform-table` fills the table of points that a platform exports. A platform has one maximum per
-assignment: if an exercise is excused, the others' points are scaled to it.
-
-No cell begins like a formula: an apostrophe is put before one that would.
+Tables are UTF-8 with a byte order mark, by which spreadsheets recognize it. No cell begins like a formula: an
+apostrophe is put before one that would.
 """
 
 import csv
@@ -46,7 +35,7 @@ EXCUSED = "EX"  # what Canvas writes
 def grades_csv(grades):
     """The text of grades.csv."""
     rows = [_grades_row(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
-    return "\ufeff" + _text(COLUMNS, rows)
+    return _text(COLUMNS, rows)
 
 
 def checks_csv(grades):
@@ -62,7 +51,7 @@ def checks_csv(grades):
         for exercise in lesson["exercises"]
         for case in exercise["cases"]
     ]
-    return "\ufeff" + _text(CHECK_COLUMNS, rows)
+    return _text(CHECK_COLUMNS, rows)
 
 
 def _grades_row(learner, lesson):
@@ -112,7 +101,7 @@ def lessons_of(grades):
 
 def _text(columns, rows):
     rows = [columns, *([spreadsheet_text(value) for value in row] for row in rows)]
-    return csv_text(rows, quoting=csv.QUOTE_NONNUMERIC)
+    return "\ufeff" + csv_text(rows, quoting=csv.QUOTE_NONNUMERIC)
 
 
 def feedback_zips(grades, read_page):

@@ -1,13 +1,10 @@
 """Fill a table that a learning platform exported with our points, so that it can be imported back unchanged.
 
-    Canvas    Grades > Export: "Student", "ID", ..., "Section", "grayscale (1234)" per assignment
-    Moodle    View all submissions > Download grading worksheet: "Identifier", ..., "Grade", one assignment
-
-Only the points of graded lessons are written; every other cell stays as it is, save for an apostrophe before
-what a spreadsheet would take for a formula. A row is matched to a learner
-by the platform's number, which is part of the names of the files that the platform hands out. Otherwise it is
-matched by a login, an e-mail address or a number that is the learner's name here, or by the full name if only
-one row and one learner have it.
+Canvas's export of the gradebook has a column for each assignment, Moodle's grading worksheet is of one. Only
+the points of graded lessons are written; every other cell stays as it is, save for an apostrophe before what
+a spreadsheet would take for a formula. A row is matched to a learner by the platform's number, which is part
+of the names of the files that the platform hands out. Otherwise it is matched by a login, an e-mail address
+or a number that is the learner's name here, or by the full name if only one row and one learner have it.
 """
 
 import re
@@ -51,18 +48,21 @@ def _is_canvas(table):
 def fill_table(table, grades):
     """(A platform's table with our points, lines to print); TableError: no column belongs to a lesson."""
     columns = _lesson_columns(table, grades)
-    rows, filled, without_row = [list(row) for _, row in table.rows], 0, _graded_lessons(grades)
-    graded, excused = dict(without_row), EXCUSED if _is_canvas(table) else ""
+    rows, filled = [list(row) for _, row in table.rows], 0
+    graded = {  # {learner's name: {lesson: entry}}
+        learner["name"]: {one["lesson"]: one for one in learner["lessons"] if one["status"] == "graded"}
+        for learner in grades["learners"]
+    }
+    missing = [name for name, lessons in graded.items() if lessons.keys() & set(columns.values())]
     for row, learner in _matched(table, rows, grades["learners"]):
-        without_row.pop(learner["name"], None)
+        missing = [name for name in missing if name != learner["name"]]
         for column, name in columns.items():
             lesson = graded[learner["name"]].get(name)
-            points = platform_points(lesson, excused) if lesson else ""
+            points = platform_points(lesson, EXCUSED if _is_canvas(table) else "") if lesson else ""
             if points != "" and column < len(row):
                 row[column] = str(points)
                 filled += 1
     lines = [f"{table.path.name}: {filled} points filled in."]
-    missing = [name for name, lessons in without_row.items() if lessons.keys() & set(columns.values())]
     if missing:
         names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
         lines.append(f"  graded, but in no row of the table: {names}")
@@ -74,14 +74,6 @@ def fill_table(table, grades):
     )
     text = csv_text(cells, delimiter=table.delimiter)
     return table.byte_order_mark + text, lines
-
-
-def _graded_lessons(grades):
-    """{learner's name: {lesson: entry}}."""
-    return {
-        learner["name"]: {one["lesson"]: one for one in learner["lessons"] if one["status"] == "graded"}
-        for learner in grades["learners"]
-    }
 
 
 def _lesson_columns(table, grades):

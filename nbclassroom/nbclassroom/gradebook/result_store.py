@@ -96,7 +96,8 @@ def grade_missing(learners, answer_keys, store, *, fresh, quiet, on_result, **op
     with tqdm(total=len(digests), initial=done, disable=quiet, **about) as bar:
         threading.Thread(target=show_time, args=(bar,), daemon=True).start()
         keys = {digest: answer_keys.key_of(store.page(digest)[0]) for digest in missing}
-        for result in autograde(_submissions(missing, store), keys, **options):
+        submissions = ((digest, *store.page(digest)[1:]) for digest in missing)
+        for result in autograde(submissions, keys, **options):
             store.keep_result(result.name, result)
             bar.update()
             on_result(result.name)
@@ -108,10 +109,3 @@ def show_time(bar):
     while not bar.disable:  # a closed bar is disabled
         time.sleep(1)
         bar.refresh()
-
-
-def _submissions(digests, store):
-    """(digest, lesson, page) of what is to be graded."""
-    for digest in digests:
-        _, lesson, page = store.page(digest)
-        yield digest, lesson, page

@@ -1,16 +1,13 @@
 """A roster: the table of everybody who should submit, as Moodle or Canvas exports it, or written by hand.
 
-Canvas    Grades > Export: Student ("Lovelace, Ada"), ID, SIS Login ID, ...
-Moodle    grading worksheet: Identifier, Full name, Email address, ...; participants and gradebook:
-          First name, Last name (or Surname), ID number, Email address, ...
-by hand   a column `name`, or `student`, or `email`
+Canvas has one column for the name, Student ("Lovelace, Ada"), Moodle Full name, or First name and Last name;
+by hand a column `name`, `student` or `email` is enough.
 """
 
 import re
 import unicodedata
 from collections import Counter
 from dataclasses import dataclass
-from functools import partial
 
 from ..autograder.sanitize import sanitize_line
 from .csv_table import TableError, read_csv
@@ -86,7 +83,10 @@ def number_of(row):
 
 def forms_of_name(row):
     """A person's name as the table has it, and with the first and with the last name first; perhaps empty."""
-    full, first, last = (_first_cell(row, columns) for columns in (_FULL_NAME, _FIRST_NAME, _LAST_NAME))
+    full, first, last = (
+        next((row[column] for column in columns if row.get(column)), "")
+        for columns in (_FULL_NAME, _FIRST_NAME, _LAST_NAME)
+    )
     if not full:
         full = f"{first} {last}".strip()
     elif "," in full:
@@ -94,10 +94,6 @@ def forms_of_name(row):
     elif not last:
         first, _, last = full.rpartition(" ")
     return full, f"{first} {last}".strip(), f"{last} {first}".strip()
-
-
-def _first_cell(row, columns):
-    return next((row[column] for column in columns if row.get(column)), "")
 
 
 def squeezed(name):
@@ -125,19 +121,15 @@ def _names_of(people):
     return {learner.name for senders in people.values() for learner in senders}
 
 
-def _certainty(entry, learner):
-    """How certainly a learner is the person of an entry; sorts from the least to the most certain."""
-    has_number = entry.number in {(file.platform, file.platform_id) for file in learner.files}
-    return has_number, learner.name.casefold() in map(str.casefold, entry.names)
-
-
 def names_in_roster(roster, learners):
     """{a name that one person of a roster has: the learner's name, None if they submitted nothing}."""
     names, count = {}, Counter(name for entry in roster for name in {entry.name, *entry.names})
     for entry, senders in _people(roster, learners).items():
-        # Of two with nearly one name, the platform's number decides, then the exact name.
-        senders = sorted(senders, key=partial(_certainty, entry))
-        sender = senders[-1].name if senders else None
+        certainties = []  # of two with nearly one name, the platform's number decides, then the exact name
+        for one in senders:
+            has_number = entry.number in {(file.platform, file.platform_id) for file in one.files}
+            certainties.append((has_number, one.name.casefold() in map(str.casefold, entry.names), one.name))
+        sender = max(certainties)[-1] if senders else None
         names |= {name: sender for name in (entry.name, *entry.names) if count[name] == 1}
     return names
 

@@ -152,30 +152,22 @@ def lesson_by_name(name, lessons):
 
 
 def _recognize(notebook, cells, catalog, name, content):
-    """The lesson of a notebook, or None; a notebook with answer cells of several lessons gets a finding."""
+    """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
     marked, functions = _signs_of_lessons(cells, catalog)
-    lesson = _by_signs(notebook, marked, functions, catalog, name, content)
+    metadata_lesson = lesson_name(notebook["lesson"] or "")
+    claim = metadata_lesson if metadata_lesson in catalog.lessons else None
+    named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
+    lesson = claim if claim and marked[claim] else _most(marked)
+    if lesson is None:
+        lesson = claim if metadata_lesson else _recognize_unmarked(named_lesson, functions, content)
+    elif (claim or named_lesson) not in (None, lesson):
+        says = "it says" if claim else "its name says"
+        text = f"{says} that it is {claim or named_lesson}, but its answer cells are those of {lesson}"
+        content.add(f"{text}; it is graded as {lesson}")
     others = [other for other, ids in marked.items() if ids and other != lesson]
     if lesson and marked[lesson] and others:
         content.add(f"it also has answer cells of {', '.join(others)}; {ONE_LESSON}")
     return lesson
-
-
-def _by_signs(notebook, marked, functions, catalog, name, content):
-    """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
-    metadata_lesson = lesson_name(notebook["lesson"] or "")
-    claim = metadata_lesson if metadata_lesson in catalog.lessons else None
-    if claim and marked[claim]:
-        return claim
-    named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
-    by_marks = _most(marked)
-    if by_marks:
-        if (claim or named_lesson) not in (None, by_marks):
-            says = "it says" if claim else "its name says"
-            text = f"{says} that it is {claim or named_lesson}, but its answer cells are those of {by_marks}"
-            content.add(f"{text}; it is graded as {by_marks}")
-        return by_marks
-    return claim if metadata_lesson else _recognize_unmarked(named_lesson, functions, content)
 
 
 def _signs_of_lessons(cells, catalog):
@@ -363,9 +355,12 @@ def _compare_given(exercise, cells, lesson, content):
         if change:
             role = "check cell" if id.startswith("check-") else "given cell"
             content.add(f"its {role} ({id}) {change}; grading uses its own", exercise.id)
-    outputs = (cell["output"] for id, cell in cells_by_id.items() if id.startswith(f"check-{exercise.id}-"))
-    if _claims_to_pass(exercise.id, "\n".join(outputs)):
-        content.claims.append(exercise.id)
+    starts = (f"{exercise.id}: the check passes", f"{exercise.id}: all ")
+    for id, cell in cells_by_id.items():
+        lines = cell["output"].splitlines() if id.startswith(f"check-{exercise.id}-") else ()
+        claims = (line.rstrip(".") for line in lines if line.startswith(starts))
+        if any(claim.endswith(("passes", "pass")) for claim in claims):
+            content.claims.append(exercise.id)
 
 
 def _report_other_tries(exercise, cells, content):
@@ -385,9 +380,3 @@ def _change(cell, source):
     if cell["type"] != "code":
         return "is not a code cell any more"
     return "" if (cell["source"] or "").strip() == source.strip() else "was changed"
-
-
-def _claims_to_pass(exercise_id, output):
-    starts = (f"{exercise_id}: the check passes", f"{exercise_id}: all ")
-    claims = [line.rstrip(".") for line in output.splitlines() if line.startswith(starts)]
-    return any(claim.endswith(("passes", "pass")) for claim in claims)

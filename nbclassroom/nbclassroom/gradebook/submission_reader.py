@@ -36,7 +36,6 @@ MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what
 _COURSE_IDS = ("answer-", "check-", "given-")
 _MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
-_MOST_COUNT = 1_000_000  # runs of cells
 _MOST_NAME = 200  # characters of a name or an id
 _SAVE = "save it again in JupyterLab"
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
@@ -56,10 +55,10 @@ def read_notebook(data):
     lesson, version, kernel  str, or None if the notebook does not name them
     cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
            `exercise` (the id in its metadata, or "") and `functions` (see `cell_syntax.function_definitions`;
-           of a cell that is no code only if its text is); a code cell has `count`, int or None. A code cell
-           and a cell of the course have `source` (str, at most one character more than MOST_CHARACTERS; None
-           if it is not text, or after MOST_CODE). A cell of the course has `grader_tags`, an answer cell also
-           `answer` (see `_parsed_answer`), a check cell `output`
+           of a cell that is no code only if its text is). A code cell and a cell of the course have `source`
+           (str, at most one character more than MOST_CHARACTERS; None if it is not text, or after MOST_CODE).
+           A cell of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`), a
+           check cell `output`
     """
     notebook = _parsed(data)
     nbformat = notebook.get("nbformat")
@@ -106,15 +105,10 @@ def _parsed(data):
 
 
 def _cells_of_format_3(notebook):
-    """The cells of all worksheets as format 4 has them, code as `source`; None without any list of cells."""
+    """The cells of all worksheets; None without any list of cells."""
     parts = [_at(part, list, "cells") for part in _at(notebook, list, "worksheets") or ()]
     parts = [cells for cells in parts if cells is not None]
-    return [_cell_of_format_3(cell) for cells in parts for cell in cells] if parts else None
-
-
-def _cell_of_format_3(cell):
-    is_code = isinstance(cell, dict) and cell.get("cell_type") == "code"
-    return cell | {"source": cell.get("input")} if is_code else cell
+    return [cell for cells in parts for cell in cells] if parts else None
 
 
 def _at(value, kind, *names):
@@ -155,9 +149,7 @@ def _cell(cell, number, code_left):
         "exercise": _text(cell, "metadata", _COURSE, "exercise") or "",
         "functions": {},
     }
-    if content["type"] == "code":
-        content["count"] = _count(cell)
-    source = _joined(cell.get("source"))
+    source = _joined(cell.get("source", cell.get("input")))  # format 3 has the code as "input"
     if source is not None:
         source = source[: MOST_CHARACTERS + 1]
     is_answer = content["id"].startswith("answer-") or bool(content["exercise"])
@@ -175,12 +167,6 @@ def _cell(cell, number, code_left):
     if content["id"].startswith("check-"):
         content["output"] = _output_text(cell)
     return content
-
-
-def _count(cell):
-    """The execution count of a code cell; None if it was not run, or if its count is none."""
-    count = cell.get("execution_count", cell.get("prompt_number"))
-    return count if type(count) is int and 0 < count < _MOST_COUNT else None
 
 
 def _may_define(content, source):

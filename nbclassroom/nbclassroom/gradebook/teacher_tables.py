@@ -1,12 +1,6 @@
 """What a teacher adds to the autograder's points: decisions, extensions of the deadline, and a late policy.
 
 Decisions and extensions are CSV files in UTF-8 with a row of column names, as every spreadsheet writes them.
-A line that begins with # is a comment.
-
-    --deadline 2026-12-01T23:59 --late "10% a day, 3 days"
-
-Each day that has begun after the deadline costs 10 % of the points that the lesson got; after three days the
-lesson gets none. Without the second part the deduction grows to 100 %.
 """
 
 import contextlib
@@ -115,8 +109,10 @@ def _unknown(learner, names):
 
 def _rows(table, columns, required):
     """({column: cell}, "file, row 3") of each row that is not empty and no comment."""
-    if table.columns:
-        _require_columns(table, columns, required)
+    header = table.record(table.columns).keys() - {""}
+    if header and not set(required) <= header <= set(columns):
+        listed = sanitize_line(", ".join(table.columns), 100)
+        raise TableError(f"{table.path}: its columns are {listed}; expected {', '.join(columns)}")
     for number, cells in table.rows:
         if is_comment(cells):
             continue
@@ -129,13 +125,6 @@ def _rows(table, columns, required):
         if missing:
             raise TableError(f"{place}: the cell {missing[0]} is empty")
         yield row, place
-
-
-def _require_columns(table, columns, required):
-    header = table.record(table.columns).keys() - {""}
-    if not set(required) <= header <= set(columns):
-        listed = sanitize_line(", ".join(table.columns), 100)
-        raise TableError(f"{table.path}: its columns are {listed}; expected {', '.join(columns)}")
 
 
 def _lesson(text, answer_keys, place):
@@ -274,12 +263,8 @@ class TeacherRules:
         self.decisions = _by_learner(self._decisions, known_names)
         for learner in learners:
             for decision in self.decisions.get(learner.name, ()):
-                _require_exercises(decision, learner.submissions.get(decision.lesson))
-
-
-def _require_exercises(decision, submission):
-    """Refuse a decision on a single exercise of a lesson that has none to decide on."""
-    if decision.exercise and (submission is None or not submission.answers_digest):
-        problem = "was not submitted" if submission is None else "could not be graded"
-        text = f"{decision.learner}'s {decision.lesson} {problem}, so it has no exercises"
-        raise TableError(f"{decision.place}: {text}; leave the exercise empty")
+                submission = learner.submissions.get(decision.lesson)
+                if decision.exercise and (submission is None or not submission.answers_digest):
+                    problem = "was not submitted" if submission is None else "could not be graded"
+                    text = f"{decision.learner}'s {decision.lesson} {problem}, so it has no exercises"
+                    raise TableError(f"{decision.place}: {text}; leave the exercise empty")

@@ -10,8 +10,8 @@ from datetime import datetime
 
 import pytest
 from click.testing import CliRunner
-from nbclassroom.gradebook.changes import changed_points
 from nbclassroom.gradebook.grade import grade_submissions
+from nbclassroom.gradebook.grades_folder import changed_points
 from nbclassroom.gradebook.summary import _concerns, summary_page
 from submissions import answers_of, cell_of, notebook, write
 
