@@ -96,11 +96,6 @@ def folders_of_lessons():
         return []
 
 
-def has_face():
-    """Whether the course has a module of its own that says which course it is."""
-    return _values()["face"] != KEYS["face"]
-
-
 def node_modules():
     """What a node may import."""
     return ("rclpy", *_values()["ros_messages"], "cv_bridge")

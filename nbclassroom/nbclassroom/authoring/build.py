@@ -46,7 +46,11 @@ def build(masters_dir, lessons_dir, solved_dir, names=(), progress=print, *, wit
         for twin, folder_of_twin in zip(twins, (folder, Path(solved_dir)), strict=True):
             text = nbformat.writes(twin) + "\n"
             write_file(folder_of_twin / f"{name}.ipynb", text, permissions=0o644)
-        _write_lesson_files(files, folder, with_solutions=with_solutions)
+        for file, text in files.items():
+            if with_solutions or not file.startswith(SOLUTIONS):
+                write_file(folder / file, text, permissions=0o644)
+            else:
+                (folder / file).unlink(missing_ok=True)  # of a build with solutions
     if not names:
         try:
             for name, text in build_pages(masters_dir).items():
@@ -94,14 +98,6 @@ def build_pages(masters_dir):
     return pages
 
 
-def _write_lesson_files(files, folder, *, with_solutions):
-    for name, text in files.items():
-        if with_solutions or not name.startswith(SOLUTIONS):
-            write_file(folder / name, text, permissions=0o644)
-        else:
-            (folder / name).unlink(missing_ok=True)  # of a build with solutions
-
-
 def _build_each(result, masters_dir, lessons_dir, names, progress, *, solved):
     """(name, [lesson, and its solved twin], lesson files) of each that builds; `result` tells of all."""
     for path in _masters_to_build(masters_dir, names):
@@ -111,7 +107,7 @@ def _build_each(result, masters_dir, lessons_dir, names, progress, *, solved):
             master = read_valid_master(path)
             files = lesson_files(master)
             twins = [build_lesson(master, lessons_dir / f"{path.stem}.ipynb")]
-            twins += [build_solved(master)] if solved else []
+            twins += [build_lesson(master, solved=True)] if solved else []
         except MasterError as error:
             result.problems.append(str(error))
             continue
@@ -141,30 +137,20 @@ def read_valid_master(path):
     return master
 
 
-def build_lesson(master, stored_path, executed=None):
-    """The lesson of a master, executed; a cell whose output varies keeps its output in the stored lesson.
+def build_lesson(master, stored_path=None, executed=None, *, solved=False):
+    """The lesson of a master, or its solved twin, executed.
 
-    `executed` is `lesson_notebook` with the outputs of its execution. MasterError: an error in a cell, or an
-    output that is not reproducible.
+    A cell whose output varies keeps its output in the stored lesson. `executed` is `lesson_notebook` with the
+    outputs of its execution. MasterError: an error in a cell, or an output that is not reproducible.
     """
-    lesson = executed or _execute_master(master, solved=False)
-    normalize(lesson, master)
-    _keep_varying_outputs(lesson, stored_path, master)
-    refuse_traces(lesson, master)
-    return lesson
-
-
-def build_solved(master):
-    """The solved twin of a lesson: the solutions replace the answers."""
-    twin = _execute_master(master, solved=True)
-    normalize(twin, master)
-    refuse_traces(twin, master)
-    return twin
-
-
-def _execute_master(master, *, solved):
-    notebook = lesson_notebook(master, solved=solved)
-    execute(notebook, master.path, files=lesson_files(master))
+    notebook = executed
+    if notebook is None:
+        notebook = lesson_notebook(master, solved=solved)
+        execute(notebook, master.path, files=lesson_files(master))
+    normalize(notebook, master)
+    if stored_path:
+        _keep_varying_outputs(notebook, stored_path, master)
+    refuse_traces(notebook, master)
     return notebook
 
 

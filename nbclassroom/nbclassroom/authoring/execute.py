@@ -110,8 +110,7 @@ def _normalize_output(output, count):
     if output.output_type == "execute_result":
         output.execution_count = count
     if output.output_type == "error":
-        # Frames inside libraries contain paths and line numbers of this machine. The learner's own run shows
-        # them.
+        # Frames inside libraries contain paths and line numbers of this machine.
         frames = [frame for frame in output.traceback if not _ANSI.sub("", frame).startswith("File ")]
         output.traceback = frames
     data = output.get("data", {})

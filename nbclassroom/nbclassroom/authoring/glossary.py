@@ -40,14 +40,18 @@ class Term:
         return f"{GLOSSARY_PAGE}#{self.name.replace(' ', '-')}"
 
 
+def read_toml(path):
+    """The entries of a TOML file beside the masters; none without the file. MasterError: it is not TOML."""
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    except tomllib.TOMLDecodeError as error:
+        raise MasterError(f"{path.name}: it is not TOML: {error}") from error
+
+
 def read_glossary(path):
     """The Terms of a glossary.toml in alphabetical order; none without the file. MasterError names faults."""
     path = Path(path)
-    try:
-        entries = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    except tomllib.TOMLDecodeError as error:
-        raise MasterError(f"{path.name}: it is not TOML: {error}") from error
-    terms = [_read_term(path, name, entry) for name, entry in entries.items()]
+    terms = [_read_term(path, name, entry) for name, entry in read_toml(path).items()]
     owners = {}
     for term in terms:
         for form in term.forms:

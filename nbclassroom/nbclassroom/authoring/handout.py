@@ -1,21 +1,18 @@
 """What learners get: lessons without outputs and counters, and the files that the lessons read."""
 
-import io
 import json
 import re
-import zipfile
 from pathlib import Path
 
 from .. import course
 from ..exercises.atomic_write import write_file
 from ..exercises.progress import LEARNERS_FOLDER
 from .glossary import GLOSSARY_PAGE
-from .learner_files import CHECKS, SOLUTIONS, TEXTS, without_outputs
+from .learner_files import CHECKS, SOLUTIONS, TEXTS, without_outputs, zip_bytes
 from .lesson_names import lesson_name
 from .masters import find_lessons
 
 _PAGES = (".ipynb", ".html")
-_ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same files give the same bytes
 
 
 class HandoutError(Exception):
@@ -37,28 +34,26 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     # Nothing else: a teacher's folder may hold a key, or submissions.
     pages = [path for path in sorted(source.iterdir()) if path.suffix in _PAGES or path.name == GLOSSARY_PAGE]
     texts = {path.name: without_outputs(path.read_bytes()) for path in pages if path.name not in left_out}
-    files = {name: _without_links(text, left_out) for name, text in texts.items()}
+    # Links to what is not handed out become plain text.
+    link = re.compile(rb"\[([^][]+)\]\(([^()#]*)(?:#[^()]*)?\)")
+    files = {}
+    for name, text in texts.items():
+        files[name] = link.sub(lambda found: found[1] if found[2].decode() in left_out else found[0], text)
     for path in chosen:
         files |= _exercise_files(source, path, with_solutions)
         beside = f"{TEXTS}/{lesson_name(path.stem)}.json", f"{lesson_name(path.stem)}.py"
         files |= {name: (source / name).read_bytes() for name in beside if (source / name).is_file()}
     files[LEARNERS_FOLDER] = (json.dumps({"handout": course.release()}) + "\n").encode()
-    if not course.has_face():  # the lessons import the classroom, which must find the course
+    if course.face == course.KEYS["face"]:  # the lessons import the classroom, which must find the course
         files[course.FILE] = course.file().read_bytes()
     archive = folder.with_name(f"{folder.name}.zip")
     outputs = {folder / name: data for name, data in files.items()}
     if zipped:
-        outputs[archive] = _zip({f"{folder.name}/{name}": data for name, data in files.items()})
+        outputs[archive] = zip_bytes({f"{folder.name}/{name}": data for name, data in files.items()})
     _refuse_to_replace(outputs)
     for path, data in outputs.items():
         write_file(path, data)
     return len(chosen), archive
-
-
-def _without_links(text, names):
-    """A page in which the links to these files, which are not handed out, are plain text."""
-    link = rb"\[([^][]+)\]\(([^()#]*)(?:#[^()]*)?\)"
-    return re.sub(link, lambda found: found[1] if found[2].decode() in names else found[0], text)
 
 
 def _exercise_files(source, lesson, with_solutions):
@@ -97,14 +92,3 @@ def _refuse_to_replace(outputs):
             f"{different[0]}{more} exists already and differs, and nothing was written;"
             " give another folder, or move the files away"
         )
-
-
-def _zip(files):
-    """The bytes of a zip file; the same files give the same bytes."""
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, data in sorted(files.items()):
-            info = zipfile.ZipInfo(name, _ZIP_DATE)
-            info.external_attr = 0o644 << 16  # without it, unzip makes files that nobody can read
-            archive.writestr(info, data, zipfile.ZIP_DEFLATED)
-    return buffer.getvalue()

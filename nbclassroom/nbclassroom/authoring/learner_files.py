@@ -1,8 +1,10 @@
 """The files of a folder of lessons that learners get, and lessons without outputs."""
 
 import contextlib
+import io
 import json
 import re
+import zipfile
 
 from .. import course
 from ..exercises.check_files import CHECKS, SOLUTIONS
@@ -27,7 +29,8 @@ def without_outputs(data):
     """
     with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
         notebook = json.loads(data)
-        cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code" and not _is_kept(cell)]
+        code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        cells = [cell for cell in code if KEEP_OUTPUT_TAG not in cell.get("metadata", {}).get("tags", ())]
         if any(cell["outputs"] or cell["execution_count"] is not None for cell in cells):
             for cell in cells:
                 cell["outputs"], cell["execution_count"] = [], None
@@ -36,5 +39,12 @@ def without_outputs(data):
     return data
 
 
-def _is_kept(cell):
-    return KEEP_OUTPUT_TAG in cell.get("metadata", {}).get("tags", ())
+def zip_bytes(files):
+    """The bytes of a zip with {name: bytes}; the same files give the same bytes."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for name, data in sorted(files.items()):
+            info = zipfile.ZipInfo(name)  # which has no date of today
+            info.external_attr = 0o644 << 16  # without it, unzip makes files that nobody can read
+            archive.writestr(info, data, zipfile.ZIP_DEFLATED)
+    return buffer.getvalue()

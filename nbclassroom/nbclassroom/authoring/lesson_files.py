@@ -90,7 +90,13 @@ def stored_exercise(exercise):
     if any("inputs" in case for case in entry["cases"]):
         entry["preparation"] = exercise.preparation
     entry["mistakes"] = [_mistake_entry(mistake, exercise.cases) for mistake in exercise.mistakes]
-    return change_values(entry, lambda value, _tolerance: _keep(values, value)), values
+
+    def keep(value, _tolerance):
+        key = hashlib.sha256(_dumps(value).encode()).hexdigest()[:16]
+        values[key] = value
+        return key
+
+    return change_values(entry, keep), values
 
 
 def _case_entry(case):
@@ -121,13 +127,6 @@ def _result_entry(result, expected, tolerance):
         return entry
     is_right = result.value == expected
     return entry | {"value": result.value if is_right or tolerance else _by_digest(result.value)}
-
-
-def _keep(values, value):
-    """Store a value once; returns its key."""
-    key = hashlib.sha256(_dumps(value).encode()).hexdigest()[:16]
-    values[key] = value
-    return key
 
 
 def _by_digest(form):

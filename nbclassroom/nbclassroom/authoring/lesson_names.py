@@ -28,11 +28,6 @@ def lessons_named(text, lessons):
     return list(dict.fromkeys(match[1] for match in _pattern(tuple(lessons)).finditer(text)))
 
 
-def without_lesson(text, lessons):
-    """A text without the first name of a lesson in it, and without the separators around that name."""
-    return _pattern(tuple(lessons)).sub("", text, count=1).strip(" -_.")
-
-
 def notebook_name(name):
     """The name of a file; of a notebook, also if a browser saved it as text, with .ipynb at the end."""
     match = _NOTEBOOK.fullmatch(name)
@@ -59,8 +54,10 @@ def name_in_stem(stem, lessons):
     stem = _without_copy_words(stem)
     unnumbered, _ = split_repetition(stem)
     named = lessons_named(unnumbered, lessons)
-    ending = named and unnumbered.endswith(named[-1])
-    return without_lesson(unnumbered if ending else stem, lessons) if named else stem
+    if not named:
+        return stem
+    text = unnumbered if unnumbered.endswith(named[-1]) else stem
+    return _pattern(tuple(lessons)).sub("", text, count=1).strip(" -_.")
 
 
 @lru_cache(maxsize=16)

@@ -135,8 +135,9 @@ def read_master(path):
     with_asks, questions = with_questions(script.cells, path, references)
     timed = timed_script(replace(script, cells=with_asks), match["number"] if match else "")
     cells = list(_lesson_cells(path, timed, exercises, references))
-    if match and cells and cells[0].kind == "markdown":
-        cells[0] = _numbered(cells[0], match["number"])
+    if match and cells and cells[0].kind == "markdown" and cells[0].source.startswith("# "):
+        source = f"# {match['number']} · {cells[0].source[2:]}"
+        cells[0] = replace(cells[0], source=source, solved_source=source)
     parts = tuple(cells), exercises, _texts(script, references), questions
     master = Master(path, title, timed.whole, timed.core, *parts)
     problems = master_problems(master)
@@ -161,14 +162,6 @@ def _texts(script, references):
                     f'{cell.place}: expected figure_texts = {{"name": ("caption", "alt"), ...}}'
                 )
     return texts
-
-
-def _numbered(cell, number):
-    """The lesson's first cell with the lesson's number in its heading."""
-    if not cell.source.startswith("# "):
-        return cell
-    source = f"# {number} · {cell.source[2:]}"
-    return replace(cell, source=source, solved_source=source)
 
 
 def _resolved(record, references):

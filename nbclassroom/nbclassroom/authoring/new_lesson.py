@@ -18,7 +18,8 @@ def new_lesson(name, folder):
     folder = Path(folder)
     stem = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
     if stem and not LESSON_FILE.fullmatch(stem):
-        stem = f"{_next_number(folder):02d}_{stem}"
+        used = {int(path.name[:2]) for path in folder.glob("*.py") if LESSON_FILE.fullmatch(path.stem)}
+        stem = f"{min({*range(30, 100)} - used, default=99):02d}_{stem}"
     if not LESSON_FILE.fullmatch(stem):
         raise MasterError(
             f"{name!r} cannot name a lesson; use letters and digits, as in brightness or 30_brightness"
@@ -37,9 +38,3 @@ def new_lesson(name, folder):
     except OSError as error:
         raise MasterError(f"{path}: cannot be written ({error.strerror})") from error
     return path
-
-
-def _next_number(folder):
-    used_numbers = {int(path.name[:2]) for path in folder.glob("*.py") if LESSON_FILE.fullmatch(path.stem)}
-    free_numbers = (number for number in range(30, 100) if number not in used_numbers)
-    return next(free_numbers, 99)

@@ -1,9 +1,8 @@
 """Questions that come back, with which lessons open; `questions.toml` beside the masters describes them."""
 
-import tomllib
-
 from .. import course
 from ..exercises.percent_script import MasterError, ScriptCell
+from .glossary import read_toml
 from .lesson_names import lesson_name
 
 QUESTIONS = "questions.toml"
@@ -18,10 +17,7 @@ There are no points."""
 
 def read_questions(path):
     """{name: entry} of a questions.toml; none without the file. MasterError names faults."""
-    try:
-        entries = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    except tomllib.TOMLDecodeError as error:
-        raise MasterError(f"{path.name}: it is not TOML: {error}") from error
+    entries = read_toml(path)
     for name, entry in entries.items():
         replies = {str(entry.get("answer")), *entry.get("options", ("less", "more"))}
         missing = (_KEYS - set(entry)) or (replies - set(entry["replies"]))

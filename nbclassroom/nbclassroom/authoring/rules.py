@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections import Counter
 
 from .. import course
 from ..exercises.cell_syntax import bound_names, top_level
@@ -27,7 +28,7 @@ def master_problems(master):
     for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=False):
         first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
         problems += [f"{cell.id}: {problem}\n    {first_line}" for problem in _cell_problems(cell, next_cell)]
-    problems += [*_prediction_problems(master), *_assert_problems(master), *_way_problems(master)]
+    problems += [*_prediction_problems(master), *_way_problems(master)]
     for exercise in master.exercises:
         rules = _exercise_rules(exercise)
         problems += [f"exercise {exercise.id} {problem}" for is_broken, problem in rules if is_broken]
@@ -53,12 +54,8 @@ def _exercise_rules(exercise):
     yield not _is_text(exercise.another_way), another_way
     no_class = f'has subject="node"; its answer cell must define class {exercise.function}(Node)'
     yield exercise.kind.noun == "class" and exercise.function not in classes, no_class
-    for name in _repeated([mistake.name for mistake in exercise.mistakes]):
-        yield True, f"declares the mistake {name!r} twice"
-
-
-def _repeated(names):
-    return sorted({name for name in names if names.count(name) > 1})
+    for name, count in Counter(mistake.name for mistake in exercise.mistakes).items():
+        yield count > 1, f"declares the mistake {name!r} twice"
 
 
 def _is_text(value):
@@ -84,7 +81,6 @@ def _name_problems(master):
 
 def _id_problems(master):
     ids = [cell.id for cell in master.cells]
-    yield from (f"two cells have the id {id}" for id in _repeated(ids))
     for id in (id for id in ids if len(id) > _MOST_ID_CHARACTERS):
         yield f"the id {id} is longer than the {_MOST_ID_CHARACTERS} characters that a notebook allows"
     for exercise in master.exercises:
@@ -130,6 +126,8 @@ def _cell_rules(cell, lines, next_cell):
     yield re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M), comment
     varies = f"tagged {VARYING_TAG}: the next code cell must begin with '{CHECK_LINE}' and hold its asserts"
     yield cell.varies and cell.role != "check" and not (next_cell and _asserts(next_cell)), varies
+    is_loose = not cell.folded and _asserts(cell)
+    yield is_loose, f"move its asserts into a cell that begins with '{CHECK_LINE}'"
     is_python = _parse(cell.source) is not None
     yield cell.role and not is_python, f"a {cell.role} cell must be plain Python; it takes no magics"
     call = re.search(rf"""check\(\s*["']{re.escape(cell.exercise)}["']""", cell.source)
@@ -189,12 +187,6 @@ def _is_compared(guess, cell):
         case [ast.Expr(ast.Call(ast.Name("compare_guess"), [ast.Name(name), value, *_]))]:
             return name == guess and any(isinstance(node, ast.Name) for node in ast.walk(value))
     return False
-
-
-def _assert_problems(master):
-    for cell in master.cells:
-        if cell.kind == "code" and not cell.folded and _asserts(cell):
-            yield f"{cell.id}: move its asserts into a cell that begins with '{CHECK_LINE}'"
 
 
 def _way_problems(master):

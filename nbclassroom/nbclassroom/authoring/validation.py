@@ -36,10 +36,11 @@ def validate_exercise(exercise, seeds=BUILD_SEEDS):
         if not case_result.passed
     ]
     problems += _refusals(exercise)
-    if not _is_empty_stub(exercise):
-        problems.append(
-            f'{exercise.id}: the stub returns a value; let it raise NotImplementedError("your turn")'
-        )
+    stub, arguments = exercise.function_of(exercise.stub, "stub"), exercise.arguments(exercise.cases[0])[0]
+    result = _in_time(exercise, exercise.call(stub, arguments))
+    if result.error != "NotImplementedError" and result.value != {"type": "None"}:
+        text = 'the stub returns a value; let it raise NotImplementedError("your turn")'
+        problems.append(f"{exercise.id}: {text}")
     for mistake in exercise.mistakes:
         problems += _mistake_problems(exercise, mistake)
     for case in exercise.cases:
@@ -119,7 +120,8 @@ def _seed_problems(exercise, case, solution, seeds):
     ]
     if all(drawn == arguments[0] for drawn in arguments):
         return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
-    answers = [[_summed_answer(exercise, solution, call) for call in drawn] for drawn in calls]
+    forms = [[_in_time(exercise, exercise.call(solution, call)).value for call in drawn] for drawn in calls]
+    answers = [[(form, *_sums(form)) for form in drawn] for drawn in forms]
     agree = partial(_agree, tolerance=case.tolerance, exact_type=exercise.exact_type)
     for constant in [answer for drawn in answers for answer in drawn]:
         if _passes_by_chance([constant], answers, agree):
@@ -133,11 +135,6 @@ def _seed_problems(exercise, case, solution, seeds):
             " draws its answer from more values"
         ]
     return []
-
-
-def _summed_answer(exercise, solution, arguments):
-    form = _in_time(exercise, exercise.call(solution, arguments)).value
-    return form, *_sums(form)
 
 
 def _passes_by_chance(guesses, answers, agree):
@@ -164,14 +161,6 @@ def _sums(form):
         value = as_float(form.get("value", "nan"))
         return value, abs(value), 1
     return tuple(map(sum, zip((0, 0, 0), *(_sums(part) for _, part in named_items(form)), strict=True)))
-
-
-def _is_empty_stub(exercise):
-    """Whether the stub returns nothing: with a docstring added it must still count as not attempted."""
-    stub = exercise.function_of(exercise.stub, "stub")
-    arguments = exercise.arguments(exercise.cases[0])[0]
-    result = _in_time(exercise, exercise.call(stub, arguments))
-    return result.error == "NotImplementedError" or result.value == {"type": "None"}
 
 
 def _size_problems(exercise, case):

@@ -10,10 +10,9 @@ apostrophe is put before one that would.
 """
 
 import csv
-import io
-import zipfile
 from pathlib import PurePosixPath
 
+from ..authoring.learner_files import zip_bytes
 from ..autograder.sanitize import spreadsheet_text
 from .csv_table import csv_text
 from .grades_json import lesson_names
@@ -115,7 +114,10 @@ def feedback_zips(grades, read_page):
             if lesson["platform"] and lesson["file"] and lesson["lesson"] in lessons:
                 archive = f"{lesson['platform']}-feedback-{lesson['lesson']}.zip"
                 members.setdefault(archive, []).append((_member(learner, lesson), learner))
-    return {archive: _zip(names, read_page) for archive, names in members.items()}
+    return {
+        archive: zip_bytes({name: read_page(learner) for name, learner in pages})
+        for archive, pages in members.items()
+    }
 
 
 def _member(learner, lesson):
@@ -127,12 +129,3 @@ def _member(learner, lesson):
     # Moodle splits the name at its underscores.
     name = learner["name"].replace("_", " ").replace("/", " ")
     return f"{name}_{lesson['platform_id']}_assignsubmission_file/feedback.html"
-
-
-def _zip(members, read_page):
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w") as archive:
-        for name, learner in members:
-            # A ZipInfo has no date of today: the same pages give the same bytes.
-            archive.writestr(zipfile.ZipInfo(name), read_page(learner), zipfile.ZIP_DEFLATED)
-    return buffer.getvalue()
