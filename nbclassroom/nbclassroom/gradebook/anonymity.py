@@ -1,10 +1,18 @@
-"""Pages without names: a learner is shown by an id that only the key's owner can compute from a name."""
+"""Names of pages, and pages without names: there an id that only the key's owner can compute from a name."""
 
 import copy
+import hashlib
 import hmac
+import re
 from pathlib import Path
 
 _SHORTEST = 3  # characters of a name that is looked for in texts
+
+
+def page_name(name):
+    """The name of a learner's page: safe on every system, and unique through a digest."""
+    slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40] or "learner"
+    return f"{slug}-{hashlib.sha256(name.encode()).hexdigest()[:10]}"
 
 
 def anonymous_id(name, answer_keys):

@@ -1,7 +1,6 @@
 """Zips of platforms and learners: nothing is unpacked to disk, and nothing in a zip is believed.
 
-A zip is opened as the regular file that was collected. Its table of contents, the packing of its members and
-their sizes are bounded before anything is unpacked.
+The table of contents, the packing of members and their sizes are bounded before anything is unpacked.
 """
 
 import io

@@ -188,20 +188,17 @@ def report_lines(lesson_check):
     for entry in lesson_check.exercises:
         kinds = {"practice": entry.exercise.practice, "deeper": entry.exercise.id in lesson_check.deeper}
         kind = ", ".join(name for name, holds in kinds.items() if holds)
-        yield f"  {entry.exercise.id}{f' ({kind})' if kind else ''}: {_summary(entry)}"
+        summary = str(entry.state)
+        if entry.result is not None:
+            passed = sum(case.passed for case in entry.result.cases)
+            summary = f"{passed} of {len(entry.result.cases)} checks pass"
+        yield f"  {entry.exercise.id}{f' ({kind})' if kind else ''}: {summary}"
         yield from (f"      {' '.join(note.split())}" for note in entry.notes)
     yield _verdict(lesson_check)
     if lesson_check.open:
         count = len(lesson_check.open)
         are_open = "exercises are open: they give" if count > 1 else "exercise is open: it gives"
         yield f"{count} deeper {are_open} points, too."
-
-
-def _summary(entry):
-    if entry.result is None:
-        return str(entry.state)
-    passed = sum(case.passed for case in entry.result.cases)
-    return f"{passed} of {len(entry.result.cases)} checks pass"
 
 
 def _verdict(lesson_check):

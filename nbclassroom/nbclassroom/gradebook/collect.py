@@ -1,8 +1,7 @@
 """Collect submissions: the files below a folder, or in a zip, and whose each of them is (see `layouts`).
 
-Only regular files are read, as bytes, and no links are followed. Zips are read like folders, also in zips:
-nothing is unpacked to disk, and a name from outside never becomes a path. A submission costs only its sender:
-each learner has a budget of files.
+Only regular files are read, as bytes, and no links are followed. Zips are read like folders, also in zips: a
+name from outside never becomes a path. A submission costs only its sender, who has a budget of files.
 """
 
 import os
@@ -34,6 +33,8 @@ class SubmittedFile(Sender):
     path    below the folder of submissions; it ends with "/" if a folder or a zip cannot be read
     dates   (path, local time) of each zip that it is in, the outermost first, and its own
     reason  why the file is not read, or ""; else `reader` returns its bytes
+
+    Of files that dates order, the version is ("", the date).
     """
 
     path: str = ""
@@ -61,8 +62,8 @@ class SubmittedFile(Sender):
 class Collection(AbstractContextManager):
     """What is in a folder or a zip, of each learner no more than their budget of files.
 
-    `layouts` are names or patterns, () for the one that fits. CollectError: there is no submission in it, or
-    nobody knows whose a file is.
+    `layouts` are names or patterns, () for the one that fits. What cannot be looked at is among the files,
+    with the reason. CollectError: there is no submission, or nobody knows whose a file is.
 
     layout   the name of the layout
     files    list of SubmittedFile, sorted by source
@@ -72,74 +73,72 @@ class Collection(AbstractContextManager):
     """
 
     def __init__(self, path, lessons=(), layouts=()):
-        path = Path(path)
+        path, self._archives, self._members = Path(path), Archives(), Counter()
+        self._notebooks, self._others, self.files, self.ignored = [], [], [], []
         if not path.exists():
             raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
-        search = _Search(path.resolve())
-        if not search.notebooks:
+        self._root, self._is_folder = path.resolve(), path.is_dir()
+        self._search()
+        if not self._notebooks:
             text = "no notebooks (*.ipynb) and no zip in it; give the folder of submissions"
             raise CollectError(f"{path}: {text}")
-        paths = [file.path for file in search.notebooks]
-        layout = FolderLayout(path.resolve().stem, lessons, paths, layouts)
+        layout = FolderLayout(self._root.stem, lessons, [file.path for file in self._notebooks], layouts)
         self.layout = " or ".join(layout.layouts)
-        self.files, self.ignored, self._archives = [], [], search.archives
-        for file in search.notebooks + search.others:
+        for file in self._notebooks + self._others:
             vars(file).update(vars(layout.sender_of(file.path) or Sender()))
-        _make_names_unique([file for file in search.notebooks + search.others if file.learner])
+            file.version = file.version or ("", str(file.submitted_at))
+        _make_names_unique([file for file in self._notebooks + self._others if file.learner])
         files = defaultdict(lambda: ([], []))  # {learner: (notebooks, others)}, nobody's with ""
-        for index, found in enumerate((search.notebooks, search.others)):
+        for index, found in enumerate((self._notebooks, self._others)):
             for file in found:
                 files[file.learner][index].append(file)
         for learner, (notebooks, others) in files.items():
-            if learner and not notebooks:  # They get a page that says so.
-                notebooks = [file for file in others if not PurePosixPath(file.path).name.startswith(".")][:1]
-                for file in notebooks:
-                    file.reason = "it is no notebook (*.ipynb) and no zip; submit the notebook itself"
-            for file in notebooks[MOST_NOTEBOOKS:]:
-                file.path = f"{file.path.rpartition('/')[0]}/"
-                file.reason = f"more than {MOST_NOTEBOOKS} notebooks and zips; the others were not read"
-            self.files += notebooks[: MOST_NOTEBOOKS + 1]
-            self.ignored += [sanitize_line(file.path) for file in others[:_MOST_LISTED]]
-            if len(others) > _MOST_LISTED:
-                self.ignored.append(f"{learner or 'in this folder'}: more files")
+            self._keep(learner, notebooks, others)
         self.files.sort(key=lambda file: file.source)
         self.ignored.sort()
 
     def __exit__(self, *_error):
         self._archives.close()
 
+    def _keep(self, learner, notebooks, others):
+        """Keep a learner's files, as far as the budget goes."""
+        if learner and not notebooks:  # They get a page that says so.
+            notebooks = [file for file in others if not PurePosixPath(file.path).name.startswith(".")][:1]
+            for file in notebooks:
+                file.reason = "it is no notebook (*.ipynb) and no zip; submit the notebook itself"
+        for file in notebooks[MOST_NOTEBOOKS:]:
+            file.path = f"{file.path.rpartition('/')[0]}/"
+            file.reason = f"more than {MOST_NOTEBOOKS} notebooks and zips; the others were not read"
+        self.files += notebooks[: MOST_NOTEBOOKS + 1]
+        self.ignored += [sanitize_line(file.path) for file in others[:_MOST_LISTED]]
+        if len(others) > _MOST_LISTED:
+            self.ignored.append(f"{learner or 'in this folder'}: more files")
 
-class _Search:
-    """Finds the `notebooks` below a folder, or in a zip, and all `others`: lists of SubmittedFile.
-
-    What cannot be looked at is among the notebooks, with the reason: whose it is must be known.
-    """
-
-    def __init__(self, root):
-        self._is_folder, self.archives = root.is_dir(), Archives()
-        self.notebooks, self.others, self._members = [], [], Counter()
-        entries = [root]
+    def _search(self):
+        root, entries = self._root, [self._root]
         while entries:
             entry = entries.pop()
+            file = SubmittedFile(path=entry.relative_to(root if self._is_folder else root.parent).as_posix())
             left_out = entry != root and (entry.name in _LEFT_OUT or entry.name.startswith("."))
-            reason = "it is a link; links are not followed"
             # Path.is_dir() raises if a folder cannot be looked into.
-            is_folder = os.path.isdir(entry) and not left_out  # noqa: PTH112
-            if is_folder and not entry.is_symlink():
+            if left_out or not os.path.isdir(entry):  # noqa: PTH112
+                self._add_entry(entry, file)
+            elif entry.is_symlink():
+                self._refuse(file, "it is a link; links are not followed")
+            else:
                 try:
                     names = {path.name for path in entry.iterdir()} - _TOOLS_FOLDERS
                     entries += (entry / name for name in sorted(names, reverse=True))
-                    continue
                 except OSError as error:
-                    reason = f"the folder cannot be read ({error.strerror})"
-                    if entry == root:
-                        raise CollectError(f"{root}: {reason}") from error
-            path = entry.relative_to(root if self._is_folder else root.parent).as_posix()
-            if is_folder:
-                self.notebooks.append(SubmittedFile(path=f"{path}/", reason=reason))
-            else:
-                self._add_entry(entry, SubmittedFile(path=path))
-        self.archives.close()
+                    self._refuse(file, f"the folder cannot be read ({error.strerror})")
+        self._archives.close()
+
+    def _refuse(self, file, reason):
+        """Take a folder or zip that cannot be read for a notebook that cannot: whose it is must be known."""
+        if file.path == ".":
+            raise CollectError(f"{self._root}: {reason}")
+        file.path, file.reason = f"{file.path}/", reason
+        self._notebooks.append(file)
 
     def _add_entry(self, entry, file):
         location = ()
@@ -147,7 +146,7 @@ class _Search:
             status = os.lstat(entry)
             location = ((os.fspath(entry), status),)
             moment = datetime.fromtimestamp(min(max(0, int(status.st_mtime)), _LATEST))
-            file.dates, file.reader = ((file.path, moment),), partial(self.archives.read, location)
+            file.dates, file.reader = ((file.path, moment),), partial(self._archives.read, location)
         except OSError as error:
             file.reason = f"it cannot be read ({error.strerror})"
         self._add(file, location, file.path.rpartition("/")[0] or file.path)
@@ -157,15 +156,14 @@ class _Search:
         name = PurePosixPath(notebook_name(file.path).lower())
         suffix = "" if name.name.startswith(".") else name.suffix
         if suffix != ".zip":
-            (self.notebooks if suffix == ".ipynb" else self.others).append(file)
+            (self._notebooks if suffix == ".ipynb" else self._others).append(file)
             return
         try:
             if file.reason or self._members[budget] > MOST_FILES:
                 raise CollectError(file.reason or f"the zips before it hold more than {MOST_FILES} files")
-            members = self.archives.members(location)
+            members = self._archives.members(location)
         except CollectError as error:
-            file.path, file.reason = f"{file.path}/", str(error)
-            self.notebooks.append(file)
+            self._refuse(file, str(error))
             return
         self._members[budget] += len(members)
         place = f"{file.path}/" if self._is_folder or len(location) > 1 else ""
@@ -175,7 +173,7 @@ class _Search:
                 inner = SubmittedFile(path=place + "/".join(parts))
                 date = member_time(member, file.dates[-1][1])
                 inner.dates = (*(file.dates if place else ()), (inner.path, date))
-                inner.reader = partial(self.archives.read, (*location, number))
+                inner.reader = partial(self._archives.read, (*location, number))
                 # In a class's zip, the zips of one folder have a budget, or else each zip.
                 own = inner.path if len(parts) == 1 else inner.path.rpartition("/")[0]
                 self._add(inner, (*location, number), own if len(location) == 1 else budget)

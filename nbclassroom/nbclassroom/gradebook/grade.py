@@ -72,7 +72,10 @@ def grade_submissions(
     with contextlib.ExitStack() as stack:
         collection = stack.enter_context(Collection(submissions, tuple(answer_keys.lessons), layouts or ()))
         stack.enter_context(result_store.open_grades_folder(out))
-        decisions = decisions or _decisions_file(out)
+        if not decisions:  # the table in the folder, which is never written again
+            decisions = out / "decisions.csv"
+            if not decisions.exists():
+                result_store.write_grades_file(decisions, DECISIONS_TEMPLATE)
         rules = TeacherRules(
             answer_keys, deadline=deadline, late=late, extensions=extensions, decisions=decisions
         )
@@ -132,14 +135,6 @@ def _require_separate_folder(submissions, keys, out):
     for path in (submissions.resolve(), *(Path(key).resolve() for key in keys)):
         if folder == path or folder.is_relative_to(path):
             raise GradesFolderError(f"{out}: lies in {path}; name a folder outside it, --out grades")
-
-
-def _decisions_file(out):
-    """The table in the folder of grades. It is never written again, so decisions survive every run."""
-    path = out / "decisions.csv"
-    if not path.exists():
-        result_store.write_grades_file(path, DECISIONS_TEMPLATE)
-    return path
 
 
 def _fill_tables(platform_tables, grades, out):

@@ -86,11 +86,11 @@ def write_grades(out, grades, pages):
     write_grades_file(out / "grades.csv", grades_csv(grades))
     write_grades_file(out / "checks.csv", checks_csv(grades))
     page_grades = without_names(grades) if grades["anonymous_pages"] else grades
-    entries = zip(grades["learners"], page_grades["learners"], strict=True)
-    names = {entry["name"]: shown_entry["name"] for entry, shown_entry in entries}
+    entries = zip(page_grades["learners"], grades["learners"], strict=True)
+    names = {shown_entry["name"]: entry["name"] for shown_entry, entry in entries}
     if before is not None and grades_text(before) != text:
         write_grades_file(out / PREVIOUS, grades_text(before))
-    _write_review(out, page_grades, pages.parts, {shown: name for name, shown in names.items()})
+    _write_review(out, page_grades, pages.parts, names)
     files = feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         write_grades_file(out / "exports" / name, data)

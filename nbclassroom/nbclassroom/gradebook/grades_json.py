@@ -9,7 +9,7 @@ from dataclasses import asdict
 from .. import course
 from ..autograder.outcomes import Outcome
 from ..autograder.results import to_json
-from .anonymity import anonymous_id
+from .anonymity import anonymous_id, page_name
 from .collect import SubmittedFile
 from .learners import Submission
 from .submission import Finding, SubmissionContent
@@ -64,15 +64,11 @@ def lesson_names(grades):
     return sorted(numbers, key=lambda name: (numbers[name], name))
 
 
-def _place(lesson):
-    return lesson.number, lesson.name
-
-
 def _key_entry(key):
     lessons = [
         {"lesson": lesson.name, "number": lesson.number, "title": lesson.title}
         | {"version": lesson.version, "max_points": lesson.points}
-        for lesson in sorted(key.lessons.values(), key=_place)
+        for lesson in key.lessons.values()
     ]
     return {"digest": key.digest, "lessons": lessons}
 
@@ -88,11 +84,11 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
     for lesson in lessons:
         own = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
         _settle_lesson(lesson, own, deadlines.policy)
-    page = f"{anonymous_id(learner.name, answer_keys)}.html" if anonymous else learner.page
-    order = {name: _place(lesson) for name, lesson in answer_keys.lessons.items()}
+    page = anonymous_id(learner.name, answer_keys) if anonymous else page_name(learner.name)
+    order = {name: (lesson.number, name) for name, lesson in answer_keys.lessons.items()}
     return {
         "name": learner.name,
-        "page": f"learners/{page}",
+        "page": f"learners/{page}.html",
         "points": plain_number(sum(lesson["points"] for lesson in lessons)),
         "max_points": sum(lesson["max_points"] for lesson in lessons),
         "lessons": sorted(lessons, key=lambda lesson: order.get(lesson["lesson"], ("~", lesson["file"]))),
@@ -148,7 +144,12 @@ def _lesson_entry(learner, submission, answer_keys, store, deadlines):
     content = submission.content
     lesson = (submission.key or answer_keys).lessons.get(content.lesson)
     result = store.result(submission.answers_digest) if submission.answers_digest else None
-    findings = [*content.findings, *(_contradicted_outputs(content, result) if result else ())]
+    findings = list(content.findings)
+    for exercise in result.exercises if result else ():
+        passed = all(case.passed for case in exercise.cases if not case.hidden)
+        if exercise.id in content.claims and not passed:  # often the answer changed after the output
+            text = "its stored output says that every check passes, but in grading not every check passes"
+            findings.append(Finding("odd", exercise.id, text))
     earlier = learner.earlier.get(content.lesson, ())
     earlier = [_file_entry(learner, one, deadlines) | {"reason": one.content.reason} for one in earlier]
     return {
@@ -186,12 +187,3 @@ def _exercise_entries(result):
     for case in (case for exercise in exercises for case in exercise["cases"]):
         del case["failed_call"], case["drive"]
     return exercises
-
-
-def _contradicted_outputs(content, result):
-    """Findings on stored outputs that contradict the grading; often the answer changed after the output."""
-    for exercise in result.exercises:
-        passed = all(case.passed for case in exercise.cases if not case.hidden)
-        if exercise.id in content.claims and not passed:
-            text = "its stored output says that every check passes, but in grading not every check passes"
-            yield Finding("odd", exercise.id, text)

@@ -2,12 +2,11 @@
 
 A layout is an entry of LAYOUTS, or a pattern that the teacher gives. In a pattern, {learner} and {group} are
 names of folders, zips or files, {lesson} is the name of a lesson, * is any text in a name, and ** any folders
-and files. A zip counts as a folder. A pattern that ends with {learner} means their folder, zip or notebook.
+and files. A pattern that ends with {learner} means their folder, zip or notebook.
 
 One layout holds for the whole folder. Marks that a platform writes come before a form that people write too,
 and this before names alone, of which none may have a platform's marks. If several of these fit, one must
 remain that leaves no learner two files named after one lesson and has several learners in some group.
-Otherwise nobody knows, and nothing is graded.
 """
 
 import re
@@ -39,7 +38,6 @@ _TOKENS = {  # of patterns; those after {learner} are the platforms' own
     "{late}": r"(?P<late>LATE_)?",
 }
 
-
 _MARKED = {
     "Moodle": (
         "**/{learner}_{id}_assignsubmission_**",
@@ -64,7 +62,6 @@ _FORMED = {  # Google Classroom's
 }
 _NAMED = {f"{group}{{learner}}": (f"{group}{{learner}}",) for group in _GROUPS}
 LAYOUTS = _MARKED | _FORMED | _NAMED  # {name: patterns}; the first that fits a path names the learner
-_BY_FOLDED_NAME = {layout.casefold(): layout for layout in LAYOUTS}
 _PLATFORMS = {"Moodle": "moodle", "Canvas": "canvas"}  # their numbers of people are for tables and exports
 _PARENTS = ("submitted", "Abgaben", "Submissions")  # folders of platforms that can be given themselves
 
@@ -95,7 +92,8 @@ class FolderLayout:
     def __init__(self, folder, lessons, paths, given=()):
         self._parent = f"{folder}/" if folder in _PARENTS else ""
         self._lessons = tuple(lessons)
-        named = [_BY_FOLDED_NAME.get(layout.casefold(), layout) for layout in given]
+        by_name = {layout.casefold(): layout for layout in LAYOUTS}
+        named = [by_name.get(layout.casefold(), layout) for layout in given]
         named.sort(key=lambda layout: layout not in _MARKED)
         readings = {path: self._senders(path, named or LAYOUTS) for path in paths}
         self.layouts = named or self._fitting(readings)
@@ -115,9 +113,8 @@ class FolderLayout:
         for layouts in (_MARKED,) if _have_marks(readings) else (_MARKED, _FORMED, _NAMED):
             fitting = [one for one in layouts if all(one in senders for senders in readings.values())]
             plain = [layout for layout in fitting if self._is_plain(readings, layout)]
-            for remaining in (fitting, plain):
-                if len(remaining) == 1:
-                    return remaining
+            if 1 in (len(fitting), len(plain)):
+                return plain if len(plain) == 1 else fitting
             if fitting:
                 lines = (
                     sanitize_line(f"{path}: {' or '.join({senders[one].learner: None for one in fitting})}")

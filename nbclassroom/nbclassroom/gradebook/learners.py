@@ -1,7 +1,6 @@
 """Learners and their submissions: who submitted which lesson, and which of several submissions counts."""
 
 import hashlib
-import re
 import time
 from collections import Counter, defaultdict
 from dataclasses import dataclass, field, replace
@@ -54,12 +53,6 @@ class Learner:
         digests = {lesson: one.answers_digest for lesson, one in self.submissions.items()}
         return {lesson: digest for lesson, digest in digests.items() if digest}
 
-    @property
-    def page(self):
-        """The file name of the learner's page: safe on every system, and unique through a digest."""
-        slug = re.sub(r"[^a-z0-9]+", "-", self.name.lower()).strip("-")[:40] or "learner"
-        return f"{slug}-{hashlib.sha256(self.name.encode()).hexdigest()[:10]}.html"
-
 
 def read_all(collection, answer_keys, store, *, quiet=None):
     """The Learners of all files, by name; their answers are added to the store.
@@ -82,11 +75,12 @@ def read_all(collection, answer_keys, store, *, quiet=None):
             elif not submission.content.is_page:
                 learner.unidentified.append(submission)
     for (name, lesson), several in by_lesson.items():
+        several.sort(key=lambda one: (str(one.file.submitted_at), one.file.source))
         latest = _latest(several)
         counting = learners[name].submissions[lesson] = _joined(latest, store)
         if counting is None:
             doubtful.append(f"{name}, {lesson}: {', '.join(one.file.source for one in latest)}")
-        elif earlier := sorted((one for one in several if one not in latest), key=_age):
+        elif earlier := [one for one in several if one not in latest]:
             learners[name].earlier[lesson] = earlier
             text = f"submitted {1 + len(earlier)} times; this one counts: {counting.file.source}"
             counting.content.add(text)
@@ -102,15 +96,13 @@ def read_all(collection, answer_keys, store, *, quiet=None):
 
 
 def _read(file, answer_keys, store, reader):
-    digest = ""
     try:
         data = file.read()
-        digest = hashlib.sha256(data).hexdigest()
-        content = read_submission(data, answer_keys, reader, file.source)
     except CollectError as error:
         lesson = lesson_by_name(file.source, answer_keys.lessons)
-        content = SubmissionContent(lesson=lesson, reason=str(error))
-    submission = Submission(file, digest, content)
+        return Submission(file, "", SubmissionContent(lesson=lesson, reason=str(error)))
+    content = read_submission(data, answer_keys, reader, file.source)
+    submission = Submission(file, hashlib.sha256(data).hexdigest(), content)
     if not content.reason:
         submission.key = answer_keys.key_for(content.lesson, content.version)
         submission.answers_digest = store.keep_page(submission.key, content.lesson, content.page)
@@ -121,18 +113,13 @@ def _read(file, answer_keys, store, reader):
 
 
 def _latest(submissions):
-    """Of one lesson's submissions those that no later one replaces; one without answers replaces none."""
+    """Of one lesson's submissions, the oldest first, those that no later one with answers replaces."""
     answered = [one for one in submissions if one.answered]
     if not answered:
-        return [max(submissions, key=lambda one: (bool(one.answers_digest), _age(one)))]
-    versions = [one.file.version or ("", str(one.file.submitted_at)) for one in answered]
-    newest = dict(sorted(versions)).items()  # of each family the last one
-    pairs = zip(answered, versions, strict=True)
-    return list({one.answers_digest: one for one, version in pairs if version in newest}.values())
-
-
-def _age(submission):
-    return str(submission.file.submitted_at), submission.file.source
+        return sorted(submissions, key=lambda one: bool(one.answers_digest))[-1:]
+    newest = dict(sorted(one.file.version for one in answered)).items()  # of each family the last one
+    latest = (one for one in answered if one.file.version in newest)
+    return list({one.answers_digest: one for one in latest}.values())
 
 
 def _joined(submissions, store):

@@ -101,7 +101,11 @@ def save_decisions(path, lines, answer_keys):
     table = read_csv(path)
     if set(DECISION_COLUMNS) - {name.casefold() for name in table.columns}:
         raise TableError(f"{path}: it needs the columns {', '.join(DECISION_COLUMNS)}")
-    new = [_record(row) for row in csv.reader(io.StringIO(lines, newline=""))]
+    new = []
+    for row in csv.reader(io.StringIO(lines, newline="")):
+        if len(row) != len(DECISION_COLUMNS):
+            raise TableError(f"a line has {len(row)} cells; expected {', '.join(DECISION_COLUMNS)}")
+        new.append(dict(zip(DECISION_COLUMNS, row, strict=True)))
     text = _without(table, {_target(row) for row in new})
     cells_of = itemgetter(*map(str.casefold, table.columns))
     decided = [cells_of(row) for row in new if row["points"] or row["comment"]]
@@ -109,12 +113,6 @@ def save_decisions(path, lines, answer_keys):
     read_decisions(path, answer_keys, text)
     write_grades_file(path, text)
     return len(new)
-
-
-def _record(row):
-    if len(row) != len(DECISION_COLUMNS):
-        raise TableError(f"a line has {len(row)} cells; expected {', '.join(DECISION_COLUMNS)}")
-    return dict(zip(DECISION_COLUMNS, row, strict=True))
 
 
 def _without(table, targets):

@@ -11,17 +11,17 @@ from pathlib import Path
 from .result_store import GradesFolderError, write_grades_file
 
 FILE = "rules.json"
-_TITLES = {
-    "keys": "the key",
-    "deadline": "the deadline",
-    "late": "the late policy",
-    "extensions": "the extensions",
-    "decisions": "the decisions",
-    "roster": "the roster",
-    "layouts": "the layout",
+_RULES = {  # name: (what texts call it, how its text in rules.json is read)
+    "keys": ("the key", Path),
+    "deadline": ("the deadline", datetime.fromisoformat),
+    "late": ("the late policy", str),
+    "extensions": ("the extensions", Path),
+    "decisions": ("the decisions", Path),
+    "roster": ("the roster", Path),
+    "layouts": ("the layout", str),
 }
-NAMES = tuple(_TITLES)
-_PATHS = ("keys", "extensions", "decisions", "roster")
+NAMES = tuple(_RULES)
+_LISTS = ("keys", "layouts")  # whose value is a list
 
 
 class RunRules:
@@ -37,16 +37,13 @@ class RunRules:
         before = _read(self._path)
         given = {name: value for name, value in given.items() if value}
         usable = {} if forget else {name: _usable(name, value) for name, value in before.items()}
-        self.rules = dict.fromkeys(_TITLES) | usable | given
+        self.rules = dict.fromkeys(_RULES) | usable | given
         self.rules["keys"] = self.rules["keys"] or [Path("key")]
         self.kept = [_text(name, value) for name, value in usable.items() if value and name not in given]
-        self.lost = [text for name, value in before.items() for text in self._lost(name, value)]
-
-    def _lost(self, name, value):
-        if name == "keys":
-            now = {Path(key).resolve() for key in self.rules["keys"]}
-            return [_text(name, [key]) for key in value if key not in now]
-        return [] if self.rules[name] else [_text(name, value)]
+        keys = {Path(key).resolve() for key in self.rules["keys"]}
+        lost = {name: value for name, value in before.items() if not self.rules[name]}
+        lost |= {"keys": [key for key in before.get("keys", ()) if key not in keys]}
+        self.lost = [_text(name, lost[name]) for name in _RULES if lost.get(name)]
 
     def keep(self):
         """Write the rules into the folder of grades."""
@@ -57,19 +54,15 @@ class RunRules:
 def _read(path):
     try:
         rules = json.loads(path.read_text(encoding="utf-8"))
-        return {name: _value(name, rules[name]) for name in _TITLES if name in rules}
+        return {
+            name: list(map(read, rules[name])) if name in _LISTS else read(rules[name])
+            for name, (_, read) in _RULES.items()
+            if name in rules
+        }
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, TypeError) as error:
         raise GradesFolderError(f"{path}: cannot be read; remove it, and give all options again") from error
-
-
-def _value(name, value):
-    if name == "keys":
-        return [Path(path) for path in value]
-    if name == "deadline":
-        return datetime.fromisoformat(value)
-    return Path(value) if name in _PATHS else value
 
 
 def _plain(value):
@@ -80,10 +73,10 @@ def _usable(name, value):
     """A rule without the paths that are not there any more; None if it is one of them."""
     if name == "keys":
         return [key for key in value if key.exists()]
-    return None if name in _PATHS and not value.exists() else value
+    return None if isinstance(value, Path) and not value.exists() else value
 
 
 def _text(name, value):
-    values = value if name in ("keys", "layouts") else [value]
-    shown = ", ".join(value.isoformat() if name == "deadline" else str(value) for value in values)
-    return f"{_TITLES[name]} {shown}"
+    values = value if name in _LISTS else [value]
+    shown = ", ".join(one.isoformat() if name == "deadline" else str(one) for one in values)
+    return f"{_RULES[name][0]} {shown}"

@@ -271,7 +271,10 @@ def _problem(exercise, cell):
         return _syntax_problem(exercise, cell["answer"])
     names = cell["answer"]["names"]
     if names is not None and exercise.function not in names:
-        name = _similar_name(exercise, cell)
+        # The function whose name was meant: the only one, or one written nearly so.
+        defined = sorted(cell["functions"])
+        meant = defined if len(defined) == 1 else difflib.get_close_matches(exercise.function, defined, 1)
+        name = exercise.kind.name_of(sanitize_line(meant[0], 60)) if meant else ""
         text = f"its answer cell does not define {exercise.answer_name}"
         return text + (f", but {name}; the name must be the one of the task" if name else ""), bool(name)
     return "", False
@@ -286,13 +289,6 @@ def _syntax_problem(exercise, syntax):
     is_slip = names is None or exercise.function in names
     change = f"One change makes it Python: {sanitize_line(mended_line, 80)!r}" if is_slip else ""
     return ". ".join(filter(None, [problem, advice.removesuffix("."), change])), is_slip
-
-
-def _similar_name(exercise, cell):
-    """The function of the cell whose name was meant: the only one, or one written nearly so; or ""."""
-    defined = sorted(cell["functions"])
-    names = defined if len(defined) == 1 else difflib.get_close_matches(exercise.function, defined, 1)
-    return exercise.kind.name_of(sanitize_line(names[0], 60)) if names else ""
 
 
 def _report_place(exercise, answer, content):

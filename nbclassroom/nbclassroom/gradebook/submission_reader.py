@@ -160,20 +160,17 @@ def _cell(cell, number, code_left):
         content["source"] = source if len(source or "") <= code_left else None
     if is_answer and source is not None:
         content["answer"] = _parsed_answer(source)
-    if _may_define(content, source):
+    if content["type"] == "code":
+        may_define = content["source"]
+    else:  # a line of it begins like code
+        may_define = source and len(source) <= MOST_CHARACTERS and _CODE_BEGINS.search(source)
+    if may_define:
         content["functions"] = _functions(source)
     if content["functions"]:
         content["source"] = source
     if content["id"].startswith("check-"):
         content["output"] = _output_text(cell)
     return content
-
-
-def _may_define(content, source):
-    """Whether to look for functions: in code, and in another cell if a line of it begins like code."""
-    if content["type"] == "code":
-        return bool(content["source"])
-    return source is not None and len(source) <= MOST_CHARACTERS and bool(_CODE_BEGINS.search(source))
 
 
 @cell_syntax.cached_if_short

@@ -192,8 +192,7 @@ def _percentages(entries):
 def _mean_and_median(entries):
     """In percent; 0 if there are no points."""
     percentages = _percentages(entries) or [0]
-    mean, median = statistics.fmean(percentages), statistics.median(percentages)
-    return {"mean": round(mean), "median": round(median)}
+    return {"mean": round(statistics.fmean(percentages)), "median": round(statistics.median(percentages))}
 
 
 def _histogram(percentages):

@@ -35,7 +35,9 @@ def syntax_tokens(source):
         elif isinstance(node, ast.Constant):
             value = node.value  # Python refuses to write huge decimals
             tokens.append(hex(value) if type(value) is int else repr(value))
-        elif not isinstance(node, _IGNORED) and not _is_text(node):
+        elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+            continue  # a docstring, or another statement that is only a text
+        elif not isinstance(node, _IGNORED):
             tokens.append(type(node).__name__)
             nodes += reversed(list(_parts(node)))
     return tokens
@@ -56,11 +58,6 @@ def _own_names(tree):
     return names
 
 
-def _is_text(node):
-    """Whether a node is a docstring, or another statement that is only a text."""
-    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
-
-
 def _parts(node):
     for name, value in ast.iter_fields(node):
         if name not in _UNTOLD:
@@ -71,10 +68,10 @@ def _parts(node):
 
 def shapes(answers):
     """{id: (digest, number of tokens)} of {id: source}, without sources that have no tokens."""
-    tokens = {id: syntax_tokens(source) for id, source in answers.items()}
-    return {id: (_digest(parts), len(parts)) for id, parts in tokens.items() if parts}
-
-
-def _digest(tokens):
-    text = "\0".join("number" if token[:1].isdigit() else token for token in tokens)
-    return hashlib.blake2b(text.encode("utf-8", "surrogatepass"), digest_size=8).hexdigest()
+    found = {}
+    for id, source in answers.items():
+        if tokens := syntax_tokens(source):
+            text = "\0".join("number" if token[:1].isdigit() else token for token in tokens)
+            digest = hashlib.blake2b(text.encode("utf-8", "surrogatepass"), digest_size=8).hexdigest()
+            found[id] = digest, len(tokens)
+    return found

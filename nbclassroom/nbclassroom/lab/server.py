@@ -132,10 +132,8 @@ def check_runtime_folder():
         with tempfile.TemporaryFile(dir=folder) as file:
             file.write(bytes(4096))
     except OSError as error:
+        remedy = f"name a folder that you can write: HOME=FOLDER {course.lab_command}"
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
             remedy = "free some space there"
-        else:
-            remedy = f"name a folder that you can write: HOME=FOLDER {course.lab_command}"
-        raise LabError(
-            f"JupyterLab cannot keep its running state in your home folder ({error.strerror}); {remedy}"
-        ) from error
+        text = f"JupyterLab cannot keep its running state in your home folder ({error.strerror})"
+        raise LabError(f"{text}; {remedy}") from error

@@ -121,34 +121,31 @@ def _name_under_older_number(folder, name, origins):
     lesson = lesson_name(path.stem)
     if path.exists() or lesson == path.stem:
         return None
-    names = [
-        copy.relative_to(folder).as_posix()
-        for copy in sorted(path.parent.glob(f"[0-9][0-9]_{lesson}{path.suffix}"))
-        if copy.is_file()
-    ]
-    own = [copy for copy in names if copy in origins] or [
-        copy for copy in names if _lesson_in_metadata((folder / copy).read_bytes()) == lesson
-    ]
-    return own[-1] if own else None
-
-
-def _lesson_in_metadata(data):
-    with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
-        return lesson_name(json.loads(data)["metadata"][course.name]["lesson"])
-    return None
+    name_in_metadata = None
+    for copy in sorted(path.parent.glob(f"[0-9][0-9]_{lesson}{path.suffix}"), reverse=True):
+        old_name = copy.relative_to(folder).as_posix()
+        if copy.is_file() and old_name in origins:
+            return old_name
+        with contextlib.suppress(OSError, ValueError, KeyError, TypeError, AttributeError):
+            if lesson_name(json.loads(copy.read_bytes())["metadata"][course.name]["lesson"]) == lesson:
+                name_in_metadata = name_in_metadata or old_name
+    return name_in_metadata
 
 
 def _take_origin(origins, folder, name, old_name):
     """Where a copy came from; also under an older number, if an update was interrupted after its renaming."""
     if name in origins:
         return origins.pop(name)
-    lesson = lesson_name(Path(name).stem)
+    unnumbered = _unnumbered(name)
     for entry in sorted(origins):
-        is_renamed = entry == old_name or not (folder / entry).exists()
-        other_number = Path(entry).with_stem(lesson) == Path(name).with_stem(lesson)
-        if is_renamed and other_number and lesson_name(Path(entry).stem) == lesson:
+        if _unnumbered(entry) == unnumbered and (entry == old_name or not (folder / entry).exists()):
             return origins.pop(entry)
     return None
+
+
+def _unnumbered(name):
+    path = Path(name)
+    return path.with_stem(lesson_name(path.stem))
 
 
 def _update_one(staged, changes, name, data, origin, version):
