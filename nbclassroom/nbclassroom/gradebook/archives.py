@@ -17,7 +17,7 @@ from ..autograder.sanitize import sanitize_line
 
 LARGEST = 50_000_000  # bytes of one notebook, or of a zip in a zip; a lesson full of images has a tenth of it
 LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself
-MOST_MEMBERS = 20_000
+MOST_MEMBERS = 20_000  # of a zip; if those in one folder have more, the next one there is not read
 DEEPEST_ZIPS = 4  # zips in zips
 MOST_RATIO = 200  # unpacked size to packed size
 _LARGEST_CONTENTS = 8_000_000  # bytes of a zip's table of contents; 20,000 files need 3 MB
@@ -25,9 +25,7 @@ _ERRORS = (zipfile.BadZipFile, zlib.error, OSError, ValueError, EOFError, Runtim
 
 
 class CollectError(ValueError):
-    """There is nothing to collect, or it is in doubt; what to do, and the command's exit code."""
-
-    exit_code = 1
+    """There is nothing to collect, or it is in doubt, and then with an `exit_code`; says what to do."""
 
 
 def too_large(size, largest):
@@ -149,8 +147,7 @@ def _member_problem(member):
 
 def member_time(member, default):
     """The date of a member as the zip says it, or `default` if it says none."""
-    try:
-        modified = datetime(*member.date_time)
-    except ValueError:
-        return default
-    return modified if modified.year > 1980 else default
+    with suppress(ValueError):
+        if member.date_time >= (1981,):
+            return datetime(*member.date_time)
+    return default

@@ -15,32 +15,36 @@ from pathlib import Path, PurePosixPath
 
 from ..authoring.lesson_names import notebook_name, split_repetition
 from ..autograder.sanitize import sanitize_line
-from .archives import Archives, CollectError, member_time
-from .layouts import FolderLayout, Sender, doubt
+from .archives import MOST_MEMBERS, Archives, CollectError, member_time
+from .layouts import MOST_LISTED, FolderLayout, doubt
 
 MOST_NOTEBOOKS = 100  # of one learner; the course has 22 lessons
-MOST_FILES = 20_000  # in the zips of a folder
-_MOST_LISTED = 20  # other files of one learner, by name
 _LATEST = 253_402_128_000  # seconds since 1970, in the year 9999; some file systems store later times
 _TOOLS_FOLDERS = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
 _LEFT_OUT = _TOOLS_FOLDERS | {"venv", "env", "site-packages", "node_modules"}  # and hidden folders
 
 
 @dataclass(kw_only=True)
-class SubmittedFile(Sender):
+class SubmittedFile:
     """One submitted file, not yet read, and whose it is.
 
-    path    below the folder of submissions; it ends with "/" if a folder or a zip cannot be read
-    dates   (path, local time) of each zip that it is in, the outermost first, and its own
-    reason  why the file is not read, or ""; else `reader` returns its bytes
-
-    Of files that dates order, the version is ("", the date).
+    path     below the folder of submissions; it ends with "/" if a folder or a zip cannot be read
+    dates    (path, local time) of each zip that it is in, the outermost first, and its own
+    reason   why the file is not read, or ""; else `reader` returns its bytes
+    place    the path of what the learner's name is in, "" or with "/" at its end
+    version  (a text that versions of one file share, the number or date of this one)
     """
 
     path: str = ""
     dates: tuple = ()
     reason: str = ""
     reader: object = None
+    learner: str = ""
+    place: str = ""
+    platform: str = ""
+    platform_id: str = ""
+    late: bool = False
+    version: tuple = ()
 
     @property
     def submitted_at(self):
@@ -60,7 +64,7 @@ class SubmittedFile(Sender):
 
 
 class Collection(AbstractContextManager):
-    """What is in a folder or a zip, of each learner no more than their budget of files.
+    """What is in a folder or a zip, of each learner no more than their budget of files; a context manager.
 
     `layouts` are names or patterns, () for the one that fits. What cannot be looked at is among the files,
     with the reason. CollectError: there is no submission, or nobody knows whose a file is.
@@ -68,8 +72,6 @@ class Collection(AbstractContextManager):
     layout   the name of the layout
     files    list of SubmittedFile, sorted by source
     ignored  names of other files, sorted; of each learner at most some
-
-    Use it as a context manager: a zip stays open until the end of the block.
     """
 
     def __init__(self, path, lessons=(), layouts=()):
@@ -85,7 +87,8 @@ class Collection(AbstractContextManager):
         layout = FolderLayout(self._root.stem, lessons, [file.path for file in self._notebooks], layouts)
         self.layout = " or ".join(layout.layouts)
         for file in self._notebooks + self._others:
-            vars(file).update(vars(layout.sender_of(file.path) or Sender()))
+            if sender := layout.sender_of(file.path):
+                vars(file).update(vars(sender))
             file.version = file.version or ("", str(file.submitted_at))
         _make_names_unique([file for file in self._notebooks + self._others if file.learner])
         files = defaultdict(lambda: ([], []))  # {learner: (notebooks, others)}, nobody's with ""
@@ -110,8 +113,8 @@ class Collection(AbstractContextManager):
             file.path = f"{file.path.rpartition('/')[0]}/"
             file.reason = f"more than {MOST_NOTEBOOKS} notebooks and zips; the others were not read"
         self.files += notebooks[: MOST_NOTEBOOKS + 1]
-        self.ignored += [sanitize_line(file.path) for file in others[:_MOST_LISTED]]
-        if len(others) > _MOST_LISTED:
+        self.ignored += [sanitize_line(file.path) for file in others[:MOST_LISTED]]
+        if len(others) > MOST_LISTED:
             self.ignored.append(f"{learner or 'in this folder'}: more files")
 
     def _search(self):
@@ -120,8 +123,7 @@ class Collection(AbstractContextManager):
             entry = entries.pop()
             file = SubmittedFile(path=entry.relative_to(root if self._is_folder else root.parent).as_posix())
             left_out = entry != root and (entry.name in _LEFT_OUT or entry.name.startswith("."))
-            # Path.is_dir() raises if a folder cannot be looked into.
-            if left_out or not os.path.isdir(entry):  # noqa: PTH112
+            if left_out or not os.path.isdir(entry):  # noqa: PTH112 - Path.is_dir() raises without rights
                 self._add_entry(entry, file)
             elif entry.is_symlink():
                 self._refuse(file, "it is a link; links are not followed")
@@ -159,8 +161,8 @@ class Collection(AbstractContextManager):
             (self._notebooks if suffix == ".ipynb" else self._others).append(file)
             return
         try:
-            if file.reason or self._members[budget] > MOST_FILES:
-                raise CollectError(file.reason or f"the zips before it hold more than {MOST_FILES} files")
+            if file.reason or self._members[budget] > MOST_MEMBERS:
+                raise CollectError(file.reason or f"the zips before it hold more than {MOST_MEMBERS} files")
             members = self._archives.members(location)
         except CollectError as error:
             self._refuse(file, str(error))
@@ -180,22 +182,17 @@ class Collection(AbstractContextManager):
 
 
 def _make_names_unique(files):
-    """Set the final names of learners; CollectError: names of two learners look the same.
-
-    If several learners of a platform have one name, the platform's number follows it. In Moodle a person has
-    another number in each assignment, and so in each zip. Two forms of one letter (NFC, NFD) are the same.
-    "ada (1)" beside "ada" can be ada's copy.
-    """
+    """Put the platform's number behind a name of several people; CollectError: two names look the same."""
     numbers, spellings = defaultdict(set), defaultdict(dict)
     for file in files:
-        place = file.place if file.platform == "moodle" else ""
+        place = file.place if file.platform == "moodle" else ""  # in each zip a person has another number
         numbers[file.learner, file.platform, place].add(file.platform_id)
     namesakes = {(learner, platform) for (learner, platform, _), ids in numbers.items() if len(ids) > 1}
     learners = {file.learner for file in files}
     for file in files:
         number = f" ({file.platform_id})" if (file.learner, file.platform) in namesakes else ""
         learner = unicodedata.normalize("NFC", file.learner)
-        stem, copy = split_repetition(file.learner)
+        stem, copy = split_repetition(file.learner)  # "ada (1)" beside "ada" can be ada's copy
         file.learner = sanitize_line(learner.strip(), 120) + number
         spelling = stem if copy and stem in learners else file.learner
         spellings[spelling].setdefault((learner, number), sanitize_line(file.path))

@@ -4,23 +4,23 @@ A layout is an entry of LAYOUTS, or a pattern that the teacher gives. In a patte
 names of folders, zips or files, {lesson} is the name of a lesson, * is any text in a name, and ** any folders
 and files. A pattern that ends with {learner} means their folder, zip or notebook.
 
-One layout holds for the whole folder. Marks that a platform writes come before a form that people write too,
-and this before names alone, of which none may have a platform's marks. If several of these fit, one must
-remain that leaves no learner two files named after one lesson and has several learners in some group.
+Marks that a platform writes come before a form that people write too, and this before names alone, of which
+none may have a platform's marks. If several layouts fit, one must remain that leaves no learner two files
+named after one lesson and has several learners in some group.
 """
 
 import re
 from collections import defaultdict
-from dataclasses import dataclass
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import PurePosixPath
+from types import SimpleNamespace
 
 from ..authoring.lesson_names import lessons_named, name_in_stem, notebook_name, split_repetition
 from ..autograder.sanitize import sanitize_line
 from .archives import CollectError
 
-_MOST_LISTED = 20  # files, in the list of what is in doubt
-_NAME_THEM = 'Put each learner\'s name into the name of a folder or a file, such as "Ada - FILE.ipynb".'
+MOST_LISTED = 20  # files, in a list of what is in doubt or ignored
 _TOKENS = {  # of patterns; those after {learner} are the platforms' own
     "**/": r"(?:[^/]+/)*?",
     "**": r".*",
@@ -66,22 +66,6 @@ _PLATFORMS = {"Moodle": "moodle", "Canvas": "canvas"}  # their numbers of people
 _PARENTS = ("submitted", "Abgaben", "Submissions")  # folders of platforms that can be given themselves
 
 
-@dataclass(kw_only=True)
-class Sender:
-    """Who sent a file, as its path says.
-
-    place    the path of what the learner's name is in, "" or with "/" at its end
-    version  (a text that versions of one file share, the number of this one), or () if dates order them
-    """
-
-    learner: str = ""
-    place: str = ""
-    platform: str = ""
-    platform_id: str = ""
-    late: bool = False
-    version: tuple = ()
-
-
 class FolderLayout:
     """The names of the `layouts` of a folder: those `given`, or the one that fits the paths of all notebooks.
 
@@ -95,13 +79,17 @@ class FolderLayout:
         by_name = {layout.casefold(): layout for layout in LAYOUTS}
         named = [by_name.get(layout.casefold(), layout) for layout in given]
         named.sort(key=lambda layout: layout not in _MARKED)
-        readings = {path: self._senders(path, named or LAYOUTS) for path in paths}
+        readings = {
+            path: {layout: sender for layout in named or LAYOUTS if (sender := self._sender(path, layout))}
+            for path in paths
+        }
         self.layouts = named or self._fitting(readings)
         firsts = {next(iter(senders), None) for senders in readings.values()}
         needed = self.layouts or [layout for layout in LAYOUTS if layout in firsts]
         fitting = self.layouts or needed[:1]
         unknown = [path for path, senders in readings.items() if not senders.keys() & fitting]
-        text, remedy = "nothing says whose these are", _NAME_THEM
+        text = "nothing says whose these are"
+        remedy = 'Put each learner\'s name into the name of a folder or a file, such as "Ada - FILE.ipynb".'
         if needed:
             text += f"; {len(readings) - len(unknown)} others fit {_options(fitting)}"
             remedy = f"Move or rename them, or give a layout for them, too: {_options(needed)}."
@@ -125,13 +113,8 @@ class FolderLayout:
         return []
 
     def sender_of(self, path):
-        """The Sender of a file, or None if its path names nobody."""
-        return next(iter(self._senders(path, self.layouts).values()), None)
-
-    def _senders(self, path, layouts):
-        """{layout: Sender} of the layouts that name the learner of a file."""
-        senders = {layout: self._sender(path, layout) for layout in layouts}
-        return {layout: sender for layout, sender in senders.items() if sender}
+        """Who sent a file, as its path says: fields of a SubmittedFile. None if it names nobody."""
+        return next(filter(None, (self._sender(path, layout) for layout in self.layouts)), None)
 
     def _sender(self, path, layout):
         parent, platform = self._parent if layout in _MARKED else "", _PLATFORMS.get(layout, "")
@@ -156,13 +139,13 @@ class FolderLayout:
         elif not copy or path == f"{place}{path[start:end]}.ipynb":
             # If only the name of a file says whose it is, its number orders nothing: anybody can choose it.
             stem, copy = path.removesuffix(".ipynb"), 0
-        return Sender(
+        return SimpleNamespace(
             learner=learner,
             place=place.removeprefix(parent),
             platform=platform,
             platform_id=fields.get("id", ""),
             late=bool(fields.get("late")),
-            version=() if platform == "moodle" else (stem, copy),
+            version=() if platform == "moodle" else (stem, copy),  # Moodle's are ordered by their dates
         )
 
     def _is_plain(self, readings, layout):
@@ -180,8 +163,7 @@ class FolderLayout:
 def doubt(text, lines, remedy):
     """The CollectError of what stops a run before anything is graded: a list, and what settles it."""
     listed = sorted(lines)
-    if len(listed) > _MOST_LISTED:
-        listed[_MOST_LISTED:] = [f"and {len(listed) - _MOST_LISTED} more"]
+    listed[MOST_LISTED:] = [f"and {len(listed) - MOST_LISTED} more"] if len(listed) > MOST_LISTED else []
     error = CollectError("\n  ".join([f"nothing was graded: {text}:", *listed]) + f"\n{remedy}")
     error.exit_code = 3
     return error
@@ -210,13 +192,11 @@ def _expression(pattern, lessons):
     tokens = _TOKENS | {"{lesson}": rf"(?:\d\d_)?(?:{names})"}
     pieces = re.split(f"({'|'.join(map(re.escape, tokens))})", pattern)
     ending = r"(?:\.ipynb|(?:\.zip)?/.*)" if pattern.endswith("{learner}") else ""
-    try:
-        if unknown := re.search(r"[{}]", "".join(piece for piece in pieces if piece not in tokens)):
-            raise KeyError(unknown[0])
-        expression = "".join(tokens.get(piece, re.escape(piece)) for piece in pieces)
+    expression = "".join(tokens.get(piece, re.escape(piece)) for piece in pieces)
+    unknown = re.search(r"[{}]", "".join({*pieces} - tokens.keys()))
+    with suppress(re.error):  # a name stands in it twice
         compiled = re.compile(expression + ending, re.S)
-        compiled.groupindex["learner"]
-    except (KeyError, re.error) as error:
-        text = f"--layout {sanitize_line(pattern, 80)!r} is no layout; give Moodle, Canvas, ILIAS, nbgrader"
-        raise ValueError(f"{text}, or a pattern such as {{group}}/{{learner}}/*.ipynb") from error
-    return compiled
+        if "learner" in compiled.groupindex and not unknown:
+            return compiled
+    text = f"--layout {sanitize_line(pattern, 80)!r} is no layout; give Moodle, Canvas, ILIAS, nbgrader"
+    raise ValueError(f"{text}, or a pattern such as {{group}}/{{learner}}/*.ipynb")

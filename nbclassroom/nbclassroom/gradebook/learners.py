@@ -50,8 +50,7 @@ class Learner:
     @property
     def digests(self):
         """{lesson: answers_digest} of the submissions that count and can be graded."""
-        digests = {lesson: one.answers_digest for lesson, one in self.submissions.items()}
-        return {lesson: digest for lesson, digest in digests.items() if digest}
+        return {lesson: one.answers_digest for lesson, one in self.submissions.items() if one.answers_digest}
 
 
 def read_all(collection, answer_keys, store, *, quiet=None):
