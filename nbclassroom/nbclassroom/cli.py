@@ -13,6 +13,11 @@ _PATH = click.Path(path_type=Path)
 _FOLDER = click.Path(path_type=Path, file_okay=False)
 _FILE = click.Path(path_type=Path, dir_okay=False)
 _COULD_NOT_GRADE = 3
+_STOPPED = {  # what Ctrl-C leaves of a command's work
+    "key": "Stopped. Finished exercises are kept: run the same command again to continue.",
+    "grade": "Stopped. Finished grades are saved: run the same command again to continue.",
+    "league": "Stopped; nothing is written.",
+}
 
 
 class CourseGroup(click.Group):
@@ -30,6 +35,9 @@ class CourseGroup(click.Group):
                 f"this command needs {package}, which is not installed for this Python; use the "
                 f"{course.command} in the course's own .venv"
             ) from error
+        except KeyboardInterrupt:
+            click.echo(f"\n{_STOPPED.get(ctx.invoked_subcommand, 'Stopped.')}", err=True)
+            raise SystemExit(130) from None
         except Exception as error:
             is_ours = type(error).__module__.startswith("nbclassroom.") or isinstance(error, ValueError)
             if not is_ours and not isinstance(error, OSError):
@@ -38,16 +46,6 @@ class CourseGroup(click.Group):
             exception = click.ClickException(text)
             exception.exit_code = getattr(error, "exit_code", 1)
             raise exception from error
-
-
-@contextlib.contextmanager
-def until_ctrl_c(text):
-    """Prints a line if Ctrl-C ends what runs inside."""
-    try:
-        yield
-    except KeyboardInterrupt:
-        click.echo(f"\n{text}", err=True)
-        raise SystemExit(130) from None
 
 
 _masters_option = option(
@@ -204,11 +202,9 @@ def key(lessons, seed, out, masters, replace, unsafe):
     from nbclassroom.autograder.make_answer_key import make_key
 
     seed_file, is_seed_saved = key_seed.seed_file_of(out), seed is None
-    with until_ctrl_c("Stopped. Finished exercises are kept: run the same command again to continue."):
-        seed = key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed
-        key_seed.require_unguessable(seed)
-        options = {"unsafe": unsafe, "replace": replace, "say": click.echo}
-        answer_key = make_key(masters, seed, out, lessons, **options)
+    seed = key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed
+    key_seed.require_unguessable(seed)
+    answer_key = make_key(masters, seed, out, lessons, unsafe=unsafe, replace=replace, say=click.echo)
     click.echo("\n".join(_lines_about_key(answer_key, out)))
     if is_seed_saved:
         click.echo(f"Its secret seed is saved in {seed_file}: you need it to make the same key again.")
@@ -324,8 +320,7 @@ def grade(submissions, keys, out, review, forget_rules, yes, dry_run, **options)
         click.echo(who_sent_what(submissions, keys, layouts=options["layouts"] or ()))
         return
     options["workers"] = options["workers"] or usual_workers(load_keys(keys).lessons.values())
-    with until_ctrl_c("Stopped. Finished grades are saved: run the same command again to continue."):
-        report = _grade_and_review(submissions, keys, out, rules, review, options)
+    report = _grade_and_review(submissions, keys, out, rules, review, options)
     click.echo(report.text)
     if report.not_graded or report.failed_pages:
         raise SystemExit(_COULD_NOT_GRADE)
@@ -396,9 +391,7 @@ def league(folder, out, **options):
     """
     from nbclassroom.league.league import run_league
 
-    with until_ctrl_c("Stopped; nothing is written."):
-        lines = run_league(folder, out, **options)
-    click.echo("\n".join(lines))
+    click.echo("\n".join(run_league(folder, out, **options)))
 
 
 @main.command("new-lesson")

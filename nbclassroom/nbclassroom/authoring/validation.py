@@ -120,8 +120,7 @@ def _seed_problems(exercise, case, solution, seeds):
     ]
     if all(drawn == arguments[0] for drawn in arguments):
         return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
-    forms = [[_in_time(exercise, exercise.call(solution, call)).value for call in drawn] for drawn in calls]
-    answers = [[(form, *_sums(form)) for form in drawn] for drawn in forms]
+    answers = [[_summed_answer(exercise, solution, call) for call in drawn] for drawn in calls]
     agree = partial(_agree, tolerance=case.tolerance, exact_type=exercise.exact_type)
     for constant in [answer for drawn in answers for answer in drawn]:
         if _passes_by_chance([constant], answers, agree):
@@ -135,6 +134,11 @@ def _seed_problems(exercise, case, solution, seeds):
             " draws its answer from more values"
         ]
     return []
+
+
+def _summed_answer(exercise, solution, arguments):
+    form = _in_time(exercise, exercise.call(solution, arguments)).value
+    return form, *_sums(form)
 
 
 def _passes_by_chance(guesses, answers, agree):

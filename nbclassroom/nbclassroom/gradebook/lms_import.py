@@ -49,10 +49,7 @@ def fill_table(table, grades):
     """(A platform's table with our points, lines to print); TableError: no column belongs to a lesson."""
     columns = _lesson_columns(table, grades)
     rows, filled = [list(row) for _, row in table.rows], 0
-    graded = {  # {learner's name: {lesson: entry}}
-        learner["name"]: {one["lesson"]: one for one in learner["lessons"] if one["status"] == "graded"}
-        for learner in grades["learners"]
-    }
+    graded = _graded_lessons(grades)
     missing = [name for name, lessons in graded.items() if lessons.keys() & set(columns.values())]
     for row, learner in _matched(table, rows, grades["learners"]):
         missing = [name for name in missing if name != learner["name"]]
@@ -74,6 +71,14 @@ def fill_table(table, grades):
     )
     text = csv_text(cells, delimiter=table.delimiter)
     return table.byte_order_mark + text, lines
+
+
+def _graded_lessons(grades):
+    """{learner's name: {lesson: entry}}."""
+    return {
+        learner["name"]: {one["lesson"]: one for one in learner["lessons"] if one["status"] == "graded"}
+        for learner in grades["learners"]
+    }
 
 
 def _lesson_columns(table, grades):
@@ -127,7 +132,6 @@ def _matched(table, rows, learners):
 
 
 def _learner(row, learners):
-    """The learner whose row it is, {column: cell}, or None."""
     identities = set(map(str.casefold, identities_of(row)))
     by_number = [learner for learner in learners if _has_number(row, learner)]
     if by_number:
@@ -143,24 +147,17 @@ def _has_number(row, learner):
 
 def _different_points(table, columns, grades):
     """A line for each lesson that has other maximum points on the platform: nothing is scaled."""
-    lessons = lessons_of(grades)
+    lessons, is_canvas = lessons_of(grades), _is_canvas(table)
+    # Canvas has a row of maximum points, Moodle a column.
+    rows = [row for _, row in table.rows if not is_canvas or "Points Possible" in "".join(row[:1])]
     for column, name in columns.items():
-        maximum = _maximum_points(table, column)
-        if maximum is not None and maximum != lessons[name]["max_points"]:
+        try:
+            place = column if is_canvas else table.columns.index("Maximum grade")
+            maximum = float(rows[0][place].replace(",", "."))
+        except (ValueError, IndexError):
+            continue
+        if maximum != lessons[name]["max_points"]:
             yield (
                 f"  {name} is worth {maximum:g} points on the platform and {lessons[name]['max_points']}"
                 " here; our points are filled in without scaling: change the maximum on the platform"
             )
-
-
-def _maximum_points(table, column):
-    cells = []
-    if _is_canvas(table):
-        cells = [row[column] for _, row in table.rows if column < len(row) and "Points Possible" in row[0]]
-    elif "Maximum grade" in table.columns:
-        position = table.columns.index("Maximum grade")
-        cells = [row[position] for _, row in table.rows if position < len(row)]
-    try:
-        return float(cells[0].replace(",", "."))
-    except (ValueError, IndexError):
-        return None

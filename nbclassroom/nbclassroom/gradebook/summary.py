@@ -2,6 +2,7 @@
 
 import statistics
 from collections import Counter
+from itertools import chain
 from pathlib import PurePosixPath
 
 import numpy as np
@@ -74,10 +75,10 @@ def _lessons_to_look_at(learner):
 def _concerns(learner, lesson, own_modules):
     """(list, what the page shows of a concern); what cost nothing is one entry for each submission."""
     grouped = {}
-    for rule in _RULES:
-        for name, exercise, text in rule(lesson, own_modules):
-            texts = grouped.setdefault((name, exercise if name != "others" else ""), {})
-            texts[text] = None
+    about_answers = chain(_about_exercises(lesson, own_modules), _about_broken_cells(lesson))
+    for name, exercise, text in chain(_about_submission(lesson), _about_findings(lesson), about_answers):
+        texts = grouped.setdefault((name, exercise if name != "others" else ""), {})
+        texts[text] = None
     entries = {exercise["id"]: exercise for exercise in lesson["exercises"]}
     for (name, id), texts in grouped.items():
         entry = entries.get(id, lesson)
@@ -98,10 +99,10 @@ def _texts_in_short(texts):
     return [*(text for text in texts if text not in moved), f"{short}: {exercises}"]
 
 
-# A rule yields (list, exercise id or "", text) of what is unusual about one submission.
+# These yield (list, exercise id or "", text) of what is unusual about one submission.
 
 
-def _about_submission(lesson, _):
+def _about_submission(lesson):
     if lesson["status"] != "graded":
         yield "unfair", "", f"could not be graded: {lesson['reason']}"
     in_time = [earlier for earlier in lesson["earlier"] if not earlier["late"] and not earlier["reason"]]
@@ -112,7 +113,7 @@ def _about_submission(lesson, _):
         yield "others", "", text
 
 
-def _about_findings(lesson, _):
+def _about_findings(lesson):
     """The results show what is wrong with an answer, and the table of learners what was submitted twice."""
     entries = {exercise["id"]: exercise for exercise in lesson["exercises"]}
     for finding in lesson["findings"]:
@@ -128,26 +129,23 @@ def _about_findings(lesson, _):
             yield ("unfair" if lost_points else "others"), finding["exercise"], finding_text(finding)
 
 
-def _about_outcomes(lesson, own_modules):
+def _about_exercises(lesson, own_modules):
     for exercise in lesson["exercises"]:
-        for outcome in sorted({Outcome(case["outcome"]) for case in exercise["cases"]} & _LIST_OF.keys()):
-            module = _refused_module(exercise["cases"]) if outcome is Outcome.REFUSED_MODULE else ""
+        id, cases = exercise["id"], exercise["cases"]
+        for outcome in sorted({Outcome(case["outcome"]) for case in cases} & _LIST_OF.keys()):
+            module = _refused_module(cases) if outcome is Outcome.REFUSED_MODULE else ""
             is_own = module.partition(".")[0] in own_modules
             text = f"{TEXTS[outcome].label}: {module}" if module else TEXTS[outcome].label
             if is_own:
                 text = f"it imports {module}, a file of their own; only notebooks are graded"
-            yield "unfair" if is_own else _LIST_OF[outcome], exercise["id"], f"{exercise['id']}: {text}"
-
-
-def _about_misspelled_names(lesson, _):
-    """`retrun (x)` is a call of a name that nothing has; the public checks say which name was meant."""
-    for exercise in lesson["exercises"]:
-        for message in [case["message"] for case in exercise["cases"]]:
+            yield "unfair" if is_own else _LIST_OF[outcome], id, f"{id}: {text}"
+        for message in [case["message"] for case in cases]:
+            # `retrun (x)` is a call of a name that nothing has; the public checks say which name was meant.
             if message.startswith("NameError") and MEANT in message:
-                yield "unfair", exercise["id"], f"{exercise['id']}: {message}"
+                yield "unfair", id, f"{id}: {message}"
 
 
-def _about_broken_cells(lesson, _):
+def _about_broken_cells(lesson):
     """An answer whose cell does not run, unless it is listed as a slip already."""
     for exercise in lesson["exercises"]:
         messages = [case["message"] for case in exercise["cases"] if case["message"].startswith(CELL_FAILS)]
@@ -155,10 +153,6 @@ def _about_broken_cells(lesson, _):
         if messages and not any(finding["kind"] == "message" for finding in about):
             texts = [finding["text"] for finding in about if finding["kind"] == "answer"]
             yield "broken", exercise["id"], f"{exercise['id']}: {[*texts, *messages][0]}"
-
-
-_RULES = (_about_submission, _about_findings, _about_outcomes)
-_RULES += (_about_misspelled_names, _about_broken_cells)
 
 
 def _refused_module(cases):

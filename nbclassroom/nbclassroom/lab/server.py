@@ -99,16 +99,12 @@ def run(folder, options=(), say=print_now):
 
 def configure(folder):
     """Sets the environment variables by which Jupyter reads the course's configuration for a folder."""
-    _put_first("JUPYTER_CONFIG_PATH", CONFIGURATION)
     # A kernel named python3 elsewhere would hide the one of this environment, which has the course.
-    _put_first("JUPYTER_PATH", Path(sys.prefix) / "share" / "jupyter")
+    kernels = Path(sys.prefix) / "share" / "jupyter"
+    for variable, path in (("JUPYTER_CONFIG_PATH", CONFIGURATION), ("JUPYTER_PATH", kernels)):
+        os.environ[variable] = os.pathsep.join(filter(None, [str(path), os.environ.get(variable)]))
     course.use(course.file())
     os.environ["NBCLASSROOM_LESSONS"] = str(folder)
-
-
-def _put_first(variable, path):
-    former_value = os.environ.get(variable)
-    os.environ[variable] = f"{path}{os.pathsep}{former_value}" if former_value else str(path)
 
 
 def running_on(folder):
