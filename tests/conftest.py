@@ -10,10 +10,14 @@ import tempfile
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 sys.path.insert(0, str(Path(__file__).parent))  # for the modules beside this one
 from progress import Progress
 from selection import IS_SHORT, ONLY_IN_ALL, is_left_out, is_of_lesson, places_of, scope_of
+
+# The same examples in each run, and no test asserts on a clock.
+settings.load_profile("ci")
 
 
 def _take_domain():

@@ -68,7 +68,7 @@ def test_otsu_equals_opencvs_where_levels_tie(count):
     count.report("otsu_threshold with ties")
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(gray=arrays.arrays(np.uint8, st.tuples(st.integers(1, 30), st.integers(1, 30))))
 def test_otsu_equals_opencvs_on_any_image(gray):
     assert otsu_threshold(gray) == opencvs_otsu(gray)

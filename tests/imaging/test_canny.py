@@ -88,7 +88,7 @@ def test_canny_equals_opencvs_on_the_drive(gray_frames, opencv_threads, count):
     count.report(f"canny and canny_stages on the drive ({opencv_threads} threads)")
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=400)
 @given(
     gray=st.one_of(
         arrays.arrays(np.uint8, st.tuples(st.integers(1, 24), st.integers(1, 24))),

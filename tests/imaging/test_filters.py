@@ -88,7 +88,7 @@ def test_median_equals_opencvs(grays, colours, frames, gray_frames, count):
     count.report("median_blur")
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(image=IMAGES, size=st.sampled_from(SIZES), sigma=st.floats(0.05, 10))
 def test_filters_equal_opencvs_on_any_image(image, size, sigma):
     assert np.array_equal(box_blur(image, size), cv2.blur(image, (size, size)))

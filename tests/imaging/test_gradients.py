@@ -29,7 +29,7 @@ def test_sobel_equals_opencvs(grays, gray_frames, count):
     count.report("sobel")
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(
     gray=arrays.arrays(np.uint8, st.tuples(st.integers(1, 20), st.integers(1, 20))),
     aperture=st.sampled_from(APERTURES),

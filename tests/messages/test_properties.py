@@ -17,8 +17,7 @@ from imgproc_course.messages import (
 )
 from imgproc_course.messages.encodings import ENCODINGS
 
-settings.register_profile("messages", deadline=None, max_examples=60, database=None, derandomize=True)
-profile = settings.get_profile("messages")
+profile = settings(max_examples=60)
 names = st.sampled_from([*ENCODINGS, "8UC5", "16SC9", "32FC70"])
 HEADER = array_to_image(np.zeros((1, 1), np.uint8)).header
 

@@ -191,9 +191,7 @@ def as_bytes(made, file_damage):
 
 @settings(
     max_examples=150,
-    deadline=None,
-    derandomize=True,
-    suppress_health_check=[HealthCheck.function_scoped_fixture],
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
 @given(
     solved=st.booleans(),
@@ -265,9 +263,7 @@ def assert_same_points(made, folder, checks, answer_keys, kernel):
 
 @settings(
     max_examples=40,
-    deadline=None,
-    derandomize=True,
-    suppress_health_check=[HealthCheck.function_scoped_fixture],
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
 @given(form=st.sampled_from(FORMS), more=more_cells)
 def test_check_in_a_notebook_check_of_its_file_and_grade_give_the_same_points(
@@ -371,9 +367,7 @@ def test_a_class_gets_the_same_points_everywhere(nodes, node_kernel, tmp_path, n
 
 @settings(
     max_examples=20,
-    deadline=None,
-    derandomize=True,
-    suppress_health_check=[HealthCheck.function_scoped_fixture],
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
 @given(
     form=st.sampled_from(sorted(NODE_FORMS)),
