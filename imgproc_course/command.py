@@ -4,7 +4,6 @@ import sys
 
 
 def main():
-    """Run a command."""
     try:
         from imgproc_course.cli import main as run
     except ModuleNotFoundError as error:

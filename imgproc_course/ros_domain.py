@@ -65,14 +65,9 @@ def users_in(domain: int) -> set[int]:
         for line in SOCKETS.read_text().splitlines()[1:]:
             fields = line.split()
             ports.add((int(fields[7]), int(fields[1].rpartition(":")[2], 16)))
-    first = (
-        7400 + 250 * domain
-    )  # of DDS; from the tenth on, the ports of a program are an even one and the next
-    return {
-        user
-        for user, port in ports
-        if port in range(first + 10, first + 250, 2) and (user, port + 1) in ports
-    }
+    first = 7400 + 250 * domain  # of DDS; from the tenth on, a program's ports are an even one and the next
+    even_ports = range(first + 10, first + 250, 2)
+    return {user for user, port in ports if port in even_ports and (user, port + 1) in ports}
 
 
 def shared_domain(domain: int) -> str | None:

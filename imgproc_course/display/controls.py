@@ -88,12 +88,10 @@ class Controls:
 
     @property
     def values(self):
-        """Dict of parameter -> value, as the function gets them."""
         return dict(self._values)
 
     @property
     def call(self):
-        """The function's call with the current values, as code."""
         first = next(iter(self._parameters or ()), "frame")
         arguments = ", ".join([first, *(f"{name}={_as_code(value)}" for name, value in self._values.items())])
         return f"{name_of(self._function)}({arguments})"
@@ -104,7 +102,6 @@ class Controls:
         self._write_code()
 
     def reset(self):
-        """Sets every control back to its start."""
         for keyword, widget in self._widgets.items():
             widget.value = self._starts[keyword]
 
@@ -130,7 +127,6 @@ class Controls:
         return values
 
     def _handle_names(self):
-        """A widget without size that names each handle of the sliders."""
         names = []
         for keyword, parameters in self._names.items():
             if hasattr(self._widgets[keyword], "readout_format"):  # a slider

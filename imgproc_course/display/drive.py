@@ -233,7 +233,6 @@ class _Map:
         self._begins = True
 
     def forget(self):
-        """Begins a new map."""
         self.trace = []
         self._forget_cells()
         self._places.clear()

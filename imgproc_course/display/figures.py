@@ -246,9 +246,7 @@ def _check_images(images, titles, encoding, rows, cols):
     single = isinstance(images, np.ndarray)
     images = [images] if single else images
     if not isinstance(images, (list, tuple)) or not images:
-        raise ValueError(
-            f"nothing to show: expected an array or a list of arrays, got {type(images).__name__}"
-        )
+        raise ValueError(f"nothing to show: expected an array or a list of them, got {type(images).__name__}")
     titles = _one_per_image(titles, len(images), "titles", default="")
     encodings = _one_per_image(encoding, len(images), "encodings", repeat=True)
     names = ["the image"] if len(images) == 1 else [f"image {k}" for k in range(len(images))]
@@ -271,19 +269,13 @@ def _one_per_image(values, count, name, default=None, repeat=False):
 def check_image(array, encoding, title, name):
     """A CheckedImage of an array, or a ValueError that names the array and says what is expected."""
     if not isinstance(array, np.ndarray):
-        raise ValueError(
-            f"{name} is {type(array).__name__}, not an array; for numbers in a list: np.array(...)"
-        )
+        raise ValueError(f"{name} is {type(array).__name__}, not an array; for a list: np.array(...)")
     if array.ndim not in (2, 3) or array.size == 0:
         raise ValueError(f"{name} has shape {array.shape}; expected (rows, cols) or (rows, cols, channels)")
     if array.dtype.kind not in "buif":
-        raise ValueError(
-            f"{name} has dtype {array.dtype}; expected numbers, for example array.astype(np.uint8)"
-        )
+        raise ValueError(f"{name} has dtype {array.dtype}; expected numbers, such as array.astype(np.uint8)")
     if array.dtype.kind == "f" and not np.isfinite(array).all():
-        raise ValueError(
-            f"{name} contains NaN or infinity, which have no colour; np.nan_to_num(array) replaces them"
-        )
+        raise ValueError(f"{name} contains NaN or infinity; np.nan_to_num(array) replaces them")
     if array.ndim == 3 and array.shape[2] == 1:
         array = array[:, :, 0]
     order, dtype = _read_encoding(encoding, name)

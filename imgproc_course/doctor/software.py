@@ -146,6 +146,5 @@ def check_disk():
 
 
 def in_notebook():
-    """Whether this runs in the kernel of a notebook."""
     get_ipython = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)
     return hasattr(get_ipython(), "kernel")

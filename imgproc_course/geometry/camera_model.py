@@ -40,9 +40,7 @@ class CameraModel:
         if not np.isfinite(numbers).all():
             raise ValueError(f"a camera needs finite numbers, got {', '.join(map(str, numbers))}")
         if len(self.distortion) != 5:
-            raise ValueError(
-                f"plumb_bob distortion is 5 numbers (k1, k2, p1, p2, k3), got {len(self.distortion)}"
-            )
+            raise ValueError(f"distortion is 5 numbers (k1, k2, p1, p2, k3), got {len(self.distortion)}")
 
     @property
     def matrix(self) -> NDArray[np.float64]:

@@ -79,8 +79,6 @@ def choose_direction(directions: ArrayLike, ways: ArrayLike, goal: float, need: 
     """
     directions, ways = np.asarray(directions, float), np.asarray(ways, float)
     if directions.ndim != 1 or directions.shape != ways.shape:
-        raise ValueError(
-            f"directions and ways are (N,), got arrays of shapes {directions.shape} and {ways.shape}"
-        )
+        raise ValueError(f"directions and ways are (N,), got shapes {directions.shape} and {ways.shape}")
     free = directions[ways >= need].tolist()
     return min(free, key=lambda angle: abs(math.remainder(angle - goal, 2 * math.pi)), default=None)

@@ -120,12 +120,8 @@ def grid_precision_recall(grid: ArrayLike, truth: ArrayLike, tolerance: int = 1)
     if grid.ndim != 2 or grid.shape != truth.shape:
         raise ValueError(f"needs two grids of one shape (rows, columns), got {grid.shape} and {truth.shape}")
     occupied, known_truth = grid > 0, truth & (grid != 0)
-    found = (occupied & _grown(truth, tolerance), known_truth & _grown(occupied, tolerance))
-    precision, recall = (
-        float(right.sum() / max(whole.sum(), 1))
-        for right, whole in zip(found, (occupied, known_truth), strict=True)
-    )
-    return precision, recall
+    right, found = occupied & _grown(truth, tolerance), known_truth & _grown(occupied, tolerance)
+    return float(right.sum() / max(occupied.sum(), 1)), float(found.sum() / max(known_truth.sum(), 1))
 
 
 def _grown(mask, cells):

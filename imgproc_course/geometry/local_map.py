@@ -47,9 +47,8 @@ class LocalMap:
         angles, lengths = angles[~np.isnan(lengths)], lengths[~np.isnan(lengths)]
         start = np.array([x + offset * math.cos(yaw), y + offset * math.sin(yaw)])
         rays = np.minimum(lengths, RANGE)[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
-        self.log_odds = update_grid(
-            self.log_odds, self._cells(start), self._cells(start + rays), hits=lengths < RANGE
-        )
+        hits, ends = lengths < RANGE, self._cells(start + rays)
+        self.log_odds = update_grid(self.log_odds, self._cells(start), ends, hits)
 
     def add_low_points(
         self, pose: Iterable[float], points: ArrayLike, *, near: float, far: float, slope: float

@@ -76,11 +76,8 @@ def homography_pose(matrix: ArrayLike, camera_matrix: ArrayLike) -> Pose:
     """
     matrix, camera_matrix = np.asarray(matrix, float), np.asarray(camera_matrix, float)
     for name, values in (("homography", matrix), ("camera matrix", camera_matrix)):
-        if (
-            values.shape != (3, 3)
-            or not np.isfinite(values).all()
-            or values[2, 2] * np.linalg.det(values) == 0
-        ):
+        is_finite = values.shape == (3, 3) and np.isfinite(values).all()
+        if not is_finite or values[2, 2] * np.linalg.det(values) == 0:
             raise ValueError(f"a {name} is 3×3 finite numbers with an inverse, got {values.tolist()}")
     normalised = np.linalg.inv(camera_matrix) @ matrix
     normalised /= normalised[2, 2]

@@ -85,9 +85,7 @@ def _checked(poses, edges):
         if not (0 <= i < len(poses) and 0 <= j < len(poses) and i != j):
             raise ValueError(f"an edge joins two of the poses 0 to {len(poses) - 1}, got {i} and {j}")
         if numbers.shape != (5,) or not np.isfinite(numbers).all() or not (numbers[3:] > 0).all():
-            raise ValueError(
-                f"an edge has 3 numbers of motion and 2 weights above 0, got {motion}, {weights}"
-            )
+            raise ValueError(f"an edge is 3 numbers of motion and 2 weights above 0, got {motion}, {weights}")
     reached = np.arange(len(poses)) == 0
     for _ in poses:
         for i, j, *_ in edges:

@@ -81,10 +81,8 @@ def otsu_threshold(gray: Gray) -> int:
         sum_dark = mean_dark * share_dark
         share_dark += share
         share_bright = 1 - share_dark
-        if (
-            min(share_dark, share_bright) < SMALLEST_SHARE
-            or max(share_dark, share_bright) > 1 - SMALLEST_SHARE
-        ):
+        shares = share_dark, share_bright
+        if min(shares) < SMALLEST_SHARE or max(shares) > 1 - SMALLEST_SHARE:
             mean_dark = sum_dark
             continue
         mean_dark = (sum_dark + level * share) / share_dark

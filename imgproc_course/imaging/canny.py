@@ -178,9 +178,7 @@ def suppress(magnitudes: Magnitude, directions: Direction) -> Magnitude:
             f"{directions.shape}; compute both from one gradient"
         )
     if not np.isin(directions, list(STEP)).all():
-        raise ValueError(
-            "directions must contain only 0, 1, 2 and 3; compute them with direction(grad_row, grad_col)"
-        )
+        raise ValueError("directions must be 0, 1, 2 or 3; compute them with direction(grad_row, grad_col)")
     rows, cols = magnitudes.shape
     padded = np.pad(magnitudes, 1)
     is_maximum = np.zeros(magnitudes.shape, bool)

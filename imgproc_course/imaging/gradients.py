@@ -28,9 +28,7 @@ TAN_SHIFT = 15
 def check_aperture(aperture):
     """Return the aperture as an int; raise ValueError if Sobel has no kernel of this side."""
     if not isinstance(aperture, int | np.integer) or aperture not in SMOOTHING:
-        raise ValueError(
-            f"aperture must be 3, 5 or 7 (the side of Sobel's kernel), got {aperture!r}; use 3 if unsure"
-        )
+        raise ValueError(f"aperture must be 3, 5 or 7 pixels, got {aperture!r}; use 3 if unsure")
     return int(aperture)
 
 
@@ -104,9 +102,7 @@ def magnitude(
         return squared
     if norm == "L2":
         return np.sqrt(squared)
-    raise ValueError(
-        f'norm must be "L1", "L2" or "L2 squared", got {norm!r}; the default of cv2.Canny is "L1"'
-    )
+    raise ValueError(f'norm must be "L1", "L2" or "L2 squared", got {norm!r}; cv2.Canny takes "L1"')
 
 
 def direction(grad_row: Gradient, grad_col: Gradient) -> Direction:

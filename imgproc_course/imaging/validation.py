@@ -12,9 +12,7 @@ def check_gray(gray):
     if array.ndim == 3 and array.shape[2] in (3, 4):
         raise ValueError(_mismatch("gray", GRAY, array, "make it gray first: to_gray(gray)"))
     if array.ndim != 2:
-        raise ValueError(
-            _mismatch("gray", GRAY, array, "pass one image with two axes: gray[..., 0] or reshape")
-        )
+        raise ValueError(_mismatch("gray", GRAY, array, "one image has two axes: gray[..., 0] or reshape"))
     return array
 
 
@@ -62,9 +60,7 @@ def check_number(value, name, *, minimum=-np.inf, allow_infinite=False):
     is_real = isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
     if not is_real or np.isnan(value) or (np.isinf(value) and not allow_infinite) or value < minimum:
         bound = "" if minimum == -np.inf else f", at least {minimum:g}"
-        raise ValueError(
-            f"{name} must be a number{bound}, got {value!r}; pass one number, such as {name}=1.5"
-        )
+        raise ValueError(f"{name} must be a number{bound}, got {value!r}; pass one, such as {name}=1.5")
     return float(value)
 
 

@@ -37,9 +37,8 @@ class CvBridge:
     """
 
     def __init__(self):
-        self.cvtype_to_name = {
-            getattr(cv2, f"CV_{depth}C{n}"): f"{depth}C{n}" for depth in _DEPTHS for n in (1, 2, 3, 4)
-        }
+        names = [f"{depth}C{n}" for depth in _DEPTHS for n in (1, 2, 3, 4)]
+        self.cvtype_to_name = {getattr(cv2, f"CV_{name}"): name for name in names}
         self.cvdepth_to_numpy_depth = {code: dtype for dtype, code in _DEPTHS.values()}
         self.numpy_type_to_cvtype = {dtype: depth for depth, (dtype, _) in _DEPTHS.items()}
         self.numpy_type_to_cvtype.update({depth: dtype for depth, (dtype, _) in _DEPTHS.items()})
@@ -73,9 +72,7 @@ class CvBridge:
         leading dot. The message's `format` is dst_format, unchanged.
         """
         if not isinstance(dst_format, str):
-            raise ConversionError(
-                f"dst_format must be a str such as 'jpg' or 'png', got {quoted(dst_format)}"
-            )
+            raise ConversionError(f"dst_format must be a str such as 'jpg', got {quoted(dst_format)}")
         described(cvim, "passthrough")
         data = encode_image_file(cvim, dst_format.removeprefix(".").lower())
         return new_message("CompressedImage", header, data, format=dst_format)

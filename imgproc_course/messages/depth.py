@@ -84,9 +84,7 @@ def _decode_png(body):
 
 def _decode_rvl(body):
     if len(body) < _SIZE.size:
-        raise ConversionError(
-            f"RVL of {len(body)} bytes is too short to hold its size; the message is cut short"
-        )
+        raise ConversionError(f"RVL of {len(body)} bytes cannot hold its size; the message is cut short")
     columns, rows = _SIZE.unpack_from(body)
     stream = body[_SIZE.size :]
     check_claim("RVL", rows, columns, len(stream), BLANK_PIXELS + PIXELS_PER_BYTE * len(stream))
@@ -122,16 +120,12 @@ def _runs(numbers, pixels):
     at, position = 0, 0
     while position < pixels:
         if at + 2 > numbers.size:
-            raise ConversionError(
-                f"RVL stream that ends after {position} of {pixels} pixels; the message is cut short"
-            )
+            raise ConversionError(f"RVL ends after {position} of {pixels} pixels; the message is cut short")
         zeros, nonzeros = numbers.item(at), numbers.item(at + 1)
         first, position = at + 2, position + zeros
         is_empty = (zeros == 0 and runs) or (nonzeros == 0 and position < pixels)
         if is_empty or position + nonzeros > pixels or first + nonzeros > numbers.size:
-            raise ConversionError(
-                f"RVL stream whose runs do not make {pixels} pixels; the message is damaged"
-            )
+            raise ConversionError(f"RVL whose runs do not make {pixels} pixels; the message is damaged")
         runs.append((first, position, nonzeros))
         at, position = first + nonzeros, position + nonzeros
     return runs

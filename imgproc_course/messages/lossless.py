@@ -43,10 +43,9 @@ def decode_lossless(data, desired_encoding):
 def _decompressor(stream):
     if bytes(stream[:4]) != _ZSTANDARD:
         return zlib.decompressobj(32 + zlib.MAX_WBITS), zlib.error  # gzip or zlib, by its first bytes
+    module = "compression.zstd" if sys.version_info >= (3, 14) else "backports.zstd"
     try:
-        zstd = importlib.import_module(
-            "compression.zstd" if sys.version_info >= (3, 14) else "backports.zstd"
-        )
+        zstd = importlib.import_module(module)
     except ImportError:
         raise ConversionError(
             "no decoder of Zstandard is installed; pip install backports.zstd, or subscribe to the raw topic"

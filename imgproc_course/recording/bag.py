@@ -164,10 +164,8 @@ class Bag:
         channels = [channel for file in self._files for channel in file.channels.values()]
         for channel in sorted(channels, key=lambda channel: channel.encoding != "cdr"):
             self._channels.setdefault(channel.topic, channel)
-        self.topics = {
-            topic: (self._channels[topic].kind, self._count(topic))
-            for topic in dict.fromkeys(channel.topic for channel in channels)
-        }
+        topics = dict.fromkeys(channel.topic for channel in channels)
+        self.topics = {topic: (self._channels[topic].kind, self._count(topic)) for topic in topics}
 
     def _open_files(self, stack):
         """Opens each file that can be read, and says in a sentence what is missing; None if nothing is."""
@@ -207,9 +205,7 @@ class Bag:
 
     def check_open(self):
         if not self._close.alive:
-            raise RecordingError(
-                f"the recording {self.path.name} is closed; open it again with open_recording"
-            )
+            raise RecordingError(f"recording {self.path.name} is closed; open it again with open_recording")
 
     def count(self, topic):
         return self.topics[topic][1]
@@ -221,9 +217,8 @@ class Bag:
         """The channels of a file with the messages of a topic, or of all topics."""
         if topic is None:
             return set(file.channels)
-        return {
-            number for number, channel in file.channels.items() if channel[:3] == self._channels[topic][:3]
-        }
+        serialized = self._channels[topic][:3]
+        return {number for number, channel in file.channels.items() if channel[:3] == serialized}
 
     def unreadable(self, topic):
         """Why no message of a topic can be read; "" if they can."""
@@ -249,9 +244,7 @@ class Bag:
         """Message k of a topic, of the classes of rosbags."""
         places = self.index(topic, k).places
         if not 0 <= k < len(places):
-            raise FrameIndexError(
-                f"{topic} has messages 0 to {len(places) - 1}, got {k}; choose one of these"
-            )
+            raise FrameIndexError(f"{topic} has messages 0 to {len(places) - 1}, got {k}; take one of these")
         return self.deserialize(self._raw_at(*places[k]), places[k][-1])
 
     def index(self, topic, k=None):

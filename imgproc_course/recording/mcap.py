@@ -208,9 +208,8 @@ class McapFile:
                     if number in numbers:
                         messages.append((time, (index, place), number, bytes(data[MESSAGE_HEAD.size :])))
                         lost[number] -= 1
-        return messages + [
-            (block.start, (index, -k), number, None) for k, number in enumerate(lost.elements())
-        ]
+        missing = [(block.start, (index, -k), number, None) for k, number in enumerate(lost.elements())]
+        return messages + missing
 
     def read(self, place):
         """The data of the message at a place."""

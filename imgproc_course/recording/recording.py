@@ -223,14 +223,13 @@ class Recording:
         -------
         (7,) float64: x, y, z in metres, and the quaternion qx, qy, qz, qw
         """
-        objects = [
-            topic.removeprefix(names.POSE_PREFIX) for topic in self.topics if names.POSE_PREFIX in topic
-        ]
+        prefix = names.POSE_PREFIX
+        objects = [topic.removeprefix(prefix) for topic in self.topics if prefix in topic]
         if name not in objects:
             raise NotRecordedError(
                 f"{self.name} holds no pose of {name!r}; it holds {', '.join(objects) or 'none'}"
             )
-        topic = names.POSE_PREFIX + name
+        topic = prefix + name
         pose = self._bag.message(topic, self._number_at_frame(topic, k)).pose
         p, q = pose.position, pose.orientation
         return np.array([p.x, p.y, p.z, q.x, q.y, q.z, q.w])

@@ -25,9 +25,8 @@ class SqliteFile:
         database.execute("PRAGMA writable_schema = on")  # opens also a file that was cut off
         definitions = {}
         if database.execute("PRAGMA table_info(message_definitions)").fetchall():
-            rows = database.execute(
-                "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions"
-            )
+            columns = "topic_type, encoding, encoded_message_definition"
+            rows = database.execute(f"SELECT {columns} FROM message_definitions")
             definitions = {kind: definition for kind, *definition in rows}
         self.channels = {
             number: Channel.of(topic, kind, encoding, *definitions.get(kind, ()))
@@ -50,7 +49,6 @@ class SqliteFile:
         self.start, self.seconds = times[0], (times[-1] - times[0]) / 1e9
 
     def messages(self, numbers):
-        """Yields (time in ns, place, channel's number, data) of some channels; see `McapFile.messages`."""
         for time, place, number in self._rows:
             if number in numbers:
                 try:
@@ -59,5 +57,4 @@ class SqliteFile:
                     yield time, place, number, None
 
     def read(self, place):
-        """The data of the message at a place."""
         return self._database.execute("SELECT data FROM messages WHERE id = ?", (place,)).fetchone()[0]

@@ -54,9 +54,8 @@ class CameraPublisher:
         self._raw = self._create_publisher(Image, self.topic)
         compressed_topic, info_topics = camera_topics(self.topic)
         topics = [(CompressedImage, compressed_topic, lambda image, header: image.compressed(header))]
-        topics += [
-            (CameraInfo, topic, lambda image, header: image.camera_info(header)) for topic in info_topics
-        ]
+        for topic in info_topics:
+            topics.append((CameraInfo, topic, lambda image, header: image.camera_info(header)))
         topics += self._images.other_topics(self.topic.rpartition("/")[0])
         self._others = [(self._create_publisher(kind, topic), make) for kind, topic, make in topics]
 

@@ -15,15 +15,7 @@ VIDEO_TYPES = ("theora_image_transport/msg/Packet", "ffmpeg_image_transport_msgs
 
 
 def explain_missing_messages(
-    node,
-    subscription,
-    seconds,
-    received,
-    *,
-    failure=None,
-    qos_problem=None,
-    publisher_error=None,
-    own_topics=(),
+    node, subscription, seconds, received, *, failure=None, qos_problem=None, node_error=None, own_topics=()
 ):
     """Why no image came in so many seconds, and the remedy, in one line.
 
@@ -43,11 +35,8 @@ def explain_missing_messages(
         return start + _wrong_type(publishers[0].topic_type, expected_type, topic)
     if not subscription.get_publisher_count():
         return start + (qos_problem or _not_matched(of_expected_type[0], subscription.qos_profile))
-    return start + (
-        _other_user(node, of_expected_type)
-        or publisher_error
-        or _silent_publisher(node, of_expected_type, topic, received)
-    )
+    reason = _other_user(node, of_expected_type) or node_error
+    return start + (reason or _silent_publisher(node, of_expected_type, topic, received))
 
 
 def _no_publisher(node, topic, own_topics):
@@ -135,11 +124,8 @@ def _input_problem(node, publisher):
 
 
 def _silent_publisher(node, publishers, topic, received):
-    names = {
-        f"{info.node_namespace.rstrip('/')}/{info.node_name}"
-        for info in publishers
-        if "UNKNOWN_" not in info.node_name
-    }
+    known = [info for info in publishers if "UNKNOWN_" not in info.node_name]
+    names = {f"{info.node_namespace.rstrip('/')}/{info.node_name}" for info in known}
     nodes = ", ".join(sorted(names)) or "a node whose name is not known yet"
     if problem := next(filter(None, (_input_problem(node, info) for info in publishers)), None):
         return f"{nodes} publishes it, but {problem}"

@@ -49,9 +49,8 @@ def install(context, take_back):
 
     def global_executor():
         if shell.get_parent().get("metadata", {}).get("imgproc_course", {}).get("exercise"):
-            error: Any = RuntimeError(
-                "an answer cell does not spin, which never ends: delete this line and what calls it"
-            )
+            text = "an answer cell does not spin, which never ends: delete this line and what calls it"
+            error: Any = RuntimeError(text)
             error._render_traceback_ = functools.partial(_learners_traceback, error)
             raise error
         uninstall_signal_handlers()  # rclpy.init() installs them
@@ -61,7 +60,6 @@ def install(context, take_back):
 
 
 def uninstall():
-    """Gives rclpy its own executor back."""
     rclpy.get_global_executor = _default_global_executor
 
 

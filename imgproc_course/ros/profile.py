@@ -48,9 +48,8 @@ class DdsProfile:
 
     def __str__(self):
         if self.path is not None and self.segment_bytes is not None:
-            profile = (
-                f"the course's {Path(self.path).name}: {self.segment_bytes >> 20} MiB shared memory, and UDP"
-            )
+            size = f"{self.segment_bytes >> 20} MiB shared memory"
+            profile = f"the course's {Path(self.path).name}: {size}, and UDP"
         elif self.chosen_by == "user":
             profile = f"your own choice ({self.path})" if self.path else "your own choice"
         else:

@@ -127,10 +127,8 @@ class Recorder(Stoppable):
             if published.keys() & {*names} != known_topics:
                 known_topics, settled = published.keys() & {*names}, time.monotonic() + SETTLING
             # A robot's topics appear one after another; commands alone are those of a client.
-            is_settled = known_topics - {COMMANDS} and time.monotonic() > settled
-            if not missing or (
-                not requested and is_settled and self._robots_subscribers().keys().isdisjoint(missing)
-            ):
+            is_settled = not requested and known_topics - {COMMANDS} and time.monotonic() > settled
+            if not missing or (is_settled and self._robots_subscribers().keys().isdisjoint(missing)):
                 break
             if time.monotonic() > end:
                 raise ValueError(f"nobody publishes {missing[0]}; {_hint(missing[0], published)}")

@@ -213,9 +213,8 @@ class Robot:
             self._commands = self._entities.add(publisher)
         start = time.monotonic()
         while not self._entities.closed and not self._is_robot_there():
-            if time.monotonic() > start + ANSWER and (
-                time.monotonic() > start + TIMEOUT or not self._is_room_starting()
-            ):
+            waited = time.monotonic() - start
+            if waited > TIMEOUT or (waited > ANSWER and not self._is_room_starting()):
                 raise RuntimeError(f"no robot answers on {self._topics['commands']}: {_START_ANY}")
             time.sleep(0.01)
         if is_new:
@@ -240,9 +239,9 @@ class Robot:
 
     def _status(self) -> dict[str, Any]:
         """What the robot process says of itself; empty without one."""
-        return (
-            running_robot(self._session.context.get_domain_id()) if self._is_of_the_room() else None
-        ) or {}
+        if not self._is_of_the_room():
+            return {}
+        return running_robot(self._session.context.get_domain_id()) or {}
 
     def _is_of_the_room(self):
         return self._topics["commands"] == COMMANDS

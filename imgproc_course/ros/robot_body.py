@@ -47,7 +47,6 @@ class OtherPublisher:
 
 
 def main(arguments):
-    """What the robot process runs."""
     # For images of the robot's size OpenCV's threads take more of the processor's time than they save.
     cv2.setNumThreads(1)
     serve(arguments, open_body)

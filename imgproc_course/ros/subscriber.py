@@ -162,9 +162,7 @@ class ImageSubscriber(Stoppable):
         RuntimeError : the subscriber is stopped, or the caller is a ROS callback; no frame can arrive then
         """
         if self.session.is_spinning_thread():
-            raise RuntimeError(
-                "no frame can arrive while a ROS callback waits for it; use on_image or latest()"
-            )
+            raise RuntimeError("no frame can arrive while a callback waits for it; use on_image or latest()")
         with self._change:
             converted_before, failed_before = self._converted, self.failed
             self._change.wait_for(self._is_newer_than(converted_before), timeout)
@@ -181,7 +179,7 @@ class ImageSubscriber(Stoppable):
             self.received,
             failure=f"{failed} arrived and failed; {self.last_error}" if failed else None,
             qos_problem=self.incompatible_qos,
-            publisher_error=self.session.error_of_publisher(self.topic),
+            node_error=self.session.error_of_publisher(self.topic),
         )
         raise TimeoutError(reason)
 
@@ -194,9 +192,7 @@ class ImageSubscriber(Stoppable):
         """
         with self._change:
             if not self._change.wait_for(lambda: self.incompatible_qos or self.stopped, timeout):
-                raise TimeoutError(
-                    f"ROS reported no incompatible QoS policy on {self.topic} in {timeout:g} s"
-                )
+                raise TimeoutError(f"ROS reports no incompatible QoS policy on {self.topic} in {timeout:g} s")
             return self.incompatible_qos
 
     def __iter__(self) -> Iterator[np.ndarray]:

@@ -27,9 +27,7 @@ RANGES = {
 }
 SPAN = 2.1  # side of the image
 DEPTH = 0.85  # half an axis of the head from front to back
-SKIN, HAIR, LIP, IRIS = (
-    np.array([[140, 175, 225], [30, 38, 50], [95, 95, 165], [35, 40, 55]]) / 255
-)  # b, g, r
+SKIN, HAIR, LIP, IRIS = np.array([[140, 175, 225], [30, 38, 50], [95, 95, 165], [35, 40, 55]]) / 255  # bgr
 BACKGROUND = 120  # gray level of draw_face
 # The box that a detector marks: left, top, width and height, as shares of the image's side.
 FACE = (0.13, 0.13, 0.74, 0.74)
@@ -107,9 +105,8 @@ def _rendered(identity, size, side_light, yaw):
     slope_row, slope_col = np.gradient(height, SPAN / size)
     normal = normal - np.stack([slope_col, slope_row, np.zeros_like(x)])
     lamp = np.array([2.0 * side_light, -0.35, 1.0])
-    brightness = (normal * lamp[:, None, None]).sum(axis=0) / np.sqrt(
-        (normal**2).sum(axis=0) * (lamp**2).sum()
-    )
+    squared_lengths = (normal**2).sum(axis=0) * (lamp**2).sum()
+    brightness = (normal * lamp[:, None, None]).sum(axis=0) / np.sqrt(squared_lengths)
     shade = 0.3 + 0.75 * np.clip(brightness, 0, 1)
     return np.clip(_albedo(identity, x, y) * shade[..., None], 0, 1), mask[..., None]
 
@@ -161,10 +158,8 @@ def _albedo(identity, x, y):
         paint(_spot(eye_col, y - eye_y, 0.75 * eye, 0.75 * eye, 0.3), IRIS)
         arch = y - eye_y + gap + 0.8 * eye_col * eye_col - 0.02
         paint(0.9 * _spot(eye_col, arch, 2.2 * eye, 1.5 * thickness, 0.7), HAIR)
-        paint(
-            0.7 * _spot(x - 0.5 * side * nose_width, y - eye_y - nose - 0.03, 0.4 * nose_width, 0.03, 0.8),
-            IRIS,
-        )
+        nostril_col, nostril_row = x - 0.5 * side * nose_width, y - eye_y - nose - 0.03
+        paint(0.7 * _spot(nostril_col, nostril_row, 0.4 * nose_width, 0.03, 0.8), IRIS)
     paint(0.8 * _spot(x, y - mouth_y, mouth_width, 0.065, 0.5), skin * LIP)
     paint(0.7 * _spot(x, y - mouth_y, 0.95 * mouth_width, 0.018, 0.8), IRIS)
     paint(np.clip(0.5 + (hairline + 0.35 * x * x - y) / 0.08, 0, 1), (0.5 + skin) * HAIR)

@@ -87,10 +87,8 @@ class Metrics:
 
     def info(self):
         """All metrics, rounded to 1e-4, as RoomEnv names them."""
-        return {
-            name: round(value, 4) if isinstance(value, float) else value
-            for name, value in self._values.items()
-        }
+        values = self._values.items()
+        return {name: round(value, 4) if isinstance(value, float) else value for name, value in values}
 
 
 def cell_of(place):

@@ -195,7 +195,6 @@ class Placement:
         return True
 
     def _pushed_to_wall(self, name, place):
-        """Moves a place to one of the walls."""
         axis, at, _ = WALLS[int(self._random.integers(len(WALLS)))]
         own = turned(self._hulls[name], (0, 0, place[2]))[:, axis]
         gap = self._uniform(*TO_WALL)

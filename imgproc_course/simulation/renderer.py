@@ -170,9 +170,8 @@ class Chunk:
         self.center = (points.min(0) + points.max(0)) / 2
         self.radius = float(np.sqrt(((points - self.center) ** 2).sum(1).max()))
         self.size = texture.get_x_size(), texture.get_y_size()
-        self.texels_per_metre = math.sqrt(
-            area(corners.astype(float) * self.size) / area(triangles.astype(float))
-        )
+        texels = corners.astype(float) * self.size
+        self.texels_per_metre = math.sqrt(area(texels) / area(triangles.astype(float)))
         self.smooth = False
 
     def choose_filter(self, position, fx):
@@ -285,9 +284,8 @@ class Renderer:
         properties.set_rgba_bits(8, 8, 8, 8)
         properties.set_depth_bits(24)
         size = p3d.WindowProperties(size=(pinhole.width, pinhole.height))
-        output = self._engine.make_output(
-            self._pipe, "view", 0, properties, size, p3d.GraphicsPipe.BF_refuse_window
-        )
+        flags = p3d.GraphicsPipe.BF_refuse_window
+        output = self._engine.make_output(self._pipe, "view", 0, properties, size, flags)
         texture = p3d.Texture()
         output.add_render_texture(texture, p3d.GraphicsOutput.RTM_copy_ram)
         output.set_clear_color((0, 0, 0, 1))
@@ -380,7 +378,6 @@ class ColorRenderer(Renderer):
         node.set_material(material)
 
     def _add_shadow(self, size, order):
-        """A soft dark spot on the floor."""
         across = (np.arange(64) - 31.5) / 32
         distance = np.sqrt(across[:, None] ** 2 + across[None, :] ** 2)
         spot = np.zeros((64, 64, 4), np.uint8)
@@ -471,9 +468,8 @@ def around_the_image(owner, camera):
     inner = camera.unproject(border(camera, 2, 41)) * NEAR * 1.01
     outer = inner * (2, 2, 1)
     next_inner, next_outer = np.roll(inner, -1, 0), np.roll(outer, -1, 0)
-    triangles = np.concatenate(
-        [np.stack([inner, next_inner, outer], 1), np.stack([outer, next_inner, next_outer], 1)]
-    )
+    corners = (inner, next_inner, outer), (outer, next_inner, next_outer)
+    triangles = np.concatenate([np.stack(points, 1) for points in corners])
     right, down, forward = np.moveaxis(triangles, -1, 0)
     return textured(owner, np.stack([right, forward, -down], -1), np.zeros((len(triangles), 3, 2)))
 

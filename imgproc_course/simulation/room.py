@@ -28,7 +28,6 @@ class Rug:
     height: float = 0.012
 
     def holds(self, x, y):
-        """Whether (x, y) is on the rug."""
         c, s = math.cos(self.yaw), math.sin(self.yaw)
         dx, dy = x - self.center[0], y - self.center[1]
         return abs(dx * c + dy * s) <= self.size[0] / 2 and abs(-dx * s + dy * c) <= self.size[1] / 2

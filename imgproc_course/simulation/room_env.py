@@ -27,17 +27,8 @@ LOOK = 0.1  # seconds from one observation to the next
 NO_RANGE = 10.0  # metres, in `scan`: the ray meets nothing. A Box is bounded, so it cannot be inf as in ROS
 SENSORS = ("scan", "depth", "image", "odometry")
 # A scenario: what `reset` takes as options, and what counts where one of them is left out.
-OPTIONS: dict[str, Any] = {
-    "room": None,
-    "start": None,
-    "time": 0.0,
-    "lighting": "day",
-    "movers": [],
-    "duration": 40.0,
-    "ball": None,
-    "goal": None,
-    "answer": None,
-}
+OPTIONS: dict[str, Any] = dict.fromkeys(("room", "start", "ball", "goal", "answer"))
+OPTIONS |= {"time": 0.0, "lighting": "day", "movers": [], "duration": 40.0}
 START_CLEARANCE = 0.45  # metres around the body at a start that is drawn
 KEPT_ROOMS = 2  # so many rooms stay ready for the next drive: up to 220 MB each, if images are drawn
 
@@ -259,9 +250,8 @@ def reachable_cells(room: Room) -> NDArray[np.float64]:
     x, y, _ = room.start
     col, row = (int((value - low) / space.cell) for value, low in zip((x, y), space.origin, strict=True))
     rows, cols = np.nonzero((parts == parts[row, col]) & (space.metres > START_CLEARANCE))
-    return np.column_stack([cols, rows]).astype(float) * space.cell + (
-        np.array(space.origin) + space.cell / 2
-    )
+    first = np.array(space.origin) + space.cell / 2
+    return np.column_stack([cols, rows]).astype(float) * space.cell + first
 
 
 def read_options(options):

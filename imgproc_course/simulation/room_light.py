@@ -327,9 +327,8 @@ def below(slope, points):
 
 def at_cells(image, columns, rows):
     height, width = image.shape[:2]
-    return image[
-        np.clip(rows, 0, height - 1).astype(np.int32), np.clip(columns, 0, width - 1).astype(np.int32)
-    ]
+    rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
+    return image[rows.astype(np.int32), columns.astype(np.int32)]
 
 
 def of_rug(image, placed):
@@ -361,9 +360,8 @@ def wall_shares(placed, lighting):
 
 def light_on_pieces(atlas, placed, floor, lighting):
     """The light on the texels of furniture or signs that have a place, (N, 3) float32."""
-    pieces, bodies, places, normals = (
-        stored()[f"{atlas}_{kind}"] for kind in ("piece", "body", "place", "normal")
-    )
+    kinds = ("piece", "body", "place", "normal")
+    pieces, bodies, places, normals = (stored()[f"{atlas}_{kind}"] for kind in kinds)
     points = placed.places(places * np.float32(0.001), pieces)
     normals = placed.directions(normals * np.float32(1 / 127), pieces)
     return irradiance(points, normals, lighting) + floor.sun_on(points, normals, bodies)

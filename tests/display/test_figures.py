@@ -318,7 +318,7 @@ GRAY = np.zeros((4, 4), np.uint8)
         ({"images": GRAY.astype(complex)}, "dtype complex128; expected numbers"),
         ({"images": GRAY[0]}, r"shape \(4,\); expected \(rows, cols\)"),
         ({"images": []}, "nothing to show"),
-        ({"images": None}, "nothing to show: expected an array or a list of arrays, got NoneType"),
+        ({"images": None}, "nothing to show: expected an array or a list of them, got NoneType"),
         ({"images": [[1, 2], [3, 4]]}, r"image 0 is list, not an array; .*np\.array"),
         ({"images": [GRAY, GRAY], "titles": ["one"]}, "1 titles for 2 images"),
         ({"images": [GRAY, GRAY], "encoding": ["mono8"]}, "1 encodings for 2 images"),

@@ -99,5 +99,5 @@ def test_the_first_of_two_equally_near_directions():
     [([0.1, 0.2], [1.0], r"\(2,\) and \(1,\)"), ([[0.1]], [[1.0]], r"\(1, 1\) and \(1, 1\)")],
 )
 def test_directions_without_ways(directions, ways, shapes):
-    with pytest.raises(ValueError, match=rf"directions and ways are \(N,\), got arrays of shapes {shapes}"):
+    with pytest.raises(ValueError, match=rf"directions and ways are \(N,\), got shapes {shapes}"):
         choose_direction(directions, ways, 0.0, 1.0)

@@ -236,7 +236,7 @@ def test_arrays_that_do_not_belong_together_are_refused():
         suppress(zeros, np.zeros((3, 2), np.uint8))
     with pytest.raises(ValueError, match="the same shape"):
         suppress([1, 2], [0, 0])
-    with pytest.raises(ValueError, match="directions must contain only 0, 1, 2 and 3"):
+    with pytest.raises(ValueError, match="directions must be 0, 1, 2 or 3"):
         suppress(zeros, np.full((3, 3), 45))
     with pytest.raises(ValueError, match="low must not be above high"):
         double_threshold(zeros, 2, 1)
