@@ -62,7 +62,7 @@ class RepeatedErrors:
     """Which causes were shown already, and how often each one came again."""
 
     def __init__(self):
-        self._counts = collections.Counter()
+        self._counts: collections.Counter = collections.Counter()
 
     def news(self, error, text):
         """The text at first; how often it came again at the 10th, 100th, … time after that; otherwise ""."""

@@ -1,4 +1,4 @@
-"""The public names of the packages that a robot's own code imports carry types."""
+"""The public names of the packages that a robot's own code and lessons import carry types."""
 
 import importlib
 import inspect
@@ -6,6 +6,8 @@ import inspect
 import pytest
 
 PACKAGES = ["messages", "imaging", "geometry", "recording", "simulation", "ros", "display"]
+OURS = ("imgproc_course.", "nbclassroom.")
+PACKAGES = [*(f"imgproc_course.{name}" for name in PACKAGES), "nbclassroom.exercises"]
 
 
 def functions_of(name, value):
@@ -15,7 +17,7 @@ def functions_of(name, value):
     elif inspect.isclass(value):
         for attribute, member in vars(value).items():
             member = inspect.unwrap(getattr(member, "fget", None) or getattr(member, "__func__", member))
-            written_here = inspect.isfunction(member) and member.__module__.startswith("imgproc_course.")
+            written_here = inspect.isfunction(member) and member.__module__.startswith(OURS)
             if written_here and (attribute == "__init__" or not attribute.startswith("_")):
                 yield f"{name}.{attribute}", member
 
@@ -33,7 +35,7 @@ def without_types(name, function):
 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_public_names_have_types(package):
-    module = importlib.import_module(f"imgproc_course.{package}")
+    module = importlib.import_module(package)
     values = [(name, getattr(module, name)) for name in module.__all__]
     functions = [pair for name, value in values for pair in functions_of(name, value)]
     missing = [line for pair in functions for line in without_types(*pair)]

@@ -17,7 +17,7 @@ VARIABLE = "NBCLASSROOM_COURSE"
 FILE = "course.toml"
 
 # The keys of a course.toml, with what holds if a course does not have one; `name` and `title` have all.
-KEYS = {
+KEYS: dict[str, str | list[str] | None] = {
     "name": None,  # an identifier, under which the notebooks' metadata keep what the classroom stores
     "title": None,
     "version": "0",  # if it has no distribution
@@ -113,7 +113,8 @@ def package_folder():
     """The folder of the course's package; None if it has no package."""
     name = _values()["package"]
     spec = importlib.util.find_spec(name) if name else None
-    return Path(spec.submodule_search_locations[0]).resolve() if spec else None
+    places = spec.submodule_search_locations if spec else None
+    return Path(places[0]).resolve() if places else None
 
 
 def roots():

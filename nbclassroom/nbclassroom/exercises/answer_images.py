@@ -98,7 +98,7 @@ def _draw_difference(wrong):
     """Red where a pixel differs, with a ring around the first one: a single pixel is easily overlooked."""
     differs = wrong.any(axis=2) if wrong.ndim == 3 else wrong
     row, col = (int(k) for k in np.argwhere(differs)[0])
-    image = _fit_to_page(np.where(differs[..., np.newaxis], np.uint8(_DIFFERS), np.uint8(_EQUAL)))
+    image = _fit_to_page(np.array([_EQUAL, _DIFFERS], np.uint8)[differs.astype(int)])
     scale = image.width / differs.shape[1]
     center = (col + 0.5) * scale, (row + 0.5) * scale
     ImageDraw.Draw(image).circle(center, _RING_RADIUS + scale, outline=_RING, width=2)

@@ -26,7 +26,7 @@ MATRIX = "numpy.matrix"
 _MATRIX_TYPE = np.matrix
 
 # Types that hold the same values as a plain one, and are given as that one.
-_STAND_INS = {
+_STAND_INS: dict[type, type] = {
     np.str_: str,
     np.bytes_: bytes,
     bytearray: bytes,
@@ -156,7 +156,7 @@ class _Writer:
         return self.write(np.array(value) if type(value) is array.array else value, depth + 1)
 
 
-SCALARS = frozenset(
+SCALARS: frozenset[type[np.generic]] = frozenset(
     {np.bool_, np.float16, np.float32, np.float64, *(np.dtype(code).type for code in "bBhHiIlLqQ")}
 )
 
@@ -180,7 +180,7 @@ def _too_large(kind):
     return {"type": kind, "too_large": True}
 
 
-def array_of(form):
+def array_of(form: dict | None) -> np.ndarray | None:
     """The array of a form, writable; None if the form holds no data (too large, or not an array)."""
     if form is None or form["type"] != "ndarray" or "data" not in form:
         return None

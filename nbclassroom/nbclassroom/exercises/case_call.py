@@ -19,7 +19,7 @@ class CaseCall:
     record: dict | None = None
 
     @property
-    def passed(self):
+    def passed(self) -> bool:
         return self.result.finished and not self.result.changed and self.difference is None
 
 

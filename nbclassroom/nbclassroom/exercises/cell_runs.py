@@ -112,7 +112,8 @@ class CellRuns:
 def _metadata_of_request():
     """What JupyterLab sends with the cell that begins to run: its metadata, and which cells were deleted."""
     shell = sys.modules["IPython"].get_ipython()
-    return getattr(shell, "get_parent", dict)().get("metadata", {})
+    request = shell.get_parent() if hasattr(shell, "get_parent") else {}
+    return request.get("metadata", {})
 
 
 def _is_about(run, exercise_id, name, function):

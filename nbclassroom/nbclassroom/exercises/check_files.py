@@ -47,7 +47,7 @@ class CheckFileError(ValueError):
     `problem` does not.
     """
 
-    def __init__(self, problem, remedy=""):
+    def __init__(self, problem: str, remedy: str = ""):
         super().__init__("; ".join(filter(None, (problem, remedy))))
         self.problem = problem
 

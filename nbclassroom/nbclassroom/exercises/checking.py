@@ -4,6 +4,7 @@ import inspect
 import linecache
 import re
 import types
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -57,31 +58,31 @@ class CheckResult:
 
     exercise: Exercise
     attempted: bool
-    results: tuple = ()
+    results: tuple[CaseResult, ...] = ()
     mistake: Mistake | None = None
-    refused: dict = field(default_factory=dict)
-    gone: dict = field(default_factory=dict)
+    refused: dict[str, str] = field(default_factory=dict)
+    gone: dict[str, str] = field(default_factory=dict)
     diagnosis: Diagnosis = field(default_factory=Diagnosis)
-    remarks: tuple = ()
+    remarks: tuple[str, ...] = ()
     one_change: str = ""
     why_older: str = ""
-    calls: tuple = ()
+    calls: tuple[CaseCall, ...] = ()
 
     @property
-    def passed(self):
+    def passed(self) -> bool:
         """True if grading would give every point of the public cases."""
         is_accepted = not (self.refused or self.gone or self.why_older)
         return self.attempted and is_accepted and all(result.passed for result in self.results)
 
     @property
-    def shown(self):
+    def shown(self) -> CaseCall | None:
         """The failed call whose values are shown: one that the known mistake explains, else the first."""
         failed = [result.failed_call for result in self.results if result.failed_call]
         explained = [case_call for case_call in failed if self.mistake and case_call.result.finished]
         return next(iter([*explained, *failed]), None)
 
     @property
-    def points(self):
+    def points(self) -> int:
         """What grading gives for the public cases."""
         if self.refused or self.gone:
             return 0
@@ -105,7 +106,7 @@ class CheckInterrupted(KeyboardInterrupt):
         return ["The check was interrupted. Run its cell again: it drives from the start."]
 
 
-def check(exercise_id, function):
+def check(exercise_id: str, function: Callable) -> CheckResult:
     """Check an answer: show what is right, what is wrong, and where to look.
 
     Parameters
@@ -166,7 +167,9 @@ def _note(result, function):
         note_progress(result.exercise.id, ExerciseProgress(tries=(digest_of(function),)))
 
 
-def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
+def run_cases(
+    exercise: Exercise, function: Callable, *, cases: Iterable[Case] | None = None, seed: int = PUBLIC_SEED
+) -> CheckResult:
     """The CheckResult of an answer on an Exercise's cases, the public ones if omitted; inputs by a seed.
 
     Without the search for one change, which takes a second.
@@ -175,7 +178,7 @@ def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
     return run_check(data, function, searches=False)
 
 
-def run_mistake(exercise, mistake):
+def run_mistake(exercise: Exercise, mistake: Mistake) -> CheckResult:
     """The CheckResult of a declared mistake of an Exercise on its public cases."""
     data = check_data_of(exercise)
     calls = data.kind.run_mistake(data, mistake)

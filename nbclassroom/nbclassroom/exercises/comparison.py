@@ -223,8 +223,8 @@ def _close(expected, actual, tolerance):
     if kind_of(expected) == "int" and tolerance == 0:
         return expected["value"] == actual["value"]
     rounding = _rounding(*(form["type"].removeprefix("numpy.") for form in (expected, actual)))
-    values = [np.float64(as_float(form["value"])) for form in (expected, actual)]
-    return bool(_near(*values, tolerance, rounding))
+    value, actual_value = (np.float64(as_float(form["value"])) for form in (expected, actual))
+    return bool(_near(value, actual_value, tolerance, rounding))
 
 
 def _near(expected, actual, tolerance, rounding):

@@ -14,23 +14,23 @@ _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
 
 
 def exercise(
-    id,
+    id: str,
     *,
-    function,
-    subject="function",
-    sensors=(),
-    title="",
-    time_limit=5.0,
-    allowed=(),
-    tolerance=0.0,
-    exact_type=False,
-    practice=False,
-    hint="",
-    border_hint="",
-    hints=(),
-    explanation="",
-    another_way="",
-):
+    function: str,
+    subject: str = "function",
+    sensors: tuple[str, ...] = (),
+    title: str = "",
+    time_limit: float = 5.0,
+    allowed: tuple[str, ...] = (),
+    tolerance: float = 0.0,
+    exact_type: bool = False,
+    practice: bool = False,
+    hint: str = "",
+    border_hint: str = "",
+    hints: tuple[str, ...] = (),
+    explanation: str = "",
+    another_way: str = "",
+) -> dict:
     """Declare an exercise, in a master's `role="exercise"` cell.
 
     The arguments are literals: they are read without running anything. The rest of that cell (imports,
@@ -117,7 +117,7 @@ def _declaration_rules(function, subject, sensors, time_limit, tolerance, allowe
     yield isinstance(hints, str), f"hints={hints!r}, expected a tuple of texts, one for each step"
 
 
-def read_exercises(path):
+def read_exercises(path: Path | str) -> tuple[Exercise, ...]:
     """The exercises that a master declares, in order, with the known mistakes in the file beside it.
 
     Returns a tuple of Exercise; MasterError says what is wrong with the declaration, and in which line.
@@ -187,7 +187,7 @@ def _heading(cell):
         if len(calls) != 1:
             raise MasterError(f"expected one call of exercise(...), found {len(calls)}")
         arguments = [ast.literal_eval(value) for value in calls[0].args]
-        keywords = {keyword.arg: ast.literal_eval(keyword.value) for keyword in calls[0].keywords}
+        keywords = {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in calls[0].keywords}
         return exercise(*arguments, **keywords) | {"preparation": cell.source}
     except MasterError as error:
         raise MasterError(f"{cell.place}: {error}") from error

@@ -34,7 +34,7 @@ _LINES = {
 }
 _RIGHT = "The values are right"
 _TRANSPOSED = "Rows and columns are exchanged: your result is the expected one, transposed."
-_FUNCTIONS = ("function", "builtin_function_or_method", "method")
+_FUNCTIONS: tuple[str, ...] = ("function", "builtin_function_or_method", "method")
 _FUNCTIONS += ("numpy.ufunc", "numpy._ArrayFunctionDispatcher")
 _NUMBERS, _SEQUENCES = ("int", "float"), ("tuple", "list")
 _NOUNS = {
@@ -82,13 +82,14 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         advice = _advice_on_dtypes([pair for difference, pair in differences if difference], tolerance)
         return advice if advice.text or "dtype" in wrong else _diagnose_values(returned, names)
     if "shape" in wrong:
-        text = _advice_on_shape(*wrong["shape"], shown.arguments, names)
+        expected, actual = wrong["shape"]
+        text = _advice_on_shape(expected, actual, shown.arguments, names)
         return Diagnosis(text, replaces_hint=not text.startswith("Your result has"))
     other_pair = next(pair for difference, pair in differences if difference and difference.kind != "value")
     return Diagnosis(_advice_on_type(*other_pair, tolerance), replaces_hint=True)
 
 
-def side_by_side(expected, actual):
+def side_by_side(expected: dict, actual: dict) -> list[tuple[dict, dict]]:
     """The parts of two answers in pairs of forms; one pair of the wholes if their containers differ."""
     items, actual_items = named_items(expected), named_items(actual)
     same_names = [name for name, _ in items] == [name for name, _ in actual_items]
@@ -203,7 +204,7 @@ def _dtype_name(dtype):
 # ---------------------------------------------------------------- dtype
 
 
-def _advice_on_dtypes(pairs, tolerance):
+def _advice_on_dtypes(pairs: list[tuple[dict, dict]], tolerance: float) -> Diagnosis:
     """What to do if all that differs is the dtype, or the dtype with the values that it cannot hold."""
     differences = [compare(*pair, tolerance) for pair in pairs]
     if any(difference is None or difference.kind != "dtype" for difference in differences):

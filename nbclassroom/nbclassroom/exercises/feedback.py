@@ -53,7 +53,8 @@ def _gone(result):
 def _cases(result):
     """(CaseResult, what went wrong, the call whose values are shown or None) of each case."""
     kind = result.exercise.kind
-    steps, ending = {}, kind.common_failure(result.exercise, result.calls)
+    ending = kind.common_failure(result.exercise, result.calls)
+    steps: dict[str, str] = {}
     for case_result in result.results:
         call, explanation = case_result.failed_call, ""
         if ending:

@@ -58,7 +58,7 @@ class GuessComparison:
         return f"{sentence} {self.verdict}".rstrip()
 
 
-def compare_guess(guess, value, unit=""):
+def compare_guess(guess: object, value: object, unit: str = "") -> GuessComparison:
     """Show a learner's guess beside the result. It never raises, whatever the guess is.
 
     Parameters
@@ -87,7 +87,7 @@ def compare_guess(guess, value, unit=""):
         return GuessComparison("", result, advice=advice)
 
 
-def ask(name, answer=None, *thousands):
+def ask(name: str, answer: object = None, *thousands: int) -> None:
     """Print why an answer to the question "<lesson that asks>/<name>" is right or wrong. It never raises.
 
     The answer is a letter, such as "b", or a number, also with commas: 691,200; None is no answer yet.

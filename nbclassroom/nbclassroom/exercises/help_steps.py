@@ -31,7 +31,7 @@ class Help:
         return Document(self.heading, (Paragraphs(self.text), Code(self.code), Paragraphs(self.more)), "help")
 
 
-def hint(exercise_id, step=None):
+def hint(exercise_id: str, step: int | None = None) -> Help:
     """Show the next hint: first a question, then the steps in words, then nearly the code.
 
     Parameters
@@ -62,13 +62,13 @@ def _hint(exercise, step):
                 f"hint({quoted_id}, step=1) shows the first one again. solution({quoted_id}) shows how the"
                 f" {exercise.kind.noun} can be written.",
             )
-    if isinstance(step, bool) or not isinstance(step, numbers.Integral) or not 1 <= step <= len(hints):
+    if isinstance(step, bool) or not isinstance(step, numbers.Integral) or not 1 <= int(step) <= len(hints):
         return Help(f"{exercise_id} has the hints 1 to {len(hints)}.", f"Write hint({quoted_id}, step=1).")
     note_progress(exercise_id, ExerciseProgress(hints=int(step)))
     return Help(f"{exercise_id}: hint {step} of {len(hints)}", hints[step - 1])
 
 
-def solution(exercise_id, give_up=False):
+def solution(exercise_id: str, give_up: bool = False) -> Help:
     """Show a solution with its explanation, after three honest tries or after a right answer.
 
     An honest try is a `check` of an answer of yours that runs and does not pass. The same answer counts once.

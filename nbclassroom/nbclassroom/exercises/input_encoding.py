@@ -6,6 +6,7 @@ not count; a function under test must get exactly what the lesson would pass to 
 
 import base64
 import types
+from collections.abc import Callable
 
 import numpy as np
 
@@ -55,7 +56,7 @@ def decode(form):
     return _READERS[kind](content)
 
 
-_READERS = {
+_READERS: dict[str, Callable] = {
     "int": int,
     "float": float.fromhex,
     "bytes": base64.b64decode,

@@ -45,7 +45,8 @@ class NamesRead:
 
     def __init__(self, answer, runs=None):
         self._namespace, self._runs = globals_of(answer), runs or CellRuns()
-        self.names, self.modules, self._seen = {}, {}, set()
+        self.names, self.modules = {}, {}
+        self._seen: set[types.CodeType] = set()
         files = {code.co_filename for code in codes_of(answer).values()}
         self._sources = ["".join(linecache.getlines(file)) for file in files]
         self._own = set().union(*(bound_names(plain_python(source)) for source in self._sources))
@@ -146,7 +147,7 @@ def _names_at_once(node):
     """The names that a statement reads where it stands: of a function, in its decorators and defaults."""
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
         yield node.id
-    parts = ast.iter_child_nodes(node)
+    parts = list(ast.iter_child_nodes(node))
     if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)):
         defaults = [part for part in (*node.args.defaults, *node.args.kw_defaults) if part]
         parts = [*getattr(node, "decorator_list", ()), *defaults]

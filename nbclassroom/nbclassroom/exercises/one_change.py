@@ -38,7 +38,7 @@ _AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "
 _METHODS = ("upper", "lower", "strip", "copy", "tolist", "items", "keys", "values", *_AXES)
 _ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
 _ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
-_COMPARISONS = {
+_COMPARISONS: dict[type[ast.cmpop], tuple[tuple[type[ast.cmpop], str], ...]] = {
     ast.Lt: ((ast.LtE, _LIMIT), (ast.Gt, _DIRECTION)),
     ast.LtE: ((ast.Lt, _LIMIT), (ast.GtE, _DIRECTION)),
     ast.Gt: ((ast.GtE, _LIMIT), (ast.Lt, _DIRECTION)),
@@ -282,8 +282,8 @@ def _call(node, _tree):
     for argument in node.args:
         if isinstance(argument, ast.Name):
             yield _TRANSPOSED, _replacing(argument, "node.T")
-    if isinstance(getattr(node.func, "value", None), ast.BinOp):
-        inner = node.func.value
+    inner = getattr(node.func, "value", None)
+    if isinstance(inner, ast.BinOp):
         first = ast.Call(ast.Attribute(inner.left, name, ast.Load()), node.args, node.keywords)
         added = ast.BinOp(first, inner.op, inner.right)
         yield "what does it add up?", lambda: _become(node, added)
@@ -333,8 +333,8 @@ def _statement(node, tree):
         new = ast.Assign([node.target], node.value)
         yield "does it add up, or begin again?", lambda: _become(node, new)
     if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name | ast.Subscript):
-        new = ast.AugAssign(node.targets[0], ast.Add(), node.value)
-        yield "does it begin again, or add up?", lambda: _become(node, new)
+        added = ast.AugAssign(node.targets[0], ast.Add(), node.value)
+        yield "does it begin again, or add up?", lambda: _become(node, added)
     if isinstance(node, ast.Break | ast.Continue):
         yield "should the loop end here?", lambda: _become(node, ast.Pass())
         yield "should the loop end here?", lambda: _become(node, ast.Continue())
@@ -362,7 +362,7 @@ def _moved(node, tree):
         yield _ROUNDS, lambda inner=inner: (block.remove(node), inner.body.insert(0, node))
     before = block[position - 1] if position else None
     if isinstance(before, loop) and not isinstance(node, ast.Return):
-        yield _ROUNDS, lambda: (before.body.append(node), block.remove(node))
+        yield _ROUNDS, lambda: before.body.append(block.pop(position))
     while isinstance(outer, loop) and node is block[-1] and len(block) > 1:
         inner, (outer, around) = outer, _block_of(outer, tree)
         yield _ROUNDS, partial(_move_behind, node, block, inner, around)
@@ -402,9 +402,10 @@ def _constant(node, _tree):
     if getattr(node, "attr", "") == "inf":
         for start in ("0", "-node"):
             yield _NUMBER, _replacing(node, start)
-    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-        for number in (node.value + 1, node.value - 1, -node.value, math.inf):
-            if node.value or number > 0:
+    value = node.value if isinstance(node, ast.Constant) else None
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        for number in (value + 1, value - 1, -value, math.inf):
+            if value or number > 0:
                 yield _NUMBER, _setting(node, value=number)
 
 

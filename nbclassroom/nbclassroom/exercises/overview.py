@@ -27,10 +27,10 @@ class LessonProgress:
     title: str
     minutes: int
     core_minutes: int
-    needs: tuple  # numbers of lessons: ("03",)
-    exercises: tuple
-    deeper: tuple  # those that can be left out
-    passed: tuple
+    needs: tuple[str, ...]  # numbers of lessons: ("03",)
+    exercises: tuple[str, ...]
+    deeper: tuple[str, ...]  # those that can be left out
+    passed: tuple[str, ...]
     points: int = 0  # of those that have passed, without hidden checks
 
     @property
@@ -64,20 +64,20 @@ class LessonProgress:
 class Overview:
     """All lessons of a folder. A notebook shows it as a table with links; `print` gives the same as text."""
 
-    lessons: tuple
+    lessons: tuple[LessonProgress, ...]
 
     @property
-    def passed(self):
+    def passed(self) -> int:
         """Number of exercises that have passed."""
         return sum(len(lesson.passed) for lesson in self.lessons)
 
     @property
-    def exercises(self):
+    def exercises(self) -> int:
         """Number of all exercises."""
         return sum(len(lesson.exercises) for lesson in self.lessons)
 
     @property
-    def next_lesson(self):
+    def next_lesson(self) -> LessonProgress | None:
         """The first lesson that is not done, and is not a core without exercises before one that is begun."""
         begun = [k for k, lesson in enumerate(self.lessons) if lesson.passed]
         last = max(begun, default=-1)
@@ -131,7 +131,7 @@ def _row(tag, cells):
     return f"<tr>{cells}</tr>"
 
 
-def overview(folder=None):
+def overview(folder: Path | str | None = None) -> Overview:
     """The lessons of a folder, with what the learner has passed.
 
     Parameters
@@ -187,7 +187,7 @@ def _exercises_of(lesson, folder):
 class Certificate:
     """The page that was written; a notebook shows a link to it."""
 
-    def __init__(self, path):
+    def __init__(self, path: Path):
         self.path = path
 
     def __repr__(self):
@@ -198,7 +198,7 @@ class Certificate:
         return f"Written: {link}. Open it in the browser, and print it there (<b>Ctrl+P</b>)."
 
 
-def certificate(name, folder=None):
+def certificate(name: str, folder: Path | str | None = None) -> Certificate:
     """Writes certificate.html beside the lessons: lessons with exercises that passed, points and date.
 
     Parameters

@@ -18,8 +18,8 @@ import re
 
 if __package__:
     from . import cell_syntax
-else:
-    import cell_syntax
+else:  # a module by itself, which mypy does not know
+    import cell_syntax  # type: ignore[import-not-found,no-redef]
 
 _WRITE_FILE = re.compile(r"\s*%%writefile[ \t]+(?:-a[ \t]+)?([\w./-]+)[ \t]*\n")
 

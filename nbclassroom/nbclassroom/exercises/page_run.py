@@ -153,7 +153,8 @@ class PageRun:
             return
         cell = self._cells[number]
         kind = "answer" if cell["exercise"] else cell["kind"]
-        error, began = None, _monotonic()
+        began = _monotonic()
+        error: BaseException | None
         if place in self._skip:
             error = RuntimeError("it ended the process, or did not end in time")
         elif self._seconds[kind] > TOGETHER_SECONDS[kind]:

@@ -14,6 +14,7 @@ import json
 import linecache
 import os
 import re
+import sys
 import types
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -50,7 +51,7 @@ class _ProgressFile:
     exercises: dict[str, ExerciseProgress]
 
 
-_of_this_process = {}  # {exercise id: ExerciseProgress}
+_of_this_process: dict[str, ExerciseProgress] = {}  # by the ids of the exercises
 
 
 def learners_folder():
@@ -121,7 +122,7 @@ def _parse(data):
 def one_at_a_time(path):
     """A lock: the second process that uses it waits for the first."""
     with path.open("a+b") as file:
-        if os.name == "nt":
+        if sys.platform == "win32":
             import msvcrt
 
             msvcrt.locking(file.fileno(), msvcrt.LK_LOCK, 1)

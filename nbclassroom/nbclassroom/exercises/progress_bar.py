@@ -3,6 +3,7 @@
 import contextlib
 import os
 import sys
+from collections.abc import Iterable, Iterator
 
 from .progress import TEST_VARIABLE
 
@@ -23,7 +24,7 @@ def progress_bar(text):
         shown.update({"text/plain": "", "text/html": ""}, raw=True)
 
 
-def with_progress(values, text):
+def with_progress(values: Iterable, text: str) -> Iterator:
     """The values one by one; a learner's notebook shows how many are done."""
     values = list(values)
     with progress_bar(text) as progress:

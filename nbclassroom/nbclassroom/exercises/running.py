@@ -18,7 +18,6 @@ import math
 import operator
 import re
 import signal
-import sys
 import textwrap
 import threading
 import time
@@ -27,6 +26,7 @@ import traceback
 import types
 import warnings
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -39,8 +39,9 @@ _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
 _PATIENCE = 2  # time limits that a function may wait in addition, for the processor or in a sleep
-# Looked up before any code of a learner's runs; Windows has no timers.
-set_timer, set_handler = getattr(signal, "setitimer", None), signal.signal
+# Looked up before any code of a learner's runs; Windows has no timers: there it is None.
+set_timer: Any = getattr(signal, "setitimer", None)
+set_handler = signal.signal
 _monotonic, _thread_time = time.monotonic, time.thread_time
 
 
@@ -53,8 +54,8 @@ class NodeError(BaseException):
 
 
 # By these names grading knows how an answer ended, if the classes are these.
-KNOWN_ERRORS = {kind.__name__: kind for kind in (MemoryError, NotImplementedError, NodeError, NotGradedError)}
-KNOWN_ERRORS |= {"_ArrayMemoryError": MemoryError}
+_ERRORS: tuple[type, ...] = (MemoryError, NotImplementedError, NodeError, NotGradedError)
+KNOWN_ERRORS = {kind.__name__: kind for kind in _ERRORS} | {"_ArrayMemoryError": MemoryError}
 MEANT = "Did you mean"  # before the name that is most like a misspelled one
 
 
@@ -99,7 +100,8 @@ def call(function, arguments, names, time_limit, run=operator.call, most_bytes=N
     copies = copy.deepcopy(arguments)
     names = [*names[: len(copies)], *(f"argument {k + 1}" for k in range(len(names), len(copies)))]
     before = [canonical(value, limit=None) for value in copies]
-    output, texts = LimitedOutput(), []
+    output = LimitedOutput()
+    texts: list[str] = []
     with warnings.catch_warnings():
         warnings.simplefilter("always")
         warnings.showwarning = functools.partial(_keep_warning, texts)
@@ -122,18 +124,6 @@ def _keep_warning(texts, message, *_place):
     elif not texts:
         texts[:] = [text]
         warnings.filterwarnings("ignore", re.escape(text))
-
-
-@contextlib.contextmanager
-def by_itself():
-    """Run code without a reader and without anybody who answers it: as in grading, input() fails."""
-    output, stdin = LimitedOutput(), sys.stdin
-    sys.stdin = io.StringIO()
-    try:
-        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
-            yield
-    finally:
-        sys.stdin = stdin
 
 
 def _call_fields(function, arguments, time_limit, run, most_bytes):
@@ -261,10 +251,11 @@ def _in_thread(function, seconds):
     thread = threading.Thread(target=run, daemon=True)
     thread.start()
     thread.join(seconds)
+    ident = ctypes.c_ulong(thread.ident or 0)  # it has begun: it has a number
     for _ in range(20):
         if not thread.is_alive():
             break
-        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(TimeUp))
+        ctypes.pythonapi.PyThreadState_SetAsyncExc(ident, ctypes.py_object(TimeUp))
         thread.join(_REPEAT)
     if thread.is_alive():
         raise TimeUp("stuck")
@@ -353,7 +344,7 @@ def source_of(answer):
     code = next((code for code in codes_of(answer).values() if code.co_qualname.startswith(own)), None)
     text = "".join(linecache.getlines(code.co_filename)) if code else ""
     try:
-        node = _definition_in(text, code.co_firstlineno, answer) if text else None
+        node = _definition_in(text, code.co_firstlineno, answer) if code and text else None
         if node:
             lines = text.split("\n")[_first_line(node) - 1 : node.end_lineno]
             return textwrap.dedent("\n".join([*lines, ""]))

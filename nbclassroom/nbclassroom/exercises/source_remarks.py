@@ -58,9 +58,10 @@ def has_done(source, sentence):
 def _helpers(function):
     """(tree, source) of the functions that a function calls by name, and that stand in its file."""
     code = getattr(function, "__code__", None)
-    for name in code.co_names if code else ():
+    names, file = (code.co_names, code.co_filename) if code else ((), "")
+    for name in names:
         helper = function.__globals__.get(name)
-        if isinstance(helper, types.FunctionType) and helper.__code__.co_filename == code.co_filename:
+        if isinstance(helper, types.FunctionType) and helper.__code__.co_filename == file:
             source = source_of(helper)
             yield from ((tree, source) for tree in _body(source)[:1] if isinstance(tree, ast.FunctionDef))
 
@@ -114,11 +115,12 @@ def _why_none(tree):
     elif _reaches_end(tree.body):
         yield SAYS["way without return"].format(name=tree.name)
     for node in ast.walk(tree):
-        value = getattr(node, "value", None)
-        name = getattr(getattr(value, "func", None), "attr", "")
-        if name in _IN_PLACE and not isinstance(node, ast.Expr) and ast.unparse(value.func.value) != "np":
-            parts = {"call": ast.unparse(value), "value": ast.unparse(value.func.value)}
-            yield SAYS["method in place"].format(**parts)
+        call = None if isinstance(node, ast.Expr) else getattr(node, "value", None)
+        if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Attribute):
+            continue
+        owner = ast.unparse(call.func.value)
+        if call.func.attr in _IN_PLACE and owner != "np":
+            yield SAYS["method in place"].format(call=ast.unparse(call), value=owner)
 
 
 def _unused(tree):
@@ -129,8 +131,9 @@ def _unused(tree):
     for argument in tree.args.args:
         uses = (part for part in tree.body if re.search(rf"\b{argument.arg}\b", ast.unparse(part)))
         first = next(uses, None)
-        targets = map(ast.unparse, first.targets) if isinstance(first, ast.Assign) else ()
-        if argument.arg in targets and argument.arg not in _names(first.value):
+        if not isinstance(first, ast.Assign) or argument.arg in _names(first.value):
+            continue
+        if argument.arg in map(ast.unparse, first.targets):
             yield SAYS["argument lost"].format(name=argument.arg, line=ast.unparse(first))
 
 
@@ -189,8 +192,9 @@ def _remarks_on_comparison(node, source):
 def _without_effect(node, _source):
     """A statement that only compares, or whose result is lost; Python allows both."""
     value = node.value
-    if isinstance(value, ast.Call) and _PURE.fullmatch(ast.unparse(value.func)) and not value.keywords:
-        owner = value.func.value
+    function = value.func if isinstance(value, ast.Call) and not value.keywords else None
+    if isinstance(function, ast.Attribute) and _PURE.fullmatch(ast.unparse(function)):
+        owner = function.value
         changed = next(iter(value.args), owner) if ast.unparse(owner) in ("np", "math") else owner
         yield SAYS["result not kept"].format(call=ast.unparse(value), name=ast.unparse(changed))
     if isinstance(node.value, ast.Compare) and isinstance(node.value.ops[0], ast.Eq):
@@ -200,7 +204,7 @@ def _without_effect(node, _source):
 def _one_list(node, _source):
     """[[0] * columns] * rows"""
     row = node.left.elts[0] if isinstance(node.left, ast.List) and len(node.left.elts) == 1 else None
-    if isinstance(node.op, ast.Mult) and isinstance(getattr(row, "left", row), ast.List):
+    if row and isinstance(node.op, ast.Mult) and isinstance(getattr(row, "left", row), ast.List):
         parts = {"part": ast.unparse(node), "row": ast.unparse(row), "count": ast.unparse(node.right)}
         yield SAYS["rows that are one list"].format(**parts)
 
@@ -228,7 +232,7 @@ def _else_of_last_if(node, _source):
 
 def _never_stored(node, source):
     """if depth > best: place = k, and best keeps its first value in the whole loop."""
-    stored = {name.id for name in ast.walk(node) if _is_store(name)}
+    stored = {ast.unparse(name) for name in ast.walk(node) if _is_store(name)}
     for test in ast.walk(node):
         compared = test.test if isinstance(test, ast.If) else None
         if not isinstance(compared, ast.Compare) or not isinstance(compared.ops[0], ast.Lt | ast.Gt):

@@ -102,8 +102,8 @@ def describe_value(form, depth=0):
         return f"a {form['type']} of {len(form['items'])}: {items}"
     if form["type"] == "dict" and "items" in form:
         pairs = form["items"][:_MOST_ITEMS]
-        items = (f"{describe_value(k, depth + 1)}: {describe_value(v, depth + 1)}" for k, v in pairs)
-        return f"a dict: {', '.join(items)}"
+        texts = (f"{describe_value(k, depth + 1)}: {describe_value(v, depth + 1)}" for k, v in pairs)
+        return f"a dict: {', '.join(texts)}"
     return describe(form)
 
 

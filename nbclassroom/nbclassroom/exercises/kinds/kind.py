@@ -11,8 +11,8 @@ class Kind:
     """
 
     noun = "function"  # what texts call an answer
-    kernel_modules = ()  # modules of the folder, which the kernels that grade need
-    sensors = ()  # what an answer may observe, of which a declaration names some
+    kernel_modules: tuple[str, ...] = ()  # modules of the folder, which the kernels that grade need
+    sensors: tuple[str, ...] = ()  # what an answer may observe, of which a declaration names some
     expects_values = True  # whether what the solution gives is expected; else thresholds judge
     shares_kernel = True  # whether checks run one after another in one process, as long as they pass
     shows_values = False  # whether its values are shown, explained, and searched for one change

@@ -54,7 +54,8 @@ def draw_scenario(exercise, case, seed, drive_solution, public=(), on_drive=lamb
         if case.hidden and is_passed_by_repeating(public, scenario):
             problem = "a drive of the solution in a public scenario, repeated without looking, passes"
             continue
-        stricter, mistakes = with_margin(scenario), {}
+        stricter = with_margin(scenario)
+        mistakes: dict[str, CallResult] = {}
         record = drive_solution(stricter)
         on_drive()
         problem = _problem_of_solution(record, stricter)
@@ -113,7 +114,8 @@ def _drive_mistake(exercise, mistake, scenario):
 
 def drive_here(control, sensors, scenario):
     """The record of a drive of the course's own controller, in this process; and how a call failed, or {}."""
-    drive, memory = Drive(environment(tuple(sensors)), scenario), {}
+    drive = Drive(environment(tuple(sensors)), scenario)
+    memory: dict = {}
     while not drive.over:
         try:
             speeds = speeds_of(control(drive.observation, memory))

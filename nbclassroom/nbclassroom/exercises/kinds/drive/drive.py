@@ -165,8 +165,8 @@ class Drive:
     def _read(self, observation, info):
         is_nearer = self._actions and info["clearance"] != self._info["clearance"]
         self._decisive = self.looks if is_nearer else self._decisive
-        self._info = info
-        self.observation = course.load(course.drive_observation)(observation)
+        self._info: dict = info
+        self.observation: dict = course.load(course.drive_observation)(observation)
 
 
 def decisive_moment(record):

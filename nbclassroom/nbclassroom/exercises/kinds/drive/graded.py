@@ -53,7 +53,7 @@ class GradedDrive:
             self._ending = CallResult(timed_out=True)
             self._drive.stop(f"one look took more than {LOOK_SECONDS:g} s of processor time")
         elif "error" in action:
-            texts = {key: str(action.get(key, ""))[:_LONGEST] for key in ("error", "message", "line")}
+            texts: dict = {key: str(action.get(key, ""))[:_LONGEST] for key in ("error", "message", "line")}
             self._ending = call = CallResult(**texts)
             reason = ": ".join(filter(None, (call.error, call.message)))
             self._drive.stop(f"{reason} ({call.line})" if call.line else reason)

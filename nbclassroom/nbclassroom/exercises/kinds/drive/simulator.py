@@ -15,10 +15,10 @@ from nbclassroom.exercises.kinds.drive.images import draw_map, look_back
 
 
 class Simulator:
-    """Answers requests; each of its methods is one."""
+    """Answers requests; each of its methods is one, and `begin` comes before those of a drive."""
 
     def __init__(self):
-        self._environments, self._drive = {}, None
+        self._environments = {}
 
     def begin(self, sensors, scenario):
         self._drive = Drive(self._environment(sensors), scenario)

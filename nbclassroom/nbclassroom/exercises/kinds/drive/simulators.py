@@ -16,6 +16,7 @@ import time
 import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -52,16 +53,17 @@ class _Simulator:
             stderr=subprocess.DEVNULL,
             start_new_session=True,
         )
+        self._requests, self._replies = filter(None, (self._process.stdin, self._process.stdout))
 
     def ask(self, *request):
         """Send a request; its reply is to be read before the next one."""
         with contextlib.suppress(BrokenPipeError):  # `reply` tells
-            pickle.dump(request, self._process.stdin)
-            self._process.stdin.flush()
+            pickle.dump(request, self._requests)
+            self._requests.flush()
 
     def reply(self):
         try:
-            is_right, reply = pickle.load(self._process.stdout)
+            is_right, reply = pickle.load(self._replies)
         except (EOFError, pickle.UnpicklingError) as error:
             raise SimulatorError("a simulator ended unexpectedly; check again") from error
         if not is_right:
@@ -69,17 +71,17 @@ class _Simulator:
         return reply
 
     def fileno(self):
-        return self._process.stdout.fileno()
+        return self._replies.fileno()
 
     def close(self):
         self._process.kill()
-        for pipe in (self._process.stdin, self._process.stdout):
+        for pipe in (self._requests, self._replies):
             with contextlib.suppress(OSError):
                 pipe.close()
         self._process.wait()
 
 
-_simulators = []  # of this process
+_simulators: list[_Simulator] = []  # of this process
 
 
 @atexit.register
@@ -129,7 +131,7 @@ class _Burden:
 class _Run:
     """One drive of a `control`: what it was told, what it printed, and why it failed."""
 
-    control: object
+    control: Any  # the function; None after all drives cost too much
     scenario: dict
     burden: _Burden
     memory: dict = field(default_factory=dict)
@@ -138,7 +140,7 @@ class _Run:
     prints: list = field(default_factory=list)  # (seconds after the start, LimitedOutput) of each call
     warning: str = ""
     failure: dict = field(default_factory=dict)
-    record: dict | None = None
+    record: dict = field(default_factory=dict)
 
     def answer(self, observation, name):
         """The request to the simulator after an observation."""
@@ -215,7 +217,8 @@ def drive_scenarios(exercise, scenarios, make_control, progress=None):
     """
     burden = _Burden()
     runs = [_Run(make_control(), scenario, burden) for scenario in scenarios]
-    waiting, driving, looks = list(runs), {}, 0
+    waiting, looks = list(runs), 0
+    driving: dict[_Simulator, _Run] = {}
     total = sum(map(looks_of, scenarios))
     with _all_simulators() as simulators:
         while waiting or driving:
@@ -265,7 +268,7 @@ def _distance(mistake, call):
     ((_, missed), (_, path)), ((_, own_missed), (_, own_path)) = (
         result.value["items"] for result in (predicted, call.result)
     )
-    paths = array_of(path)[:end], array_of(own_path)[:end]
-    if missed != own_missed or paths[0].shape != paths[1].shape:
+    path, own_path = array_of(path), array_of(own_path)
+    if path is None or own_path is None or missed != own_missed or path[:end].shape != own_path[:end].shape:
         return np.inf
-    return float(np.abs(paths[0] - paths[1]).max())
+    return float(np.abs(path[:end] - own_path[:end]).max())

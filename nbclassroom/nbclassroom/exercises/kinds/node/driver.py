@@ -56,7 +56,8 @@ def drive(node_class, look, steps):
     with _recording(node_class) as recording_class, _traps(node_class) as used:
         node = recording_class()
         record = node._node_record
-        early, results = len(record.published), []
+        early = len(record.published)
+        results: list[dict] = []
         for step in steps:
             has_ended = bool(results) and bool(results[-1].get("ended"))
             results.append(results[-1] if has_ended else _take_step(node, record, step))
@@ -82,7 +83,7 @@ def _recording(node_class):
         yield node_class
         return
     unknown = {name for name in dir(ros_node) if not name.startswith("_")} - set(dir(RecordingNode))
-    refusals = {name: property(lambda _, name=name: refuse(f"{name} of a node")) for name in unknown}
+    refusals = {name: property(lambda *_, name=name: refuse(f"{name} of a node")) for name in unknown}
     between = type("Node", (RecordingNode, ros_node), refusals)
     start = ros_node.__init__
 
@@ -122,7 +123,7 @@ def _traps(node_class):
         for function, name in _TRAPS[module_name].items()
     }
     members = (value for kind in node_class.__mro__ for value in vars(kind).values())
-    own_names = next((value.__globals__ for value in members if hasattr(value, "__globals__")), {})
+    own_names: dict = next((value.__globals__ for value in members if hasattr(value, "__globals__")), {})
     with contextlib.ExitStack() as stack:
         for names in (*map(vars, modules.values()), own_names):
             for name, value in list(names.items()):
@@ -199,7 +200,7 @@ def _ask_parameters(node, step):
         names = filter(node.has_parameter, step["get"])
         return {"parameters": {name: node.get_parameter(name).value for name in names}}
     parameter_class = importlib.import_module("rclpy.parameter").Parameter
-    accepted = {}
+    accepted: dict = {}
     for name, value in step["set"].items():
         accepted[name] = None
         if node.has_parameter(name):

@@ -124,8 +124,8 @@ _STEP = r"/steps/(?P<step>\d+)"
 _IMAGE = f"{_STEP}/published/0"
 # A path in a record, perhaps with its values ("/path: given, not expected"), and below it a sentence; and an
 # error as Python prints it, with the line that raised it, and below it what the error means.
-_PHRASES = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
-_PHRASES = read_phrases(_PHRASES.replace("STEP", _STEP).replace("IMAGE", _IMAGE))
+_TEXT = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
+_PHRASES = read_phrases(_TEXT.replace("STEP", _STEP).replace("IMAGE", _IMAGE))
 _ADVICE = _PHRASES["<advice>"]
 # What makes a sentence of the two values and of the steps up to this one
 _RULES = {f"{_STEP}/parameters": _on_parameters, f"{_IMAGE}/pixels": _on_pixels}

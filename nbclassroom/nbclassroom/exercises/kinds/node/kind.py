@@ -11,7 +11,7 @@ class Kind(FunctionKind):
     """A class of a node."""
 
     name, noun = "node", "class"
-    kernel_modules = ("driver", "recording_node", "ros_double")
+    kernel_modules: tuple[str, ...] = ("driver", "recording_node", "ros_double")
     shows_values = False  # a record is no reading
     has_sentences = True
     refuses_parts = True

@@ -48,7 +48,7 @@ rcl_interfaces ParameterValue type:int bool_value:bool integer_value:int double_
 
 def _messages():
     """The classes of the messages."""
-    kinds = {"bool": bool, "int": int, "float": float, "str": str}
+    kinds: dict = {"bool": bool, "int": int, "float": float, "str": str}
     kinds |= {"bytes": functools.partial(array.array, "B"), "floats": functools.partial(array.array, "f")}
     for line in re.split(r"\n(?=\w)", _DEFINITIONS)[1:]:
         package, name, *fields = line.split()
@@ -61,17 +61,16 @@ def _messages():
 
 
 _PYTHON_TYPES = {bool: "BOOL", int: "INTEGER", float: "DOUBLE", str: "STRING", type(None): "NOT_SET"}
-_Type = enum.Enum("Type", ("NOT_SET", "BOOL", "INTEGER", "DOUBLE", "STRING"), start=0)
 
 
 class _Parameter:
-    Type = _Type
+    Type = enum.Enum("Type", ("NOT_SET", "BOOL", "INTEGER", "DOUBLE", "STRING"), start=0)
 
     def __init__(self, name, type_=None, value=None):
         names = [text for kind, text in _PYTHON_TYPES.items() if isinstance(value, kind)]
         if not names:
             refuse(f"a value of the type {type(value).__name__} for a parameter")
-        self.name, self.value, self.type_ = name, value, _Type[names[0]]
+        self.name, self.value, self.type_ = name, value, self.Type[names[0]]
         if type_ not in (None, self.type_):
             raise ValueError(f"the parameter {name} is a {type_.name}, and {value!r} is not")
 
@@ -80,7 +79,7 @@ class _Parameter:
         return ros_name("rcl_interfaces.msg", "ParameterValue")(**values)
 
 
-_POLICIES = {
+_POLICIES: dict = {
     name.lower(): enum.IntEnum(f"{name}Policy", values, start=0)
     for name, values in {
         "Reliability": "SYSTEM_DEFAULT RELIABLE BEST_EFFORT UNKNOWN BEST_AVAILABLE",
@@ -136,7 +135,7 @@ _EMPTY_MODULES = re.findall(
 
 def _modules():
     """{name: what the double has in this module}."""
-    modules = {name: {} for name in course.ros_messages}
+    modules: dict[str, dict] = {name: {} for name in course.ros_messages}
     for kind in _messages():
         modules.setdefault(kind.__module__.partition(".")[0], {})
         modules.setdefault(kind.__module__, {})[kind.__name__] = kind
@@ -159,7 +158,7 @@ def _modules():
     }
 
 
-def offer_modules(*, even_if_installed=False):
+def offer_modules(*, even_if_installed: bool = False) -> None:
     """Let `import rclpy` give the double where ROS is missing, and `import cv_bridge` the course's own.
 
     `even_if_installed`: in grading; there ROS would need the network.
