@@ -200,7 +200,6 @@ def _keep_varying_outputs(notebook, stored_path, master):
 
 
 def _code_cells(notebook):
-    """Each code cell, and the code up to it."""
     code = [cell for cell in notebook.cells if cell.cell_type == "code"]
     return [(cell, tuple(each.source for each in code[: number + 1])) for number, cell in enumerate(code)]
 

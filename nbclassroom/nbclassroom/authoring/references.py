@@ -101,7 +101,6 @@ class References:
         raise MasterError(f"{self._place(target)}: [[{target}]] names no {kind}; {advice}")
 
     def _section_cell(self, path, section, target):
-        """The id of the cell that a section begins with."""
         heading = re.compile(rf"^#+ {section}\b", re.M)
         cells = (cell for cell in read_script(path).cells if cell.role not in DROPPED_ROLES)
         for position, cell in enumerate(cells, 1):
@@ -122,7 +121,6 @@ class References:
 
 
 def _title(path):
-    """The title of a lesson, of which the whole master is not read."""
     match = _TITLE.search(path.read_text(encoding="utf-8"))
     return match[1].strip("\"'") if match else lesson_name(path.stem).replace("_", " ").capitalize()
 

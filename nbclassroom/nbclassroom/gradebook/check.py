@@ -4,7 +4,6 @@ The notebook is read by the same reader as in the command `grade`, so that both 
 report the same findings. Here each answer can also be run against the public checks, in the same kernels.
 """
 
-import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -45,13 +44,12 @@ class ExerciseCheck:
 
 @dataclass
 class LessonCheck:
-    """A checked lesson; `was_run`: its answers were run; `deeper` exercises can be left out."""
+    """A checked lesson; `was_run`: its answers were run."""
 
     path: Path
     content: SubmissionContent
     exercises: list
     was_run: bool = False
-    deeper: frozenset = frozenset()
 
     @property
     def ready(self):
@@ -63,7 +61,7 @@ class LessonCheck:
     def open(self):
         """The deeper exercises that were not attempted."""
         left = [entry for entry in self.exercises if entry.state is AnswerState.NOT_ATTEMPTED]
-        return [entry for entry in left if entry.exercise.id in self.deeper]
+        return [entry for entry in left if entry.exercise.id in self.content.deeper]
 
 
 class CheckFileCatalog:
@@ -110,15 +108,7 @@ def check_lesson(path):
         state = content.states[exercise.id]
         notes = content.texts_about(exercise.id) + ([_ADVICE[state]] if state in _ADVICE else [])
         checks.append(ExerciseCheck(exercise, state, notes))
-    return LessonCheck(path, content, checks, deeper=_deeper_exercises(data))
-
-
-def _deeper_exercises(data):
-    """Ids of the exercises that the notebook's metadata calls deeper."""
-    try:
-        return frozenset(json.loads(data)["metadata"][course.name]["deeper"])
-    except (KeyError, TypeError, ValueError):  # an older lesson, or another form that is read all the same
-        return frozenset()
+    return LessonCheck(path, content, checks)
 
 
 def _read(path):
@@ -185,8 +175,9 @@ def report_lines(lesson_check):
     """The report of a LessonCheck, line by line for a terminal."""
     yield f"{lesson_check.path.name}: {lesson_check.content.lesson}"
     yield from (f"  note: {note}" for note in lesson_check.content.texts_about(""))
+    deeper = lesson_check.content.deeper
     for entry in lesson_check.exercises:
-        kinds = {"practice": entry.exercise.practice, "deeper": entry.exercise.id in lesson_check.deeper}
+        kinds = {"practice": entry.exercise.practice, "deeper": entry.exercise.id in deeper}
         kind = ", ".join(name for name, holds in kinds.items() if holds)
         summary = str(entry.state)
         if entry.result is not None:

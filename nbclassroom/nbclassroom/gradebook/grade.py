@@ -94,7 +94,7 @@ def grade_submissions(
             report_copies(pages.finish(), learners, copies.result()),
             answer_keys,
             sandbox=not unsafe,
-            deadlines=rules.deadlines,
+            rules=rules,
             collection=collection,
             roster=roster_report(roster, learners) if roster is not None else None,
             anonymous=anonymous,

@@ -58,7 +58,7 @@ class LearnerPages:
         entry = learner_entry(learner, self._answer_keys, self._store, self._rules, anonymous=self._anonymous)
         self.entries[learner.name] = entry
         page_entry = learner_without_name(entry) if self._anonymous else entry
-        policy = self._rules.deadlines.policy
+        policy = self._rules.policy
         try:
             results = {lesson: self._store.result(digest) for lesson, digest in learner.digests.items()}
             keep = partial(self._keep_parts, learner)

@@ -18,14 +18,14 @@ from .teacher_tables import plain_number
 FORMAT = 5
 
 
-def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster, anonymous):
+def grades_of(entries, answer_keys, *, sandbox, rules, collection, roster, anonymous):
     """The content of grades.json; `entries` are from `learner_entry`, `roster` from `roster_report`."""
     return {
         "format": FORMAT,
         "course": course.release(),
         "sandbox": sandbox,
-        "deadline": deadlines.deadline.isoformat() if deadlines.deadline else None,
-        "late_policy": deadlines.policy.text if deadlines.policy else None,
+        "deadline": rules.deadline.isoformat() if rules.deadline else None,
+        "late_policy": rules.policy.text if rules.policy else None,
         "anonymous_pages": anonymous,
         "keys": [_key_entry(key) for key in answer_keys.keys],
         "learners": entries,
@@ -75,15 +75,15 @@ def _key_entry(key):
 
 def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
     """A graded learner's part of grades.json; `rules` are assigned TeacherRules."""
-    deadlines, decisions = rules.deadlines, rules.decisions.get(learner.name, ())
+    decisions = rules.decisions.get(learner.name, ())
     submissions = [*learner.submissions.values(), *learner.unidentified]
-    about = answer_keys, store, deadlines
+    about = answer_keys, store, rules
     lessons = [_lesson_entry(learner, submission, *about) for submission in submissions]
     for name in {decision.lesson for decision in decisions} - learner.submissions.keys():
         lessons.append(_lesson_entry(learner, _nothing_submitted(name, submissions), *about))
     for lesson in lessons:
         own = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
-        _settle_lesson(lesson, own, deadlines.policy)
+        _settle_lesson(lesson, own, rules.policy)
     page = anonymous_id(learner.name, answer_keys) if anonymous else page_name(learner.name)
     order = {name: (lesson.number, name) for name, lesson in answer_keys.lessons.items()}
     return {
@@ -140,7 +140,7 @@ def _nothing_submitted(lesson, submissions):
     return Submission(file, "", SubmissionContent(lesson=lesson, reason="nothing was submitted"))
 
 
-def _lesson_entry(learner, submission, answer_keys, store, deadlines):
+def _lesson_entry(learner, submission, answer_keys, store, rules):
     content = submission.content
     lesson = (submission.key or answer_keys).lessons.get(content.lesson)
     result = store.result(submission.answers_digest) if submission.answers_digest else None
@@ -151,7 +151,7 @@ def _lesson_entry(learner, submission, answer_keys, store, deadlines):
             text = "its stored output says that every check passes, but in grading not every check passes"
             findings.append(Finding("odd", exercise.id, text))
     earlier = learner.earlier.get(content.lesson, ())
-    earlier = [_file_entry(learner, one, deadlines) | {"reason": one.content.reason} for one in earlier]
+    earlier = [_file_entry(learner, one, rules) | {"reason": one.content.reason} for one in earlier]
     return {
         "lesson": content.lesson,
         "title": lesson.title if lesson else "",
@@ -161,21 +161,21 @@ def _lesson_entry(learner, submission, answer_keys, store, deadlines):
         "max_points": lesson.points if lesson else 0,
         "version": content.version,
         "key": submission.key.digest if submission.key else None,
-        **_file_entry(learner, submission, deadlines),
+        **_file_entry(learner, submission, rules),
         "findings": [asdict(finding) for finding in findings],
         "exercises": _exercise_entries(result) if result else [],
         "earlier": earlier,
     }
 
 
-def _file_entry(learner, submission, deadlines):
+def _file_entry(learner, submission, rules):
     file, lesson = submission.file, submission.content.lesson
     return {
         "file": file.source,
         "sha256": submission.file_digest or None,
         "submitted_at": file.submitted_at.isoformat() if file.submitted_at else None,
-        "late": deadlines.is_late(learner.name, lesson, file),
-        "days_late": deadlines.days_late(learner.name, lesson, file),
+        "late": rules.is_late(learner.name, lesson, file),
+        "days_late": rules.days_late(learner.name, lesson, file),
         "platform": file.platform,
         "platform_id": file.platform_id,
     }

@@ -71,7 +71,6 @@ def _grades_row(learner, lesson):
 
 
 def _decision_texts(lesson):
-    """What the teacher decided about a lesson and its exercises, in words."""
     for entry, name in [(lesson, ""), *((exercise, exercise["id"]) for exercise in lesson["exercises"])]:
         decision = entry["decision"]
         if decision:

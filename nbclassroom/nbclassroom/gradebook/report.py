@@ -200,7 +200,6 @@ def _case_view(case, key_exercise, replaced_by_advice, show_values):
 
 
 def _map_of(case):
-    """The map of a case's drive, an AnswerImage."""
     from ..exercises.kinds.drive.images import draw_map
 
     record = case.drive | {"ended": "", "missed": not case.passed}

@@ -59,6 +59,7 @@ class SubmissionContent:
     states    {exercise id: AnswerState} of every exercise
     claims    exercise ids whose stored outputs say that every check passes
     is_page   it is a page of the course that has no answers, such as the index
+    deeper    ids of exercises that can be left out, as the notebook says
     """
 
     lesson: str | None = None
@@ -69,6 +70,7 @@ class SubmissionContent:
     claims: list = field(default_factory=list)
     reason: str = ""
     is_page: bool = False
+    deeper: list = field(default_factory=list)
 
     @property
     def answers(self):
@@ -89,7 +91,7 @@ def read_submission(data, catalog, reader, name=""):
     notebook, reason = reader.read(data)
     if notebook is None:
         return SubmissionContent(lesson=lesson_by_name(name, catalog.lessons), reason=reason)
-    content = SubmissionContent(version=notebook["version"])
+    content = SubmissionContent(version=notebook["version"], deeper=notebook["deeper"])
     cells = [cell for cell in notebook["cells"] if cell is not None]
     content.lesson = _recognize(notebook, cells, catalog, name, content)
     if content.lesson is None:

@@ -52,7 +52,8 @@ class UnreadableError(ValueError):
 def read_notebook(data):
     """Read the bytes of a notebook as plain data; UnreadableError: they are none of format 4 or 3.
 
-    lesson, version, kernel  str, or None if the notebook does not name them
+    lesson, version, kernel, python  str, or None if the notebook does not name them
+    deeper  list, with the ids of the exercises that can be left out
     cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
            `exercise` (the id in its metadata, or "") and `functions` (see `cell_syntax.function_definitions`;
            of a cell that is no code only if its text is). A code cell and a cell of the course have `source`
@@ -79,6 +80,7 @@ def read_notebook(data):
         "version": _text(notebook, "metadata", _COURSE, "version"),
         "kernel": _text(notebook, "metadata", "kernelspec", "name"),
         "python": _text(notebook, "metadata", "language_info", "version"),
+        "deeper": _at(notebook, list, "metadata", _COURSE, "deeper") or [],
         "cells": _cells(cells),
     }
 
@@ -228,7 +230,6 @@ def _slip(source, error):
 
 
 def _output_text(cell):
-    """The beginning of a cell's stored outputs, as text."""
     texts = []
     for output in (_at(cell, list, "outputs") or [])[:20]:
         for text in (_at(output, object, "text"), _at(output, object, "data", "text/plain")):

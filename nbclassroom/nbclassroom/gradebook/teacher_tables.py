@@ -7,7 +7,7 @@ import contextlib
 import difflib
 import math
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
 
 from ..authoring.lesson_names import lesson_name
@@ -205,49 +205,26 @@ def read_late_policy(text):
     return LatePolicy(float(match[1]), int(match[2]) if match[2] else None, text.strip())
 
 
-@dataclass(frozen=True)
-class Deadlines:
-    """The deadline, a local time, the late policy, and {learner's name: list of Extension}."""
-
-    deadline: datetime | None = None
-    policy: LatePolicy | None = None
-    extensions: dict = field(default_factory=dict)
-
-    def due(self, learner, lesson):
-        """(the deadline of a learner's lesson or None, whether it is an extension)."""
-        for scope in (lesson, ""):
-            for extension in self.extensions.get(learner, ()):
-                if extension.lesson == scope:
-                    return extension.deadline, True
-        return self.deadline, False
-
-    def days_late(self, learner, lesson, file):
-        """How many days had begun after the deadline when a file was submitted; 0 if it was in time."""
-        due, _ = self.due(learner, lesson)
-        if due is None or file.submitted_at is None or file.submitted_at <= due:
-            return 0
-        return math.ceil((file.submitted_at - due) / timedelta(days=1))
-
-    def is_late(self, learner, lesson, file):
-        """Whether a file is late: by its time, or as the platform says if there is no extension."""
-        _, extended = self.due(learner, lesson)
-        return self.days_late(learner, lesson, file) > 0 or (file.late and not extended)
-
-
 class TeacherRules:
     """The teacher's deadline, late policy, extensions and decisions; those two are Paths of tables.
 
-    After `assign`: names {name or anonymous id: the learner's name}, deadlines (Deadlines), and
-    decisions {learner's name: list of Decision}. Mistakes in a table or in the policy are ValueErrors.
+    deadline   a local time or None
+    policy     the LatePolicy or None
+    decisions  after `assign`, {learner's name: list of Decision}
+
+    Mistakes in a table or in the policy are ValueErrors.
     """
 
     def __init__(self, answer_keys, *, deadline=None, late=None, extensions=None, decisions=None):
         if late and not deadline:
             raise ValueError("--late needs the deadline: --deadline 2026-12-01T23:59")
-        self._answer_keys, self._deadline = answer_keys, deadline
-        self._policy = read_late_policy(late) if late else None
-        self._extensions = read_extensions(extensions, answer_keys) if extensions else []
-        self._decisions = read_decisions(decisions, answer_keys) if decisions else []
+        self._answer_keys, self.deadline = answer_keys, deadline
+        self.policy = read_late_policy(late) if late else None
+        self._tables = (
+            read_extensions(extensions, answer_keys) if extensions else [],
+            read_decisions(decisions, answer_keys) if decisions else [],
+        )
+        self._extensions, self.decisions = {}, {}
 
     def assign(self, learners, roster=()):
         """Assign extensions and decisions to learners, who are read but not yet graded.
@@ -255,12 +232,10 @@ class TeacherRules:
         A row about a person of the roster who submitted nothing waits for the submission. TableError:
         nobody has a name, or a decision is on an exercise that cannot be graded.
         """
-        self.names = {anonymous_id(learner.name, self._answer_keys): learner.name for learner in learners}
-        self.names |= {learner.name: learner.name for learner in learners}
-        known_names = names_in_roster(roster, learners) | self.names
-        extensions = _by_learner(self._extensions, known_names)
-        self.deadlines = Deadlines(self._deadline, self._policy, extensions)
-        self.decisions = _by_learner(self._decisions, known_names)
+        names = names_in_roster(roster, learners)
+        names |= {anonymous_id(learner.name, self._answer_keys): learner.name for learner in learners}
+        names |= {learner.name: learner.name for learner in learners}
+        self._extensions, self.decisions = (_by_learner(rows, names) for rows in self._tables)
         for learner in learners:
             for decision in self.decisions.get(learner.name, ()):
                 submission = learner.submissions.get(decision.lesson)
@@ -268,3 +243,23 @@ class TeacherRules:
                     problem = "was not submitted" if submission is None else "could not be graded"
                     text = f"{decision.learner}'s {decision.lesson} {problem}, so it has no exercises"
                     raise TableError(f"{decision.place}: {text}; leave the exercise empty")
+
+    def _due(self, learner, lesson):
+        """(the deadline of a learner's lesson or None, whether it is an extension)."""
+        for scope in (lesson, ""):
+            for extension in self._extensions.get(learner, ()):
+                if extension.lesson == scope:
+                    return extension.deadline, True
+        return self.deadline, False
+
+    def days_late(self, learner, lesson, file):
+        """How many days had begun after the deadline when a file was submitted; 0 if it was in time."""
+        due, _ = self._due(learner, lesson)
+        if due is None or file.submitted_at is None or file.submitted_at <= due:
+            return 0
+        return math.ceil((file.submitted_at - due) / timedelta(days=1))
+
+    def is_late(self, learner, lesson, file):
+        """Whether a file is late: by its time, or as the platform says if there is no extension."""
+        _, extended = self._due(learner, lesson)
+        return self.days_late(learner, lesson, file) > 0 or (file.late and not extended)

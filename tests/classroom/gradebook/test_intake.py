@@ -17,7 +17,7 @@ from nbclassroom.gradebook.csv_table import TableError
 from nbclassroom.gradebook.learners import read_all
 from nbclassroom.gradebook.result_store import ResultStore
 from nbclassroom.gradebook.roster import names_in_roster, read_roster, roster_report
-from nbclassroom.gradebook.teacher_tables import Deadlines
+from nbclassroom.gradebook.teacher_tables import TeacherRules
 from submissions import answers_of, make_zip, notebook, write
 
 LESSONS = ("light", "sound")
@@ -152,7 +152,7 @@ def test_a_date_in_a_learners_zip_is_not_believed(read, light, submissions):
     members = [("20_light.ipynb", json.dumps(notebook(light)))]
     make_zip(submissions / "bob.zip", members, datetime(2020, 1, 1), modified=datetime(2026, 12, 5))
     file = read(submissions)[1]["bob"].submissions["light"].file
-    assert Deadlines(datetime(2026, 12, 1)).is_late("bob", "light", file)
+    assert TeacherRules(None, deadline=datetime(2026, 12, 1)).is_late("bob", "light", file)
 
 
 def test_a_folder_that_cannot_be_read_costs_nobody_else(light):
