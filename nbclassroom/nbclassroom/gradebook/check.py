@@ -85,15 +85,15 @@ class CheckFileCatalog:
         return self.lessons[lesson].read()
 
 
-def check_lesson(path):
+def check_lesson(path, folders=None):
     """Inspect a learner's notebook, without running anything in it; a LessonCheck.
 
-    LessonFileError: no such file, no notebook, or no lesson of this course; CheckFileError: its checks are
-    missing or damaged.
+    `folders` are those of checks, if not the one beside the notebook and the course's. LessonFileError: no
+    such file, no notebook, or no lesson of this course; CheckFileError: its checks are missing or damaged.
     """
     path = Path(path)
     data = _read(path)
-    catalog = CheckFileCatalog(check_files.checks_folders(path.resolve().parent))
+    catalog = CheckFileCatalog(folders or check_files.checks_folders(path.resolve().parent))
     if not catalog.lessons and not catalog.damage:
         raise check_files.CheckFileError(check_files.NO_CHECKS)
     with NotebookReader() as reader:
