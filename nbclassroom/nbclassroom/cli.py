@@ -205,7 +205,11 @@ def key(lessons, seed, out, masters, replace, unsafe):
     seed = key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed
     key_seed.require_unguessable(seed)
     answer_key = make_key(masters, seed, out, lessons, unsafe=unsafe, replace=replace, say=click.echo)
-    click.echo("\n".join(_lines_about_key(answer_key, out)))
+    lessons = answer_key.lessons.values()
+    count = sum(not exercise.practice for lesson in lessons for exercise in lesson.exercises)
+    click.echo(f"Key in {out}/: lessons {len(lessons)}, exercises with points {count}.")
+    if without_points := [lesson.name for lesson in lessons if not lesson.points]:
+        click.echo(f"Lessons without points: {', '.join(without_points)}.")
     if is_seed_saved:
         click.echo(f"Its secret seed is saved in {seed_file}: you need it to make the same key again.")
     else:
@@ -214,15 +218,6 @@ def key(lessons, seed, out, masters, replace, unsafe):
         if _would_be_committed(path):
             text = "is in a git checkout and git does not ignore it: add it to .gitignore"
             click.echo(f"Warning: {path} {text}", err=True)
-
-
-def _lines_about_key(answer_key, folder):
-    lessons = answer_key.lessons.values()
-    count = sum(not exercise.practice for lesson in lessons for exercise in lesson.exercises)
-    yield f"Key in {folder}/: lessons {len(lessons)}, exercises with points {count}."
-    without_points = [lesson.name for lesson in lessons if not lesson.points]
-    if without_points:
-        yield f"Lessons without points: {', '.join(without_points)}."
 
 
 def _would_be_committed(path):

@@ -152,9 +152,9 @@ def _read(path):
         problem = f"it has no {missing}" if missing else f"nothing reads {unknown}"
         raise CourseError(f"{path}: {problem}; the keys are {', '.join(KEYS)}")
     for name, value in values.items():
-        if not isinstance(value, list if isinstance(KEYS[name], list) else str):
-            kind = "a list of texts" if isinstance(KEYS[name], list) else "a text"
-            raise CourseError(f"{path}: {name} must be {kind}, and is {value!r}")
+        kind, text = (list, "a list of texts") if isinstance(KEYS[name], list) else (str, "a text")
+        if not isinstance(value, kind):
+            raise CourseError(f"{path}: {name} must be {text}, and is {value!r}")
     return {
         name: tuple(value) if isinstance(value, list) else value for name, value in (KEYS | values).items()
     }

@@ -107,7 +107,7 @@ def _people(roster, learners):
     A folder that a class list numbered, 01_ada, is Ada's if nothing else arrived under her name.
     """
     people = {entry: [one for one in learners if any(map(entry.is_sender, one.files))] for entry in roster}
-    names = _names_of(people)
+    names = {learner.name for senders in people.values() for learner in senders}
     numbers = [(one, _CLASS_LIST_NUMBER.match(one.name)) for one in learners if one.name not in names]
     numbered = [(one, one.name[number.end() :]) for one, number in numbers if number]
     for entry, senders in people.items():
@@ -115,10 +115,6 @@ def _people(roster, learners):
         if not senders and len(others) == 1:
             senders += others
     return people
-
-
-def _names_of(people):
-    return {learner.name for senders in people.values() for learner in senders}
 
 
 def names_in_roster(roster, learners):
@@ -137,7 +133,7 @@ def names_in_roster(roster, learners):
 def roster_report(roster, learners):
     """The roster's `count`, who submitted nothing (`missing`), and who is not in it (`unknown`): names."""
     people = _people(roster, learners)
-    known = _names_of(people)
+    known = {learner.name for senders in people.values() for learner in senders}
     return {
         "count": len(roster),
         "missing": [entry.name for entry in roster if not people[entry]],

@@ -53,7 +53,7 @@ class Extension:
 
 def read_decisions(path, answer_keys, text=None):
     """The Decisions in a table, or in the `text` that it shall have; TableError: a row has a mistake."""
-    decisions, places = [], {}
+    decisions = {}
     for row, place in _rows(read_csv(path, text), DECISION_COLUMNS, ("learner", "lesson", "points")):
         lesson = _lesson(row["lesson"], answer_keys, place)
         exercise = _exercise(row["exercise"], lesson, answer_keys, place)
@@ -61,11 +61,10 @@ def read_decisions(path, answer_keys, text=None):
         if points is None and not excused and not row["comment"]:
             raise TableError(f"{place}: it decides nothing; give points, excused, or a comment")
         target = (row["learner"], lesson.name, exercise.id if exercise else "")
-        if target in places:
-            raise TableError(f"{place}: the same as {places[target]}; remove one of them")
-        places[target] = place
-        decisions.append(Decision(*target, points, excused, row["comment"], place))
-    return decisions
+        if target in decisions:
+            raise TableError(f"{place}: the same as {decisions[target].place}; remove one of them")
+        decisions[target] = Decision(*target, points, excused, row["comment"], place)
+    return list(decisions.values())
 
 
 def read_extensions(path, answer_keys):
