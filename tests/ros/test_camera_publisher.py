@@ -1,10 +1,26 @@
 """The camera: the recording's own pixels, headers and stamps, at any speed, on the robot's topics."""
 
 import itertools
+import time
 import types
 
+import cv2
 import numpy as np
 import pytest
+
+pytest.importorskip("rclpy", reason="needs ROS 2")
+
+from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
+from sensor_msgs.msg import CameraInfo, CompressedImage, Image
+
+from imgproc_course.messages import array_to_compressed, compressed_to_array, image_to_array
+from imgproc_course.recording import NotRecordedError, RecordingError, open_recording
+from imgproc_course.ros import ImageSubscriber, open_camera
+from imgproc_course.ros.camera_publisher import CameraPublisher
+from imgproc_course.ros.image_sources import RecordedImages, Webcam
+from imgproc_course.ros.robot_topics import camera_topics
+
+pytestmark = pytest.mark.ros
 
 TOPIC = "/kachaka/front_camera/image_raw"
 CLOSED = []
@@ -29,10 +45,6 @@ class FakeRecording:
         return np.full((2, 3, 3), k, np.uint8)
 
     def message(self, k):
-        from sensor_msgs.msg import CompressedImage
-
-        from imgproc_course.messages import array_to_compressed
-
         msg = array_to_compressed(np.full((2, 3, 3), k, np.uint8), "bgr8", format="png")
         assert isinstance(msg, CompressedImage)
         msg.header.frame_id = self.frame_id
@@ -40,8 +52,6 @@ class FakeRecording:
 
     @property
     def camera_info(self):
-        from sensor_msgs.msg import CameraInfo
-
         info = CameraInfo(height=2, width=3, distortion_model="plumb_bob", d=[0.1, 0.2, 0.3, 0.4, 0.5])
         info.k[0] = 500.0
         return info
@@ -56,9 +66,6 @@ def start_camera(session):
     started = []
 
     def start(topic=TOPIC, *, images=None, speed=1.0, loop=True, stamps="now"):
-        from imgproc_course.ros.camera_publisher import CameraPublisher
-        from imgproc_course.ros.image_sources import RecordedImages
-
         images = images or RecordedImages(FakeRecording(), speed, loop, stamps)
         started.append(CameraPublisher(topic, images))
         started[-1].start()
@@ -70,9 +77,6 @@ def start_camera(session):
 
 
 def open_images(recording, *, camera_topic=None, speed=1.0, stamps="now"):
-    from imgproc_course.recording import open_recording
-    from imgproc_course.ros.image_sources import RecordedImages
-
     return RecordedImages(open_recording(recording, camera_topic=camera_topic), speed, True, stamps)
 
 
@@ -80,11 +84,7 @@ def stamp_of(msg):
     return msg.header.stamp.sec * 1_000_000_000 + msg.header.stamp.nanosec
 
 
-@pytest.mark.ros
 def test_the_pixels_are_those_of_the_recording(start_camera, wait_until):
-    from imgproc_course.recording import open_recording
-    from imgproc_course.ros import ImageSubscriber
-
     frames = {}
     start_camera(images=open_images("drive", stamps="recorded", speed=3.0))
     with ImageSubscriber(TOPIC, lambda frame, msg: frames.update({stamp_of(msg): frame})) as subscriber:
@@ -96,11 +96,7 @@ def test_the_pixels_are_those_of_the_recording(start_camera, wait_until):
     assert subscriber.failed == 0
 
 
-@pytest.mark.ros
 def test_another_of_the_recordings_cameras_can_be_played(start_camera):
-    from imgproc_course.recording import NotRecordedError, open_recording
-    from imgproc_course.ros import ImageSubscriber
-
     with open_recording("drive", camera_topic="/truth/labels") as labels:
         recorded_frames = {labels.frame(k).tobytes() for k in range(len(labels))}
     start_camera(images=open_images("drive", camera_topic="/truth/labels"))
@@ -110,12 +106,7 @@ def test_another_of_the_recordings_cameras_can_be_played(start_camera):
         open_images("drive", camera_topic="/back")
 
 
-@pytest.mark.ros
 def test_all_four_topics_carry_the_robots_encoding_and_one_header(start_camera, collect, wait_until):
-    from sensor_msgs.msg import CameraInfo, CompressedImage, Image
-
-    from imgproc_course.recording import open_recording
-
     raw = collect(TOPIC, Image)
     compressed = collect(f"{TOPIC}/compressed", CompressedImage)
     infos = [
@@ -139,13 +130,7 @@ def test_all_four_topics_carry_the_robots_encoding_and_one_header(start_camera, 
         assert (msg.width, msg.height, msg.distortion_model) == (1280, 720, "plumb_bob")
 
 
-@pytest.mark.ros
 def test_the_depth_of_the_recording_comes_with_its_images(start_camera, collect, wait_until):
-    from sensor_msgs.msg import Image
-
-    from imgproc_course.messages import image_to_array
-    from imgproc_course.recording import open_recording
-
     messages = collect("/kachaka/front_camera/depth", Image)
     start_camera(images=open_images("drive", stamps="recorded", speed=3.0))
     wait_until(lambda: len(messages) > 2)
@@ -156,12 +141,7 @@ def test_the_depth_of_the_recording_comes_with_its_images(start_camera, collect,
             assert np.array_equal(image_to_array(msg), drive.depth(numbers[stamp_of(msg)]))
 
 
-@pytest.mark.ros
 def test_the_publishers_offer_sensor_data_qos(start_camera, session, wait_until):
-    from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
-
-    from imgproc_course.ros.robot_topics import camera_topics
-
     camera = start_camera()
     compressed_topic, info_topics = camera_topics(camera.topic)
     for topic in (camera.topic, compressed_topic, *info_topics):
@@ -171,10 +151,7 @@ def test_the_publishers_offer_sensor_data_qos(start_camera, session, wait_until)
         assert publisher.qos_profile.durability is DurabilityPolicy.VOLATILE
 
 
-@pytest.mark.ros
 def test_stamps_are_now_unless_the_recorded_ones_are_asked_for(start_camera, collect, session, wait_until):
-    from sensor_msgs.msg import Image
-
     before = session.node.get_clock().now().nanoseconds
     now = collect("/now", Image)
     start_camera("/now")
@@ -188,10 +165,7 @@ def test_stamps_are_now_unless_the_recorded_ones_are_asked_for(start_camera, col
     assert stamps_by_value == dict(enumerate(FakeRecording().stamps.tolist()))
 
 
-@pytest.mark.ros
 def test_without_loop_each_image_comes_once_and_then_the_camera_has_ended(start_camera, collect, wait_until):
-    from sensor_msgs.msg import Image
-
     raw = collect(TOPIC, Image)
     camera = start_camera(loop=False, speed=0.25)
     wait_until(lambda: not camera.running, seconds=60)
@@ -202,10 +176,7 @@ def test_without_loop_each_image_comes_once_and_then_the_camera_has_ended(start_
     assert (camera.published, camera._images.recording.closed) == (len(values), True)
 
 
-@pytest.mark.ros
 def test_nothing_is_decoded_without_a_subscriber(start_camera, collect, wait_until):
-    from sensor_msgs.msg import Image
-
     camera = start_camera(speed=10)
     recording = camera._images.recording
     wait_until(lambda: camera.played > 6)
@@ -218,7 +189,6 @@ def test_nothing_is_decoded_without_a_subscriber(start_camera, collect, wait_unt
 
 
 def due_times(speed=1.0, loop=True, count=12, clock=lambda: 100.0, **recording):
-    pytest.importorskip("rclpy")
     from imgproc_course.ros import image_sources as module
 
     patch = pytest.MonkeyPatch()
@@ -230,7 +200,6 @@ def due_times(speed=1.0, loop=True, count=12, clock=lambda: 100.0, **recording):
         patch.undo()
 
 
-@pytest.mark.ros
 def test_images_are_due_as_recorded_counted_from_the_start():
     # 4 images in 0.5 s: the mean period of 1/6 s passes before the recording starts again.
     duration = 0.5 + 1 / 6
@@ -238,20 +207,17 @@ def test_images_are_due_as_recorded_counted_from_the_start():
     assert due_times() == pytest.approx(expected)
 
 
-@pytest.mark.ros
 @pytest.mark.parametrize("speed", [0.5, 2.0, 3.0])
 def test_speed_divides_every_time(speed):
     normal = np.array(due_times()) - 100
     assert np.array(due_times(speed)) - 100 == pytest.approx(normal / speed)
 
 
-@pytest.mark.ros
 def test_after_the_machine_slept_it_continues_from_there():
     clock = iter([100.0, 100.0, 100.1, 900.2, 900.2, 900.3])
     assert due_times(count=4, clock=lambda: next(clock)) == pytest.approx([100.0, 100.1, 900.2, 900.5])
 
 
-@pytest.mark.ros
 def test_a_single_image_and_stamps_that_jump_back_can_be_played():
     assert due_times(stamps=(0.0,), count=3) == [100.0, 101.0, 102.0]
     assert due_times(stamps=(0.0, 0.3, 0.2, 0.4), count=4) == pytest.approx([100.0, 100.3, 100.3, 100.4])
@@ -264,13 +230,8 @@ def test_a_single_image_and_stamps_that_jump_back_can_be_played():
     )
 
 
-@pytest.mark.ros
 @pytest.mark.parametrize("encoding", ["16UC1", "32FC1", "8UC3"])
 def test_a_recording_of_depth_cannot_be_played_as_a_camera(encoding):
-    from sensor_msgs.msg import Image
-
-    from imgproc_course.ros.image_sources import RecordedImages
-
     class Depth(FakeRecording):
         name, camera_topic = "tof", "/tof/image_raw"
 
@@ -286,14 +247,7 @@ def test_a_recording_of_depth_cannot_be_played_as_a_camera(encoding):
     )
 
 
-@pytest.mark.ros
 def test_a_recording_of_raw_images_without_camera_info_can_be_played(start_camera, collect, wait_until):
-    from sensor_msgs.msg import CameraInfo, CompressedImage, Image
-
-    from imgproc_course.messages import compressed_to_array
-    from imgproc_course.recording import NotRecordedError
-    from imgproc_course.ros.image_sources import RecordedImages
-
     class RawRecording(FakeRecording):
         @property
         def camera_info(self):
@@ -310,7 +264,6 @@ def test_a_recording_of_raw_images_without_camera_info_can_be_played(start_camer
     assert (infos[0].height, infos[0].width, infos[0].k[0]) == (2, 3, 0.0)
 
 
-@pytest.mark.ros
 def test_it_stops_twice_and_with_the_session(start_camera, session, wait_until):
     camera = start_camera()
     camera.stop()
@@ -321,12 +274,9 @@ def test_it_stops_twice_and_with_the_session(start_camera, session, wait_until):
     assert (camera.running, camera.last_error) == (False, None)
 
 
-@pytest.mark.ros
 def test_a_publisher_of_the_topic_that_stays_is_logged_once(
     start_camera, another_process, wait_until, caplog, monkeypatch
 ):
-    from sensor_msgs.msg import Image
-
     from imgproc_course.ros import camera_publisher as module
 
     monkeypatch.setattr(module, "CHECK_PERIOD", 0.0)  # a check after each image
@@ -342,8 +292,6 @@ def test_a_publisher_of_the_topic_that_stays_is_logged_once(
 
 def break_frames(monkeypatch, *broken):
     """Lets these frames of a FakeRecording be damaged."""
-    from imgproc_course.recording import RecordingError
-
     whole = FakeRecording.frame
 
     def frame(self, k, encoding="bgr8"):
@@ -354,12 +302,9 @@ def break_frames(monkeypatch, *broken):
     monkeypatch.setattr(FakeRecording, "frame", frame)
 
 
-@pytest.mark.ros
 def test_frames_that_cannot_be_read_are_logged_once_and_the_others_are_played(
     start_camera, collect, wait_until, monkeypatch, caplog
 ):
-    from sensor_msgs.msg import Image
-
     break_frames(monkeypatch, 0, 2)
     raw = collect(TOPIC, Image)
     camera = start_camera(speed=10)
@@ -371,12 +316,9 @@ def test_frames_that_cannot_be_read_are_logged_once_and_the_others_are_played(
     assert len(caplog.records) == 2 and (camera.running, camera.last_error) == (True, None)
 
 
-@pytest.mark.ros
 def test_a_recording_of_which_no_frame_can_be_read_stops_with_the_reason(
     start_camera, collect, wait_until, monkeypatch, caplog
 ):
-    from sensor_msgs.msg import Image
-
     break_frames(monkeypatch, 0, 1, 2, 3)
     collect(TOPIC, Image)
     camera = start_camera()
@@ -385,11 +327,7 @@ def test_a_recording_of_which_no_frame_can_be_read_stops_with_the_reason(
     assert caplog.records[-1].message == f"the camera on {TOPIC} stopped: {camera.last_error}"
 
 
-@pytest.mark.ros
 def test_the_first_frame_that_can_be_read_describes_the_camera():
-    from imgproc_course.recording import RecordingError
-    from imgproc_course.ros.image_sources import RecordedImages
-
     class Damaged(FakeRecording):
         def message(self, k):
             if k < 2:
@@ -399,10 +337,7 @@ def test_the_first_frame_that_can_be_read_describes_the_camera():
     assert RecordedImages(Damaged(frame_id="lens"), 1.0, True, "now").frame_id == "lens"
 
 
-@pytest.mark.ros
 def test_a_topic_that_a_robot_publishes_is_used_unchanged(session):
-    from imgproc_course.ros import open_camera
-
     camera = open_camera("topic", topic="/er_kachaka/front_camera/image_raw")
     assert camera.topic == "/er_kachaka/front_camera/image_raw"
     assert camera.compressed_topic == "/er_kachaka/front_camera/image_raw/compressed"
@@ -427,8 +362,6 @@ class FakeCapture:
         self.remaining -= 1
         frame = np.empty((2, 3, 3), np.uint8)
         frame[:] = (10, 20, 30)
-        import time
-
         time.sleep(0.05)
         return self.remaining >= 0, frame
 
@@ -436,13 +369,7 @@ class FakeCapture:
         CLOSED.append(self)
 
 
-@pytest.mark.ros
 def test_a_webcam_is_published_like_the_robots_camera(start_camera, collect, wait_until, monkeypatch, caplog):
-    import cv2
-    from sensor_msgs.msg import CameraInfo, CompressedImage, Image
-
-    from imgproc_course.ros.image_sources import Webcam
-
     monkeypatch.setattr(cv2, "VideoCapture", FakeCapture)
     raw, compressed = collect(TOPIC, Image), collect(f"{TOPIC}/compressed", CompressedImage)
     infos = collect(f"{TOPIC}/camera_info", CameraInfo)
@@ -461,22 +388,14 @@ def test_a_webcam_is_published_like_the_robots_camera(start_camera, collect, wai
     assert len(CLOSED) == 1
 
 
-@pytest.mark.ros
 def test_a_missing_webcam_is_an_error_with_the_remedy(monkeypatch):
-    import cv2
-
-    from imgproc_course.ros.image_sources import Webcam
-
     monkeypatch.setattr(FakeCapture, "isOpened", lambda self: False)
     monkeypatch.setattr(cv2, "VideoCapture", FakeCapture)
     with pytest.raises(RuntimeError, match=r"no webcam answers .*open_camera\(\) for the recorded drive"):
         Webcam()
 
 
-@pytest.mark.ros
 def test_without_a_webcam_only_the_error_appears(capfd):
-    from imgproc_course.ros.image_sources import Webcam
-
     with pytest.raises(RuntimeError, match=r"camera 97\)"):
         Webcam(97)
     assert capfd.readouterr().err == ""  # OpenCV would print lines of its own

@@ -5,6 +5,15 @@ import threading
 
 import pytest
 
+pytest.importorskip("rclpy", reason="needs ROS 2")
+
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import Image
+
+from imgproc_course.recording import RecordingError, open_recording
+from imgproc_course.ros import record, recorder
+from imgproc_course.ros.robot_process import running_robot
+
 pytestmark = pytest.mark.ros
 
 TOPIC = "/kachaka/front_camera/image_raw"
@@ -17,9 +26,6 @@ RECORD = (
 @pytest.fixture
 def publish(session):
     """publish(topic, k): an Image whose only byte is k, with the stamp k; the publisher appears at once."""
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import Image
-
     publishers = {}
 
     def send(topic, k=None):
@@ -34,9 +40,6 @@ def publish(session):
 
 
 def test_what_arrives_is_recorded_in_order(publish, session, tmp_path, wait_until):
-    from imgproc_course.recording import open_recording
-    from imgproc_course.ros import record
-
     for topic in ("/a/image_raw", "/b/image_raw", "/never"):
         publish(topic)
     with record(["/a/image_raw", "b/image_raw", "/never"], tmp_path / "own") as recorder:
@@ -56,9 +59,6 @@ def test_what_arrives_is_recorded_in_order(publish, session, tmp_path, wait_unti
 def test_all_topics_of_a_running_robot_are_recorded_from_the_beginning(
     publish, session, tmp_path, monkeypatch, drive_of_another_program
 ):
-    from imgproc_course.ros import record, recorder
-    from imgproc_course.ros.robot_process import running_robot
-
     monkeypatch.setattr(recorder, "SETTLING", 0.0)  # as on a busy machine, where the topics appear slowly
     with drive_of_another_program(1.0):
         domain = session.context.get_domain_id()
@@ -74,8 +74,6 @@ def test_all_topics_of_a_running_robot_are_recorded_from_the_beginning(
 def test_it_begins_when_the_robot_has_found_its_subscriptions(
     session, tmp_path, monkeypatch, drive_of_another_program, robot_processes
 ):
-    from imgproc_course.ros import record, recorder
-
     with drive_of_another_program(1.0):
         (robot,), has_gone_on = robot_processes(), threading.Event()
 
@@ -95,8 +93,6 @@ def test_it_begins_when_the_robot_has_found_its_subscriptions(
 
 @pytest.mark.parametrize("topics", [None, []])
 def test_without_a_choice_the_topics_of_the_robot_are_recorded(publish, tmp_path, monkeypatch, topics):
-    from imgproc_course.ros import record, recorder
-
     monkeypatch.setattr(recorder, "DISCOVERY_TIMEOUT", 2.0)
     publish("/kachaka/odometry/odometry")
     publish("/cam/image_raw")
@@ -105,9 +101,6 @@ def test_without_a_choice_the_topics_of_the_robot_are_recorded(publish, tmp_path
 
 
 def test_a_recording_that_cannot_begin_leaves_nothing(publish, tmp_path, monkeypatch):
-    from imgproc_course.recording import RecordingError
-    from imgproc_course.ros import record, recorder
-
     monkeypatch.setattr(recorder, "DISCOVERY_TIMEOUT", 0.2)
     publish("/cam/image_raw")
     with pytest.raises(ValueError, match=r"nobody publishes /cam/image_ray; did you mean /cam/image_raw\?"):
@@ -125,9 +118,6 @@ def test_a_recording_that_cannot_begin_leaves_nothing(publish, tmp_path, monkeyp
 def test_a_full_disk_stops_the_recording_with_a_warning(
     publish, session, tmp_path, monkeypatch, wait_until, caplog
 ):
-    from imgproc_course.recording import RecordingError
-    from imgproc_course.ros import record
-
     publish("/a")
     recorder = record("/a", tmp_path / "own")
 
@@ -147,8 +137,6 @@ def test_a_full_disk_stops_the_recording_with_a_warning(
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_completes_the_recording(publish, start_python, tmp_path, wait_until, number):
-    from imgproc_course.recording import open_recording
-
     publish("/cam/image_raw")
     process = start_python(RECORD.format("['/cam/image_raw']", str(tmp_path / "own")))
     assert process.stdout.readline() == f"recording 1 topics into {tmp_path / 'own'} (Ctrl-C stops)\n"

@@ -14,6 +14,34 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+pytest.importorskip("rclpy", reason="needs ROS 2")
+
+from geometry_msgs.msg import PoseStamped, Twist
+from nav_msgs.msg import OccupancyGrid, Odometry
+from nav_msgs.msg import Path as PathMessage
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import CameraInfo, CompressedImage, Image, LaserScan
+from std_msgs.msg import String
+from visualization_msgs.msg import Marker, MarkerArray
+
+from imgproc_course.geometry import Pose, ate, relative_pose
+from imgproc_course.messages import array_to_image, compressed_to_array, image_to_array
+from imgproc_course.recording import open_recording
+from imgproc_course.ros import ImageSubscriber, Robot, RosSession, open_camera, record
+from imgproc_course.ros.robot import FRESH
+from imgproc_course.ros.robot_process import robot_runs
+from imgproc_course.ros.room_images import MOTION_RATE
+from imgproc_course.simulation import (
+    TOF_CAMERA,
+    Hand,
+    Simulation,
+    draw_hand,
+    furnished,
+    gesture_track,
+    put_face,
+    random_identity,
+)
+
 pytestmark = pytest.mark.ros
 
 CAMERA = "/kachaka/front_camera"
@@ -22,8 +50,6 @@ CAMERA = "/kachaka/front_camera"
 @pytest.fixture(scope="module")
 def robot():
     """One room for all tests here; a test that needs a place or a seed restarts it."""
-    from imgproc_course.ros import Robot, RosSession, open_camera
-
     with RosSession.current(), open_camera("room", rate=15), Robot() as robot:
         yield robot
 
@@ -55,12 +81,6 @@ def planar(msg):
 
 
 def test_what_it_sees_is_what_the_simulation_sees_there(robot, collect, wait_until):
-    from geometry_msgs.msg import PoseStamped
-    from sensor_msgs.msg import CameraInfo, CompressedImage, Image, LaserScan
-
-    from imgproc_course.messages import compressed_to_array, image_to_array
-    from imgproc_course.simulation import TOF_CAMERA, Simulation
-
     topics = {
         f"{CAMERA}/image_raw": Image,
         f"{CAMERA}/image_raw/compressed": CompressedImage,
@@ -106,9 +126,6 @@ def test_what_it_sees_is_what_the_simulation_sees_there(robot, collect, wait_unt
 
 
 def test_it_drives_and_stops_by_itself_after_half_a_second(robot, collect, wait_until):
-    from geometry_msgs.msg import Twist
-    from nav_msgs.msg import Odometry
-
     robot.restart(start=(0.4, -0.3, 0.0))
     assert robot.pose == pytest.approx((0, 0, 0), abs=1e-9)
     wheels = collect("/kachaka/wheel_odometry/wheel_odometry", Odometry)
@@ -131,8 +148,6 @@ def test_it_drives_and_stops_by_itself_after_half_a_second(robot, collect, wait_
 
 
 def test_a_node_that_sees_depth_alone_brakes_before_the_wall(robot, collect, wait_until):
-    from geometry_msgs.msg import PoseStamped
-
     robot.restart(start=(0.2, -0.3, math.pi), seed=1)
     node = subprocess.run(
         [sys.executable, Path(__file__).with_name("closed_loop_nodes.py"), "depth"],
@@ -149,11 +164,6 @@ def test_a_node_that_sees_depth_alone_brakes_before_the_wall(robot, collect, wai
 
 
 def test_the_lessons_node_follows_the_ball_from_another_process(robot, collect, wait_until):
-    from geometry_msgs.msg import PoseStamped
-    from visualization_msgs.msg import MarkerArray
-
-    from imgproc_course.geometry import Pose
-
     start = (1.3, 0.2, 0.0)
     robot.restart(start=(1.3, 0.2, math.pi), seed=1, lighting="day")
     balls, tracks = collect("/ball", PoseStamped), collect("/tracks", MarkerArray)
@@ -184,12 +194,6 @@ def test_the_lessons_node_follows_the_ball_from_another_process(robot, collect, 
 
 
 def test_the_lessons_node_sees_from_another_process_where_the_robot_drives(robot, collect, wait_until):
-    from geometry_msgs.msg import PoseStamped
-    from nav_msgs.msg import Odometry
-    from nav_msgs.msg import Path as PathMessage
-
-    from imgproc_course.geometry import Pose, ate
-
     start = (0.2, 0.0, 0.0)
     robot.restart(start=start, seed=1, lighting="day")
     seen = collect("/visual_odometry/odometry", Odometry)
@@ -225,12 +229,6 @@ def test_the_lessons_node_sees_from_another_process_where_the_robot_drives(robot
 
 
 def test_the_lessons_node_closes_a_loop_from_another_process(robot, collect, wait_until):
-    from geometry_msgs.msg import PoseStamped
-    from nav_msgs.msg import OccupancyGrid
-    from nav_msgs.msg import Path as PathMessage
-
-    from imgproc_course.geometry import ate, relative_pose
-
     start = (0.45, -0.5, 0.0)
     robot.restart(start=start, seed=5, lighting="day")
     grids, paths = collect("/map", OccupancyGrid), collect("/mapping/path", PathMessage)
@@ -265,9 +263,6 @@ def test_the_lessons_node_closes_a_loop_from_another_process(robot, collect, wai
 
 
 def test_the_lessons_node_reads_the_sign_from_another_process(robot, collect, wait_until):
-    from sensor_msgs.msg import Image
-    from std_msgs.msg import String
-
     robot.restart(start=(3.4, -0.3, 0.0), seed=1, lighting="day")
     texts, images = collect("/text_reader/text", String), collect(f"{CAMERA}/image_raw", Image)
     with lesson_node("text_reader.py", "inf") as node:
@@ -283,10 +278,6 @@ def test_the_lessons_node_reads_the_sign_from_another_process(robot, collect, wa
 
 
 def test_the_lessons_node_names_things_above_them_from_another_process(robot, collect, wait_until):
-    from geometry_msgs.msg import PoseStamped
-    from sensor_msgs.msg import Image
-    from visualization_msgs.msg import Marker, MarkerArray
-
     start = (0.45, -1.0, 0.0)
     robot.restart(start=start, seed=1, lighting="day")
     labels, images = collect("/objects/labels", MarkerArray), collect(f"{CAMERA}/image_raw", Image)
@@ -308,14 +299,6 @@ def test_the_lessons_node_names_things_above_them_from_another_process(robot, co
 
 
 def test_the_lessons_node_hides_a_face_before_anything_stores_it(robot, collect, wait_until, tmp_path):
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import Image
-
-    from imgproc_course.messages import array_to_image, image_to_array
-    from imgproc_course.recording import open_recording
-    from imgproc_course.ros import RosSession, record
-    from imgproc_course.simulation import put_face, random_identity
-
     robot.restart(start=(0.4, -0.3, 0.2), seed=1, lighting="day")
     session, sent = RosSession(), {}
     publisher = session.node.create_publisher(Image, "/visitor/image", qos_profile_sensor_data)
@@ -349,16 +332,6 @@ def test_the_lessons_node_hides_a_face_before_anything_stores_it(robot, collect,
 
 
 def test_the_lessons_node_obeys_a_hand_from_another_process(robot, collect, wait_until):
-    from geometry_msgs.msg import Twist
-    from nav_msgs.msg import Odometry
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import Image
-    from std_msgs.msg import String
-
-    from imgproc_course.messages import array_to_image
-    from imgproc_course.ros import RosSession
-    from imgproc_course.simulation import Hand, draw_hand, gesture_track
-
     robot.restart(start=(0.4, -0.3, 0.0), seed=1, lighting="day")
     gestures, commands = (
         collect("/gestures/gesture", String),
@@ -416,8 +389,6 @@ def test_the_lessons_node_obeys_a_hand_from_another_process(robot, collect, wait
 
 
 def test_the_lessons_node_leaves_the_corner_from_another_process(robot, collect, wait_until):
-    from geometry_msgs.msg import PoseStamped, Twist
-
     start = (2.45, 1.75, -1.8)
     robot.restart(start=start, seed=1, lighting="day")
     commands = collect("/kachaka/manual_control/cmd_vel", Twist)
@@ -436,12 +407,7 @@ def test_the_lessons_node_leaves_the_corner_from_another_process(robot, collect,
 
 def test_the_lessons_node_looks_at_messages_of_one_moment(robot, monkeypatch):
     monkeypatch.syspath_prepend(Path(__file__).parents[2] / "notebooks")
-    from nav_msgs.msg import Odometry
-    from sensor_msgs.msg import CameraInfo, Image, LaserScan
     from the_errand import ErrandNode
-
-    from imgproc_course.messages import array_to_image
-    from imgproc_course.ros import RosSession
 
     class Observer:
         """In place of the lesson's Errand: keeps what it sees."""
@@ -506,12 +472,6 @@ def test_the_room_refuses_impossible_options_and_takes_others(robot):
 
 
 def test_another_room_is_what_the_simulation_has_at_the_same_time(robot, collect, wait_until):
-    from geometry_msgs.msg import PoseStamped
-    from sensor_msgs.msg import LaserScan
-
-    from imgproc_course.ros import open_camera
-    from imgproc_course.simulation import Simulation, furnished
-
     robot.restart(room=np.int64(17), seed=4)
     people, scans = collect("/truth/pose/person", PoseStamped), collect("/kachaka/lidar/scan", LaserScan)
     assert "the furnished room 17 (seed 4," in open_camera("room", rate=15).description
@@ -530,10 +490,6 @@ def test_another_room_is_what_the_simulation_has_at_the_same_time(robot, collect
 
 
 def test_the_evening_is_darker_and_the_robot_stays_where_it_is(robot, collect, wait_until):
-    from geometry_msgs.msg import PoseStamped
-
-    from imgproc_course.ros import ImageSubscriber
-
     robot.restart(start=np.array([0.4, -0.3, 0.2]), lighting="day")
     with ImageSubscriber(f"{CAMERA}/image_raw") as subscriber:
         day = subscriber.wait(30).mean()
@@ -547,7 +503,6 @@ def test_the_evening_is_darker_and_the_robot_stays_where_it_is(robot, collect, w
 
 
 def test_a_client_says_what_is_wrong(robot, monkeypatch):
-    from imgproc_course.ros import Robot
     from imgproc_course.ros import robot as module
 
     with pytest.raises(ValueError, match="linear must be a finite number, got nan"):
@@ -570,11 +525,6 @@ def test_a_client_says_what_is_wrong(robot, monkeypatch):
 
 @pytest.mark.parametrize("arguments", [{"seed": 5}, {}])
 def test_a_restart_is_the_scene_of_a_new_simulation(robot, collect, wait_until, arguments):
-    from geometry_msgs.msg import PoseStamped
-
-    from imgproc_course.ros.room_images import MOTION_RATE
-    from imgproc_course.simulation import Simulation
-
     start, names = (0.4, -0.3, 0.0), ("person", "toycar", "ball")
 
     def time_of_scene():
@@ -606,12 +556,6 @@ def test_a_restart_is_the_scene_of_a_new_simulation(robot, collect, wait_until, 
 
 
 def test_a_robot_of_another_machine_answers_by_its_odometry(robot, wait_until):
-    from geometry_msgs.msg import Twist
-    from nav_msgs.msg import Odometry
-    from rclpy.qos import qos_profile_sensor_data
-
-    from imgproc_course.ros import Robot, RosSession
-
     node, commands = RosSession().node, []
     subscription = node.create_subscription(Twist, "/other/manual_control/cmd_vel", commands.append, 10)
     odometry = node.create_publisher(Odometry, "/other/odometry/odometry", qos_profile_sensor_data)
@@ -632,13 +576,6 @@ def test_a_robot_of_another_machine_answers_by_its_odometry(robot, wait_until):
 
 
 def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
-    from nav_msgs.msg import Odometry
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import LaserScan
-
-    from imgproc_course.ros import Robot, RosSession
-    from imgproc_course.ros.robot import FRESH
-
     def publish_until(future, publisher, message):
         while not future.done():
             publisher.publish(message)
@@ -662,9 +599,6 @@ def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
 
 
 def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, caplog, robot_processes):
-    from imgproc_course.ros import ImageSubscriber, open_camera
-    from imgproc_course.ros.robot_process import robot_runs
-
     robot.restart(start=(0.4, -0.3, 0.0))
     robot.drive(0.2, 0.0, seconds=1.0)
     assert robot.pose[0] > 0.05
@@ -702,7 +636,5 @@ def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, ca
     ],
 )
 def test_bad_options(options, message):
-    from imgproc_course.ros import open_camera
-
     with pytest.raises(ValueError, match=message):
         open_camera(**{"source": "room"} | options)

@@ -1,8 +1,22 @@
 """The session of a process: started and stopped in any order, ended in any way, and nothing remains."""
 
+import signal
 import threading
 
+import numpy as np
+import psutil
 import pytest
+
+pytest.importorskip("rclpy", reason="needs ROS 2")
+
+from rclpy.context import Context
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.waitable import NumberOfEntities, Waitable
+from sensor_msgs.msg import Image
+from std_msgs.msg import Int32
+
+from imgproc_course.ros import ImageProcessor, ImageSubscriber, NumericParameter, RosSession, open_camera
 
 pytestmark = [pytest.mark.ros, pytest.mark.usefixtures("shared_camera")]
 
@@ -21,8 +35,6 @@ def ros_threads():
 
 
 def test_starting_twice_is_starting_once(session):
-    from imgproc_course.ros import RosSession
-
     node = session.node
     assert RosSession.current() is session and RosSession() is session and session.start() is session
     assert session.node is node
@@ -43,10 +55,6 @@ def test_stopping_before_starting_does_nothing(run_python):
 
 
 def test_ten_starts_and_stops_leave_no_thread_and_no_node(session, wait_until):
-    import psutil
-    from rclpy.context import Context
-    from rclpy.node import Node
-
     session.stop()
     before = psutil.Process().num_threads()
     for _ in range(10):
@@ -139,8 +147,6 @@ def test_a_callback_that_raises_is_logged_and_the_graph_continues(session, wait_
 
 
 def test_a_node_of_the_learners_is_spun_and_destroyed_with_the_session(session, wait_until):
-    from rclpy.node import Node
-
     calls = []
     node = Node("learners_own", context=session.context)
     node.create_timer(0.01, lambda: calls.append(1))
@@ -155,8 +161,6 @@ def test_a_node_of_the_learners_is_spun_and_destroyed_with_the_session(session, 
 
 
 def test_a_class_is_created_in_the_sessions_context(session, wait_until):
-    from rclpy.node import Node
-
     calls = []
 
     class Counter(Node):
@@ -173,10 +177,6 @@ def test_a_class_is_created_in_the_sessions_context(session, wait_until):
 
 
 def test_adding_a_node_of_the_same_name_replaces_it(session, wait_until, capfd, caplog):
-    import numpy as np
-
-    from imgproc_course.ros import ImageProcessor, ImageSubscriber, NumericParameter, open_camera
-
     def add(value, namespace=""):
         return session.add_node(
             ImageProcessor(
@@ -210,9 +210,6 @@ def test_adding_a_node_of_the_same_name_replaces_it(session, wait_until, capfd, 
 
 
 def test_adding_a_plain_node_of_the_same_name_replaces_it(session, wait_until, capfd):
-    from rclpy.node import Node
-    from std_msgs.msg import Int32
-
     received = []
     session.node.create_subscription(Int32, "/by_hand/number", lambda msg: received.append(msg.data), 5)
     for number in (1, 2, 3):
@@ -227,8 +224,6 @@ def test_adding_a_plain_node_of_the_same_name_replaces_it(session, wait_until, c
 
 
 def test_destroying_a_subscription_while_spinning_is_safe(session, wait_until, caplog):
-    from sensor_msgs.msg import Image
-
     ticks = []
     session.node.create_timer(0.001, lambda: ticks.append(1))
     for _ in range(50):
@@ -259,8 +254,6 @@ def test_the_interpreter_ends_without_error_output(run_python, end):
 
 @pytest.mark.parametrize("extra", ["", "import rclpy; rclpy.init()\n"], ids=["plain", "with rclpy.init"])
 def test_ctrl_c_in_a_waiting_script_ends_it_with_the_usual_traceback(start_python, extra):
-    import signal
-
     # Short sleeps: a long one would miss a signal that comes between the print and the sleep.
     waits = "import time\nprint('waiting', flush=True)\nfor _ in range(1200): time.sleep(0.05)"
     process = start_python(RECEIVES + extra + waits)
@@ -275,7 +268,6 @@ def test_ctrl_c_in_a_waiting_script_ends_it_with_the_usual_traceback(start_pytho
 
 def shut_down_before_its_next_wait(node):
     """Shuts the context down between two rounds of an executor, as a signal handler may do."""
-    from rclpy.waitable import NumberOfEntities, Waitable
 
     class ShutsDown(Waitable):
         def get_num_entities(self):
@@ -293,11 +285,6 @@ def test_a_shutdown_between_two_rounds_ends_the_session_quietly(session, wait_un
 
 
 def test_a_shutdown_between_two_rounds_ends_a_node_as_any_other():
-    from rclpy.context import Context
-    from rclpy.executors import ExternalShutdownException
-
-    from imgproc_course.ros import ImageProcessor
-
     context = Context()
     context.init()
     node = ImageProcessor("ends", lambda frame: {}, [], context=context)
@@ -389,8 +376,6 @@ def test_a_child_forked_before_any_session_can_start_one(run_python):
     ],
 )
 def test_what_ros_cannot_use_is_named(monkeypatch, name, value, problem):
-    from imgproc_course.ros import RosSession
-
     monkeypatch.setenv(name, value)
     with pytest.raises(ValueError) as error:
         RosSession.current()

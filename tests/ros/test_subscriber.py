@@ -1,14 +1,28 @@
 """The subscriber: frames with the right pixels, correct counts, and the reason if no image arrives."""
 
 import gc
+import importlib
 import os
 import re
+import struct
 import threading
 import types
 import weakref
+import zlib
 
 import numpy as np
 import pytest
+
+pytest.importorskip("rclpy", reason="needs ROS 2")
+
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
+from sensor_msgs.msg import CompressedImage, Image
+from std_msgs.msg import String
+
+from imgproc_course.messages import array_to_compressed, array_to_image
+from imgproc_course.ros import ImageSubscriber, diagnostics
+from imgproc_course.ros.diagnostics import VIDEO_TYPES, _wrong_type
 
 pytestmark = pytest.mark.ros
 
@@ -18,11 +32,6 @@ TOPIC = "/images/image_raw"
 @pytest.fixture
 def send(session, wait_until):
     """send(array, ...) publishes an image on TOPIC as soon as it has a subscriber."""
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import Image
-
-    from imgproc_course.messages import array_to_image
-
     publisher = session.node.create_publisher(Image, TOPIC, qos_profile_sensor_data)
 
     def publish(array, encoding="rgb8", subscribers=1):
@@ -37,8 +46,6 @@ def send(session, wait_until):
 @pytest.fixture
 def subscribe(session):
     """Creates subscribers that end with the test."""
-    from imgproc_course.ros import ImageSubscriber
-
     subscribers = []
 
     def make(*arguments, **options):
@@ -55,8 +62,6 @@ def colours():
 
 
 def broken_image():
-    from sensor_msgs.msg import Image
-
     msg = Image(height=4, width=5, encoding="rgb8", step=15)
     msg.data.frombytes(bytes(10))
     return msg
@@ -84,11 +89,6 @@ def test_frames_come_in_other_encodings(send, subscribe, encoding):
 
 
 def test_a_topic_ending_in_compressed_is_read_as_compressed(session, subscribe, wait_until):
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import CompressedImage
-
-    from imgproc_course.messages import array_to_compressed
-
     topic = f"{TOPIC}/compressed"
     publisher = session.node.create_publisher(CompressedImage, topic, qos_profile_sensor_data)
     subscriber = subscribe(topic)
@@ -180,8 +180,6 @@ def test_a_reliable_subscriber_learns_why_it_receives_nothing(send, subscribe, w
 
 
 def test_another_incompatible_policy_is_named(send, subscribe, wait_until):
-    from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-
     subscriber = subscribe(
         TOPIC,
         qos=QoSProfile(
@@ -221,12 +219,6 @@ def test_no_publisher_but_a_similar_topic(send, subscribe, session):
 
 
 def test_a_lossless_transport(send, subscribe, session, wait_until):
-    import struct
-    import zlib
-
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import CompressedImage
-
     publisher = session.node.create_publisher(CompressedImage, f"{TOPIC}/zstd", qos_profile_sensor_data)
     assert f"images are published on {TOPIC}, {TOPIC}/zstd" in reason(subscribe(f"{TOPIC}/zst"))
     subscriber = subscribe(f"{TOPIC}/zstd", encoding="rgb8")
@@ -253,9 +245,6 @@ def test_the_publisher_is_silent(send, subscribe, session, wait_until):
 
 
 def test_a_callback_of_the_publishing_node_has_failed(subscribe, session, wait_until):
-    from rclpy.node import Node
-    from sensor_msgs.msg import Image
-
     subscriber = subscribe("/by_hand/gray")
 
     def make(callback):
@@ -276,9 +265,6 @@ def test_a_callback_of_the_publishing_node_has_failed(subscribe, session, wait_u
 
 
 def test_the_publishing_node_itself_receives_nothing(send, subscribe, session, wait_until):
-    from rclpy.node import Node
-    from sensor_msgs.msg import Image
-
     node = session.add_node(Node("by_hand", context=session.context))
     node.create_publisher(Image, "~/gray", 10)
     subscriber = subscribe("/by_hand/gray")
@@ -296,8 +282,6 @@ def test_the_publishing_node_itself_receives_nothing(send, subscribe, session, w
 
 
 def test_the_publisher_is_another_user(send, subscribe, session, wait_until, monkeypatch):
-    from imgproc_course.ros import diagnostics
-
     subscriber = subscribe(TOPIC)
     wait_until(lambda: subscriber.matched == 1)
     assert diagnostics.process_of(session.node.get_publishers_info_by_topic(TOPIC)[0]).pid == os.getpid()
@@ -352,8 +336,6 @@ def test_messages_arrive_and_none_can_be_converted(send, subscribe):
     ],
 )
 def test_another_type_is_on_the_topic(another_process, session, subscribe, wait_until, message_type, remedy):
-    import importlib
-
     package, name = message_type.split("/msg/")
     another_process.create_publisher(getattr(importlib.import_module(f"{package}.msg"), name), TOPIC, 5)
     subscriber = subscribe(TOPIC)
@@ -365,8 +347,6 @@ def test_another_type_is_on_the_topic(another_process, session, subscribe, wait_
 
 
 def test_a_topic_of_video_proposes_the_raw_one():
-    from imgproc_course.ros.diagnostics import VIDEO_TYPES, _wrong_type
-
     text = _wrong_type(VIDEO_TYPES[0], "sensor_msgs/msg/Image", f"{TOPIC}/theora")
     assert text.endswith(f"subscribe to {TOPIC} for raw images")
 
@@ -385,10 +365,6 @@ def test_a_compressed_topic_that_carries_raw_images_is_explained(
 
 
 def test_another_type_in_this_process_is_refused(session):
-    from std_msgs.msg import String
-
-    from imgproc_course.ros import ImageSubscriber
-
     session.node.create_publisher(String, "/words", 5)
     with pytest.raises(ValueError, match="cannot subscribe to /words as Image: this process already uses"):
         ImageSubscriber("/words")
@@ -516,8 +492,6 @@ def test_messages_overwritten_while_the_thread_is_busy_count_as_dropped(send, su
 
 
 def test_a_subscriber_without_references_is_deleted(send, subscribe, session, wait_until):
-    from imgproc_course.ros import ImageSubscriber
-
     subscriber = ImageSubscriber(TOPIC)
     wait_until(lambda: send.publisher.get_subscription_count() == 1)
     watch = weakref.ref(subscriber)
@@ -574,8 +548,6 @@ def test_a_modules_function_may_be_called_by_two_subscribers(send, subscribe, wa
     ],
 )
 def test_bad_arguments_are_refused_in_one_line(session, arguments, options, message):
-    from imgproc_course.ros import ImageSubscriber
-
     with pytest.raises(ValueError) as error:
         ImageSubscriber(*arguments, **options)
     assert message in str(error.value) and "\n" not in str(error.value)
