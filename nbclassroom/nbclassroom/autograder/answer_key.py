@@ -23,6 +23,7 @@ from ..exercises.check_files import (
     read_lesson_file,
     reading,
 )
+from ..exercises.lesson import Exercise, Lesson
 
 _FORMAT_4 = "key.json"  # only a key of an earlier version of the course has it
 
@@ -37,18 +38,18 @@ class Key:
 
     path: Path
     digest: str  # identifies it
-    lessons: dict  # {name: Lesson}, in the order of the course
+    lessons: dict[str, Lesson]  # by their names, in the order of the course
 
     def find(self, id):
         """The Lesson and the Exercise of that id, or None and None."""
         pairs = ((lesson, exercise) for lesson in self.lessons.values() for exercise in lesson.exercises)
         return next((pair for pair in pairs if pair[1].id == id), (None, None))
 
-    def exercise(self, id):
+    def exercise(self, id: str) -> Exercise | None:
         """The Exercise of that id, or None."""
         return self.find(id)[1]
 
-    def solutions(self, lesson):
+    def solutions(self, lesson: str) -> dict[str, str]:
         """{exercise id: solution} of a lesson."""
         path = self.path / SOLUTIONS / f"{lesson}.json"
         with _reading_key(self.path), reading(path):
@@ -64,7 +65,7 @@ def _reading_key(path):
         raise KeyFolderError(f"{path}: {error.problem}; make the key again") from error
 
 
-def load_key(path):
+def load_key(path: Path | str) -> Key:
     """Read the Key in a folder; KeyFolderError: there is none that grading can use."""
     path = Path(path).resolve()
     paths, command = sorted((path / CHECKS).glob("*.json")), f"{course.command} key --out {path.name}"

@@ -8,4 +8,4 @@ a grammar when it is imported, which takes a second; `rfc3986_validator` compile
 import sys
 
 for _name in ("rfc3987_syntax", "rfc3986_validator", "isoduration", "webcolors"):
-    sys.modules.setdefault(_name, None)
+    sys.modules.setdefault(_name, None)  # type: ignore[arg-type]  # by None Python blocks an import

@@ -7,6 +7,7 @@ import contextlib
 import hashlib
 import json
 import shutil
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 
@@ -30,7 +31,16 @@ from .verdict import verdict_on
 _SECONDS_PER_EXERCISE = 2.5  # fitted to the course's own lessons
 
 
-def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, say=str):
+def make_key(
+    masters_dir: Path | str,
+    seed: str,
+    out: Path | str,
+    names: Iterable[str] = (),
+    *,
+    unsafe: bool = False,
+    replace: bool = False,
+    say: Callable[[str], object] = str,
+) -> answer_key.Key:
     """Make a Key: run each solution on inputs drawn from the seed, in the sandbox that grades.
 
     The folder is written whole at the end: an error or Ctrl-C leaves the old key unchanged, and the next call
@@ -58,7 +68,7 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, s
     with KernelFactory(unsafe=unsafe) as kernel_factory:
         _run(jobs, _numpy_seed(seed), kernel_factory)
     stored = {exercise.id: json.loads(path.read_text(encoding="utf-8")) for exercise, path in jobs}
-    files = {}
+    files: dict = {}
     for master in masters:
         own = {exercise.id: stored[exercise.id] for exercise in master.exercises}
         files |= exercise_files(master, own, number=master.number, title=master.title)
@@ -141,10 +151,8 @@ class _Solutions:
         """The ExpectedCalls of a case, of what the solution's check cell shows in such a kernel."""
         if case.id in self._drawn:
             return self._drawn[case.id][0]
-        drawn, about = (
-            exercise.arguments(case, self._seed),
-            f"{exercise.master.name}, {case.id}: the solution",
-        )
+        drawn = exercise.arguments(case, self._seed)
+        about = f"{exercise.master.name}, {case.id}: the solution"
         try:
             inputs = [encode(arguments) for arguments in drawn]
         except TypeError as error:

@@ -28,6 +28,6 @@ def main():
 def _leave_out_kernels_of_nbval():
     """Spare nbval the import of Jupyter's client and of coverage: `nbval_plugin` has kernels of its own."""
     kernel, cover = types.ModuleType("nbval.kernel"), types.ModuleType("nbval.cover")
-    kernel.RunningKernel = kernel.CURRENT_ENV_KERNEL_NAME = None
-    cover.setup_coverage = cover.teardown_coverage = None
+    vars(kernel).update(RunningKernel=None, CURRENT_ENV_KERNEL_NAME=None)
+    vars(cover).update(setup_coverage=None, teardown_coverage=None)
     sys.modules |= {"nbval.kernel": kernel, "nbval.cover": cover}

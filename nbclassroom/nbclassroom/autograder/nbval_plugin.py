@@ -93,7 +93,7 @@ class ExerciseRun:
 
     def __init__(self, exercise, kernels, stop_at=math.inf):
         self._exercise, self._kernels = exercise, kernels  # PageKernels
-        self._process, self._seconds, self._answer_run = None, 0.0, None
+        self._process, self._seconds, self._answer_run = None, 0.0, CellRun()
         self.stop_at = stop_at  # on time.monotonic(): then no further case is run; robots' time is added
         self.runs = {}  # {case id: CaseRun}
         self.passed = set()  # ids of the cases that nbval let pass
@@ -121,36 +121,37 @@ class ExerciseRun:
     def _run_in_same_process(self, case, source):
         """A CaseRun that passed, or None. The process must not have more time than a new one would."""
         kind = self._exercise.kind
-        is_shared = self._process is not None and kind.shares_kernel
-        if not is_shared or self._seconds > kind.seconds_of(self._exercise, case):
+        process = self._process if kind.shares_kernel else None
+        if process is None or self._seconds > kind.seconds_of(self._exercise, case):
             return None
         run = CaseRun(answer=self._answer_run)
-        self._run_check(run, case, source)
+        self._run_check(process, run, case, source)
         return run if run.passed else None
 
     def _run_in_new_process(self, case, source, *, alone=False):
         """A CaseRun; `alone`: while no other kernel waits, which could use memory that this one needs."""
         self.close()
         self._seconds = self._exercise.kind.seconds_of(self._exercise, case)
-        self._process, self._answer_run = self._kernels.open_check(self._exercise, self._seconds, alone=alone)
+        process, self._answer_run = self._kernels.open_check(self._exercise, self._seconds, alone=alone)
+        self._process = process
         run = CaseRun(answer=self._answer_run)
         if not run.ended:
-            self._run_check(run, case, source)
+            self._run_check(process, run, case, source)
         if not run.ended and not run.passed and _misses_name(run):
             # Only then the cells below count.
-            self._process.run_below("")
-            self._run_check(run, case, source)
+            process.run_below("")
+            self._run_check(process, run, case, source)
         if not run.passed:
             self.close()
         return run
 
-    def _run_check(self, run, case, source):
+    def _run_check(self, process, run, case, source):
         exercise = self._exercise
         partner = exercise.kind.partner(exercise, case)
         if partner is not None:
-            return self._run_with(partner, run, source)
+            return self._run_with(process, partner, run, source)
         inputs = [encode(call.arguments) for call in case.calls]
-        run.check = self._process.run_check(source, inputs, exercise.time_limit)
+        run.check = process.run_check(source, inputs, exercise.time_limit)
         if not run.ended:
             run.verdict = self.stored(case).verdict(run)
 
@@ -159,9 +160,9 @@ class ExerciseRun:
         expected = [call.result.value for call in case.calls]
         return StoredAnswer(expected, case.tolerance, self._exercise.exact_type)
 
-    def _run_with(self, partner, run, source):
+    def _run_with(self, process, partner, run, source):
         """Run a check that talks to a partner. What fails in the partner is raised: no answer causes it."""
-        run.check = self._process.run_with(source, partner)
+        run.check = process.run_with(source, partner)
         run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
         self.stop_at += partner.seconds
         run.verdict, run.is_measured = partner.verdict(), True
@@ -185,7 +186,7 @@ class GradingPlugin:
     def __init__(self, connection, folder, kernel_factory):
         self._connection, self._kernel_factory = connection, kernel_factory
         self._folder = Path(folder)
-        self._session, self._exercise_kernel, self._phases, self._exception = None, None, [], None
+        self._phases, self._exception = [], None
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session):

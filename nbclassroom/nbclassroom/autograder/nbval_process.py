@@ -35,8 +35,8 @@ _PLUGINS = (
 )
 _PROGRAM = "from nbclassroom.autograder import nbval_main; nbval_main.main()"
 
-_processes = {}  # name of a thread: its NbvalProcess
-_stopped = set()  # prefixes of the threads that start no more
+_processes: dict[str, "NbvalProcess"] = {}  # by the names of the threads
+_stopped: set[str] = set()  # prefixes of the threads that start no more
 
 
 class NbvalProcessEnded(Exception):

@@ -16,10 +16,8 @@ class PageKernels:
     def __init__(self, page, kernel_factory):
         self._page, self._kernel_factory = page, kernel_factory
         self._kernel, self._allowed, self._place = None, (), []
-        self._skip, self._ended_at = (
-            [],
-            set(),
-        )  # statements that end the process; those at which one ended once
+        # Statements that end the process; those at which one ended once
+        self._skip, self._ended_at = [], set()
 
     def in_order(self, exercises):
         """Exercises in the order in which their checks are to run."""
@@ -37,8 +35,8 @@ class PageKernels:
         """
         place = self._page["checks"][exercise.id]
         if not alone and exercise.kind.shares_kernel:
-            run = self._run_to(place, exercise.allowed)
-            check = None if run.ended else self._kernel.fork_check(seconds)
+            kernel, run = self._run_to(place, exercise.allowed)
+            check = None if run.ended else kernel.fork_check(seconds)
             if check is not None:
                 return check, self._about(exercise, run, check.run_below(exercise.function))
         self.close()
@@ -47,16 +45,16 @@ class PageKernels:
         return kernel, self._about(exercise, run, below)
 
     def _run_to(self, place, allowed):
-        """The CellRun of the page, which runs on to a place in the kernel that the exercises share."""
+        """(the kernel that the exercises share, the CellRun of the page, which runs on to a place in it)."""
         if self._kernel is not None and self._allowed == allowed and self._place <= place:
             run = self._kernel.run_page(place)
             self._place = place
             if not run.ended:
-                return run
+                return self._kernel, run
         self.close()
         self._kernel, run = self._start(place, allowed, 0.0)
         self._allowed, self._place = allowed, place
-        return run
+        return self._kernel, run
 
     def _start(self, place, allowed, seconds, *, alone=False):
         """(a kernel, the CellRun of the page up to a place in it), without what ends the process."""

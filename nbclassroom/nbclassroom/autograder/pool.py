@@ -19,7 +19,8 @@ import itertools
 import os
 import sys
 from collections import deque
-from concurrent.futures import Future, wait
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Executor, Future, wait
 from dataclasses import replace
 from functools import lru_cache
 
@@ -34,19 +35,28 @@ from .worker_threads import open_worker_threads
 
 __all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
 
+Submission = tuple[str, str, dict]  # name, lesson, page
+
 _QUEUE_PER_WORKER = 4  # submissions that are submitted before their results are taken
 _ATTEMPTS = 3  # to grade a submission, each in a new nbval process
 _KILLS = 10  # of nbval processes while they start or grade one submission; they are not attempts
 
 
-def autograde(submissions, key, *, unsafe=False, workers=None, executor=None, limits=None):
+def autograde(
+    submissions: Iterable[Submission],
+    key: Key | dict[str, Key],
+    *,
+    unsafe: bool = False,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    limits: Limits | None = None,
+) -> Iterator[GradedSubmission]:
     """Grade submissions, lazily and in order; yields a GradedSubmission for each.
 
-    `submissions` are (name, lesson, page), with a page as `exercises.page` describes it or only the answers,
-    {exercise id: source}; they are read as results are taken, so that a generator of thousands needs no
-    memory. `key` is a Key, or {name: Key}; `unsafe` runs without a
-    sandbox; `workers` are graded at once (None: one per core), by threads of this process, or by an Executor
-    that runs `grade_one` elsewhere; `limits` are those of one kernel.
+    `submissions` have a page as `exercises.page` describes it or only the answers, {exercise id: source};
+    they are read as results are taken, so that a generator of thousands needs no memory. `key` is for all, or
+    {name: Key}; `unsafe` runs without a sandbox; `workers` are graded at once (None: one per core), by
+    threads of this process, or by an Executor that runs `grade_one` elsewhere; `limits` are one kernel's.
 
     Before anything is run: SandboxError, there is no sandbox here; ValueError, a lesson is not in the key.
     """
@@ -85,7 +95,7 @@ class _Queue:
 
     def __init__(self, executor, options):
         self._executor, self._options = executor, options
-        self.waiting = deque()
+        self.waiting: deque[tuple[Submission, Key, Future]] = deque()
 
     def add(self, submission, key):
         self.waiting.append((submission, key, self._submit(submission, key)))
@@ -95,7 +105,7 @@ class _Queue:
         try:
             return self._executor.submit(grade_one, submission, str(key.path), key.digest, **options)
         except RuntimeError as error:  # the executor has lost its workers
-            future = Future()
+            future: Future = Future()
             future.set_exception(error)
             return future
 
@@ -123,7 +133,7 @@ class _Queue:
         exercises = (new[exercise.id] if exercise.id in ids else exercise for exercise in result.exercises)
         return replace(result, exercises=tuple(exercises))
 
-    def _result(self, submission, key, future):
+    def _result(self, submission: Submission, key: Key, future: Future) -> GradedSubmission:
         for _ in range(2):
             try:
                 return future.result()
@@ -156,7 +166,14 @@ def _one_share_each(limits, exercises):
     return replace(limits, wall_factor=0, wall_grace=share)
 
 
-def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
+def grade_one(
+    submission: Submission,
+    key_folder: str,
+    digest: str,
+    *,
+    unsafe: bool = False,
+    limits: Limits | None = None,
+) -> GradedSubmission:
     """The GradedSubmission of one submission; a plain function that any Executor can run, here or elsewhere.
 
     The key's folder must exist on the machine that runs this, with the key of this digest: else

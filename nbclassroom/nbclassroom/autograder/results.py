@@ -150,9 +150,9 @@ def graded_exercise(exercise, exercise_run):
         for case in exercise.cases
     )
     mistake = None if all(case.passed for case in cases) else _known_mistake(exercise, runs)
-    known = (mistake.name, mistake.says) if mistake else ("", "")
+    name, says = (mistake.name, mistake.says) if mistake else ("", "")
     message = _message_about_cell(runs)
-    return GradedExercise(exercise.id, exercise.title, exercise.points, cases, *known, message)
+    return GradedExercise(exercise.id, exercise.title, exercise.points, cases, name, says, message)
 
 
 def _known_mistake(exercise, runs):
@@ -160,7 +160,7 @@ def _known_mistake(exercise, runs):
     done = [case for case in exercise.cases if case.id in runs]
     calls = {case.id: runs[case.id].verdict.case_calls(exercise, case) for case in done}
     for cases in (exercise.public, exercise.cases):
-        own = [calls.get(case.id) for case in cases]
+        own = [calls.get(case.id, []) for case in cases]
         mistake = all(own) and exercise.kind.known_mistake(exercise, [*chain(*own)])
         if mistake:
             return mistake

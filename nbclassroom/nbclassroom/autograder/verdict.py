@@ -26,8 +26,8 @@ class Verdict:
     @property
     def call(self):
         """The CallResult of the call that failed, or None."""
-        is_there = self.failed_call is not None and self.failed_call < len(self.calls)
-        return self.calls[self.failed_call] if is_there else None
+        calls, number = self.calls or [], self.failed_call
+        return calls[number] if number is not None and number < len(calls) else None
 
     @property
     def forged(self):
@@ -39,7 +39,9 @@ class Verdict:
 
     @property
     def sentence(self):
-        """What is wrong with the value of the call that failed."""
+        """What is wrong with the value of the call that failed, "" if there was none."""
+        if self.difference is None:
+            return ""
         place = f"in answer{self.difference.path}: " if self.difference.path else ""
         return f"{place}{self.difference.message}"
 
@@ -89,8 +91,6 @@ class StoredAnswer:
 
     def __eq__(self, shown):
         return isinstance(shown, ShownAnswer) and self.verdict(shown.run).passed
-
-    __hash__ = None
 
     def explain(self, shown):
         """Why `stored == shown` is false, in a line."""

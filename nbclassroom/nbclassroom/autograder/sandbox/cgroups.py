@@ -33,7 +33,7 @@ class ProcessGroup:
     """The processes of one sandbox."""
 
     def __init__(self, memory, processes, *, use_cgroups=True):
-        self.folders = []  # of its control groups; none if none could be made or are used
+        self.folders: list[Path] = []  # of its control groups; none if none could be made or are used
         # Of each group its own: the guard ends what is in the folders.
         self._name = f"{_PREFIX}{next(_numbers)}-{os.getpid()}"
         self._max_memory = memory + _OWN_MEMORY
@@ -124,7 +124,7 @@ class ProcessGroup:
 
     def remove(self):
         """Remove the control groups, with what is still in them."""
-        if self.folders:
+        if self._guard is not None:
             if self._guard.poll() is not None:  # somebody killed it
                 self._guard.communicate()
                 self._guard = self._start_guard()

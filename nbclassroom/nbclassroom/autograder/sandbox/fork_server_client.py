@@ -33,9 +33,10 @@ class KernelEnded(Exception):
 class Connection:
     """The socket to a process that runs cells, and the limits on what comes out of it."""
 
-    def __init__(self, group, limits):
-        self._group, self._limits = group, limits
-        self._lines, self._buffer, self._is_confined = deque(), b"", True
+    def __init__(self, fork_server, limits):
+        self._fork_server, self._group, self._limits = fork_server, fork_server.group, limits
+        self._lines: deque[bytes] = deque()
+        self._buffer, self._is_confined = b"", True
         self._next_look, self._most_cpu = 0.0, math.inf
         self._deadline = self._statement_ends = math.inf
         self._socket, self._other_end = socket.socketpair()
@@ -158,26 +159,30 @@ class Connection:
         """End the kernel if it and all that it started use too much memory together, or time in a drive."""
         if time.monotonic() < self._next_look:
             return
-        if self._ran_out_of_memory():
+        if self._fork_server.ran_out_of_memory():
             raise KernelEnded("memory")
         if self._most_cpu < math.inf and (self._group.cpu_seconds() or 0.0) > self._most_cpu:
             raise KernelEnded("time")
         self._next_look = time.monotonic() + _LOOK_SECONDS
+
+    def _how_it_ended(self):
+        """The value of CellRun.ended for a process that ended by itself."""
+        raise NotImplementedError
 
     def _ending(self, status):
         """The value of CellRun.ended for a process that ended by itself, by its exit status."""
         # The system's limit is in whole seconds.
         if status["signal"] in _TIME_SIGNALS and status["cpu"] > self._cpu_limit - 0.9:
             return "time"
-        return "memory" if self._ran_out_of_memory() else "crashed"
+        return "memory" if self._fork_server.ran_out_of_memory() else "crashed"
 
 
 class ForkedKernel(Connection):
     """A kernel that was forked from a `ForkServer`; it waits until `begin`."""
 
     def __init__(self, fork_server, limits):
-        super().__init__(fork_server.group, limits)
-        self._fork_server, self._is_confined = fork_server, False
+        super().__init__(fork_server, limits)
+        self._is_confined = False
         with self._other_end:
             self._id = fork_server.fork(self._other_end.fileno())
 
@@ -199,7 +204,7 @@ class ForkedKernel(Connection):
 
     def fork_check(self, seconds):
         """A ForkedCheck with the page as it is now; None: beside threads and processes there is no fork."""
-        check = ForkedCheck(self, self._group, self._limits, seconds)
+        check = ForkedCheck(self, self._fork_server, self._limits, seconds)
         return check if check.has_begun else None
 
     def exchange_fork(self, descriptor, cpu):
@@ -217,9 +222,6 @@ class ForkedKernel(Connection):
         """How the forked process ended, {} if this one has ended as well."""
         request = {"end": patience, "confined": self._fork_server.confined}
         return self._request(request).status
-
-    def _ran_out_of_memory(self):
-        return self._fork_server.ran_out_of_memory()
 
     def _how_it_ended(self):
         """The value of CellRun.ended for a kernel that ended by itself; "gone" if the fork server did too."""
@@ -247,8 +249,8 @@ class ForkedKernel(Connection):
 class ForkedCheck(Connection):
     """A process that a kernel forked for the cases of one exercise."""
 
-    def __init__(self, kernel, group, limits, seconds):
-        super().__init__(group, limits)
+    def __init__(self, kernel, fork_server, limits, seconds):
+        super().__init__(fork_server, limits)
         self._kernel, self._status = kernel, None
         self._begin(seconds)
         with self._other_end:
@@ -256,15 +258,10 @@ class ForkedCheck(Connection):
         if not self.has_begun:
             self._socket.close()
 
-    def _ran_out_of_memory(self):
-        return self._kernel._ran_out_of_memory()
-
     def _how_it_ended(self):
         if self._status is None:
             self._status = self._kernel.end_fork(1.0)
-        if self._status:
-            return self._ending(self._status)
-        return "crashed"
+        return self._ending(self._status) if self._status else "crashed"
 
     def stop(self):
         """End the process and all that it started."""
@@ -283,7 +280,8 @@ class ForkServer:
     def __init__(self, group, limits, *, confined):
         self._limits, self.confined = limits, confined
         self.group = group  # ProcessGroup of all its processes
-        self._process = self._control = None
+        self._process = None
+        self._control: socket.socket  # to the process, as long as there is one
         self._folder = None if confined else TemporaryFolder()
         self._fork_count = 0
 
@@ -309,7 +307,7 @@ class ForkServer:
         return subprocess.Popen(
             [*bubblewrap.sandbox_command(confined), "-c", code + "fork_server.main()", json.dumps(settings)],
             env={} if confined else bubblewrap.environment(confined=False),
-            cwd=None if confined else self._folder.path,  # where cells write files
+            cwd=self._folder.path if self._folder else None,  # where cells write files
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,

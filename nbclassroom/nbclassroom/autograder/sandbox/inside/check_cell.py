@@ -17,7 +17,7 @@ from nbclassroom.exercises.input_encoding import decode
 from nbclassroom.exercises.kinds import kind_of
 
 MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest
-_case = {}  # "calls", "seconds"
+_case: dict = {}  # "calls", "seconds"
 
 
 def deliver(case):

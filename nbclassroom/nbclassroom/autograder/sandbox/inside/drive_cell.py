@@ -21,7 +21,9 @@ from nbclassroom.exercises.kinds.drive.drive import speeds_of
 
 def drive(control):
     """Let a controller drive until the robot outside ends it; returns its memory."""
-    case, memory, reply = check_cell.delivered(), {}, {}
+    case = check_cell.delivered()
+    memory: dict = {}
+    reply: dict = {}
     running.set_handler(signal.SIGPROF, check_cell.raise_time_up)
     while True:
         shell.flush()

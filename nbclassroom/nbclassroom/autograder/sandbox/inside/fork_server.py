@@ -108,7 +108,8 @@ def main():
     gc.collect()
     gc.freeze()
     control.send(b"ready")
-    kernels, ending = {}, set()
+    kernels: dict[int, int] = {}
+    ending: set[int] = set()
     while True:
         text, descriptors, _, _ = socket.recv_fds(control, 1 << 20, 1)
         if not text:

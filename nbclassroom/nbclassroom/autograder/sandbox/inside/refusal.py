@@ -97,11 +97,12 @@ def _is_guarded(frame):
     """Whether the frame is inside a try or a with statement now."""
     code = dis.Bytecode(frame.f_code)
     own = {step.offset for step in code if step.opname in _OWN_HANDLERS}
-    entries = (entry for entry in code.exception_entries if entry.target not in own)
+    entries = code.exception_entries  # type: ignore[attr-defined]  # it has no documentation and no type
+    entries = (entry for entry in entries if entry.target not in own)
     return any(entry.start <= frame.f_lasti < entry.end for entry in entries)
 
 
-_own_modules = set()  # files that the learner's cells write
+_own_modules: set[str] = set()  # files that the learner's cells write
 
 
 def allow_files(files):

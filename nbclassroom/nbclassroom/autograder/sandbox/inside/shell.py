@@ -99,7 +99,7 @@ def flush():
 class AnswerPublisher(DisplayPublisher):
     """Sends what a check cell displays."""
 
-    def publish(self, data, metadata=None, **_ignored):
+    def publish(self, data, metadata=None, source=None, **_ignored):
         WRITER.send_answer(data)
 
 
@@ -248,7 +248,7 @@ class _Server:
 
 
 _MOST_ERRORS = 100
-_NO_PAGE = {"answers": {}, "cells": [], "checks": {}, "left_out": []}
+_NO_PAGE: dict = {"answers": {}, "cells": [], "checks": {}, "left_out": []}
 _HANDLERS = {
     "code": _Server._run_code,
     "page": _Server._open_page,
