@@ -30,7 +30,7 @@ _CASE = "room"
 _CHECK = f"from nbclassroom.autograder.sandbox.inside.drive_cell import explore\n\nexplore({FUNCTION})"
 # A controller that sleeps holds up a whole class: a drive has twice its processor time, not four times.
 _LIMITS = Limits(wall_factor=2.0)
-_factories = []  # this process's KernelFactory
+_factories: list[KernelFactory] = []  # this process's KernelFactory
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ def _exercise(scenario):
     )
 
 
-def _found(run: CaseRun):
+def _found(run: CaseRun) -> dict | None:
     """What a controller says that it found, as `course.league_score` takes it; None if it says nothing."""
     try:
         (told,) = run.told

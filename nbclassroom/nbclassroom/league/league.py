@@ -194,8 +194,8 @@ def _secret_number(seed, about):
 
 def _drive_and_draw(controllers, scenarios, *, workers=None, unsafe=False, quiet=None):
     """The controllers in the order of their scores, with their explorations, ranks and images."""
-    options = {"mp_context": get_context("spawn"), "initializer": explorations.start, "initargs": (unsafe,)}
-    executor = ProcessPoolExecutor(workers, **options)
+    context, start = get_context("spawn"), explorations.start
+    executor = ProcessPoolExecutor(workers, context, start, (unsafe,))
     try:
         _drive_all(executor, controllers, scenarios, quiet)
         ranked = ranking(controllers)

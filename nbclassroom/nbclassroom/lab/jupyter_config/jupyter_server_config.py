@@ -8,7 +8,7 @@ import os
 import platform
 from pathlib import Path
 
-c = get_config()  # noqa: F821 - Jupyter, which runs this file, defines it
+c = get_config()  # type: ignore[name-defined]  # noqa: F821 - Jupyter, which runs this file, defines it
 
 c.Application.log_level = "WARN"  # Jupyter prints its address at every level
 if "NBCLASSROOM_LESSONS" in os.environ:
