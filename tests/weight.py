@@ -11,10 +11,10 @@ from pathlib import Path
 
 # Ceilings in lines. A change that needs more takes something away.
 CEILINGS = {
-    "imgproc_course": 17_400,
-    "nbclassroom/nbclassroom": 20_600,
+    "imgproc_course": 16_200,
+    "nbclassroom/nbclassroom": 20_500,
     "notebooks/masters": 30_300,
-    "tests": 53_500,  # with those of nbclassroom
+    "tests": 48_100,  # with those of nbclassroom
 }
 MOST_COMPLEX = 19
 TEXTS = (".py", ".toml", ".yaml", ".txt", ".json")
