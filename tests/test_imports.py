@@ -7,6 +7,7 @@ from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
+from nbclassroom.autograder.sandbox import bubblewrap
 
 ROOT = Path(__file__).parents[1]
 COURSE = ROOT / "imgproc_course"
@@ -113,6 +114,27 @@ def test_only_the_folder_of_a_kind_of_answer_asks_for_the_kind():
     paths = [path for path in modules(CLASSROOM) if "kinds" not in path.parts]
     code = {relative(path): path.read_text(encoding="utf-8") for path in paths}
     assert [f"{name}: {found[0]}" for name, text in code.items() for found in asks.finditer(text)] == []
+
+
+def imported_at_once(path):
+    """Modules of the classroom's exercises that a module imports when it is imported itself."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    package = path.relative_to(CLASSROOM.parent).parent.parts
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom):
+            above = ".".join(package[: len(package) - node.level + 1]) if node.level else ""
+            base = f"{above}.{node.module or ''}".strip(".")
+            for name in (base, *(f"{base}.{alias.name}" for alias in node.names)):
+                file = CLASSROOM.parent / f"{name.replace('.', '/')}.py"
+                if file.is_relative_to(CLASSROOM / "exercises") and file.exists():
+                    yield file.relative_to(CLASSROOM / "exercises").with_suffix("").as_posix()
+
+
+def test_the_sandbox_has_each_module_that_its_modules_import():
+    inside = (CLASSROOM / "autograder" / "sandbox" / "inside").glob("*.py")
+    there = [CLASSROOM / "exercises" / f"{name}.py" for name in bubblewrap.modules_of_exercises()]
+    imported = {name for path in [*inside, *there] for name in imported_at_once(path)}
+    assert len(imported) > 8 and imported - {*bubblewrap.modules_of_exercises()} == set()
 
 
 def test_no_file_of_the_classroom_names_the_course():

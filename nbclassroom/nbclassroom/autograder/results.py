@@ -156,7 +156,10 @@ def graded_exercise(exercise, exercise_run):
 
 
 def _known_mistake(exercise, runs):
-    """The declared mistake that explains the public cases, as in `check`, or else all cases; or None."""
+    """The declared mistake that explains the public cases, as in `check`, or else all cases; or None.
+
+    `check` knows the answer's source, and leaves out a mistake whose advice the answer follows already.
+    """
     done = [case for case in exercise.cases if case.id in runs]
     calls = {case.id: runs[case.id].verdict.case_calls(exercise, case) for case in done}
     for cases in (exercise.public, exercise.cases):

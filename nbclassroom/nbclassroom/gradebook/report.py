@@ -27,14 +27,13 @@ _CELL_ADVICE = (
 )
 _FOREIGN_VALUE = (
     "Your answer reads a value that another cell makes with a module that is not allowed here. In the lesson"
-    " it works; grading gives your function only its arguments. Compute with those."
+    " it works; in grading nothing has this module. Compute with the arguments of your function."
 )
 _MAP_CAPTION = "The drive: a green dot is its start, a cross a bump, a ring the decisive moment."
 _DRIVES_WRONG = "does not drive as the task asks"
 _NAME_ADVICE = (
-    "The autograder runs the given cell of the exercise, your answer cell, and the functions, classes,"
-    " imports and constants of other cells that your answer reads. Nothing else of the notebook runs. Is the"
-    " name misspelled, or does no cell define it?"
+    "Grading runs your notebook as Restart & Run All does, from its top to the check of the exercise, and if"
+    " a name is missing the cells below, too. Is the name misspelled, or does no cell define it?"
 )
 
 

@@ -221,16 +221,19 @@ def _course_packages():
     return options + _classroom()
 
 
-def _classroom():
+def modules_of_exercises():
+    """The modules of `exercises` that kernels have, such as "kinds/kind"."""
     from nbclassroom.exercises import kinds  # here, because it imports NumPy: a process starts without
 
+    own = [(name, ("__init__", "kind", *kinds.kind_of(name).kernel_modules)) for name in kinds.NAMES]
+    return [*_EXERCISES, *(f"kinds/{name}/{module}" for name, modules in own for module in modules)]
+
+
+def _classroom():
     root = f"{COURSE}/nbclassroom"
-    modules = [(name, ("__init__", "kind", *kinds.kind_of(name).kernel_modules)) for name in kinds.NAMES]
-    names = [*_EXERCISES, *(f"kinds/{name}/{module}" for name, own in modules for module in own)]
-    folders = ["exercises", "exercises/kinds", *(f"exercises/kinds/{name}" for name in kinds.NAMES)]
-    folders += ["autograder", "autograder/sandbox"]
-    options = _new_folders(root, *(f"{root}/{name}" for name in folders))
-    names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in names)]
+    names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in modules_of_exercises())]
+    folders = {f"{root}/{Path(name).parent}" for name in names} | {f"{root}/autograder/sandbox"}
+    options = _new_folders(root, f"{root}/autograder", *sorted(folders - {f"{root}/."}))
     names += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
     for name in names:
         options += ["--ro-bind", str(_SOURCE / name), f"{root}/{name}"]

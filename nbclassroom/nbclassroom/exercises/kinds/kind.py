@@ -8,8 +8,11 @@ class Kind:
     """A kind of answer, with what most kinds need; a folder changes what is particular about its kind.
 
     `answer` is a learner's, as the notebook has it; a call is a CaseCall, and `calls` are all of a check.
+    Each kind defines `name`, and what raises NotImplementedError here. What none can change: an answer binds
+    the name of its task, and gets its points from checks.
     """
 
+    name: str  # as `subject` in a declaration
     noun = "function"  # what texts call an answer
     kernel_modules: tuple[str, ...] = ()  # modules of the folder, which the kernels that grade need
     sensors: tuple[str, ...] = ()  # what an answer may observe, of which a declaration names some
