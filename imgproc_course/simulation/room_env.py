@@ -27,8 +27,17 @@ LOOK = 0.1  # seconds from one observation to the next
 NO_RANGE = 10.0  # metres, in `scan`: the ray meets nothing. A Box is bounded, so it cannot be inf as in ROS
 SENSORS = ("scan", "depth", "image", "odometry")
 # A scenario: what `reset` takes as options, and what counts where one of them is left out.
-OPTIONS: dict[str, Any] = dict.fromkeys(("room", "start", "ball", "goal", "answer"))
-OPTIONS |= {"time": 0.0, "lighting": "day", "movers": [], "duration": 40.0}
+OPTIONS: dict[str, Any] = {
+    "room": None,
+    "start": None,
+    "time": 0.0,
+    "lighting": "day",
+    "movers": [],
+    "duration": 40.0,
+    "ball": None,
+    "goal": None,
+    "answer": None,
+}
 START_CLEARANCE = 0.45  # metres around the body at a start that is drawn
 KEPT_ROOMS = 2  # so many rooms stay ready for the next drive: up to 220 MB each, if images are drawn
 
