@@ -461,4 +461,4 @@ def test_a_value_that_another_cell_makes_with_a_module_is_explained():
     )
     exercise = SimpleNamespace(message=message, cases=[SimpleNamespace(outcome=Outcome.RAISED)])
     text, _ = _advice_on(exercise)
-    assert "In the lesson it works" in text and "Compute with those" in text
+    assert "In the lesson it works" in text and "Compute with the arguments of your function" in text
