@@ -38,6 +38,7 @@ log = logging.getLogger("imgproc_course.ros")
 notebook_log.install()  # before a context exists
 
 CALLBACK_TIMEOUT = 5.0  # seconds that others wait for a callback to return
+REMOVAL_TIMEOUT = 60.0  # seconds that the removal of a node waits: its callback may compute for long
 LOG_PERIOD = 5.0  # seconds between two log lines about the same fault
 START_ATTEMPTS = 20
 
@@ -176,7 +177,7 @@ class RosSession:
     def remove_node(self, node: Node) -> None:
         """Stops spinning your node and destroys it. A second call does nothing."""
         if self.running:
-            self.run(functools.partial(self._spinner.destroy, node))
+            self.run(functools.partial(self._spinner.destroy, node), REMOVAL_TIMEOUT)
 
     def remove_namesake(self, name: str, namespace: str | None = None, context: Any = None) -> None:
         """Destroys the session's node of this name, before another one is created in the same context.
@@ -230,7 +231,13 @@ class RosSession:
 
         if not self._running_spinner().post(call):
             raise RuntimeError("the ROS session has just stopped; RosSession.current() starts it")
-        return future.result(timeout)
+        try:
+            return future.result(timeout)
+        except TimeoutError as error:
+            if future.done():
+                raise
+            text = f"a callback has not returned for {timeout:g} s; wait until it does, then run this again"
+            raise TimeoutError(text) from error
 
     def post(self, function: Callable[[], Any]) -> None:
         """Lets the spinning thread call a function soon, without waiting. Does nothing if stopped."""

@@ -388,3 +388,24 @@ def test_a_log_folder_that_cannot_be_written_does_no_harm(run_python):
         ROS_LOG_DIR="/proc/no/such/folder",
     )
     assert (code, out, err) == (0, "42\n", "")
+
+
+def test_a_node_whose_callback_computes_for_long_is_removed_after_it(session):
+    began, ends = threading.Event(), threading.Event()
+
+    class Reader(Node):
+        def __init__(self):
+            super().__init__("slow_reader")
+            self.timer = self.create_timer(0.05, self.read)
+
+        def read(self):
+            began.set()
+            ends.wait(30)
+
+    node = session.add_node(Reader)
+    assert began.wait(30)
+    with pytest.raises(TimeoutError, match=r"a callback has not returned for 0\.1 s; wait until it does"):
+        session.run(list, 0.1)
+    threading.Timer(5.5, ends.set).start()  # others wait 5 s for a callback
+    session.remove_node(node)
+    assert ends.is_set()
