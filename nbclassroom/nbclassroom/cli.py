@@ -38,7 +38,7 @@ class CourseGroup(click.Group):
         except KeyboardInterrupt:
             click.echo(f"\n{_STOPPED.get(ctx.invoked_subcommand, 'Stopped.')}", err=True)
             raise SystemExit(130) from None
-        except Exception as error:
+        except (OSError, RuntimeError, ValueError) as error:
             is_ours = type(error).__module__.startswith("nbclassroom.") or isinstance(error, ValueError)
             if not is_ours and not isinstance(error, OSError):
                 raise

@@ -37,5 +37,5 @@ def _value_of(line, names):
         except SyntaxError:
             code = compile(line, "example", "exec")
         return eval(code, names)
-    except Exception as error:
+    except Exception as error:  # the line is code of the template's author
         raise MasterError(f"in {line!r}: {type(error).__name__}: {error}") from error

@@ -15,7 +15,7 @@ from .masters import find_lessons
 _PAGES = (".ipynb", ".html")
 
 
-class HandoutError(Exception):
+class HandoutError(RuntimeError):
     """The lessons could not be handed out; the text is one line that says what to do."""
 
 

@@ -29,7 +29,7 @@ LOCK = ".course.lock"
 _NUMBER = re.compile(r"(?<=^# )\d\d(?= · )|\b\d\d(?=_[a-z])|(?<=[Ll]esson )\d\d\b")
 
 
-class LabError(Exception):
+class LabError(RuntimeError):
     """The lessons cannot be copied, or JupyterLab not started; the text is one line that says what to do."""
 
 
