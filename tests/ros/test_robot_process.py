@@ -66,7 +66,9 @@ class Program:
     def evaluate(self, expression):
         """The repr of the expression's value; or the name and the text of the error."""
         self._stdin.write(f"{expression}\n")
-        return self._stdout.readline().removesuffix("\n")
+        line = self._stdout.readline()
+        assert line, f"{self.name} has ended at {expression}: {self._stderr.read()}"
+        return line.removesuffix("\n")
 
     def open(self, options=""):
         return self.evaluate(f"globals().update(camera=open_camera({options})) or camera")
