@@ -44,7 +44,7 @@ class CourseGroup(click.Group):
                 raise
             text = str(error) if is_ours else f"{ctx.invoked_subcommand} stopped: {error}"
             exception = click.ClickException(text)
-            exception.exit_code = getattr(error, "exit_code", 1)
+            exception.exit_code = getattr(error, "exit_code", 1)  # type: ignore[misc]  # click reads it there
             raise exception from error
 
 

@@ -5,6 +5,7 @@ import time
 from dataclasses import dataclass, field
 from itertools import zip_longest
 from pathlib import Path
+from typing import Any
 
 import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
@@ -177,7 +178,7 @@ def lesson_notebook(master, *, solved=False):
 
 def _cell_metadata(cell):
     tags = sorted({*cell.tags, *RAISING_TAGS}) if set(cell.tags) & set(RAISING_TAGS) else list(cell.tags)
-    metadata = {"tags": tags} if tags else {}
+    metadata: dict[str, Any] = {"tags": tags} if tags else {}
     if cell.folded:
         metadata["jupyter"] = {"source_hidden": True}
     if cell.role == "check":

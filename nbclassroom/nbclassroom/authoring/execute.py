@@ -11,6 +11,7 @@ from pathlib import Path
 
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from nbformat import NotebookNode
 from nbformat.v4 import new_output
 from PIL import Image
 
@@ -21,8 +22,8 @@ from ..exercises.declaration import MasterError
 from .rules import RAISING_TAGS
 
 CELL_SECONDS = 120
-_VARIABLES_LEFT_OUT = ("MPLBACKEND", "PYTHONWARNINGS", "FORCE_COLOR", "NO_COLOR")
-_VARIABLES_LEFT_OUT += ("ROS_LOCALHOST_ONLY", "JPY_SESSION_NAME", CHECKS_VARIABLE)
+_VARIABLES_LEFT_OUT = {"MPLBACKEND", "PYTHONWARNINGS", "FORCE_COLOR", "NO_COLOR"}
+_VARIABLES_LEFT_OUT |= {"ROS_LOCALHOST_ONLY", "JPY_SESSION_NAME", CHECKS_VARIABLE}
 _ANSI = re.compile(r"\x1b\[[0-9;]*m")
 _ADDRESS = re.compile(r"\b0x[0-9a-f]{8,}\b")
 _DATA_URI = re.compile(r"base64,[A-Za-z0-9+/=\s]+")
@@ -121,9 +122,9 @@ def _normalize_output(output, count):
 
 def _merge_streams(outputs):
     """Neighbouring chunks of one stream as one; stdout before stderr, because their order is a race."""
-    merged = []
-    for kind, neighbours in groupby(outputs, lambda output: output.output_type):
-        neighbours = list(neighbours)
+    merged: list[NotebookNode] = []
+    for kind, group in groupby(outputs, lambda output: output.output_type):
+        neighbours = list(group)
         if kind == "stream":
             texts = {"stdout": "", "stderr": ""}
             for output in neighbours:
@@ -145,8 +146,8 @@ def _remove_png_metadata(encoded):
 def refuse_traces(notebook, master):
     """Refuse outputs with a path of this machine, or with an address, which changes from run to run."""
     folders = {*course.roots(), Path.home(), master.path.parent.resolve()}
-    paths = [re.escape(str(folder)) + r"(?![\w.-])" for folder in sorted(folders) if folder != Path("/")]
-    paths = re.compile("|".join([*paths, re.escape(f"{tempfile.gettempdir()}/lesson-")]))
+    names = [re.escape(str(folder)) + r"(?![\w.-])" for folder in sorted(folders) if folder != Path("/")]
+    paths = re.compile("|".join([*names, re.escape(f"{tempfile.gettempdir()}/lesson-")]))
     for cell, master_cell in zip(notebook.cells, master.cells, strict=True):
         if master_cell.kind != "code":
             continue

@@ -52,7 +52,7 @@ def read_glossary(path):
     """The Terms of a glossary.toml in alphabetical order; none without the file. MasterError names faults."""
     path = Path(path)
     terms = [_read_term(path, name, entry) for name, entry in read_toml(path).items()]
-    owners = {}
+    owners: dict[str, str] = {}
     for term in terms:
         for form in term.forms:
             if owners.setdefault(form, term.name) != term.name:

@@ -188,9 +188,9 @@ class _Value:
     tolerance: float | None
 
     def __eq__(self, other):
-        forms = self.form, other.form
-        if forms[0] == forms[1]:
+        form, other_form = self.form, other.form
+        if form == other_form:
             return True
         if self.tolerance is None:
-            forms = [canonical(decode(form)) for form in forms]
-        return compare(*forms, self.tolerance or 0.0, exact_type=True) is None
+            form, other_form = canonical(decode(form)), canonical(decode(other_form))
+        return compare(form, other_form, self.tolerance or 0.0, exact_type=True) is None

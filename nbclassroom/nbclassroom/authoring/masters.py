@@ -148,7 +148,7 @@ def read_master(path):
 
 def _texts(script, references):
     """The texts of the figures; MasterError: they are no literal dict of pairs."""
-    texts = {}
+    texts: dict[str, tuple[str, str]] = {}
     for cell in script.cells:
         if cell.role == "texts":
             try:
@@ -177,7 +177,8 @@ def _resolved(record, references):
 
 
 def _lesson_cells(path, timed, exercises, references):
-    counts, latest = Counter(), ""
+    counts: Counter[tuple] = Counter()
+    latest = ""
     declared = iter(exercises)
     solutions = {exercise.id: exercise.solution for exercise in exercises}
     varying = {exercise.id for exercise in exercises if not exercise.kind.expects_values}

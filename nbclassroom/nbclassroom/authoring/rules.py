@@ -136,10 +136,10 @@ def _cell_rules(cell, lines, next_cell):
 
 def _figure_problems(cell):
     calls = [node for node in _nodes(cell) if isinstance(node, ast.Call)]
-    for call in (call for call in calls if getattr(call.func, "id", "") in _FIGURES):
+    for name, call in [(getattr(call.func, "id", ""), call) for call in calls]:
         keywords = {keyword.arg for keyword in call.keywords}
-        if "text" not in keywords and not {"caption", "alt"} <= keywords:
-            yield f'{call.func.id}(...) needs text="<lesson>/<name>", or caption= and alt='
+        if name in _FIGURES and "text" not in keywords and not {"caption", "alt"} <= keywords:
+            yield f'{name}(...) needs text="<lesson>/<name>", or caption= and alt='
 
 
 def _belongs_to_asserts(node):

@@ -158,7 +158,9 @@ def _sums(form):
     """The sum of all numbers in a form, that of their absolute values, and how many they are."""
     form = form.get("array", form)  # of a matrix
     if form["type"] == "ndarray":
-        values = np.float64(array_of(form) if "data" in form else [np.nan])  # which is far from nothing
+        values = np.asarray(
+            array_of(form) if "data" in form else [np.nan], np.float64
+        )  # which is far from nothing
         with np.errstate(invalid="ignore", over="ignore"):
             return float(values.sum()), float(np.abs(values).sum()), values.size
     if kind_of(form) in ("bool", "int", "float"):
@@ -172,8 +174,9 @@ def _size_problems(exercise, case):
     solution = exercise.function_of(exercise.solution, "solution")
     for arguments in exercise.arguments(case):
         answer = array_of(_in_time(exercise, exercise.call(solution, arguments)).value)
-        is_large = answer is not None and answer.nbytes > _MOST_BYTES
-        if is_large and (answer.dtype.kind == "f" or case.tolerance):
+        if answer is None or answer.nbytes <= _MOST_BYTES:
+            continue
+        if answer.dtype.kind == "f" or case.tolerance:
             yield (
                 f"{case.id}: grading cannot compare an answer of {answer.nbytes} bytes with a tolerance;"
                 f" draw a smaller input, up to {_MOST_BYTES} bytes of answer"

@@ -1,5 +1,7 @@
 """The answer keys that submissions are graded with: one key per version of a lesson."""
 
+from typing import Any
+
 from ..autograder.answer_key import load_key
 
 
@@ -12,7 +14,7 @@ class AnswerKeys:
 
     def __init__(self, keys):
         self.keys = list(keys)
-        self.lessons = {}
+        self.lessons: dict[str, Any] = {}
         for key in self.keys:
             for name, lesson in key.lessons.items():
                 self.lessons.setdefault(name, lesson)

@@ -27,6 +27,8 @@ _ERRORS = (zipfile.BadZipFile, zlib.error, OSError, ValueError, EOFError, Runtim
 class CollectError(ValueError):
     """There is nothing to collect, or it is in doubt, and then with an `exit_code`; says what to do."""
 
+    exit_code = 1
+
 
 def too_large(size, largest):
     """Why a file of this size in bytes is not read, and what to do."""
@@ -94,7 +96,8 @@ class Archives:
             raise CollectError(f"zips in zips are read {DEEPEST_ZIPS} deep; submit the notebook itself")
         with ExitStack() as stack:
             inner = io.BytesIO(self.read(location)) if len(location) > 1 else None
-            raw = inner or _open_collected(*location[0], LARGEST_ZIP).detach()
+            (path, status), *_ = location
+            raw = inner or _open_collected(path, status, LARGEST_ZIP).detach()
             file = stack.enter_context(_ContentsReader(raw))
             archive = stack.enter_context(zipfile.ZipFile(file))
             file.limited = False
@@ -112,7 +115,8 @@ class Archives:
     def read(self, location):
         """The bytes of the file or the member at a location; CollectError: it cannot be read."""
         if len(location) == 1:
-            open_file = partial(_open_collected, *location[0], LARGEST)
+            ((path, status),) = location
+            open_file = partial(_open_collected, path, status, LARGEST)
         else:
             member = self.members(location[:-1])[location[-1]]
             if problem := _member_problem(member):

@@ -6,6 +6,7 @@ report the same findings. Here each answer can also be run against the public ch
 
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from .. import course
 from ..authoring.lesson_names import notebook_name
@@ -68,7 +69,8 @@ class CheckFileCatalog:
     """The `lessons` {name: CheckFile} of some folders, the first of each; `damage` are CheckFileErrors."""
 
     def __init__(self, folders):
-        self.lessons, self.damage = {}, []
+        self.lessons: dict[str, Any] = {}
+        self.damage = []
         for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
             try:
                 file = check_files.read_check_file(path)

@@ -7,6 +7,7 @@ name from outside never becomes a path. A submission costs only its sender, who 
 import os
 import unicodedata
 from collections import Counter, defaultdict
+from collections.abc import Callable
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from datetime import datetime
@@ -38,7 +39,7 @@ class SubmittedFile:
     path: str = ""
     dates: tuple = ()
     reason: str = ""
-    reader: object = None
+    reader: Callable[[], bytes] = bytes
     learner: str = ""
     place: str = ""
     platform: str = ""
@@ -75,8 +76,12 @@ class Collection(AbstractContextManager):
     """
 
     def __init__(self, path, lessons=(), layouts=()):
-        path, self._archives, self._members = Path(path), Archives(), Counter()
-        self._notebooks, self._others, self.files, self.ignored = [], [], [], []
+        path, self._archives = Path(path), Archives()
+        self._members: Counter[str] = Counter()
+        self._notebooks: list[SubmittedFile] = []
+        self._others: list[SubmittedFile] = []
+        self.files: list[SubmittedFile] = []
+        self.ignored: list[str] = []
         if not path.exists():
             raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
         self._root, self._is_folder = path.resolve(), path.is_dir()
@@ -91,7 +96,8 @@ class Collection(AbstractContextManager):
                 vars(file).update(vars(sender))
             file.version = file.version or ("", str(file.submitted_at))
         _make_names_unique([file for file in self._notebooks + self._others if file.learner])
-        files = defaultdict(lambda: ([], []))  # {learner: (notebooks, others)}, nobody's with ""
+        # {learner: (notebooks, others)}, nobody's with ""
+        files: dict[str, tuple[list, list]] = defaultdict(lambda: ([], []))
         for index, found in enumerate((self._notebooks, self._others)):
             for file in found:
                 files[file.learner][index].append(file)
@@ -143,7 +149,7 @@ class Collection(AbstractContextManager):
         self._notebooks.append(file)
 
     def _add_entry(self, entry, file):
-        location = ()
+        location: tuple = ()
         try:
             status = os.lstat(entry)
             location = ((os.fspath(entry), status),)
@@ -183,7 +189,8 @@ class Collection(AbstractContextManager):
 
 def _make_names_unique(files):
     """Put the platform's number behind a name of several people; CollectError: two names look the same."""
-    numbers, spellings = defaultdict(set), defaultdict(dict)
+    numbers = defaultdict(set)
+    spellings: dict[str, dict] = defaultdict(dict)
     for file in files:
         place = file.place if file.platform == "moodle" else ""  # in each zip a person has another number
         numbers[file.learner, file.platform, place].add(file.platform_id)

@@ -2,7 +2,7 @@
 
 import hashlib
 import time
-from collections import Counter, defaultdict
+from collections import defaultdict
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
@@ -58,7 +58,9 @@ def read_all(collection, answer_keys, store, *, quiet=None):
 
     CollectError, with a list: which of a learner's files counts is unknown.
     """
-    learners, by_lesson, seconds, doubtful = {}, defaultdict(list), Counter(), []
+    learners: dict[str, Learner] = {}
+    seconds: dict[str, float] = defaultdict(float)
+    by_lesson, doubtful = defaultdict(list), []
     with NotebookReader(NOTEBOOK_SECONDS) as reader:
         for file in tqdm(collection.files, desc="reading", unit=" files", disable=quiet, leave=False):
             start = time.monotonic()

@@ -92,8 +92,8 @@ def platform_points(lesson, excused=""):
 
 def lessons_of(grades):
     """{name: entry in `keys`} of the lessons with points, as the first key that has them describes them."""
-    lessons = [lesson for key in reversed(grades["keys"]) for lesson in key["lessons"]]
-    lessons = {lesson["lesson"]: lesson for lesson in lessons if lesson["max_points"]}
+    entries = [entry for key in reversed(grades["keys"]) for entry in key["lessons"]]
+    lessons = {entry["lesson"]: entry for entry in entries if entry["max_points"]}
     return {name: lessons[name] for name in lesson_names(grades) if name in lessons}
 
 

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 from .. import course
 
@@ -21,7 +22,8 @@ class NotebookReader(contextlib.AbstractContextManager):
 
     def __init__(self, seconds=SECONDS, memory=MEMORY):
         self._arguments = [str(memory), str(seconds), course.name]
-        self._process, self._last_read = None, b""
+        self._process: Any = None  # a Popen, after the first request
+        self._last_read = b""
 
     def read(self, data):
         """(What `submission_reader.read_notebook` makes of bytes, ""), or (None, why they are not read)."""
@@ -62,8 +64,8 @@ class NotebookReader(contextlib.AbstractContextManager):
 
     def _start(self):
         command = [sys.executable, "-I", "-S", "-B", str(_READER), *self._arguments]
-        pipes = dict.fromkeys(("stdin", "stdout"), subprocess.PIPE)
-        self._process = subprocess.Popen(command, stderr=subprocess.DEVNULL, **pipes)
+        pipe, nowhere = subprocess.PIPE, subprocess.DEVNULL
+        self._process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=nowhere)
 
     def close(self):
         """End the process; returns how it ended, as `Popen.returncode` says it."""

@@ -11,6 +11,7 @@ import hashlib
 from collections import namedtuple
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from .. import course
 from ..autograder.outcomes import TEXTS, Outcome
@@ -49,7 +50,6 @@ def _environment():
         lstrip_blocks=True,
     )
     environment.finalize = _shown
-    environment.markup = jinja2.utils.markupsafe.Markup
     environment.filters |= {
         **{"capital": _capital, "count": count_of, "anchor": anchor_of, "submitted": submitted_lessons},
         "numbered": lambda name: (name, "number"),
@@ -100,12 +100,12 @@ def _own_code(name):
     """A file of ours that a page contains as it is, and its hash, by which the page's policy allows it."""
     text = (TEMPLATES / name).read_text(encoding="utf-8")
     digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
-    return _environment().markup(text), f"'sha256-{digest}'"
+    return _environment().filters["safe"](text), f"'sha256-{digest}'"
 
 
 def _rendered(name, **content):
     """A part of a page, for another template."""
-    return _environment().markup(_environment().get_template(name).render(**content))
+    return _environment().filters["safe"](_environment().get_template(name).render(**content))
 
 
 def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, keep=None):
@@ -125,7 +125,7 @@ def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, 
 
 def _lesson_view(lesson, result, answer_keys):
     findings = [finding for finding in lesson["findings"] if finding["kind"] == "message"]
-    key = answer_keys.key_of(lesson["key"]) if lesson["key"] else None
+    key: Any = answer_keys.key_of(lesson["key"]) if lesson["key"] else None
     views = []
     for entry, exercise in zip(lesson["exercises"], result.exercises if result else (), strict=False):
         notes = [finding["text"] for finding in findings if finding["exercise"] == exercise.id]

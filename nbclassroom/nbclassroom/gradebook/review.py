@@ -70,7 +70,8 @@ def review_pages(grades, parts, names):
 
 def _reviews(learners):
     """The answers to each exercise: in `groups` first those who lost points alike, the most frequent way."""
-    reviews, ways = {}, {}
+    reviews: dict[str, dict] = {}
+    ways: dict[str, dict] = {}
     for learner in learners:
         for lesson in learner["lessons"]:
             for exercise in lesson["exercises"]:
@@ -84,7 +85,7 @@ def _reviews(learners):
                 answers.append(answer | {"anchor": anchor_of(learner)})
     for id, review in reviews.items():
         review["groups"] = sorted(ways[id].items(), key=lambda item: (item[0] == (), -len(item[1]), item[0]))
-        review["count"] = sum(map(len, ways[id].values()))
+        review["count"] = sum(len(answers) for answers in ways[id].values())
     return list(reviews.values())
 
 

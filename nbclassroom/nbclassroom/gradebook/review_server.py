@@ -58,6 +58,7 @@ def serve_review(out, keys, decisions=None, *, say=print):
 
 
 class _Handler(BaseHTTPRequestHandler):
+    server: ReviewServer
     timeout = 60  # seconds that a browser may be silent
 
     def do_GET(self):

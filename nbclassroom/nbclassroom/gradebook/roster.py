@@ -15,8 +15,8 @@ from .csv_table import TableError, read_csv
 _FULL_NAME = ("student", "full name", "name", "learner", "student name")
 _FIRST_NAME = ("first name", "firstname")
 _LAST_NAME = ("last name", "lastname", "surname")
-_IDENTITIES = ("email address", "email", "e-mail", "username", "id number")
-_IDENTITIES += ("sis login id", "sis user id", "integration id", "login")
+_OF_CANVAS = ("sis login id", "sis user id", "integration id", "login")
+_IDENTITIES = ("email address", "email", "e-mail", "username", "id number", *_OF_CANVAS)
 _NUMBERS = {"id": "canvas", "identifier": "moodle"}
 _NUMBER = re.compile(r"(?<!\d)\d+$")
 _CLASS_LIST_NUMBER = re.compile(r"\d+[ _.-]+(?=\S)")  # 01_ada
@@ -119,7 +119,8 @@ def _people(roster, learners):
 
 def names_in_roster(roster, learners):
     """{a name that one person of a roster has: the learner's name, None if they submitted nothing}."""
-    names, count = {}, Counter(name for entry in roster for name in {entry.name, *entry.names})
+    names: dict[str, str | None] = {}
+    count = Counter(name for entry in roster for name in {entry.name, *entry.names})
     for entry, senders in _people(roster, learners).items():
         certainties = []  # of two with nearly one name, the platform's number decides, then the exact name
         for one in senders:

@@ -5,13 +5,17 @@ roster, the layout. What a command does not say is not a change of the rules.
 """
 
 import json
+from collections.abc import Callable
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from .result_store import GradesFolderError, write_grades_file
 
 FILE = "rules.json"
-_RULES = {  # name: (what texts call it, how its text in rules.json is read)
+_RULES: dict[
+    str, tuple[str, Callable[[str], Any]]
+] = {  # name: (what texts call it, how its text in rules.json is read)
     "keys": ("the key", Path),
     "deadline": ("the deadline", datetime.fromisoformat),
     "late": ("the late policy", str),

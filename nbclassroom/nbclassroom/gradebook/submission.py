@@ -341,7 +341,8 @@ def _kind(cell):
 
 def _compare_given(exercise, cells, lesson, content):
     """Report check and given cells that were changed or removed, and collect what check cells claim."""
-    cells_by_id, cells_by_source = {}, {}
+    cells_by_id: dict[str, dict] = {}
+    cells_by_source: dict[str, dict] = {}
     for cell in cells:
         cells_by_id.setdefault(cell["id"], cell)
         cells_by_source.setdefault((cell.get("source") or "").strip(), cell)

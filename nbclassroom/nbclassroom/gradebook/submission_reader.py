@@ -22,9 +22,9 @@ from pathlib import Path
 
 if __name__ == "__main__":
     sys.path += [str(Path(__file__).parents[1] / "exercises"), str(Path(__file__).parent)]
-    import cell_syntax
-    import page
-    import syntax_shapes
+    import cell_syntax  # type: ignore[import-not-found]  # modules by themselves, which mypy does not know
+    import page  # type: ignore[import-not-found]
+    import syntax_shapes  # type: ignore[import-not-found]
 else:
     from nbclassroom import course
     from nbclassroom.exercises import cell_syntax, page
@@ -42,7 +42,7 @@ _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.
 _PR_SET_PDEATHSIG = 1
 _SLIPS = "syntax_slips" if __name__ == "__main__" else "nbclassroom.exercises.syntax_slips"
 _COURSE = sys.argv[3] if __name__ == "__main__" else course.name
-_UNKNOWN_SYNTAX = {"error": None, "slip": None, "names": None, "stub_lines": []}
+_UNKNOWN_SYNTAX: dict = {"error": None, "slip": None, "names": None, "stub_lines": []}
 
 
 class UnreadableError(ValueError):
@@ -249,13 +249,14 @@ def serve(requests, replies, most_memory, seconds):
     remembers of earlier notebooks leaves enough memory for each one. A request that takes more `seconds` of
     processor time ends it.
     """
-    notebook = None
+    notebook: dict = {}
     while header := requests.readline():
         kind, length = header.split()
         if kind == b"read" and _memory_in_use() > most_memory:
             return
         body = requests.read(int(length))
         signal.setitimer(signal.ITIMER_PROF, seconds)  # nobody handles its signal, which ends the process
+        reply: dict
         try:
             if kind == b"read":
                 notebook = read_notebook(body)

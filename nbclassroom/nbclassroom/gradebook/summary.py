@@ -54,7 +54,7 @@ def summary_page(grades, failed_pages=()):
 
 def _lists_of_concerns(learners, own_modules):
     """{list: what the teacher should look at in it}; `own_modules` are files that were submitted too."""
-    lists = {"unfair": [], "dishonest": [], "others": [], "broken": [], "modules": []}
+    lists: dict[str, list] = {"unfair": [], "dishonest": [], "others": [], "broken": [], "modules": []}
     for learner in learners:
         for lesson in _lessons_to_look_at(learner):
             for name, concern in _concerns(learner, lesson, own_modules):
@@ -74,7 +74,7 @@ def _lessons_to_look_at(learner):
 
 def _concerns(learner, lesson, own_modules):
     """(list, what the page shows of a concern); what cost nothing is one entry for each submission."""
-    grouped = {}
+    grouped: dict[tuple, dict] = {}
     about_answers = chain(_about_exercises(lesson, own_modules), _about_broken_cells(lesson))
     for name, exercise, text in chain(_about_submission(lesson), _about_findings(lesson), about_answers):
         texts = grouped.setdefault((name, exercise if name != "others" else ""), {})
@@ -213,7 +213,7 @@ def _lesson_rows(graded, names):
 
 def _check_rows(graded):
     """One row per check, those that most learners fail first."""
-    rows = {}
+    rows: dict[tuple, dict] = {}
     for lesson in graded:
         for exercise in lesson["exercises"]:
             for case in exercise["cases"]:

@@ -26,8 +26,8 @@ def syntax_tokens(source):
         tree = ast.parse(source) if len(source) <= LONGEST else ast.Module([], [])
     except _UNPARSABLE:
         return []
-    own, numbers, tokens = _own_names(tree), {}, []
-    nodes = [tree]
+    own, tokens, nodes = _own_names(tree), [], [tree]
+    numbers: dict[str, int] = {}
     while nodes:
         node = nodes.pop()
         if isinstance(node, str):

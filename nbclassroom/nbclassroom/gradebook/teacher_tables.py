@@ -53,7 +53,7 @@ class Extension:
 
 def read_decisions(path, answer_keys, text=None):
     """The Decisions in a table, or in the `text` that it shall have; TableError: a row has a mistake."""
-    decisions = {}
+    decisions: dict[tuple, Decision] = {}
     for row, place in _rows(read_csv(path, text), DECISION_COLUMNS, ("learner", "lesson", "points")):
         lesson = _lesson(row["lesson"], answer_keys, place)
         exercise = _exercise(row["exercise"], lesson, answer_keys, place)
@@ -83,7 +83,8 @@ def read_extensions(path, answer_keys):
 
 def _by_learner(rows, names):
     """{learner: rows} of a table; `names` {as written: learner, or None to leave out}; else TableError."""
-    assigned, as_written = {}, {spreadsheet_text(name): name for name in names}
+    assigned: dict[str, list] = {}
+    as_written = {spreadsheet_text(name): name for name in names}
     for row in rows:
         # As grades.csv writes it: an apostrophe keeps a spreadsheet from taking a name for a formula.
         copied = as_written.get(row.learner, row.learner)
