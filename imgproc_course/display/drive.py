@@ -17,7 +17,7 @@ from traitlets import Float
 from imgproc_course.display.controls import in_a_row
 from imgproc_course.display.figures import split_text
 from imgproc_course.display.live_view import LiveView
-from imgproc_course.display.screen import Look
+from imgproc_course.display.screen import Style
 
 HERE = Path(__file__).parent
 robot_log = logging.getLogger("imgproc_course.ros.robot")
@@ -77,8 +77,8 @@ def drive(
 
         source = TOPIC
     caption, alt = split_text(text, caption, alt)
-    look = Look(width=width, caption=caption, alt=alt or "What the robot's camera sees")
-    view = DriveView(robot, source, DrivePad(linear=float(linear), angular=float(angular)), look)
+    style = Style(width=width, caption=caption, alt=alt or "What the robot's camera sees")
+    view = DriveView(robot, source, DrivePad(linear=float(linear), angular=float(angular)), style)
     view.start()
     view.publish()
     return view
@@ -107,7 +107,7 @@ class _RobotWarnings(logging.Handler):
 class DriveView(LiveView):
     """The robot's image, and its controls; `drive` makes one and starts it."""
 
-    def __init__(self, robot: Any, source: Any, pad: DrivePad, look: Look):
+    def __init__(self, robot: Any, source: Any, pad: DrivePad, style: Style):
         self._robot, self._pad = robot, pad
         self._pad.on_msg(self._on_message)
         self._command: tuple[float, float, float] | None = None  # time, linear, angular
@@ -117,8 +117,8 @@ class DriveView(LiveView):
         self._restarts = getattr(robot, "restarts", 0)
         self._threads: list[threading.Thread] = []
         self._warnings = _RobotWarnings(lambda text: self._screen.say(text))
-        super().__init__(source, None, look, {})
-        self._box.layout.width = f"{(look.width or 0) + 8}px"  # the texts above the image must not widen it
+        super().__init__(source, None, style, {})
+        self._box.layout.width = f"{(style.width or 0) + 8}px"  # the texts above the image must not widen it
         self._box = in_a_row(self._box, self._pad)
 
     @property

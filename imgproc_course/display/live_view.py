@@ -18,7 +18,7 @@ from IPython.display import display
 from imgproc_course.display.controls import Controls, in_a_row, make_button
 from imgproc_course.display.figures import Output, split_text
 from imgproc_course.display.printing import captured_prints, last_lines
-from imgproc_course.display.screen import Look, Screen, View, describe_error
+from imgproc_course.display.screen import Screen, Style, View, describe_error
 
 MAX_RATE = 30  # frames per second: enough for a camera on a screen, and the browser must keep up
 PING_INTERVAL = 0.5  # seconds between two pings to the browser
@@ -73,8 +73,8 @@ def live_view(
     ValueError : another kind of source, an invalid range
     RosMissingError : a topic, but rclpy is not installed
     """
-    look = Look(encoding, width, limits, *split_text(text, caption, alt))
-    view = LiveView(source, process, look, ranges)
+    style = Style(encoding, width, limits, *split_text(text, caption, alt))
+    view = LiveView(source, process, style, ranges)
     view.start()
     view.publish()
     return view
@@ -100,7 +100,7 @@ class LiveView(View):
     snapshots : list of Snapshot
     """
 
-    def __init__(self, source: Any, process: Callable[..., Any] | None, look: Look, ranges: dict[str, Any]):
+    def __init__(self, source: Any, process: Callable[..., Any] | None, style: Style, ranges: dict[str, Any]):
         if process is not None and not callable(process):
             raise ValueError(
                 f"process is {type(process).__name__}; expected a function: live_view(camera, edges)"
@@ -108,10 +108,10 @@ class LiveView(View):
         if ranges and process is None:
             raise ValueError(f"{', '.join(ranges)}: sliders need a function whose parameters they set")
         self._process = process
-        self._feed = _feed_from(source, look.encoding)
+        self._feed = _feed_from(source, style.encoding)
         self._controls = Controls(process, ranges) if ranges else None
-        self._name = look.caption or getattr(process, "__name__", "camera").replace("<lambda>", "camera")
-        self._screen = Screen(look, f"Live view: {self._name}")
+        self._name = style.caption or getattr(process, "__name__", "camera").replace("<lambda>", "camera")
+        self._screen = Screen(style, f"Live view: {self._name}")
         self._pacer = _Pacer()
         self._thread: threading.Thread | None = None
         self._stopping = threading.Event()

@@ -17,7 +17,7 @@ WIDTH, WIDTH_OF_SEVERAL, HIGHEST = 640, 960, 480
 QUALITY = 80
 
 
-class Look(NamedTuple):
+class Style(NamedTuple):
     """How a view shows its images; `live_view` describes it."""
 
     encoding: str = "bgr8"
@@ -62,20 +62,20 @@ class NamedImage(widgets.Image):
 class Screen:
     """Shows arrays in one ipywidgets image; any thread may call it: it only assigns to existing widgets."""
 
-    def __init__(self, look, alt):
-        self._look = look
+    def __init__(self, style, alt):
+        self._style = style
         self._size = (0, 0)
         common = {"max_width": "calc(100% - 4px)", "margin": "2px"}
         layout = widgets.Layout(object_fit="contain", **common)
-        self.image = NamedImage(format="jpeg", layout=layout, tooltip=look.alt or look.caption or alt)
+        self.image = NamedImage(format="jpeg", layout=layout, tooltip=style.alt or style.caption or alt)
         self._titles = widgets.HTML(layout=widgets.Layout(**common))
         # It appears with the first text and keeps a height: texts that come and go must not move the page.
         layout = widgets.Layout(min_height="62px", display="none", **common)
         self._message = widgets.HTML(layout=layout)
-        width = look.width or WIDTH
+        width = style.width or WIDTH
         self._resize(width, round(width * 9 / 16))
         self.image.value = _encode(np.full((self._size[1], width), 230, np.uint8))
-        caption_line = [widgets.HTML(html.escape(look.caption))] if look.caption else []
+        caption_line = [widgets.HTML(html.escape(style.caption))] if style.caption else []
         self.box = widgets.VBox([self._titles, self.image, *caption_line, self._message])
 
     def show(self, result):
@@ -100,8 +100,8 @@ class Screen:
         images = []
         for k, (title, array) in enumerate(zip(titles, arrays, strict=True)):
             name = title or ("the result" if len(arrays) == 1 else f"result {k}")
-            image = check_image(array, self._look.encoding, title, name)
-            if is_scaled(image) and self._look.limits is None:
+            image = check_image(array, self._style.encoding, title, name)
+            if is_scaled(image) and self._style.limits is None:
                 raise ValueError(
                     f"{name} has dtype {array.dtype}: give the values of black and white, for example "
                     f"limits=({array.min():g}, {array.max():g}), or return uint8"
@@ -115,7 +115,7 @@ class Screen:
         return self._side_by_side(images, max(image.array.shape[0] for image in images))
 
     def _compose(self, images):
-        width = self._look.width or (WIDTH if len(images) == 1 else WIDTH_OF_SEVERAL)
+        width = self._style.width or (WIDTH if len(images) == 1 else WIDTH_OF_SEVERAL)
         width_of_images = width - GAP * (len(images) - 1)
         height = max(1, min(HIGHEST, round(width_of_images / sum(map(_aspect, images)))))
         self._resize(width, height)
@@ -134,7 +134,7 @@ class Screen:
         if image.order == "gray" and array.dtype == bool:
             array = array.view(np.uint8) * np.uint8(255)
         elif array.dtype != np.uint8:
-            limits = self._look.limits if image.order == "gray" else (0, 1)
+            limits = self._style.limits if image.order == "gray" else (0, 1)
             array = to_rgb(image, limits)[:, :, ::-1]
             image = image._replace(order="bgr")
         array = resize(array, size)

@@ -14,7 +14,7 @@ from IPython.display import display
 from imgproc_course.display.controls import Controls, in_a_row
 from imgproc_course.display.figures import Output, split_text
 from imgproc_course.display.printing import captured_prints, last_lines
-from imgproc_course.display.screen import Look, Screen, View, describe_error
+from imgproc_course.display.screen import Screen, Style, View, describe_error
 
 PATIENCE = 10  # seconds that `.value` waits for a computation
 QUICK = 0.05  # seconds that the kernel waits for a computation before it reads its next message
@@ -68,8 +68,8 @@ def tune(
             f"frame is {type(frame).__name__}; expected an array; for a live source call "
             "live_view(source, function, name=(low, high))"
         )
-    look = Look(encoding, width, limits, *split_text(text, caption, alt))
-    tuner = Tuner(function, frame, look, sliders)
+    style = Style(encoding, width, limits, *split_text(text, caption, alt))
+    tuner = Tuner(function, frame, style, sliders)
     tuner.publish()
     return tuner
 
@@ -87,11 +87,11 @@ class Tuner(View):
 
     _controls: Controls
 
-    def __init__(self, function: Callable[..., Any], frame: Any, look: Look, ranges: dict[str, Any]):
+    def __init__(self, function: Callable[..., Any], frame: Any, style: Style, ranges: dict[str, Any]):
         self._function, self._frame = function, frame
         self._name = getattr(function, "__name__", "function")
         self._controls = Controls(function, ranges, self._request)
-        self._screen = Screen(look, f"Result of {self._name} on the frame")
+        self._screen = Screen(style, f"Result of {self._name} on the frame")
         self._lock = threading.Lock()
         self._requests = 0
         self._idle = threading.Event()  # not set while a thread computes

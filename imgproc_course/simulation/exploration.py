@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from .metrics import cell_of
-from .room_env import LOOK, RoomEnv, reachable_cells
+from .room_env import STEP, RoomEnv, reachable_cells
 
 ROOMS = tuple(range(31, 41))  # furnished rooms, by their numbers
 DURATION = 60.0  # seconds
@@ -45,7 +45,7 @@ def exploration_score(env: RoomEnv, found: Any) -> dict[str, Any]:
         "markers": _count_markers(env, found.get("markers")),
         "word": int(isinstance(word, str) and word.strip().upper() == env.room.word),
         "bumps": len(env.bump_places),
-        "time": round((len(env.path) - 1) * LOOK, 1),
+        "time": round((len(env.path) - 1) * STEP, 1),
     }
     for_found = FOR_MARKER * values["markers"] + FOR_WORD * values["word"]
     points = 100 * values["coverage"] + for_found + FOR_BUMP * values["bumps"]

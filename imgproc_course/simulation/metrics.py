@@ -10,7 +10,7 @@ MOVING = 0.02  # m/s: who is slower stands, and is not judged by what is near
 
 
 class Metrics:
-    """Counts, look after look, what the robot of a Simulation does."""
+    """Counts, step after step, what the robot of a Simulation does."""
 
     def __init__(self, simulation, goal=None, answer=None):
         self._simulation, self._goal, self._answer = simulation, goal, answer
@@ -34,7 +34,7 @@ class Metrics:
         }
 
     def update(self, time):
-        """After a look, `time` seconds after the start: (metres driven in it, whether a bump began)."""
+        """After a step, `time` seconds after the start: (metres driven in it, whether a bump began)."""
         before, place = self._place, self._simulation.place
         self._place, values = place, self._values
         metres = math.dist(before[:2], place[:2])

@@ -23,7 +23,7 @@ with naming_extra():
     import gymnasium
     from gymnasium import spaces
 
-LOOK = 0.1  # seconds from one observation to the next
+STEP = 0.1  # seconds from one observation to the next
 NO_RANGE = 10.0  # metres, in `scan`: the ray meets nothing. A Box is bounded, so it cannot be inf as in ROS
 SENSORS = ("scan", "depth", "image", "odometry")
 # A scenario: what `reset` takes as options, and what counts where one of them is left out.
@@ -78,7 +78,7 @@ class RoomEnv(gymnasium.Env):
     - "ball_gap": of | distance from camera to ball - 0.6 m |, the mean after 5 s, metres; "ball_angle": from
       where the robot looks to where the ball is, the mean after 5 s, degrees
 
-    The reward of a look is the distance driven in it, less 1 for a bump. An episode is truncated after its
+    The reward of a step is the distance driven in it, less 1 for a bump. An episode is truncated after its
     duration, and never terminated. `reset` takes a *scenario* as options; all of its keys may be left out:
 
     - "room": a whole number, of a furnished room; else the room of the recorded drive
@@ -89,7 +89,7 @@ class RoomEnv(gymnasium.Env):
     - "goal": (x, y, radius)
     - "answer": degrees to the left of the sign: there the robot is to look at the end
 
-    `path` has the true (x, y, yaw) at the start and after each look, `bump_places` (look, (x, y, yaw)) of the
+    `path` has the true (x, y, yaw) at the start and after each step, `bump_places` (step, (x, y, yaw)) of the
     bumps.
 
     Parameters
@@ -104,7 +104,7 @@ class RoomEnv(gymnasium.Env):
         action that is not two numbers
     """
 
-    metadata = {"render_modes": ["rgb_array"], "render_fps": round(1 / LOOK)}  # noqa: RUF012
+    metadata = {"render_modes": ["rgb_array"], "render_fps": round(1 / STEP)}  # noqa: RUF012
 
     def __init__(
         self,
@@ -158,13 +158,13 @@ class RoomEnv(gymnasium.Env):
         simulation = self._started()
         if np.shape(action) != (2,):
             raise ValueError(f"an action is two numbers, (linear, angular), got {action!r}")
-        simulation.step(*map(float, action), LOOK)
+        simulation.step(*map(float, action), STEP)
         self.path.append(simulation.place)
-        look = len(self.path) - 1
-        time = round(look * LOOK, 9)
+        number = len(self.path) - 1
+        time = round(number * STEP, 9)
         metres, bumped = self._metrics.update(time)
         if bumped:
-            self.bump_places.append((look, simulation.place))
+            self.bump_places.append((number, simulation.place))
         over = time > self._duration - 1e-9
         return self._observation(time), metres - bumped, False, over, self._metrics.info()
 
@@ -176,7 +176,7 @@ class RoomEnv(gymnasium.Env):
         """What the camera sees, beside the map with the path, (height, width, 3) uint8 RGB."""
         if self.render_mode is None:
             return None
-        bumps = [(look, x, y) for look, (x, y, _) in self.bump_places]
+        bumps = [(number, x, y) for number, (x, y, _) in self.bump_places]
         drawn = draw_map(self.path, bumps, room=self._scene.room, goal=self._goal, ball=self._ball)
         height = drawn.shape[0]
         width = 2 * round(height * 8 / 9)  # 16:9, and even: videos need even sizes
@@ -270,8 +270,8 @@ def read_options(options):
         raise ValueError(f"unknown option {unknown[0]!r}; expected some of {', '.join(OPTIONS)}")
     scenario = OPTIONS | options
     duration = scenario["duration"]
-    if not (math.isfinite(duration) and duration >= LOOK):
-        raise ValueError(f"duration is {LOOK} seconds or more, got {duration}")
+    if not (math.isfinite(duration) and duration >= STEP):
+        raise ValueError(f"duration is {STEP} seconds or more, got {duration}")
     goal = scenario["goal"]
     if goal is not None and not (len(goal) == 3 and np.isfinite(goal).all() and goal[2] > 0):
         raise ValueError(f"goal is (x, y, radius) in metres, got {goal}")

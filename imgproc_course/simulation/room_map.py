@@ -30,7 +30,7 @@ def draw_map(
     Parameters
     ----------
     path : of the robot, (x, y, yaw) in metres and radians; a green dot at its start, the body at its end
-    bumps : (look, x, y), where the robot was: red crosses
+    bumps : (step, x, y), where the robot was: red crosses
     room : the living room of the recorded drive, if omitted
     goal : (x, y, radius), a green circle
     ball : (x, y), where it began; with (dx, dy) a line to where it would roll

@@ -33,9 +33,9 @@ class Commands:
 def view(monkeypatch):
     """A view without threads: what it would show does not matter here."""
     from imgproc_course.display.drive import DrivePad, DriveView
-    from imgproc_course.display.screen import Look
+    from imgproc_course.display.screen import Style
 
-    view = DriveView(Commands(), "/camera", DrivePad(), Look(width=480))
+    view = DriveView(Commands(), "/camera", DrivePad(), Style(width=480))
     stopping = threading.Event()
     thread = threading.Thread(target=view._send_commands, args=(stopping,))
     thread.start()

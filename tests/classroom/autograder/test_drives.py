@@ -48,7 +48,7 @@ def drive(factory):
 
 
 def looks_at(expression):
-    """A controller that shows what it sees in its second look."""
+    """A controller that shows what it sees in its second step."""
     return (
         "def control(observation, memory):\n    if observation['time'] == 0:\n"
         "        memory['seen'] = 'memory'\n        return 0.25, 0.0\n"
@@ -110,7 +110,7 @@ def test_what_ends_a_drive_is_one_sentence_with_line_and_time(drive):
     assert hidden.message == "it returned something else than two numbers"
     public, _ = drive("def control(o, m):\n    while True: pass").cases
     assert public.outcome == "time"
-    assert public.message == "one look took more than 0.5 s of processor time, 0.0 s after the start"
+    assert public.message == "one step took more than 0.5 s of processor time, 0.0 s after the start"
 
 
 def test_a_stub_and_an_answer_without_the_function(drive):
@@ -152,7 +152,7 @@ def test_an_attack_gains_nothing_sees_nothing_and_leaves_the_next_drive_alone(at
     assert drive(GOOD).points == 5
 
 
-def test_all_processes_of_a_look_share_its_time(drive, factory):
+def test_all_processes_of_a_step_share_its_time(drive, factory):
     # Where this user cannot make control groups, each process has the limit for itself.
     is_counted = factory._group.cpu_seconds() is not None
     outcomes = {case.outcome.value for case in drive(BESIDE).cases}

@@ -43,10 +43,10 @@ def test_a_drive_gives_observations_until_its_end():
     assert drive.layout == [["scan", "<f4", [360]], ["odometry", "<f8", [3]], ["time", "<f8", []]]
     assert drive.observation["scan"][0] == 2.0 and drive.observation["time"] == 0.0
     drive.act((0.2, 0.0))
-    assert drive.observation["odometry"].tolist() == pytest.approx([0.02, 0, 0]) and drive.looks == 1
+    assert drive.observation["odometry"].tolist() == pytest.approx([0.02, 0, 0]) and drive.steps == 1
     for _ in range(40):
         drive.act((0.2, 0.0))
-    assert drive.over and drive.looks == 30
+    assert drive.over and drive.steps == 30
 
 
 def test_the_environment_gets_the_options_of_the_scenario_alone():
@@ -59,7 +59,7 @@ def test_a_record_is_data_and_says_what_was_kept():
     record, scenario = driven((0.2, 0.0))
     assert json.loads(json.dumps(record)) == record
     assert passes(record, scenario) and sentences_of(record, scenario) == []
-    assert record["looks"] == 30 and record["path"][-1] == [0.6, 0, 0] and record["actions"][7] == [0.2, 0.0]
+    assert record["steps"] == 30 and record["path"][-1] == [0.6, 0, 0] and record["actions"][7] == [0.2, 0.0]
     assert record["metrics"]["reach"] == 0.6 and record["decisive"] == 30
 
 
@@ -105,7 +105,7 @@ def test_the_first_metric_that_is_missed_asks_a_question_but_not_after_a_bump():
     questions = {}
     for name, value in missed.items():
         operator, limit = metrics.get(name, [">=", 10])
-        record = {"ended": "", "looks": 30, "bumps": [], "missed": [[name, value, operator, limit]]}
+        record = {"ended": "", "steps": 30, "bumps": [], "missed": [[name, value, operator, limit]]}
         questions[name] = sentences_of(record, SCENARIO)[1:]
         assert questions[name] == [question_of(record)] * bool(question_of(record))
         assert question_of(record | {"bumps": [[3, 0.1, 0.0]]}) == ""
@@ -133,7 +133,7 @@ def test_a_drive_that_was_stopped_does_not_pass():
     drive.stop("control() raised ZeroDivisionError: division by zero")
     drive.act((0.2, 0.0))
     record = drive.record()
-    assert record["looks"] == 1 and not passes(record, SCENARIO)
+    assert record["steps"] == 1 and not passes(record, SCENARIO)
     assert sentences_of(record, SCENARIO) == [
         "The drive ended after 0.1 s: control() raised ZeroDivisionError: division by zero."
     ]
@@ -238,6 +238,6 @@ def test_a_scenario_needs_these_keys(key):
 def test_the_end_is_the_decisive_moment_of_a_drive_that_misses_its_way_alone():
     record, _ = driven((0.1, 0.0), thresholds={"bumps": ["<=", 0], "reach": [">=", 0.85]})
     assert record["missed"][0][0] == "reach" and decisive_moment(record) == "the end"
-    assert record["decisive"] == record["looks"] == 30
+    assert record["decisive"] == record["steps"] == 30
     near, _ = driven((0.1, 0.0), thresholds={"clearance": [">=", 9.0], "reach": [">=", 0.85]})
     assert decisive_moment(near) == "the nearest place"

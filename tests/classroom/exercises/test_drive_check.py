@@ -21,7 +21,7 @@ from nbclassroom.exercises.checking import check, run_cases, run_check
 from nbclassroom.exercises.declaration import MasterError, exercise, read_exercises
 from nbclassroom.exercises.expected_results import check_data_of
 from nbclassroom.exercises.kinds.drive import simulators
-from nbclassroom.exercises.kinds.drive.drive import LOOK, METRICS, OPTIONS, PATH_TOLERANCE, SENSORS, Drive
+from nbclassroom.exercises.kinds.drive.drive import METRICS, OPTIONS, PATH_TOLERANCE, SENSORS, STEP, Drive
 from nbclassroom.exercises.kinds.drive.images import draw_map, look_back
 from nbclassroom.exercises.kinds.drive.scenario import read_scenario
 from PIL import Image
@@ -65,7 +65,7 @@ def checked(data, source):
 
 
 def test_the_environment_of_the_room_is_as_a_drive_expects():
-    assert (room_env.SENSORS, room_env.LOOK, tuple(room_env.OPTIONS)) == (SENSORS, LOOK, OPTIONS)
+    assert (room_env.SENSORS, room_env.STEP, tuple(room_env.OPTIONS)) == (SENSORS, STEP, OPTIONS)
     _, info = room_env.RoomEnv(()).reset(seed=1, options={"duration": 1.0})
     assert {*METRICS, "bumped_into", "nearest_to"} == {*info}
 
@@ -201,7 +201,7 @@ def test_a_controller_cannot_change_what_the_robot_does(data):
         ("return 0.1, float('nan')", "0.0 s: control returned (0.1, nan): expected two numbers", "Stuck?"),
         (
             "while observation['time'] > 1: pass\n    return 0, 0",
-            "1.1 s: control() took longer than 0.5 s for one look.",
+            "1.1 s: control() took longer than 0.5 s for one step.",
             "A while loop may be endless",
         ),
         ("raise SystemExit", "0.0 s: control() raised SystemExit (your line 2: raise SystemExit).", "Stuck?"),
@@ -221,9 +221,9 @@ def test_what_ends_a_drive_is_said(data, body, sentence, advice):
 @pytest.mark.parametrize(
     ("line", "sentence", "most"),
     [
-        ("while time.thread_time() < end: pass", "0.05 s for a look on average: do less in each call", 24),
-        ("time.sleep(0.08)", "0.05 s for a look on average: do less in each call, do not sleep", 24),
-        ("if memory['n'] % 2: time.sleep(0.2)", "0.05 s for a look on average", 48),
+        ("while time.thread_time() < end: pass", "0.05 s for a step on average: do less in each call", 24),
+        ("time.sleep(0.08)", "0.05 s for a step on average: do less in each call, do not sleep", 24),
+        ("if memory['n'] % 2: time.sleep(0.2)", "0.05 s for a step on average", 48),
         ("memory[end] = np.ones(35_000_000, np.uint8)", "takes more than 1 GB of memory: keep only what", 34),
     ],
 )
@@ -231,8 +231,8 @@ def test_a_controller_that_costs_too_much_ends_all_drives_early(data, line, sent
     body = f"    end = time.thread_time() + 0.08\n    memory['n'] = memory.get('n', 0) + 1\n    {line}\n"
     result = checked(data, f"import time\ndef control(observation, memory):\n{body}    return 0, 0\n")
     assert [sentence in drive.record["ended"] for drive in result.calls] == [True] * 3
-    looks = [drive.record["looks"] for drive in result.calls]
-    assert max(looks) <= most and looks[2] == 0
+    steps = [drive.record["steps"] for drive in result.calls]
+    assert max(steps) <= most and steps[2] == 0
     assert repr(result).count("The drive ended after") == 1
 
 
@@ -260,7 +260,7 @@ def test_what_a_controller_prints_until_the_moment_that_is_shown_and_what_numpy_
     end = result.calls[0].record["decisive"] * 0.1
     assert "Your function printed:\n    …\n" in text and len(printed) == 12
     assert [times[0] for times in printed] == [times[1] for times in printed]
-    assert float(printed[-1][0]) == pytest.approx(end) and end < result.calls[0].record["looks"] * 0.1
+    assert float(printed[-1][0]) == pytest.approx(end) and end < result.calls[0].record["steps"] * 0.1
     assert "NumPy or Python warned: divide by zero" in text
 
 

@@ -54,7 +54,7 @@ def test_a_controller_gets_what_its_sensors_see(data):
 def test_a_drive_is_the_same_again(data):
     scenario = data.cases[0].calls[0].arguments[0]
     results = simulators.drive_scenarios(data, [scenario, scenario, scenario], lambda: _control(LOOKS))
-    assert results[0][0] == results[1][0] == results[2][0] and results[0][0]["looks"] == 20
+    assert results[0][0] == results[1][0] == results[2][0] and results[0][0]["steps"] == 20
 
 
 def _control(source):

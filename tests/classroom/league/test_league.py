@@ -97,7 +97,7 @@ class TestOneRun:
     def test_the_table_for_the_teacher_says_what_went_wrong(self, rows):
         notes = {name: row["note"] for name, row in rows.items()}
         assert notes["endless"] == (
-            "1 room without points: did not finish in time; one look took more than 0.5 s of processor time,"
+            "1 room without points: did not finish in time; one step took more than 0.5 s of processor time,"
             " 0.0 s after the start"
         )
         assert notes["nothing"] == "it does not define control(observation, memory)"
@@ -226,7 +226,7 @@ class TestFound:
             "def control(o, m):\n    return ('fast', 0) if o['time'] > 0.2 else (0.0, 0.0)\n"
         )
         assert (exploration.outcome, exploration.values) == (Outcome.WRONG, {})
-        assert exploration.record["looks"] == 3
+        assert exploration.record["steps"] == 3
         exploration = explore("def control(o, m):\n    raise SystemExit\n")
         assert (exploration.outcome, exploration.values) == (Outcome.RAISED, {})
 

@@ -1,6 +1,6 @@
 """What a drive's check cell calls: it gives the learner's controller one observation after another.
 
-The robot is outside the sandbox. Out goes a message "action" for each look, with two numbers or with what
+The robot is outside the sandbox. Out goes a message "action" for each step, with two numbers or with what
 ended the drive; in comes an observation: its length in four bytes, then its arrays one after another. A
 length of 0 ends the drive. What the controller returns is judged outside.
 """

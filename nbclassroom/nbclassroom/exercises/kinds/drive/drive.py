@@ -14,9 +14,9 @@ import numpy as np
 
 from nbclassroom import course
 
-LOOK = 0.1  # seconds from one observation to the next
-LOOK_SECONDS = 0.5  # how long one call of `control` may take
-MEAN_LOOK_SECONDS = 0.05  # of processor time, how long it may take on average of a whole drive
+STEP = 0.1  # seconds from one observation to the next
+STEP_SECONDS = 0.5  # how long one call of `control` may take
+MEAN_STEP_SECONDS = 0.05  # of processor time, how long it may take on average of a whole drive
 PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
 SENSORS = ("scan", "depth", "image", "odometry")
 # The keys of a scenario that the environment's `reset` takes.
@@ -86,7 +86,7 @@ def metric_text(name, value, operator=""):
 
 
 class Drive:
-    """One drive, look after look, in an environment as `course.drive_environment` makes it.
+    """One drive, step after step, in an environment as `course.drive_environment` makes it.
 
     scenario     the dict
     observation  what `control` gets next, {name: array, or float for "time"}
@@ -103,15 +103,15 @@ class Drive:
         self.layout = [[name, array.dtype.str, list(array.shape)] for name, array in arrays.items()]
 
     @property
-    def looks(self):
+    def steps(self):
         return len(self._actions)
 
     @property
     def over(self):
-        return bool(self._ended) or self.looks >= looks_of(self.scenario)
+        return bool(self._ended) or self.steps >= steps_of(self.scenario)
 
     def act(self, value):
-        """Drive until the next look with what `control` returned: linear (m/s) and angular speed (rad/s)."""
+        """Drive until the next step with what `control` returned: linear (m/s) and angular speed (rad/s)."""
         if self.over:
             return
         try:
@@ -135,21 +135,21 @@ class Drive:
 
         metrics   the environment's `info`
         ended     why the drive ended before its time, "" if it did not
-        looks     how many actions were driven
+        steps     how many actions were driven
         path      [x, y, yaw] at the start and after each action, metres and radians
-        bumps     [look, x, y] of each bump
+        bumps     [step, x, y] of each bump
         missed    [metric, value, operator, limit] of each threshold that is not kept
-        decisive  the look of the `decisive_moment`
-        actions   [linear, angular] of each look
+        decisive  the step of the `decisive_moment`
+        actions   [linear, angular] of each step
         """
         env = self._env.unwrapped
         record = {
             "metrics": dict(self._info),
             "ended": self._ended,
-            "looks": self.looks,
+            "steps": self.steps,
             "path": [[round(float(value), 4) for value in place] for place in env.path],
             "bumps": [
-                [int(look), round(float(x), 4), round(float(y), 4)] for look, (x, y, *_) in env.bump_places
+                [int(step), round(float(x), 4), round(float(y), 4)] for step, (x, y, *_) in env.bump_places
             ],
             "missed": [
                 [name, self._info[name], *limit]
@@ -158,13 +158,13 @@ class Drive:
             ],
             "actions": [list(speeds) for speeds in self._actions],
         }
-        looks = {"the nearest place": self._decisive, "the end": self.looks}
-        look = looks.get(decisive_moment(record))
-        return record | {"decisive": int(env.bump_places[0][0] if look is None else look)}
+        steps = {"the nearest place": self._decisive, "the end": self.steps}
+        step = steps.get(decisive_moment(record))
+        return record | {"decisive": int(env.bump_places[0][0] if step is None else step)}
 
     def _read(self, observation, info):
         is_nearer = self._actions and info["clearance"] != self._info["clearance"]
-        self._decisive = self.looks if is_nearer else self._decisive
+        self._decisive = self.steps if is_nearer else self._decisive
         self._info: dict = info
         self.observation: dict = course.load(course.drive_observation)(observation)
 
@@ -177,19 +177,19 @@ def decisive_moment(record):
     return "the end" if missed and "clearance" not in missed else "the nearest place"
 
 
-def looks_of(scenario):
-    """How many looks a whole drive has."""
-    return round(scenario.get("duration", DURATION) / LOOK)
+def steps_of(scenario):
+    """How many steps a whole drive has."""
+    return round(scenario.get("duration", DURATION) / STEP)
 
 
 def seconds_of(scenario):
     """Processor time that a controller has for a whole drive, seconds."""
-    return MEAN_LOOK_SECONDS * looks_of(scenario)
+    return MEAN_STEP_SECONDS * steps_of(scenario)
 
 
 def passes(record, scenario):
     """Whether a drive gives the points of its case."""
-    return not record["ended"] and not record["missed"] and record["looks"] == looks_of(scenario)
+    return not record["ended"] and not record["missed"] and record["steps"] == steps_of(scenario)
 
 
 def _is_kept(value, operator, limit):
@@ -222,8 +222,8 @@ def sentences_of(record, scenario):
     """What went wrong in a drive, as a list of sentences; empty if it passes."""
     if record["ended"]:
         reason = record["ended"].rstrip(".")
-        return [f"The drive ended after {record['looks'] * LOOK:.1f} s: {reason}."]
-    if record["looks"] < looks_of(scenario):
+        return [f"The drive ended after {record['steps'] * STEP:.1f} s: {reason}."]
+    if record["steps"] < steps_of(scenario):
         return ["The drive did not come to its end."]
     names = {name for name, *_ in record["missed"]}
     sentences = [
@@ -246,11 +246,11 @@ def _sentence(record, name, value, operator, limit):
     asked = f"the task asks for {_COUNTS[operator][1]} {metric_text(name, limit)}."
     if name == "bumps" and record["bumps"]:
         obstacle = record["metrics"].get("bumped_into") or "something"
-        text = f"The robot bumped into the {obstacle} at {record['bumps'][0][0] * LOOK:.1f} s"
+        text = f"The robot bumped into the {obstacle} at {record['bumps'][0][0] * STEP:.1f} s"
         text += f", and bumped {value} times in all" if value > 1 else ""
         return f"{text}; {asked}" if limit else f"{text}."
     text = METRICS[name].sentence.format(metric_text(name, value))
     if name == "clearance":
         thing = record["metrics"].get("nearest_to")
-        text += f" to {f'the {thing}' if thing else 'what stands still'} at {record['decisive'] * LOOK:.1f} s"
+        text += f" to {f'the {thing}' if thing else 'what stands still'} at {record['decisive'] * STEP:.1f} s"
     return f"{text}; {asked}"

@@ -15,7 +15,7 @@ from .... import course
 from ...case_call import CaseCall
 from ...comparison import Difference
 from ...running import CallResult
-from .drive import LOOK, LOOK_SECONDS, METRICS, Drive, looks_of, metric_text, passes, seconds_of, sentences_of
+from .drive import METRICS, STEP, STEP_SECONDS, Drive, metric_text, passes, seconds_of, sentences_of, steps_of
 from .simulators import form_of
 
 _LONGEST = 2_000  # characters of a text from a kernel
@@ -34,7 +34,7 @@ class GradedDrive:
         began = time.monotonic()
         self._drive, self._scenario = Drive(environment(tuple(sensors)), scenario), scenario
         self.layout = self._drive.layout  # (name, dtype, shape) of each array of an observation
-        self.cpu_seconds, self.call_seconds = seconds_of(scenario), LOOK_SECONDS  # for all its calls, for one
+        self.cpu_seconds, self.call_seconds = seconds_of(scenario), STEP_SECONDS  # for all its calls, for one
         self.seconds = time.monotonic() - began  # that the robot took
         self._ending, self._has_begun = None, False
 
@@ -51,7 +51,7 @@ class GradedDrive:
     def _act(self, action):
         if "timed_out" in action:
             self._ending = CallResult(timed_out=True)
-            self._drive.stop(f"one look took more than {LOOK_SECONDS:g} s of processor time")
+            self._drive.stop(f"one step took more than {STEP_SECONDS:g} s of processor time")
         elif "error" in action:
             texts: dict = {key: str(action.get(key, ""))[:_LONGEST] for key in ("error", "message", "line")}
             self._ending = call = CallResult(**texts)
@@ -83,7 +83,7 @@ class DriveVerdict:
     @property
     def is_whole(self):
         """Whether the robot drove as long as the scenario asks for."""
-        return self.record["looks"] == looks_of(self.scenario)
+        return self.record["steps"] == steps_of(self.scenario)
 
     @property
     def passed(self):
@@ -104,7 +104,7 @@ class DriveVerdict:
 
     @property
     def when(self):
-        return f"{self.record['looks'] * LOOK:.1f} s after the start"
+        return f"{self.record['steps'] * STEP:.1f} s after the start"
 
     @property
     def measured(self):

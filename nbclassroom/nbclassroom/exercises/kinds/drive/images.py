@@ -8,10 +8,10 @@ from PIL import Image
 
 from nbclassroom import course
 from nbclassroom.exercises.answer_images import encode_image
-from nbclassroom.exercises.kinds.drive.drive import LOOK, Drive, decisive_moment
+from nbclassroom.exercises.kinds.drive.drive import STEP, Drive, decisive_moment
 
 _MAP_WIDTH, _FRAME_WIDTH = 280, 208  # pixels on the page
-_LOOKS_BEFORE = (15, 10, 5, 0)  # the decisive moment
+_STEPS_BEFORE = (15, 10, 5, 0)  # the decisive moment
 _FILM_MAP_WIDTH = 240  # pixels; the camera's image beside it has the same height
 _FILM_SPEED, _FILM_LOOPS = 10, 3
 _MOST_FILM = 150_000  # bytes
@@ -36,28 +36,28 @@ def look_back(env, record, scenario):
     ValueError: the environment does not drive the same path again.
     """
     again, frames = Drive(env, scenario), {}
-    for look in range(record["decisive"] + 1):
-        if record["decisive"] - look in _LOOKS_BEFORE:
-            frames[record["decisive"] - look] = env.unwrapped.frame()
-        if look < record["decisive"]:
-            again.act(record["actions"][look])
+    for step in range(record["decisive"] + 1):
+        if record["decisive"] - step in _STEPS_BEFORE:
+            frames[record["decisive"] - step] = env.unwrapped.frame()
+        if step < record["decisive"]:
+            again.act(record["actions"][step])
     if again.record()["path"] != record["path"][: record["decisive"] + 1]:
         raise ValueError(f"the drive in the scenario {scenario['title']!r} takes another path if repeated")
     moment = decisive_moment(record)
-    return [_frame_image(frame, looks * LOOK, moment) for looks, frame in frames.items()]
+    return [_frame_image(frame, steps * STEP, moment) for steps, frame in frames.items()]
 
 
 def draw_film(env, record, scenario):
     """A film of a drive, which is driven again: what the camera saw each second, and the path until then."""
     again, room, frames = Drive(env, scenario), course.load(course.drive_room)(scenario.get("room")), []
-    for look in range(record["looks"] + 1):
-        if look % round(1 / LOOK) == 0:
-            bumps = [bump for bump in record["bumps"] if bump[0] <= look]
-            drawn = course.load(course.drive_map)(record["path"][: look + 1], bumps, room=room)
+    for step in range(record["steps"] + 1):
+        if step % round(1 / STEP) == 0:
+            bumps = [bump for bump in record["bumps"] if bump[0] <= step]
+            drawn = course.load(course.drive_map)(record["path"][: step + 1], bumps, room=room)
             frames.append(_side_by_side(env.unwrapped.frame(), drawn))
-        if look < record["looks"]:
-            again.act(record["actions"][look])
-    seconds = record["looks"] * LOOK
+        if step < record["steps"]:
+            again.act(record["actions"][step])
+    seconds = record["steps"] * STEP
     alt = f"{seconds:.0f} s of a drive, {_FILM_SPEED} times as fast: what the camera sees, and the path"
     while True:
         film = _encode_film(scenario["title"], alt, frames, seconds)

@@ -7,17 +7,17 @@ from functools import lru_cache
 
 from ..kind import Kind as AnyKind
 from .drive import (
-    LOOK,
-    LOOK_SECONDS,
     METRICS,
     PATH_TOLERANCE,
     SENSORS,
-    looks_of,
+    STEP,
+    STEP_SECONDS,
     metric_text,
     passes,
     question_of,
     seconds_of,
     sentences_of,
+    steps_of,
 )
 
 _CHECK = "from nbclassroom.autograder.sandbox.inside.drive_cell import drive\n\ndrive({function})"
@@ -55,10 +55,10 @@ class Kind(AnyKind):
         return seconds_of(scenario_of(case))
 
     def limit_text(self, exercise):
-        return f"one look took more than {LOOK_SECONDS:g}"
+        return f"one step took more than {STEP_SECONDS:g}"
 
     def simulated_seconds(self, exercise):
-        return LOOK * sum(looks_of(scenario_of(case)) for case in exercise.cases)
+        return STEP * sum(steps_of(scenario_of(case)) for case in exercise.cases)
 
     # ---------------------------------------------------------------- running
 

@@ -22,19 +22,19 @@ import numpy as np
 
 from ...canonical import array_of, canonical
 from ...running import CallResult, LimitedOutput, call_within, failure_fields
-from .drive import LOOK, LOOK_SECONDS, MEAN_LOOK_SECONDS, PATH_TOLERANCE, looks_of, seconds_of, speeds_of
+from .drive import MEAN_STEP_SECONDS, PATH_TOLERANCE, STEP, STEP_SECONDS, seconds_of, speeds_of, steps_of
 
 _SIMULATORS = 2
-_SHOWN_LOOKS = 20  # between two states of the progress bar
-_MOST_SLOW = 20  # looks that take longer than they may while the drive does so on average
+_SHOWN_STEPS = 20  # between two states of the progress bar
+_MOST_SLOW = 20  # steps that take longer than they may while the drive does so on average
 _MOST_MEMORY = 1_000_000_000  # bytes by which this process may grow
 _SLOW = (
-    f"takes longer than {MEAN_LOOK_SECONDS} s for a look on average: do less in each call, do not sleep, or"
+    f"takes longer than {MEAN_STEP_SECONDS} s for a step on average: do less in each call, do not sleep, or"
 )
 _SLOW += " keep results in memory"
-_LARGE = "takes more than 1 GB of memory: keep only what later looks need"
+_LARGE = "takes more than 1 GB of memory: keep only what later steps need"
 _KEPT_LINES = 13  # of what a drive prints: one more than is shown
-_STEP = 5  # looks between two places of a path that is stored or compared
+_PLACE_PERIOD = 5  # steps between two places of a path that is stored or compared
 
 
 class SimulatorError(RuntimeError):
@@ -136,7 +136,7 @@ class _Run:
     burden: _Burden
     memory: dict = field(default_factory=dict)
     seconds: float = 0.0  # of all its calls
-    slow_looks: int = 0
+    slow_steps: int = 0
     prints: list = field(default_factory=list)  # (seconds after the start, LimitedOutput) of each call
     warning: str = ""
     failure: dict = field(default_factory=dict)
@@ -155,7 +155,7 @@ class _Run:
             return "stop", _reason(self.failure, name)
         if _memory() - self.burden.memory > _MOST_MEMORY:
             self.burden.excess = f"{name} {_LARGE}"
-        elif self.slow_looks >= _MOST_SLOW or self.seconds > seconds_of(self.scenario):
+        elif self.slow_steps >= _MOST_SLOW or self.seconds > seconds_of(self.scenario):
             self.burden.excess = f"{name} {_SLOW}"
         if self.burden.excess:
             return self._end()
@@ -175,17 +175,17 @@ class _Run:
         with warnings.catch_warnings(record=True) as caught_warnings:
             warnings.simplefilter("always")
             with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
-                speeds = call_within(lambda: self.control(observation, self.memory), LOOK_SECONDS)
+                speeds = call_within(lambda: self.control(observation, self.memory), STEP_SECONDS)
         seconds = _own_seconds() - began
         self.seconds += seconds
-        self.slow_looks += seconds > MEAN_LOOK_SECONDS < self.seconds / len(self.prints)
+        self.slow_steps += seconds > MEAN_STEP_SECONDS < self.seconds / len(self.prints)
         self.warning = self.warning or (str(caught_warnings[0].message) if caught_warnings else "")
         return speeds
 
     def result(self):
         """What it did as a CallResult; it printed the last lines before the moment that is shown."""
         fields = self.failure or {"value": form_of(self.record)}
-        end = math.inf if self.failure else self.record["decisive"] * LOOK
+        end = math.inf if self.failure else self.record["decisive"] * STEP
         lines = [
             f"{seconds:.1f} s: {line}"
             for seconds, output in self.prints
@@ -197,14 +197,14 @@ class _Run:
 
 def form_of(record):
     """What is compared of a drive: its path in short, and which thresholds it missed."""
-    path = np.array(record["path"])[::_STEP, :2].astype(np.float32)
+    path = np.array(record["path"])[::_PLACE_PERIOD, :2].astype(np.float32)
     missed = sorted(metric for metric, *_ in record["missed"])
     return canonical({"path": path, "missed": missed}, limit=None)
 
 
 def _reason(failure, name):
     if failure.get("timed_out"):
-        return f"{name} took longer than {LOOK_SECONDS} s for one look"
+        return f"{name} took longer than {STEP_SECONDS} s for one step"
     text = ": ".join(filter(None, (f"{name} raised {failure['error']}", failure["message"])))
     return f"{text} (your {failure['line']})" if failure["line"] else text
 
@@ -217,9 +217,9 @@ def drive_scenarios(exercise, scenarios, make_control, progress=None):
     """
     burden = _Burden()
     runs = [_Run(make_control(), scenario, burden) for scenario in scenarios]
-    waiting, looks = list(runs), 0
+    waiting, steps = list(runs), 0
     driving: dict[_Simulator, _Run] = {}
-    total = sum(map(looks_of, scenarios))
+    total = sum(map(steps_of, scenarios))
     with _all_simulators() as simulators:
         while waiting or driving:
             for simulator in set(simulators) - driving.keys():
@@ -232,9 +232,9 @@ def drive_scenarios(exercise, scenarios, make_control, progress=None):
                     driving.pop(simulator).record = reply["record"]
                 else:
                     simulator.ask(*run.answer(reply, exercise.answer_name))
-                    looks += 1
-                    if progress and looks % _SHOWN_LOOKS == 0:
-                        progress(looks / total)
+                    steps += 1
+                    if progress and steps % _SHOWN_STEPS == 0:
+                        progress(steps / total)
     return [(run.record, run.result()) for run in runs]
 
 
@@ -264,7 +264,7 @@ def _distance(mistake, call):
     (predicted,) = mistake.results[call.case.id]
     if not (predicted.finished and call.result.finished):
         return np.inf
-    end = (call.record["decisive"] + round(1 / LOOK)) // _STEP + 1
+    end = (call.record["decisive"] + round(1 / STEP)) // _PLACE_PERIOD + 1
     ((_, missed), (_, path)), ((_, own_missed), (_, own_path)) = (
         result.value["items"] for result in (predicted, call.result)
     )
