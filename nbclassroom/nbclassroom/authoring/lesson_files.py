@@ -28,7 +28,7 @@ from .learner_files import TEXTS
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 # Fields of an Exercise that no checks file has as they are, and those that only some have.
 _LEFT_OUT = ("id", "mistakes", "master", "preparation", "solution", "explanation", "helpers")
-_FOR_SOME = {"subject": "function", "sensors": ()}
+_FOR_SOME = {"subject": "function", "sensors": (), "unheeded": ()}
 
 
 def lesson_files(master):

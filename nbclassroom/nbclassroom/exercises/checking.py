@@ -267,7 +267,9 @@ def _judge_calls(exercise, function, calls):
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else attempt(lambda: _explanation(exercise, function, calls), None, 5)
-    remarks = () if has_passed else attempt(lambda: remarks_on_source(function, errors), ())
+    remarks = (
+        () if has_passed else attempt(lambda: remarks_on_source(function, errors, exercise.unheeded), ())
+    )
     remarks = tuple(text for text in remarks if len(text) < _LONGEST_REMARK)  # it may quote a table
     if is_stub and _has_other_lines(exercise, function):
         never_run = SAYS["lines that never run"].format(name=exercise.answer_name)

@@ -6,6 +6,7 @@ from functools import lru_cache, wraps
 from .case_call import explain_call
 from .lesson import PUBLIC_SEED, ExpectedCall
 from .percent_script import MasterError
+from .source_remarks import unheeded_remarks
 
 
 class MistakeResults(dict):
@@ -33,7 +34,8 @@ def with_results(exercise, cases, solve, results_of):
     """
     solution = exercise.function_of(exercise.solution, "solution")
     names, provided = exercise.kind.argument_names(solution), sorted(exercise.namespace())
-    exercise = replace(exercise, names=tuple(names), provided=tuple(provided))
+    unheeded = unheeded_remarks(exercise.solution, exercise.function)
+    exercise = replace(exercise, names=tuple(names), provided=tuple(provided), unheeded=unheeded)
     cases = tuple(replace(case, calls=tuple(solve(exercise, case))) for case in cases)
     mistakes = [replace(one, results=results_of(exercise, one, cases)) for one in exercise.mistakes]
     return replace(exercise, cases=cases, mistakes=tuple(mistakes))

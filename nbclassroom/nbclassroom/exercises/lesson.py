@@ -58,9 +58,9 @@ class Exercise:
     """An exercise; `declaration.exercise` documents most fields.
 
     `names` are those of the function's arguments, `given` the sources of the given cells, and `provided` the
-    names that an answer may use from outside its cell. Only grading runs the hidden cases; a key has no case
-    of an exercise for practice. The fields from `master` on are its master's alone: `preparation` runs before
-    each case and mistake, and then `helpers` before each mistake.
+    names that an answer may use from outside its cell; `unheeded` see `remarks_on_source`. Only grading runs
+    the hidden cases; a key has no case of an exercise for practice. The fields from `master` on are its
+    master's alone: `preparation` runs before each case and mistake, and then `helpers` before each mistake.
     """
 
     id: str
@@ -77,6 +77,7 @@ class Exercise:
     practice: bool = False
     hidden_count: int = 0
     hidden_points: int = 0
+    unheeded: tuple[str, ...] = ()
     border_hint: str = ""
     hints: tuple[str, ...] = ()
     another_way: str = ""

@@ -21,16 +21,33 @@ _FIRST_VALUE = r"-?((0|1)(\.0)?|(np|math)\.inf)"  # of the best one
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
-def remarks_on_source(function, errors=()):
+def remarks_on_source(function, errors=(), unheeded=()):
     """Sentences on what is certain from the source of a function or class; [] if the source is not known.
 
-    `errors` are the types that its calls raised, and "None" if one of them returned None.
+    `errors` are the types that its calls raised, and "None" if one of them returned None. What `unheeded`
+    has, the forms of remarks that the right answer does not heed either, is not said.
     """
     source = source_of(function)
     tree = next(iter(_body(source)), None)
-    if tree is None:
-        return []
-    parts = [(tree, source), *_helpers(function)]
+    remarks = [] if tree is None else _remarks(tree, source, errors, _helpers(function))
+    return [text for text in remarks if _form_of(text, tree) not in unheeded]
+
+
+def unheeded_remarks(source, name):
+    """The forms of what would be said of a right answer, the function or class of this name in a source."""
+    found = [tree for tree in _body(source) if getattr(tree, "name", "") == name]
+    texts = {text for tree in found for text in _remarks(tree, ast.unparse(tree), ("None", "IndexError"), ())}
+    return tuple(sorted(_form_of(text, found[-1]) for text in texts))
+
+
+def _form_of(remark, tree):
+    """A remark without the names that an answer chose itself: those that it stores."""
+    names = {node.id for node in ast.walk(tree) if _is_store(node)}
+    return re.sub(r"[^\W\d]\w*", lambda match: "_" if match[0] in names else match[0], remark)
+
+
+def _remarks(tree, source, errors, helpers):
+    parts = [(tree, source), *helpers]
     nodes = [(node, source) for part, source in parts for node in ast.walk(part)]
     remarks = [text for part, _ in parts for text in _repeated_and_ended(part)]
     remarks += [text for node in nodes for text in _remarks_on_node(*node)]
@@ -125,10 +142,9 @@ def _why_none(tree):
 
 def _unused(tree):
     read = _names(tree) | {"memory"}  # of a controller, which needs none
-    unused = [argument.arg for argument in tree.args.args if argument.arg not in read]
-    if unused:
-        yield f"{tree.name}() does not use what it gets: {', '.join(unused)}."
     for argument in tree.args.args:
+        if argument.arg not in read:
+            yield f"{tree.name}() does not use what it gets: {argument.arg}."
         uses = (part for part in tree.body if re.search(rf"\b{argument.arg}\b", ast.unparse(part)))
         first = next(uses, None)
         if not isinstance(first, ast.Assign) or argument.arg in _names(first.value):

@@ -3,7 +3,7 @@
 import linecache
 
 import pytest
-from nbclassroom.exercises.source_remarks import has_done, remarks_on_source
+from nbclassroom.exercises.source_remarks import has_done, remarks_on_source, unheeded_remarks
 
 LOOP = """def f(image, sector):
     for row in range(3):
@@ -235,3 +235,19 @@ def test_a_number_that_is_compared_but_never_stored_is_named():
 )
 def test_a_helper_may_be_longer_than_the_function(helper):
     assert isinstance(remarks(f"{helper}def f(a):\n    return g(a)\n"), list)
+
+
+def test_what_the_right_answer_does_not_heed_is_not_said():
+    solution = "def f(rows, first, last):\n    for row in rows:\n        last = rows[row]\n    return last\n"
+    own = solution.replace("row ", "one ").replace("[row]", "[one]")
+    unused = "f() does not use what it gets: first."
+    assert remarks(own, {"IndexError"}) == [unused, remarks(own, {"IndexError"})[1]]
+    unheeded = unheeded_remarks(solution, "f")
+    assert remarks_on_source(function_of(own), {"IndexError"}, unheeded) == []
+    other = own.replace("last = ", "first = ")
+    assert remarks_on_source(function_of(other), {"IndexError"}, unheeded) == []
+    nothing = "def f(rows, first, last):\n    return 1\n"
+    assert remarks_on_source(function_of(nothing), {""}, unheeded) == [
+        "f() does not use what it gets: rows.",
+        "f() does not use what it gets: last.",
+    ]
