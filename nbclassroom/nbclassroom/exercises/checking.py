@@ -257,6 +257,7 @@ def _are_same(codes, other_codes):
 def _judge_calls(exercise, function, calls):
     """The CheckResult of the calls of a function."""
     errors = {case_call.result.error for case_call in calls}
+    errors |= {"TimeUp" for call in calls if call.result.timed_out}
     errors |= {"None" for call in calls if call.difference is not None and call.result.value == _NONE}
     is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
     if "NotImplementedError" in errors or (is_stub and exercise.kind.expects_values):

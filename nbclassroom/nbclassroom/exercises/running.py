@@ -281,7 +281,7 @@ def _closest(error, wanted):
             return f"self.{wanted}"
         names = [*frame.f_locals, *frame.f_globals, *keyword.kwlist]  # retrun (x) is a call
     plain = {name.lower(): name for name in names if not name.startswith("_")}
-    close = difflib.get_close_matches(wanted.lower(), plain, n=1, cutoff=0.75) if plain else []
+    close = difflib.get_close_matches(wanted.lower(), plain, n=1, cutoff=0.78) if plain else []
     closest = plain[close[0]] if close else ""
     module = getattr(getattr(error, "obj", None), "__name__", "").replace("numpy", "np")
     return f"{module}.{closest}" if closest and module else closest

@@ -24,8 +24,8 @@ _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 def remarks_on_source(function, errors=(), unheeded=()):
     """Sentences on what is certain from the source of a function or class; [] if the source is not known.
 
-    `errors` are the types that its calls raised, and "None" if one of them returned None. What `unheeded`
-    has, the forms of remarks that the right answer does not heed either, is not said.
+    `errors` are the types that its calls raised, "None" if one of them returned None, "TimeUp" if one did not
+    end in time. `unheeded` are the forms of remarks that the right answer does not heed: they are not made.
     """
     source = source_of(function)
     tree = next(iter(_body(source)), None)
@@ -57,6 +57,7 @@ def _remarks(tree, source, errors, helpers):
     if isinstance(tree, ast.FunctionDef):
         remarks += _why_none(tree) if "None" in errors else []
         remarks += _unused(tree) if errors else []
+        remarks += _why_endless(tree) if "TimeUp" in errors else []
     if "IndexError" in errors:
         remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
     return list(dict.fromkeys(remarks))
@@ -138,6 +139,13 @@ def _why_none(tree):
         owner = ast.unparse(call.func.value)
         if call.func.attr in _IN_PLACE and owner != "np":
             yield SAYS["method in place"].format(call=ast.unparse(call), value=owner)
+
+
+def _why_endless(tree):
+    if any(isinstance(node, ast.While) for node in ast.walk(tree)):
+        yield SAYS["endless while"]
+    elif tree.name in _names(tree):
+        yield SAYS["endless calls"].format(name=tree.name)
 
 
 def _unused(tree):

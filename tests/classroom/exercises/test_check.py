@@ -529,7 +529,7 @@ def test_an_endless_loop_says_what_overflowed():
             level += np.uint8(1)
 
     text = repr(check("test-double", endless))
-    assert "the computer was busy: check again. A while loop may be endless" in text
+    assert "the computer was busy: check again." in text and "A while loop may be endless" in text
     assert "after 255 a uint8 goes on with 0." in text
 
 

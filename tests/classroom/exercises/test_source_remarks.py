@@ -251,3 +251,13 @@ def test_what_the_right_answer_does_not_heed_is_not_said():
         "f() does not use what it gets: rows.",
         "f() does not use what it gets: last.",
     ]
+
+
+def test_a_function_that_does_not_end_hears_of_its_own_loop():
+    loop = "def f(a):\n    while a:\n        print(a)\n    return a\n"
+    calls = "def f(a):\n    return [f(part) for part in [a, a]]\n"
+    assert remarks(loop, {"TimeUp"}) == [
+        "A while loop may be endless: does each step change what the loop tests?"
+    ]
+    assert remarks(calls, {"TimeUp"})[0].startswith("f() calls itself. Does each call get a smaller task")
+    assert remarks("def f(a):\n    return [b for b in range(a)]\n", {"TimeUp"}) == []
