@@ -3,8 +3,6 @@
 import cv2
 import numpy as np
 import pytest
-from skimage.feature import local_binary_pattern
-from sklearn.decomposition import PCA
 
 from imgproc_course.imaging import to_gray
 from imgproc_course.simulation import draw_face, random_identity
@@ -37,38 +35,6 @@ def test_haar_feature_is_a_sum_of_pixels_times_weights(solutions, faces):
             weights[row + top : row + top + height, col + left : col + left + width] += weight
         sums = cv2.integral(gray).astype(np.int64)
         assert solutions["haar_feature"](sums, boxes, row, col) == (weights * gray).sum() != 0
-
-
-def test_lbp_codes_are_skimages_at_the_straight_neighbours(solutions, faces):
-    """scikit-image interpolates the diagonal ones, and goes counter-clockwise from the right."""
-    ours_of_skimages = {0: 3, 2: 1, 4: 7, 6: 5}
-    for gray in faces:
-        codes = solutions["lbp_codes"](gray)
-        tool = local_binary_pattern(gray, 8, 1)[1:-1, 1:-1].astype(np.uint8)
-        assert len(np.unique(codes)) > 20
-        for theirs, ours in ours_of_skimages.items():
-            np.testing.assert_array_equal(codes >> ours & 1, tool >> theirs & 1)
-
-
-def test_lbp_codes_turn_with_the_image(solutions, faces):
-    """A quarter turn clockwise moves every neighbour on by two, the diagonal ones too."""
-    for gray in faces:
-        codes = solutions["lbp_codes"](gray).astype(int)
-        turned = solutions["lbp_codes"](np.rot90(gray, -1).copy())
-        np.testing.assert_array_equal(turned, np.rot90((codes << 2 | codes >> 6) & 255, -1))
-
-
-def test_residue_is_that_of_sklearns_pca(solutions, faces):
-    vectors = np.array(
-        [cv2.resize(gray, (24, 24), interpolation=cv2.INTER_AREA).ravel() for gray in faces], float
-    )
-    for count in (1, 3, 8):
-        tool = PCA(count, svd_solver="full").fit(vectors[:12])
-        rebuilt = tool.inverse_transform(tool.transform(vectors))
-        for vector, again in zip(vectors, rebuilt, strict=True):
-            residue = solutions["residue"](vector, tool.mean_, tool.components_)
-            assert residue == pytest.approx(np.linalg.norm(vector - again), rel=1e-9, abs=1e-6)
-        assert np.linalg.norm(vectors[12:] - rebuilt[12:], axis=1).min() > 1
 
 
 def test_the_mosaic_is_opencvs_resize(solutions):

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from nbclassroom.exercises import read_exercises
-from nbclassroom.exercises.kinds.drive.drive import LOOK_SECONDS, MEAN_LOOK_SECONDS
+from nbclassroom.exercises.kinds.drive.drive import MEAN_STEP_SECONDS, STEP_SECONDS
 from nbclassroom.exercises.percent_script import read_script
 
 from imgproc_course.geometry import Pose, compose_poses, free_way, wrap_angle
@@ -187,7 +187,7 @@ def test_a_drive_begins_and_is_judged_as_the_lesson_says(errand_drive):
                 assert gap(room.free_space.distance, *place, direction) > 0.1
             assert scenario["thresholds"] == limits and scenario["duration"] == seconds
             assert scenario["answer"] == answers[room.word]
-    assert (LOOK_SECONDS, MEAN_LOOK_SECONDS) == (0.5, 0.05)
+    assert (STEP_SECONDS, MEAN_STEP_SECONDS) == (0.5, 0.05)
 
 
 def test_find_sign_reads_the_words_on_the_way_and_never_a_wrong_one(errand_drive):
