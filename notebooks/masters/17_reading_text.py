@@ -14,20 +14,17 @@
 # - label the connected components of a binary image,
 # - compare two small images by normalized cross-correlation,
 # - count the errors of a text by its edit distance,
-# - deeper: turn the scores of a network into text (CTC decoding),
 # - say when a reader fails, and what helps.
 #
-# **Time** [[minutes]], with a pause after section 4. **You need** [[binarization]] and [[where_am_i]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[binarization]] and [[where_am_i]]. Only the last part of section 7 needs ROS 2.
 
-# %% role="given" exercise=["text-components", "text-ncc", "text-distance", "text-ctc"]
+# %% role="given" exercise=["text-components", "text-ncc", "text-distance"]
 import numpy as np
 
 # %% tags=["long"]
 import time
-from pathlib import Path
 
 import cv2
-import onnxruntime
 import rapidocr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -707,167 +704,7 @@ assert max(errors_network[:29] + errors_network[42:]) == 0 < min(errors_network[
 # Do not take these lines for a race. The reader by hand knows where the sign is and in which rows its first line stands, and it knows one font. The network gets whole frames, and nothing else.
 
 # %% [markdown]
-# ## 6 · How a network spells ([[minutes]], deeper)
-#
-# The network does not look for components. It cuts the line into narrow columns, and gives each column a score for each character that it knows. One more "character" is the **blank**: here is nothing. For seven columns and three characters:
-
-# %%
-characters = "-LO"  # position 0 is the blank, written as - here
-scores = np.array([[0.1, 0.8, 0.1],
-                   [0.2, 0.7, 0.1],
-                   [0.9, 0.0, 0.1],
-                   [0.1, 0.9, 0.0],
-                   [0.1, 0.1, 0.8],
-                   [0.3, 0.1, 0.6],
-                   [0.8, 0.1, 0.1]])
-best = scores.argmax(axis=1)  # for each row (one column of the image)
-print(best, [characters[i] for i in best])
-
-# %% [markdown]
-# One letter can fill several columns. So the rule of *[[term:CTC decoding]]* (connectionist temporal classification) is: first take only one of equal characters that follow each other; **then** leave out the blanks. A blank between two equal letters says that there are two of them.
-#
-# **Predict** the text of these seven columns.
-
-# %% role="predict"
-guess_text = None  # your guess: which text, in quotes?
-
-# %%
-is_new = [True] + [best[k] != best[k - 1] for k in range(1, 7)]
-for k in range(7):
-    print(characters[best[k]], "new" if is_new[k] else "as before",
-          "blank" if best[k] == 0 else "")
-compare_guess(guess_text, "".join(characters[best[k]] for k in range(7)
-                                  if is_new[k] and best[k] != 0))
-
-# %%
-# Check: the text of the example
-assert best.tolist() == [1, 1, 0, 1, 2, 2, 0]
-
-# %% [markdown]
-# ### Your turn: from scores to text
-#
-# Write `decode(scores, characters)`.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `scores`: (T, N) float, one row for each column of the image; `characters`: a text of N characters, of which the first one stands for the blank | the text: the best character of each row, one for each run of equal ones, without the blanks | `decode(scores, "-LO")` with the scores above returns `"LLO"` |
-
-# %% role="exercise"
-exercise(
-    "text-ctc",
-    title="CTC decoding",
-    function="decode",
-    hint="The argmax of each row; keep it if it differs from the one before, and if it is not 0.",
-    hints=(
-        "Which of the best characters do you leave out, and in which order: the repeated ones, the blanks?",
-        "1. The position of the largest score in each row.\n"
-        "2. Go through these positions, and remember the one before.\n"
-        "3. If the position differs from the one before, and is not 0, add its character to the text.\n"
-        "4. Remember the position, also if it is 0.",
-        'text = ""\nbefore = 0\nfor i in scores.argmax(axis=...):\n    if i != ... and i != 0:\n        text += ...\n    before = ...\nreturn text',
-    ),
-    explanation="before is set for every row, also for a blank. So an L after a blank is a new L, and an L after an L is the same one."
-    " At the beginning, before is 0: a first blank is left out in any case.",
-    another_way="Without a loop: keep = (best != np.append(-1, best[:-1])) & (best != 0), and then the characters of best[keep].",
-)
-
-
-def spelled(rng, word, characters, around=1, highest=0.95):
-    """Scores whose best characters spell a word: runs of letters, blanks between equal ones, elsewhere, and around."""
-    path = [0] * around
-    for k, letter in enumerate(word):
-        if k and (word[k - 1] == letter or rng.random() < 0.5):
-            path += [0] * int(rng.integers(1, 3))
-        path += [characters.index(letter)] * int(rng.integers(1, 4))
-    path += [0] * 2 * around
-    scores = rng.uniform(0, 0.3, (len(path), len(characters))).round(2)
-    scores[range(len(path)), path] = rng.uniform(0.35, highest, len(path)).round(2)
-    return scores, characters
-
-
-def any_word(rng, characters):
-    """Scores of seven of the letters, so that nobody can guess the word."""
-    return spelled(rng, "".join(rng.choice([*characters[1:]], 7)), characters)
-
-
-# %% role="answer"
-def decode(scores, characters):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def decode(scores, characters):
-    text = ""
-    before = 0
-    for i in scores.argmax(axis=1):
-        if i != before and i != 0:
-            text += characters[i]
-        before = i
-    return text
-
-
-# %% role="check"
-check("text-ctc", decode)
-
-# %% role="case" title="short words" points=1
-def inputs(rng):
-    return [spelled(rng, "ROOM", "-MOR"), spelled(rng, "FLOOR", "-ORFL"), spelled(rng, "KEEPER", "-KEPR"), any_word(rng, "-KEPR")]
-
-
-# %% role="case" title="runs and blanks" points=1 hint="A blank between two equal letters says that there are two of them: look at the row before, also if it is a blank."
-def inputs(rng):
-    return [spelled(rng, "OLLO", "-LO", around=0), spelled(rng, "22004", "_024", around=0), spelled(rng, "SEEN", "*NES", highest=0.48), any_word(rng, "*NES")]
-
-
-# %% role="hidden" title="any text" points=1 hint="First one of each run of equal characters, then no blanks; the first character of characters is the blank."
-def inputs(rng):
-    return [spelled(rng, "BALLOON", "-NOLAB", around=0), spelled(rng, "NOON 100N", "#10 NO", around=0), spelled(rng, "BASSOON", "-OSNAB", highest=0.48), any_word(rng, "#10 NO")]
-
-
-# %% [markdown]
-# The same with the real network. It takes a line 48 pixels high, with numbers from −1 to 1, and knows 18,710 characters, most of them Chinese. It brings their list with it. In the output, - is the blank again.
-
-# %% tags=["long"]
-model = Path(rapidocr.__file__).parent / "models" / "PP-OCRv6_rec_small.onnx"
-options = onnxruntime.SessionOptions()
-options.intra_op_num_threads = 1
-network = onnxruntime.InferenceSession(model, options, providers=["CPUExecutionProvider"])
-listed = network.get_modelmeta().custom_metadata_map["character"].splitlines()
-all_characters = ["", *listed, " "]  # the blank is an empty text here
-
-
-def network_scores(image):
-    """(T, 18710) float32: the scores of each column of a line."""
-    width = int(np.ceil(48 * image.shape[1] / image.shape[0]))
-    line = cv2.resize(image, (width, 48)).astype(np.float32) / 127.5 - 1
-    padded = np.zeros((3, 48, max(320, width)), np.float32)
-    padded[:, :, :width] = line.transpose(2, 0, 1)
-    return network.run(None, {network.get_inputs()[0].name: padded[None]})[0][0]
-
-
-def network_text(image):
-    best = network_scores(image).argmax(axis=1)
-    is_new = best != np.append(-1, best[:-1])
-    return "".join(all_characters[i] for i in best[is_new & (best != 0)])
-
-# %%
-name_line = signs[89, 8:56].copy()
-column_scores = network_scores(name_line)
-print(column_scores.shape)
-print("".join(all_characters[i] or "-" for i in column_scores.argmax(axis=1)))
-print(network_text(name_line))
-
-# %%
-# Check: decoding by hand is what the tool reads
-assert column_scores.shape[1] == len(all_characters) == 18710 and column_scores.dtype == np.float32
-assert column_scores.min() >= 0 and column_scores.max() <= 1.001
-for k in (0, 50, 89):
-    for part in (signs[k, 8:56], signs[k, 62:92]):
-        result = reader(part.copy(), use_det=False, use_cls=False, use_rec=True)
-        assert network_text(part.copy()) == result.txts[0]
-assert network_text(name_line) == "KITCHEN"
-
-# %% [markdown]
-# ## 7 · Planned failures ([[minutes]], deeper)
+# ## 6 · Planned failures ([[minutes]], deeper)
 #
 # **Touching letters.** The second line has seven characters and a space. It is small and blurred. Some of its letters touch each other, others break into parts.
 
@@ -910,6 +747,11 @@ print("ROOM 204 without error:", distances["whole frame, ROOM 204"].count(0),
 # An enlarged image contains no new information, only more pixels of the same blur. And `rapidocr` itself enlarges each small image until its shorter side has 736 pixels, so the letters of this sign become about nine times as large in any case. At this size, the part of the network that looks for text does not find the second line. New information comes from **more frames**, or if the robot goes nearer. Here is the third line, alone and as a mean:
 
 # %% tags=["nbval-ignore-output"]
+def network_text(line):
+    """What the network reads of the image of one line."""
+    return reader(line, use_det=False, use_cls=False, use_rec=True).txts[0]
+
+
 def third_line(sign):
     strip = sign[94:116, 30:218].copy()
     return cv2.resize(strip, None, fx=2, fy=2, interpolation=cv2.INTER_CUBIC)
@@ -991,7 +833,7 @@ assert 3.5 < np.median(moved) < 5 and 9 < max(moved) < 12
 # A small error of the angle moves the sign by some pixels of the image, in each frame to another side. So the rows of the first line are cut off, and the mean of ten frames is a blur: it needs poses that agree to less than a pixel. **Repair it**: look for the sign in the image, and not only at the computed place. This is what the network's first part does.
 
 # %% [markdown]
-# ## 8 · Live ([[minutes]])
+# ## 7 · Live ([[minutes]])
 #
 # The robot in the room publishes five images in a second; the network needs a third of a second or more for each. If the node kept all images, it would read older and older ones. So it keeps only the newest: a [[term:QoS policy|QoS]] with history *keep last* and **depth 1**. All others are dropped on purpose.
 #
@@ -1065,7 +907,7 @@ assert round(5.5934 - recording.pose("camera", 89)[0]) == 3
 # %% [markdown]
 # ## Recap
 #
-# A reader by hand needs letters that do not touch, and a font that it knows. A network reads whole words, and spells them by the rule of CTC. Enlarging brings no information; more frames do, and going nearer. The edit distance counts a missing letter as one error, not as many.
+# A reader by hand needs letters that do not touch, and a font that it knows. A network reads whole words. Enlarging brings no information; more frames do, and going nearer. The edit distance counts a missing letter as one error, not as many.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
@@ -1075,7 +917,6 @@ assert round(5.5934 - recording.pose("camera", 89)[0]) == 3
 # | glyph | (24, 24) | uint8 | 0 to 255 | |
 # | NCC | one number | float | −1 to 1 | |
 # | edit distance | one number | int | 0 to the longer length | steps |
-# | scores of the network | (T, 18710) | float32 | 0 to 1 | |
 #
 # **Next:** [[recognising_objects]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
