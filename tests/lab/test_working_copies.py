@@ -90,7 +90,7 @@ def as_first_version_copied(course, **lessons):
     course.copies.mkdir()
     for name, text in lessons.items():
         course.write(name, text)
-        work = working_copies._work_digest("a.ipynb", text.encode(), with_numbers=True)
+        work = working_copies._work_digest("a.ipynb", text.encode())
         entries[f"{name}.ipynb"] = {"shipped": hashlib.sha256(text.encode()).hexdigest(), "work": work}
     (course.copies / ".course.json").write_text(json.dumps({"lessons": entries}))
 

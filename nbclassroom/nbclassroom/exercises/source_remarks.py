@@ -3,7 +3,6 @@
 import ast
 import re
 import types
-from itertools import pairwise
 from pathlib import Path
 
 from .error_advice import read_phrases
@@ -18,7 +17,6 @@ _PURE = re.compile(
 )
 _IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
 _FIRST_VALUE = r"-?((0|1)(\.0)?|(np|math)\.inf)"  # of the best one
-_ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
 def remarks_on_source(function, errors=(), unheeded=()):
@@ -49,7 +47,7 @@ def _form_of(remark, tree):
 def _remarks(tree, source, errors, helpers):
     parts = [(tree, source), *helpers]
     nodes = [(node, source) for part, source in parts for node in ast.walk(part)]
-    remarks = [text for part, _ in parts for text in _repeated_and_ended(part)]
+    remarks = [text for part, _ in parts for text in _ended_loops(part)]
     remarks += [text for node in nodes for text in _remarks_on_node(*node)]
     functions = tree.body if isinstance(tree, ast.ClassDef) else [tree]
     for part in functions:
@@ -92,8 +90,8 @@ def _body(source):
         return []
 
 
-def _repeated_and_ended(tree):
-    """Loops that end in their first round, and those whose counter gets another value."""
+def _ended_loops(tree):
+    """Loops that end in their first round."""
     for loop in ast.walk(tree):
         if not isinstance(loop, ast.For):
             continue
@@ -101,7 +99,6 @@ def _repeated_and_ended(tree):
         end = _end_of(loop.body)
         if end and not any(isinstance(node, ast.Continue) for node in ast.walk(loop)):
             yield SAYS["end inside a loop"].format(line=line, end=end)
-        yield from _counter_written_over(loop, line)
 
 
 def _end_of(body):
@@ -110,20 +107,6 @@ def _end_of(body):
     if isinstance(last, ast.If) and last.orelse:
         return _end_of(last.body) and _end_of(last.orelse)
     return {ast.Return: "return", ast.Break: "break"}.get(type(last), "")
-
-
-def _counter_written_over(loop, line):
-    """for r in range(height): b, g, r = ...; what stands below uses the wrong r."""
-    if not line.partition(" in ")[2].startswith("range("):
-        return
-    names = [node for part in loop.body for node in ast.walk(part) if isinstance(node, ast.Name)]
-    uses = [(name.lineno, isinstance(name.ctx, ast.Store)) for name in names if name.id == line.split()[1]]
-    for number, is_store in uses:
-        stores = [name for name in names if name.lineno == number and isinstance(name.ctx, ast.Store)]
-        # row = row * 2, and not b, g, r = image[r, c]
-        is_meant = (number, False) in uses and len(stores) == 1
-        if is_store and not is_meant and max(uses)[0] > number:
-            yield SAYS["counter with another value"].format(name=line.split()[1], line=line)
 
 
 def _why_none(tree):
@@ -189,13 +172,6 @@ def _always_true(node, _source):
         yield SAYS["always true"].format(**parts)
 
 
-def _loop_over_uint8(node, source):
-    for part in ast.walk(node.test) if "uint8(" in source else ():
-        comparison = ast.unparse(part) if isinstance(part, ast.Compare) else ""
-        if re.search(r"<= 255$|< 256$", comparison):
-            yield SAYS["loop over uint8"].format(test=comparison)
-
-
 def _fixed_size(node, _source):
     """np.zeros((20, 20)): an image of one size, whatever the input is."""
     call = ast.unparse(node)
@@ -225,14 +201,6 @@ def _without_effect(node, _source):
         yield f"{ast.unparse(node)} only compares, and changes nothing. To give a value, write = for ==."
 
 
-def _one_list(node, _source):
-    """[[0] * columns] * rows"""
-    row = node.left.elts[0] if isinstance(node.left, ast.List) and len(node.left.elts) == 1 else None
-    if row and isinstance(node.op, ast.Mult) and isinstance(getattr(row, "left", row), ast.List):
-        parts = {"part": ast.unparse(node), "row": ast.unparse(row), "count": ast.unparse(node.right)}
-        yield SAYS["rows that are one list"].format(**parts)
-
-
 def _columns_first(node, _source):
     """width, height = image.shape exchanges the two names."""
     names = r"\(?((?:w|width|cols|columns), (?:h|height|rows))((?:, \w+)?)\)? = (\w+\.shape)((?:\[:2\])?)"
@@ -240,18 +208,6 @@ def _columns_first(node, _source):
     if match:
         columns, rows = match[1].split(", ")
         yield f"{match[3]} has the rows first. Write {rows}, {columns}{match[2]} = {match[3]}{match[4]}."
-
-
-def _else_of_last_if(node, _source):
-    """An else after several ifs about one value belongs to the last of them only."""
-    bodies = (getattr(node, name, None) for name in ("body", "orelse"))
-    pairs = (pair for body in bodies if isinstance(body, list) for pair in pairwise(body))
-    for first, last in pairs:
-        tests = [_equality(statement) for statement in (first, last)]
-        if None in tests or ast.dump(tests[0].left) != ast.dump(tests[1].left):
-            continue
-        if last.orelse and not first.orelse and not isinstance(first.body[-1], _ENDS):
-            yield SAYS["else of the last if"].format(test=ast.unparse(tests[0]))
 
 
 def _never_stored(node, source):
@@ -272,23 +228,14 @@ def _is_store(node):
     return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
 
 
-def _equality(statement):
-    """The test `a == b` of an if, or None."""
-    test = statement.test if isinstance(statement, ast.If) else None
-    return test if isinstance(test, ast.Compare) and isinstance(test.ops[0], ast.Eq) else None
-
-
 # (kind of node, rule)
 _RULES = (
     (ast.BoolOp, _always_true),
-    (ast.While, _loop_over_uint8),
     (ast.Compare, _remarks_on_comparison),
     (ast.Expr, _without_effect),
     (ast.Assign, _columns_first),
-    (ast.BinOp, _one_list),
     (ast.Call, _fixed_size),
     (ast.For | ast.While, _never_stored),
-    (ast.AST, _else_of_last_if),
 )
 
 

@@ -66,7 +66,7 @@ class LessonChanges:
 class Origin(NamedTuple):
     """The lesson that a working copy came from, and the update that was last added beside it."""
 
-    shipped: str  # digest of the lesson's bytes, without outputs (until version 0.1.0: with them)
+    shipped: str  # digest of the lesson's bytes, without outputs
     work: str  # digest of the parts that a learner changes
     offered: str = ""  # digest of the bytes of the update that was added beside it
 
@@ -160,7 +160,7 @@ def _update_one(staged, changes, name, data, origin, version):
         return origin
     copy_data = copy.read_bytes()
     copy_work = _work_digest(name, copy_data)
-    if origin and origin.work in (copy_work, _work_digest(name, copy_data, with_numbers=True)):
+    if origin and origin.work == copy_work:
         if copy_data != data:
             staged.write(name, data, replaces=copy_data)
             changes.updated.append(name)
@@ -192,27 +192,26 @@ def _digest(data):
     return hashlib.sha256(data).hexdigest()
 
 
-def _work_digest(name, data, *, with_numbers=False):
+def _work_digest(name, data):
     """Digest of what counts as a learner's work: in a notebook the cells, without their outputs and counts.
 
     Running cells is not work; writing, adding or moving a cell is, and so is pasting an image into one. In a
-    file that is not a readable notebook, every byte counts. The numbers of lessons do not count, except in
-    digests that the first version stored.
+    file that is not a readable notebook, every byte counts. The numbers of lessons do not count.
     """
     if name.endswith(".ipynb"):
         with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
             cells = json.loads(data)["cells"]
-            work = [_work_of(cell, with_numbers) for cell in cells]
+            work = [_work_of(cell) for cell in cells]
             return _digest(json.dumps(work, sort_keys=True).encode())
     return _digest(data)
 
 
-def _work_of(cell, with_numbers):
+def _work_of(cell):
     source = cell["source"] if isinstance(cell["source"], str) else "".join(cell["source"])
     return [
         cell.get("id"),
         cell["cell_type"],
-        source if with_numbers or cell["cell_type"] != "markdown" else _NUMBER.sub("", source),
+        source if cell["cell_type"] != "markdown" else _NUMBER.sub("", source),
         cell.get("attachments") or {},
     ]
 

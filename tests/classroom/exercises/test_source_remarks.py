@@ -5,17 +5,6 @@ import linecache
 import pytest
 from nbclassroom.exercises.source_remarks import has_done, remarks_on_source, unheeded_remarks
 
-LOOP = """def f(image, sector):
-    for row in range(3):
-        if sector[row] == 0:
-            first = 1
-        if sector[row] == 1:
-            first = 2
-        else:
-            first = 3
-    return first
-"""
-
 
 def function_of(source):
     """The function that a source defines; its source can be read, as that of a notebook's cell."""
@@ -33,7 +22,6 @@ def remarks(source, errors=()):
     ("line", "start"),
     [
         ("if m == 'a' or 'b': return 1", "m == 'a' or 'b' is always true, because 'b' alone counts as True."),
-        ("t = np.uint8(0)\n    while t <= 255: t += 1", "t <= 255 is always true for a uint8"),
         ("return a.sum() == a.sum()", "a.sum() == a.sum() compares a value with itself."),
         ("return a > b & ~c", "Python computes b & ~c first, before the comparison."),
         ("a[b] == 1", "a[b] == 1 only compares, and changes nothing."),
@@ -75,18 +63,10 @@ def test_a_certain_mistake_is_named(line, start):
         "raise NotImplementedError('x')",
         "height, width = a.shape",
         "t = 0\n    while t <= 255: t += 1",
-        "t = np.uint8(0)\n    while t < 255: t += 1",
     ],
 )
 def test_of_other_lines_nothing_is_said(line):
     assert remarks(f"def f(a, b):\n    {line}\n") == []
-
-
-def test_an_else_that_belongs_to_the_last_if_only():
-    (remark,) = remarks(LOOP)
-    assert remark.startswith("The else belongs to the last if only, so it also runs if sector[row] == 0.")
-    assert remarks(LOOP.replace("if sector[row] == 1", "elif sector[row] == 1")) == []
-    assert remarks(LOOP.replace("first = 1", "continue")) == []
 
 
 def test_values_as_indices_are_named_if_an_index_was_outside():
@@ -131,18 +111,6 @@ def test_a_loop_in_another_function_of_the_cell_gets_the_remark():
     helper = "def g(a):\n    for t in a:\n        return t\n"
     (remark,) = remarks(f"{helper}def f(a):\n    return g(a)\n")
     assert remark.startswith("The loop for t in a ends in its first round")
-
-
-def test_a_counter_that_is_written_over():
-    source = "def f(a):\n    for r in range(3):\n        b, g, r = a[r]\n        a[r] = b + g\n    return a\n"
-    (remark,) = remarks(source)
-    assert remark == (
-        "r counts the rounds of for r in range(3), and inside this loop it gets another value. Give one of"
-        " the two another name."
-    )
-    assert remarks(source.replace("b, g, r =", "b, g, red =")) == []
-    assert remarks(source.replace("b, g, r = a[r]", "r = 2 * r").replace("b + g", "3")) == []
-    assert remarks(source.replace("range(3)", "a")) == []
 
 
 def test_why_a_none_was_returned():
