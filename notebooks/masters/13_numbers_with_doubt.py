@@ -313,7 +313,7 @@ axes.set(xlabel="deviation of y (m)", ylabel="deviation of yaw (rad)")
 show_figure(figure, text="numbers_with_doubt/robots")
 
 # %% [markdown]
-# The ellipse is thin, so yaw says almost everything about y: if you measure the yaw of a robot, you also learn its y. In [[object_tracking#7]] the limit 9.21 is called a *gate*: what lies outside probably belongs to something else.
+# The ellipse is thin, so yaw says almost everything about y: if you measure the yaw of a robot, you also learn its y. In [[object_tracking#5]] the limit 9.21 is called a *gate*: what lies outside probably belongs to something else.
 
 # %%
 # Check: the numbers in this section; 9.21 belongs to 1 %, and 5 or more of 200 to 1 of 20
@@ -353,7 +353,7 @@ print("of the moved robots\n", (after.T @ after / len(after)).round(4))
 print("F @ C @ F.T\n", (F @ C @ F.T).round(4))
 
 # %% [markdown]
-# Both are equal. So the robot knows how its doubt grows. This is the line F C Fᵀ of the [[term:Kalman filter]] in [[object_tracking#6]].
+# Both are equal. So the robot knows how its doubt grows. This is the line F C Fᵀ of the [[term:Kalman filter]] in [[object_tracking#4]].
 #
 # And the 200 robots that drove on for 4 seconds? Their wheels were wrong on the second metre too, so the y of their odometry is uncertain by 13 cm, not by 10. F knows nothing about this. A filter adds the missing part: a second covariance matrix, Q.
 
@@ -936,9 +936,9 @@ assert not np.allclose(np.linalg.svd(in_cm @ C @ in_cm)[1], 100**2 * np.linalg.s
 #
 # | here | where you need it |
 # |---|---|
-# | variance, weights (section 6) | [[object_tracking#6]]: the gain of the Kalman filter |
-# | F C Fᵀ (section 4) | [[object_tracking#6]]: predict |
-# | squared distance, 9.21 (section 3) | [[object_tracking#7]]: the gate |
+# | variance, weights (section 6) | [[object_tracking#4]]: the gain of the Kalman filter |
+# | F C Fᵀ (section 4) | [[object_tracking#4]]: predict |
+# | squared distance, 9.21 (section 3) | [[object_tracking#5]]: the gate |
 # | SVD, U @ V (section 8) | [[where_am_i#5]]: the motion of a cloud of points |
 # | JᵀJ · step = −Jᵀ · errors (section 7) | [[mapping_and_slam#7]]: all poses at once |
 #

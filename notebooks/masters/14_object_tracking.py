@@ -15,11 +15,11 @@
 # - combine what you expect and what you measure, with a Kalman filter,
 # - keep two objects apart that look the same, by joint assignment,
 # - write a node that follows a ball,
-# - deeper: move a box to the pixels of an object (mean shift), and drive after a ball with the image alone.
+# - deeper: drive after a ball with the image alone.
 #
-# **Time** [[minutes]], with a pause after section 5. **You need** [[obstacles_ahead]] and [[numbers_with_doubt]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[obstacles_ahead]] and [[numbers_with_doubt]]. Only the last part of section 6 needs ROS 2.
 
-# %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-mean-shift", "tracking-predict", "tracking-update", "tracking-drive"]
+# %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-predict", "tracking-update", "tracking-drive"]
 import math
 
 import numpy as np
@@ -49,14 +49,6 @@ figure_texts = {
     "weights": (
         "The back-projection: bright pixels have the colours of the ball.",
         "Left, the room with the ball; right, the same image in black, with bright spots on the ball, the toy car, the rug and some books.",
-    ),
-    "boxes": (
-        "White: the true box of the ball. Yellow: mean shift. Green: CamShift.",
-        "Four frames: the ball grows, the yellow box keeps its first size, the green box is too wide or too small.",
-    ),
-    "iou": (
-        "The IoU of both trackers with the true box, frame by frame. Neither of them follows the ball as it grows.",
-        "Two curves over 90 frames: both start near 0.7 and fall; mean shift ends near 0, CamShift stays around 0.3.",
     ),
     "merged": (
         "Frame 46: the car is in front of the ball. Both together are one red spot.",
@@ -336,218 +328,9 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 3 · Mean shift ([[minutes]], deeper)
+# ## 3 · Places on the floor ([[minutes]])
 #
-# The ball moves a little from frame to frame. So we begin with the box of the frame before, look at the weights **inside this box**, and move the box so that its middle is at their *[[term:center of mass]]*. There we look again, and so on, until the box stays where it is. This is *[[term:mean shift]]*.
-#
-# First one row of weights. The center of mass is the mean of the column numbers, in which each column counts as much as its weight:
-
-# %%
-line = np.array([0, 0, 10, 30, 10])
-cols = np.arange(5)
-total = line.sum()
-mean_col = (line * cols).sum() / total
-print("total", total, "  mean column", mean_col)
-
-# %% [markdown]
-# The weights lie around column 3. The box is 5 columns wide, and its middle is at 5 / 2 = 2.5, so it moves by 3 − 2.5 = 0.5 columns. A box has whole columns: OpenCV rounds the shift, and so do we, with Python's `round`. (For exactly half of a column, both take the *even* number: `round(0.5)` is 0 and `round(1.5)` is 2.)
-#
-# In two dimensions, columns and rows are computed in the same way. `window.sum(axis=0)` adds up each column, `window.sum(axis=1)` each row. Here the weights lie in the lower right corner. **Predict** by how many columns the box moves.
-
-# %% role="predict"
-guess_shift = None  # your guess: how many columns?
-
-# %%
-window = np.array([[0, 0, 0, 0, 0, 0],
-                   [0, 0, 0, 0, 10, 10],
-                   [0, 0, 0, 0, 10, 10]])
-rows_total, cols_total = window.sum(axis=1), window.sum(axis=0)
-print("per column", cols_total, "  per row", rows_total)
-mean_col = (cols_total * np.arange(6)).sum() / window.sum()
-mean_row = (rows_total * np.arange(3)).sum() / window.sum()
-print("mean column", mean_col, "  mean row", mean_row)
-compare_guess(guess_shift, round(mean_col - 6 / 2))
-
-# %%
-# Check: the numbers, and OpenCV moves this box too
-assert total == 50 and (line * cols).sum() / total == 3 and round(0.5) == 0 and round(1.5) == 2
-assert (mean_col, mean_row) == (4.5, 1.5) and round(mean_col - 6 / 2) == 2
-larger = np.pad(window, ((0, 7), (0, 6))).astype(np.uint8)
-assert cv2.meanShift(larger, (0, 0, 6, 3), (3, 1, 1))[1] == (2, 0, 6, 3)
-
-# %% [markdown]
-# Two more rules, again as in OpenCV: the box must stay inside the image, and if the weights in the box are all 0, it stays where it is.
-#
-# ### Your turn: one step of mean shift
-#
-# Write `mean_shift_step(weights, box)`: one step, not all of them. Use only NumPy: the check refuses `cv2` here, also `cv2.moments`.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `weights`: (H, W) uint8; `box`: (col, row, width, height), whole numbers, inside the image | the moved box, four whole numbers (col, row, width, height) | with the weights of the prediction and the box `(0, 0, 6, 3)`, the shift would be 2 columns, but the box must stay inside the image: `(0, 0, 6, 3)` |
-
-# %% role="exercise"
-exercise(
-    "tracking-mean-shift",
-    title="One step of mean shift",
-    function="mean_shift_step",
-    hint="A box is (col, row, width, height). New column: col + round(mean_col - width / 2), not below 0 and not above the width of the image minus the width of the box; the same for the row.",
-    hints=(
-        "Which part of weights is inside the box, and where in this part is the center of mass?",
-        "1. Cut the window out: rows row to row + height, columns col to col + width.\n"
-        "2. If its sum is 0, return the box as it is.\n"
-        "3. Compute the mean column and the mean row of the window, as above.\n"
-        "4. Add the rounded shift to col and row: round(mean_col - width / 2).\n"
-        "5. Keep both inside the image, with min and max.",
-        "col, row, width, height = box\nwindow = weights[row:row + height, ...]\ntotal = window.sum()\nif total == 0:\n"
-        "    return box\nmean_col = (window.sum(axis=0) * np.arange(width)).sum() / total\nmean_row = ...\n"
-        "col = col + round(mean_col - width / 2)\nrow = ...\n"
-        "col = min(max(col, 0), weights.shape[1] - width)\nrow = ...\nreturn col, row, width, height",
-    ),
-    explanation="The numbers of rows and columns are counted inside the window, so the mean minus half of the size is the way"
-    " from the middle of the box to the center of mass. The sums are whole numbers, so the result is exactly OpenCV's."
-    " The test for 0 comes before the division.",
-    another_way="You can also use np.nonzero and np.average with weights, or two loops that add up weight, weight * col and"
-    " weight * row.",
-)
-
-
-def blob(rng, shape, center, size=5):
-    """Weights around a center (row, col), and a few weak ones anywhere."""
-    weights = rng.integers(0, 4, shape, dtype=np.uint8)
-    row, col = center
-    part = weights[max(row - size, 0) : row + size, max(col - size, 0) : col + size + 2]
-    part[:] = rng.integers(100, 255, part.shape)
-    return weights
-
-
-def any_step(rng):
-    row, col = int(rng.integers(4, 36)), int(rng.integers(4, 44))
-    box = (min(max(col - 8, 0), 30), min(max(row - 4, 0), 25), int(rng.integers(10, 18)), int(rng.integers(9, 14)))
-    return blob(rng, (40, 50), (row, col)), box
-
-
-# %% role="answer"
-def mean_shift_step(weights, box):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def mean_shift_step(weights, box):
-    col, row, width, height = box
-    window = weights[row : row + height, col : col + width]
-    total = window.sum()
-    if total == 0:
-        return box
-    mean_col = (window.sum(axis=0) * np.arange(width)).sum() / total
-    mean_row = (window.sum(axis=1) * np.arange(height)).sum() / total
-    col = col + round(mean_col - width / 2)
-    row = row + round(mean_row - height / 2)
-    col = min(max(col, 0), weights.shape[1] - width)
-    row = min(max(row, 0), weights.shape[0] - height)
-    return col, row, width, height
-
-
-# %% role="check"
-check("tracking-mean-shift", mean_shift_step)
-
-# %% role="case" title="a spot in the box" points=1
-def inputs(rng):
-    left = int(rng.integers(12, 15))
-    return [(blob(rng, (30, 40), (20, 26)), (left, 10, 16, 14)), (blob(rng, (30, 40), (9, 10)), (7, 6, 13, 17)),
-            (blob(rng, (30, 40), (12, 25)), (14, 9, 12, 12)), any_step(rng)]
-
-
-# %% role="case" title="at the border, and nothing in the box" points=1 hint="Does the box stay inside the image, and does it stay where it is if all weights in it are 0?"
-def inputs(rng):
-    corner = blob(rng, (24, 32), (21, 28), 4)
-    first = blob(rng, (24, 32), (1, 2), 3)
-    empty = np.zeros((24, 32), np.uint8)
-    empty[20:, 25:] = rng.integers(100, 255, (4, 7))
-    return [(corner, (18, 12, 13, 10)), (first, (1, 1, 12, 11)), (empty, (3, 4, 10, 9)), any_step(rng)]
-
-
-# %% role="hidden" title="any box" points=1 hint="Is every number that you use counted inside the box, and is the shift rounded?"
-def inputs(rng):
-    return [*(any_step(rng) for _ in range(4)), (np.zeros((40, 50), np.uint8), (5, 6, 7, 8))]
-
-
-# %% [markdown]
-# OpenCV's `meanShift` repeats the step up to 10 times, or until the box stays. (The tuple `(3, 10, 1)` says this: stop at whichever of both comes first.)
-
-# %%
-image = ball_weights(hsv_frames[10])
-steps, box = cv2.meanShift(image, true_boxes[0], (3, 10, 1))
-print("steps", steps, "  box", box, "  true box", true_boxes[10])
-
-# %% [markdown]
-# ## 4 · The whole drive, and a failure ([[minutes]], deeper)
-#
-# We track the ball through all 90 frames: each frame begins with the box of the frame before. Beside mean shift we use `cv2.CamShift` (*[[term:CamShift]]*). After the mean shift, it computes a new width and height from the weights, because the ball grows as the robot comes nearer.
-#
-# In the first frame, the box is right. A box counts as a hit if its IoU with the true box is at least 0.5. **Predict** in how many of the 90 frames mean shift hits the ball.
-
-# %% role="predict"
-guess_hits = None  # your guess: in how many of 90 frames?
-
-# %% tags=["long"]
-def overlap(a, b):
-    """The IoU of two boxes, from their masks."""
-    masks = np.zeros((2, 360, 640), bool)
-    for mask, (col, row, width, height) in zip(masks, (a, b), strict=True):
-        mask[row:row + height, col:col + width] = True
-    return (masks[0] & masks[1]).sum() / (masks[0] | masks[1]).sum()
-
-
-def track(tracker):
-    """The boxes of all frames; the tracker is cv2.meanShift or cv2.CamShift."""
-    box, boxes = true_boxes[0], []
-    for hsv in hsv_frames:
-        _, box = tracker(ball_weights(hsv), box, (3, 10, 1))
-        boxes.append(box)
-    return boxes
-
-
-def overlaps(boxes):
-    return [overlap(boxes[k], true_boxes[k]) for k in range(90)]
-
-
-mean_shift_boxes = track(cv2.meanShift)
-mean_shift_iou = overlaps(mean_shift_boxes)
-compare_guess(guess_hits, sum(value >= 0.5 for value in mean_shift_iou))
-
-# %%
-camshift_boxes = track(cv2.CamShift)
-camshift_iou = overlaps(camshift_boxes)
-print("CamShift hits:", sum(value >= 0.5 for value in camshift_iou))
-figure = Figure(figsize=(7, 3), layout="constrained")
-axes = figure.subplots()
-axes.plot(np.round(mean_shift_iou, 3), label="mean shift")
-axes.plot(np.round(camshift_iou, 3), "--", label="CamShift")
-axes.set(xlabel="frame", ylabel="IoU", ylim=(0, 1))
-axes.legend()
-show_figure(figure, text="object_tracking/iou")
-
-# %%
-shown = []
-for k in (0, 30, 60, 89):
-    image = with_box(frames[k], true_boxes[k])
-    image = with_box(image, mean_shift_boxes[k], (0, 220, 255))
-    shown.append(with_box(image, camshift_boxes[k], (0, 200, 0)))
-show(shown, ["frame 0", "frame 30", "frame 60", "frame 89"], columns=2,
-     text="object_tracking/boxes")
-
-# %%
-# Check: the numbers in this section
-assert sum(value >= 0.5 for value in mean_shift_iou) == 25
-assert sum(value >= 0.5 for value in camshift_iou) == 2 and mean_shift_iou[89] < 0.1
-
-# %% [markdown]
-# Both trackers fail. **Mean shift** keeps the size of its box. The ball grows from 31 to 189 pixels, and the box ends on one of its red stripes. **CamShift** may grow, but it follows everything red: together with the rug and the car, its box becomes much too wide. Both look at the colours of the image only, and there, a ball that comes nearer *is* something that changes.
-
-# %% [markdown]
-# ## 5 · Places on the floor ([[minutes]])
-#
-# One way to track is to move the box of the ball from frame to frame, to the bright pixels of the back-projection (sections 3 and 4, deeper). It loses the ball: as the robot drives nearer, the ball grows from 31 to 189 pixels, and it is not the only red thing. But in the room, the size of the ball does not change. So we track where things are on the **floor**, in metres.
+# One way to track is to move the box of the ball from frame to frame, to the bright pixels of the back-projection (OpenCV: `cv2.meanShift`, `cv2.CamShift`). It loses the ball: as the robot drives nearer, the ball grows from 31 to 189 pixels, and it is not the only red thing. But in the room, the size of the ball does not change. So we track where things are on the **floor**, in metres.
 #
 # Where is the ball on the floor? You need three things: its pixel, its depth, and the [[term:pose]] of the camera. From pixel and depth, the ray gives a point in front of the camera, as in [[obstacles_ahead#2]]. The pose takes this point into the room: `pose.apply(point)` gives x, y and z in metres, where z is the height above the floor. (Here we take the pose from the recording. [[term:odometry|Odometry]] gives it as well, with some error.)
 
@@ -648,7 +431,7 @@ assert sum(distance < 5 for distance in distances) == 75
 # %% [markdown]
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 6 · The Kalman filter ([[minutes]])
+# ## 4 · The Kalman filter ([[minutes]])
 #
 # We know two things about the ball: where it should be now, since it rolled in a certain direction with a certain speed, and where we see it now. Both are uncertain. How do we combine them?
 #
@@ -888,7 +671,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · Who is who? ([[minutes]])
+# ## 5 · Who is who? ([[minutes]])
 #
 # Two *tracks*, of ball and car, and in each frame several red things. Which thing belongs to which track?
 #
@@ -1022,7 +805,7 @@ assert ball.max() < 9 and car.max() < 9 and switches == 0 and linear_sum_assignm
 # %% [markdown]
 # While both are one spot, both tracks take it, and the track of the ball is pulled towards the car. When they separate, nothing is inside its gate any more, and it drives on in the wrong direction, nearer to the car than to the ball: an *[[term:identity switch]]*. With **joint assignment**, only one track gets the spot. The track of the ball coasts for a few frames, until it sees the ball again.
 #
-# ## 8 · Follow the ball ([[minutes]])
+# ## 6 · Follow the ball ([[minutes]])
 #
 # Now the robot in the room follows the ball. It knows its own pose from odometry. The camera stands 0.21 m before the axle, 0.20 m above the floor, and looks ahead: its right is the robot's −y, its down is −z, its ahead is x. These are the columns of the rotation. The command turns the robot towards the ball, and keeps 0.8 m between camera and ball.
 
@@ -1181,12 +964,12 @@ if ros_available():
 assert not ros_available() or node.looks > 0
 
 # %% [markdown]
-# **On the real robot** there is no depth image of the floor: take the lowest pixel of each red spot, and its ray, as in section 5. `find_red` is the only function that changes.
+# **On the real robot** there is no depth image of the floor: take the lowest pixel of each red spot, and its ray, as in section 3. `find_red` is the only function that changes.
 
 # %% [markdown]
-# ## 9 · Follow a ball that rolls away ([[minutes]], deeper)
+# ## 7 · Follow a ball that rolls away ([[minutes]], deeper)
 #
-# In section 8 the tracker was given, and the robot knew depth and odometry. In this exercise your function drives the robot with the image alone. A ball rolls away in front of the robot, to the left or to the right, and slows down. Nothing stands in its way. The robot follows the ball, and keeps a distance of 0.6 m between the camera and the middle of the ball.
+# In section 6 the tracker was given, and the robot knew depth and odometry. In this exercise your function drives the robot with the image alone. A ball rolls away in front of the robot, to the left or to the right, and slows down. Nothing stands in its way. The robot follows the ball, and keeps a distance of 0.6 m between the camera and the middle of the ball.
 #
 # Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds, as for `robot.step`. One call may take 0.5 s, and 0.05 s of processor time on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
 #
@@ -1265,7 +1048,7 @@ exercise(
     " only a little, so a spot that is far from the last place, or much larger, is another thing. Of the others the largest"
     " one is taken: a small one may be a single stripe of the ball. For the same reason the size"
     " shrinks by 5 % a look at most.",
-    another_way="You can also use a Kalman filter on column and size, or CamShift from section 4.",
+    another_way="You can also use a Kalman filter on column and size.",
 )
 
 

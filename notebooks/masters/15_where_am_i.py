@@ -11,14 +11,14 @@
 #
 # **You will be able to**
 # - compute the homography of a flat thing from four corners,
-# - read the number of a marker from its black and white cells,
+# - say how a marker carries its number,
 # - find the motion between two clouds of points (Kabsch), also if many of the pairs are wrong (RANSAC),
 # - chain motions to a path, and measure its error against the truth,
 # - deeper: choose keyframes, and write a node that computes the path of the robot.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]], [[drive_the_robot]] and [[numbers_with_doubt]]. Only the last part of section 8 needs ROS 2.
 
-# %% role="given" exercise=["where-homography", "where-decode", "where-motion", "where-inliers", "where-keyframes"]
+# %% role="given" exercise=["where-homography", "where-motion", "where-inliers", "where-keyframes"]
 import math
 
 import numpy as np
@@ -319,135 +319,15 @@ words = np.array([cv2.aruco.generateImageMarker(dictionary, number, 6)[1:5, 1:5]
 print(words.shape)
 print(words[7])
 
-# %% [markdown]
-# This is the word that we have read. But a marker can also hang turned, or the robot looks at it from another side: then its word is turned by a quarter, a half or three quarters. `np.rot90(word, 1)` turns it to the left by one quarter, `np.rot90(word, 2)` by two.
-#
-# **Predict** how many of the 16 cells of word 7 still agree with the word after one quarter turn.
-
-# %% role="predict"
-guess_cells = None  # your guess: how many of 16 cells?
-
-# %%
-turned = np.rot90(words[7], 1)
-print(turned)
-compare_guess(guess_cells, int((turned == words[7]).sum()))
-
-# %%
-agreeing = []
-for turns in range(4):
-    agreeing.append((np.rot90(words[7], turns) == words).sum(axis=(1, 2)))
-agreeing = np.array(agreeing)  # (4 turns, 50 words)
-agreeing[0, 7] = 0  # the word itself
-print("another word, or another turn: at most", agreeing.max(), "of 16 cells")
-
 # %%
 # Check: the cells by hand are the word of the dictionary, in all 90 frames
-assert (turned == words[7]).sum() == 8 and agreeing.max() == 12
-word_with_border = np.pad(words[7], 1)
-assert all((read_cells(grays[k], corners[k]) == word_with_border).all() for k in range(90))
+agreeing = np.array([(np.rot90(words[7], turns) == words).sum(axis=(1, 2)) for turns in range(4)])
+agreeing[0, 7] = 0  # the word itself
+assert agreeing.max() == 12
+assert all((read_cells(grays[k], corners[k]) == np.pad(words[7], 1)).all() for k in range(90))
 
 # %% [markdown]
-# The words of a dictionary are chosen so that none of them, in any turn, is like another one: here at least 4 of the 16 cells are different. So one wrong cell does not make another number of it.
-#
-# ### Your turn: which marker is it?
-#
-# Write `decode(cells, words)`.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `cells`: (6, 6) uint8, 1 is white, 0 is black; `words`: (N, 4, 4) uint8, the words of the markers 0 to N − 1 | two whole numbers: the number of the marker, and how many times (0 to 3) you must turn the inner cells with `np.rot90` until they are equal to its word. If a cell of the border is white, or if no word fits: `(-1, 0)` | `decode(cells, words)` with the cells above returns `(7, 0)` |
-
-# %% role="exercise"
-exercise(
-    "where-decode",
-    title="Which marker is it?",
-    function="decode",
-    hint="The border must be 0; then compare np.rot90(cells[1:5, 1:5], turns) with each word, for turns from 0 to 3.",
-    hints=(
-        "Which 16 of the 36 cells are the word, and in how many ways can it be turned?",
-        "1. The word: rows 1 to 4 and columns 1 to 4 of the cells.\n"
-        "2. The border is black if all white cells are inside: the sum of all cells is the sum of the word.\n"
-        "3. For each turn from 0 to 3, and for each word: are all cells of the turned word equal?\n"
-        "4. Then return the number of the word and the turns. At the end, return (-1, 0).",
-        "inside = cells[1:5, ...]\nif cells.sum() != inside.sum():\n    return -1, 0\nfor turns in range(4):\n"
-        "    for number in range(len(words)):\n        if (np.rot90(inside, ...) == words[...]).all():\n"
-        "            return ...\nreturn -1, 0",
-    ),
-    explanation="The four turns of the read cells are compared with the 50 words: 200 small comparisons. The border protects from"
-    " things that only look like a marker. return leaves both loops at once; the last line is reached only if nothing fits.",
-    another_way="You can also turn each word to the other side, np.rot90(word, -turns), and compare it with the cells as they are.",
-)
-
-
-def some_words(rng, count):
-    """Words that differ from each other, and in each of their turns."""
-    words, seen = [], set()
-    while len(words) < count:
-        word = rng.integers(0, 2, (4, 4)).astype(np.uint8)
-        views = [np.rot90(word, k).tobytes() for k in range(4)] + [np.rot90(word.T, k).tobytes() for k in range(4)]
-        views += [np.rot90(1 - word, k).tobytes() for k in range(4)]
-        if len(set(views)) == 12 and not seen & set(views):
-            words.append(word)
-            seen |= set(views)
-    return np.array(words)
-
-
-def seen_cells(word, turns, white=None):
-    """The cells of a marker that must be turned so many times to be read; a white cell of the border."""
-    cells = np.pad(np.rot90(word, -turns), 1)
-    if white is not None:
-        cells[white] = 1
-    return cells
-
-
-def any_markers(rng, words):
-    """Two calls with any of the words, turned anyhow."""
-    return [(seen_cells(words[rng.integers(len(words))], int(rng.integers(4))), words) for _ in range(2)]
-
-
-# %% role="answer"
-def decode(cells, words):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def decode(cells, words):
-    inside = cells[1:5, 1:5]
-    if cells.sum() != inside.sum():
-        return -1, 0
-    for turns in range(4):
-        for number in range(len(words)):
-            if (np.rot90(inside, turns) == words[number]).all():
-                return number, turns
-    return -1, 0
-
-
-# %% role="check"
-check("where-decode", decode)
-
-# %% role="case" title="upright markers, and turned ones" points=1
-def inputs(rng):
-    words = some_words(rng, 10)
-    return [(seen_cells(words[7], 0), words), (seen_cells(words[3], 1), words), (seen_cells(words[5], 3), words), (seen_cells(words[8], 2), words),
-            *any_markers(rng, words)]
-
-
-# %% role="case" title="not a marker" points=1 hint="Did you look at the border, all around? And what do you return if no word fits?"
-def inputs(rng):
-    words = some_words(rng, 9)
-    strange = words[4].copy()
-    strange[1, 2] = 1 - strange[1, 2]
-    side = int(rng.integers(1, 5))
-    return [(seen_cells(words[2], 1, (0, side)), words), (seen_cells(words[6], 0, (side, 5)), words),
-            (seen_cells(strange, 0), words[:5]), (seen_cells(words[1], 3, (5, 0)), words), (seen_cells(words[5], 2), words),
-            *any_markers(rng, words)]
-
-
-# %% role="hidden" title="any cells" points=1 hint="Did you try all four turns of all words, and the whole border?"
-def inputs(rng):
-    words = some_words(rng, 20)
-    calls = [(seen_cells(words[int(number)], turns), words) for number, turns in zip(rng.permutation(20)[:4], (3, 1, 0, 2), strict=True)]
-    return [*calls, (seen_cells(words[0], 1, (5, 3)), words), (seen_cells(words[12], 2), words[:12])]
-
+# This is the word that we have read. A marker can also hang turned, so the detector compares the cells in four turns. The words of a dictionary are chosen so that none of them, in any turn, is like another one: here at least 4 of the 16 cells are different. So one wrong cell does not make another number of it.
 
 # %% [markdown]
 # ## 4 · Where is the camera? ([[minutes]])
@@ -1098,7 +978,7 @@ class VisualOdometry:
         return bool(way > 0.15 or angle > math.radians(10) or near.sum() < 40)
 
 # %% [markdown]
-# The camera stands 0.21 m before the axle, and 0.20 m above the floor, as in [[object_tracking#8]]. Five curves, 40 images in 8 seconds:
+# The camera stands 0.21 m before the axle, and 0.20 m above the floor, as in [[object_tracking#6]]. Five curves, 40 images in 8 seconds:
 
 # %% tags=["long"]
 ahead = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])
@@ -1142,7 +1022,7 @@ show_figure(figure, text="where_am_i/room")
 assert round(error_wheels) == 22 and error_camera < 6 and not robot.bumped and len(truth) == 40
 
 # %% [markdown]
-# And where it sees nothing? A bare wall has no corners, so there are no points to follow. The class then takes the pose from before, and the camera is worse than the wheels. Real robots combine both, with a Kalman filter as in [[object_tracking#6]].
+# And where it sees nothing? A bare wall has no corners, so there are no points to follow. The class then takes the pose from before, and the camera is worse than the wheels. Real robots combine both, with a Kalman filter as in [[object_tracking#4]].
 
 # %% [markdown]
 # ### The same as a node ([[minutes]], deeper)

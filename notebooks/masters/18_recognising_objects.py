@@ -12,13 +12,13 @@
 # **You will be able to**
 # - compute the histogram of oriented gradients of a cell (HOG),
 # - classify by the nearest mean, and by a linear classifier,
-# - read and compute a confusion matrix,
+# - read a confusion matrix,
 # - divide data into training and test without leakage,
 # - find a known thing by keypoints, a homography and RANSAC.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[canny_stages]], [[obstacles_ahead]] and [[where_am_i]]. Only the last part of section 8 needs ROS 2.
 
-# %% role="given" exercise=["objects-cell", "objects-mean", "objects-confusion", "objects-inliers"]
+# %% role="given" exercise=["objects-cell", "objects-mean", "objects-inliers"]
 import numpy as np
 
 # %% role="given" exercise=["objects-inliers"]
@@ -523,73 +523,6 @@ compare_guess(guess_accuracy, round(100 * np.trace(matrix) / matrix.sum()), "%")
 # %%
 # Check: the numbers in this section
 assert matrix.tolist() == [[1, 1, 0], [0, 1, 0], [0, 0, 2]]
-
-# %% [markdown]
-# ### Your turn: the confusion matrix
-#
-# Write `confusion(truth, predicted, count)`.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `truth`, `predicted`: two arrays of N whole numbers from 0 to count − 1; `count`: the number of classes | (count, count) whole numbers: row i, column j counts how often the true class was i and the predicted class was j | `confusion(np.array([0, 0, 1, 2, 2]), np.array([0, 1, 1, 2, 2]), 3)` returns `[[1, 1, 0], [0, 1, 0], [0, 0, 2]]` |
-
-# %% role="exercise"
-exercise(
-    "objects-confusion",
-    title="The confusion matrix",
-    function="confusion",
-    hint="Zeros of shape (count, count); for each pair add 1 at row truth, column predicted.",
-    hints=(
-        "Which row and which column does a pair of true and predicted class belong to?",
-        "1. A matrix of zeros, count rows and count columns, of whole numbers.\n"
-        "2. Go through truth and predicted together.\n"
-        "3. Add 1 to the number in the row of the true class, and the column of the predicted one.\n"
-        "4. Return the matrix.",
-        "matrix = np.zeros((count, ...), int)\nfor row, col in zip(truth, ...):\n    matrix[row, col] += ...\nreturn matrix",
-    ),
-    explanation="The size is count, also if the last classes do not occur. Each pair adds 1, so the sum of the matrix is the"
-    " number of pairs.",
-    another_way="Without a loop: np.bincount(truth * count + predicted, minlength=count * count).reshape(count, count).",
-)
-
-
-def answers_of(rng, count, used, many=30):
-    """True and predicted classes; the last classes do not occur, and some pairs occur often."""
-    truth = rng.integers(0, used, many)
-    predicted = np.where(rng.random(many) < 0.5, truth, rng.integers(0, used, many))
-    truth[:6], predicted[:6] = [0, 0, 0, 1, 2, 2], [1, 1, 2, 1, 0, 2]
-    return truth, predicted, count
-
-
-# %% role="answer"
-def confusion(truth, predicted, count):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def confusion(truth, predicted, count):
-    matrix = np.zeros((count, count), int)
-    for row, col in zip(truth, predicted, strict=True):
-        matrix[row, col] += 1
-    return matrix
-
-
-# %% role="check"
-check("objects-confusion", confusion)
-
-# %% role="case" title="four classes" points=1
-def inputs(rng):
-    return [answers_of(rng, 4, 4), answers_of(rng, 4, 4, 20), answers_of(rng, 3, 3, 4000)]
-
-
-# %% role="case" title="classes that do not occur" points=1 hint="The matrix has count rows and count columns, also if a class does not occur."
-def inputs(rng):
-    return [answers_of(rng, 6, 4), answers_of(rng, 5, 3, 16)]
-
-
-# %% role="hidden" title="any classes" points=1 hint="Rows are the truth, columns are predicted; does each pair add 1?"
-def inputs(rng):
-    return [answers_of(rng, 7, 5, 60), answers_of(rng, 12, 11, 90)]
-
 
 # %% [markdown]
 # This is a good place for a pause.

@@ -771,7 +771,7 @@ def inputs(rng):
 # | name in the file | what it does | you know it from |
 # |---|---|---|
 # | `Parts` | holds the four functions of your exercises; `course_parts` are those of the course | sections 1 to 4 |
-# | `Place` | knows where the robot is | [[object_tracking#6]], [[where_am_i#4]] |
+# | `Place` | knows where the robot is | [[object_tracking#4]], [[where_am_i#4]] |
 # | `nearest_marker`, `scan_points`, `low_points` | turn what the sensors see into places | [[where_am_i]], [[mapping_and_slam]], [[obstacles_ahead]] |
 # | `Errand` | decides what the robot does next | sections 2 to 4 |
 # | `run_errand`, `run_live` | let it run, in simulated time and in ROS, and give points | |
@@ -795,7 +795,7 @@ compare_guess(guess_images, images, "images")
 # %% [markdown]
 # ### How much does it believe a marker? ([[minutes]])
 #
-# `Place` counts with the wheels, and it gets less sure with each metre and each turn: `spread` holds the standard deviations of x, y and yaw. When the robot sees a marker, `correct` is called. The less sure the marker is, the less it moves the place: this is the Kalman filter of [[object_tracking#6]], for x, y and yaw. A far marker is less sure than a near one. A marker that would move the place by more than three standard deviations is refused: it is probably the wrong one of two poses ([[where_am_i#4]]). The option `believes_all` switches all this off; section 6 shows why there is such an option.
+# `Place` counts with the wheels, and it gets less sure with each metre and each turn: `spread` holds the standard deviations of x, y and yaw. When the robot sees a marker, `correct` is called. The less sure the marker is, the less it moves the place: this is the Kalman filter of [[object_tracking#4]], for x, y and yaw. A far marker is less sure than a near one. A marker that would move the place by more than three standard deviations is refused: it is probably the wrong one of two poses ([[where_am_i#4]]). The option `believes_all` switches all this off; section 6 shows why there is such an option.
 
 # %%
 print(inspect.getsource(Place.correct))

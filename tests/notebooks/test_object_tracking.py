@@ -18,16 +18,6 @@ def test_backproject_is_calc_back_project(solutions, bins):
     np.testing.assert_array_equal(result, truth)
 
 
-def test_mean_shift_step_is_one_iteration_of_mean_shift_on_500_boxes(solutions):
-    rng = np.random.default_rng(0)
-    for number in range(500):
-        weights = cv2.blur(rng.integers(0, 256, (90, 120), np.uint8), (9, 9))
-        weights[rng.random((90, 120)) < rng.choice([0.5, 0.99, 1.0])] = 0
-        box = (*rng.integers(0, (70, 50)).tolist(), *rng.integers(1, (50, 40)).tolist())
-        truth = cv2.meanShift(weights, box, (cv2.TERM_CRITERIA_COUNT, 1, 0))[1]
-        assert solutions["mean_shift_step"](weights, box) == tuple(truth), number
-
-
 def test_iou_is_that_of_the_masks(solutions):
     rng = np.random.default_rng(1)
     values = []

@@ -1,6 +1,5 @@
 """The lesson "Reading text": its solutions give what the field's tools give, on many inputs."""
 
-
 import cv2
 import numpy as np
 import pytest

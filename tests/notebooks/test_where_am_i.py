@@ -26,20 +26,6 @@ def test_find_homography_is_get_perspective_transform_and_the_packages(solutions
         np.testing.assert_allclose(result, tool, rtol=0, atol=1e-4)  # the tool's own error is up to 1e-5
 
 
-def test_decode_is_the_dictionarys_identify(solutions):
-    dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
-    sides = [cv2.aruco.generateImageMarker(dictionary, number, 6) // 255 for number in range(50)]
-    words = np.array([cells[1:5, 1:5] for cells in sides])
-    for number, cells in enumerate(sides):
-        for turns in range(4):
-            seen = np.rot90(cells, -turns).copy()
-            found, tool, back = dictionary.identify(np.ascontiguousarray(seen[1:5, 1:5]), 0.0)
-            assert found and (tool, (4 - back) % 4) == (number, turns)  # it counts to the other side
-            assert solutions["decode"](seen, words) == (number, turns)
-            seen[2, 3] ^= 1  # no word is one cell away from another
-            assert solutions["decode"](seen, words) == (-1, 0)
-
-
 def test_find_motion_is_scipys_align_vectors_and_the_packages(solutions):
     rng = np.random.default_rng(1)
     for number in range(200):

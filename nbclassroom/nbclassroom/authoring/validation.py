@@ -176,7 +176,7 @@ def _size_problems(exercise, case):
         answer = array_of(_in_time(exercise, exercise.call(solution, arguments)).value)
         if answer is None or answer.nbytes <= _MOST_BYTES:
             continue
-        if answer.dtype.kind == "f" or case.tolerance:
+        if case.tolerance or answer.dtype.kind == "f":
             yield (
                 f"{case.id}: grading cannot compare an answer of {answer.nbytes} bytes with a tolerance;"
                 f" draw a smaller input, up to {_MOST_BYTES} bytes of answer"

@@ -7,6 +7,7 @@ import types
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from functools import partial
+from itertools import product
 
 from . import feedback
 from .case_call import CaseCall
@@ -181,6 +182,8 @@ def run_cases(
 def run_mistake(exercise: Exercise, mistake: Mistake) -> CheckResult:
     """The CheckResult of a declared mistake of an Exercise on its public cases."""
     data = check_data_of(exercise)
+    for one, case in product(data.mistakes, data.cases):
+        one.results[case.id]  # computed here: below, the comparison with all of them has few seconds
     calls = data.kind.run_mistake(data, mistake)
     return _judge_calls(data, exercise.function_of_mistake(mistake), calls)
 
@@ -261,9 +264,8 @@ def _judge_calls(exercise, function, calls):
     errors |= {"None" for call in calls if call.difference is not None and call.result.value == _NONE}
     is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
     if "NotImplementedError" in errors or (is_stub and exercise.kind.expects_values):
-        remarks = tuple(remarks_on_source(function))
-        if isinstance(function, type):
-            remarks = () if is_stub else (STUB_LINE,)
+        of_class = () if is_stub else (STUB_LINE,)
+        remarks = of_class if isinstance(function, type) else tuple(remarks_on_source(function))
         return CheckResult(exercise, attempted=False, remarks=remarks)
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     has_passed = all(result.passed for result in results)

@@ -40,15 +40,16 @@ def unheeded_remarks(source, name):
 
 def _form_of(remark, tree):
     """A remark without the names that an answer chose itself: those that it stores."""
-    names = {node.id for node in ast.walk(tree) if _is_store(node)}
+    names = {ast.unparse(node) for node in ast.walk(tree) if _is_store(node)}
     return re.sub(r"[^\W\d]\w*", lambda match: "_" if match[0] in names else match[0], remark)
 
 
 def _remarks(tree, source, errors, helpers):
     parts = [(tree, source), *helpers]
-    nodes = [(node, source) for part, source in parts for node in ast.walk(part)]
     remarks = [text for part, _ in parts for text in _ended_loops(part)]
-    remarks += [text for node in nodes for text in _remarks_on_node(*node)]
+    for node, own_source in ((node, own_source) for part, own_source in parts for node in ast.walk(part)):
+        for rule in (rule for kind, rule in _RULES if isinstance(node, kind)):
+            remarks += rule(node, own_source)
     functions = tree.body if isinstance(tree, ast.ClassDef) else [tree]
     for part in functions:
         remarks += _remarks_on_function(part) if isinstance(part, ast.FunctionDef) else []
@@ -155,12 +156,6 @@ def _reaches_end(body):
     if isinstance(last, ast.With):
         return _reaches_end(last.body)
     return not isinstance(last, ast.Return | ast.Raise | ast.While | ast.Try | ast.Match)
-
-
-def _remarks_on_node(node, source):
-    for kind, rule in _RULES:
-        if isinstance(node, kind):
-            yield from rule(node, source)
 
 
 def _always_true(node, _source):
