@@ -62,6 +62,7 @@ def test_the_solution_passes_and_so_do_other_styles():
         (3, "Policy.VOLATILE", "Policy.TRANSIENT_LOCAL", "subscription is TRANSIENT_LOCAL."),
         (2, 'image_negative:main"', 'main"', "executables: image_negative=image_negative.main."),
         (2, 'packages=["image_negative"]', "packages=[]", "must name the folder of the node"),
+        (2, '"image_negative/image_neg', '"image_neg', "the file image_negative/image_negative.py, and none of"),
         (2, '["resource/image_negative"]', "[]", "Yours installs package.xml to share/image_negative."),
         (2, "def main(args=None)", "def start(args=None)", "defines no function main"),
         (2, "setup(\n", "setup(\n    (", "setup.py, line"),

@@ -15,11 +15,11 @@ from nbclassroom.exercises.error_advice import read_phrases
 NODE_ERRORS = ("NodeError", "NotGradedError")
 # The names in a record, those first that explain others.
 _ORDER = (
-    *("name", "missing elements", "build type", "names of pip", "missing dependencies", "packages"),
-    *("executables", "data files", "main", "sleeps", "windows", "node", "subscriptions", "publishers"),
-    *("published early", "steps", "delivered", "ended", "published", "log", "accepted", "topic", "type"),
-    *("reliability", "durability", "history", "depth", "encoding", "height", "width", "pixels", "stamp"),
-    "frame_id",
+    *("name", "missing elements", "build type", "names of pip", "missing dependencies", "executables"),
+    *("missing paths", "packages", "data files", "main", "sleeps", "windows", "node", "subscriptions"),
+    *("publishers", "published early", "steps", "delivered", "ended", "published", "log", "accepted"),
+    *("topic", "type", "reliability", "durability", "history", "depth", "encoding", "height", "width"),
+    *("pixels", "stamp", "frame_id"),
 )
 
 

@@ -26,8 +26,7 @@ _DEPENDENCIES = ("depend", "exec_depend", "build_depend")
 def drive_package(function, look, steps):
     """What a file of a package says, or what its node does: a dict, compared with that of the solution.
 
-    `look` is the name of the file, "package.xml" or "setup.py", or with `steps` as `node_driver.drive` takes
-    it. NodeError: a file is missing, or cannot be read.
+    `look` is "package.xml", "setup.py", or as `drive` takes it. NodeError: a file is missing or unreadable.
     """
     files = function()
     parts = [part for item in files.items() for part in item] if isinstance(files, dict) else [None]
@@ -100,14 +99,16 @@ def _read_setup(files):
             names[part.targets[0].id] = _value(part.value, names)
     given = {keyword.arg: _value(keyword.value, names) for keyword in calls[0].keywords}
     entry_points = given.get("entry_points")
-    scripts = entry_points.get("console_scripts") if isinstance(entry_points, dict) else None
-    functions = [part.name for part in _parse(files, path).body if isinstance(part, ast.FunctionDef)]
+    lines = entry_points.get("console_scripts") if isinstance(entry_points, dict) else None
+    scripts = sorted("".join(str(line).split()) for line in lines or ())
+    started = {script.partition("=")[2].partition(":")[0].replace(".", "/") + ".py" for script in scripts}
     return {
         "name": str(given.get("name")),
         "packages": " ".join(map(str, given.get("packages") or ())),
-        "executables": ", ".join(sorted("".join(str(script).split()) for script in scripts or ())),
+        "executables": ", ".join(scripts),
+        "missing paths": " ".join(sorted(started - files.keys())),
         "data files": ", ".join(sorted(_data_files(given.get("data_files") or ()))),
-        "main": "main" in functions,
+        "main": any(getattr(part, "name", "") == "main" for part in _parse(files, path).body),
     }
 
 
@@ -156,5 +157,4 @@ def _node_class(files):
     name = path.removesuffix(".py").replace("/", ".")
     names = {"__name__": name}
     exec(compile(files[path], path, "exec"), names)
-    classes = (kind for kind in names.values() if isinstance(kind, type))
-    return next(kind for kind in classes if kind.__module__ == name)
+    return next(kind for kind in names.values() if isinstance(kind, type) and kind.__module__ == name)
