@@ -38,8 +38,7 @@ START_TIMEOUT = 60.0  # seconds that a process may take to start, or to end
 # A leak of one image in 200 would add 250 MB in 10 minutes.
 MEMORY_SLACK = 20 << 20
 PLAY = f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r}); from bench_soak import publish; "
-RUN = "import sys; sys.path.insert(0, {!r}); from {name}.{name} import main; sys.exit(main())"
-SOURCES = Path(__file__).parents[2] / "environment" / "ros2_ws" / "src"
+PROCESSOR_NODE = Path(__file__).parents[1] / "processor_node.py"
 
 
 def soak(source="recording"):
@@ -270,8 +269,8 @@ def _compress(frame, msg):
 
 
 def node_command(name):
-    """The command that starts a node from this checkout's sources."""
-    return [sys.executable, "-c", RUN.format(str(SOURCES / name), name=name)]
+    """The command that starts a node, as an ImageProcessor."""
+    return [sys.executable, str(PROCESSOR_NODE), name]
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Fixtures: both packages built once by colcon, their executables as processes, and a camera for tests."""
+"""Fixtures: both packages built once by colcon, nodes as processes, and a camera for tests."""
 
 import contextlib
 import json
@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 SOURCES = Path(__file__).parents[2] / "environment" / "ros2_ws" / "src"
+PROCESSOR = (sys.executable, Path(__file__).parents[1] / "processor_node.py")
 PACKAGES = ("image_edge_detection", "image_gray_processor")
 TOPIC = "/kachaka/front_camera/image_raw"
 QUERY_INDEX = (
@@ -133,13 +134,25 @@ def start(workspace):
 
 
 @pytest.fixture
-def start_node(start, workspace):
-    """Starts the installed executable of a package, as `ros2 run` does, and waits until it has subscribed."""
+def start_node(start):
+    """Starts one of the nodes as an ImageProcessor, and waits until it has subscribed."""
 
-    def start_installed(package, *arguments, **variables):
-        executable = workspace.prefix[package] / "lib" / package / package
-        process = start(executable, *(["--ros-args", *arguments] if arguments else []), **variables)
+    def start_processor(name, *arguments, **variables):
+        process = start(*PROCESSOR, name, *(["--ros-args", *arguments] if arguments else []), **variables)
         process.wait_for("subscribed to")
+        return process
+
+    return start_processor
+
+
+@pytest.fixture
+def start_executable(start, workspace):
+    """Starts the executable of a package, as `ros2 run` does, and waits until its node has started."""
+
+    def start_installed(package, *arguments):
+        executable = workspace.prefix[package] / "lib" / package / package
+        process = start(executable, "--ros-args", *arguments)
+        process.wait_for("The node has started")
         return process
 
     return start_installed
@@ -294,6 +307,7 @@ def tools():
         pixels=pixels,
         nanoseconds=nanoseconds,
         topic=TOPIC,
+        processor=PROCESSOR,
         packages=PACKAGES,
         sources=SOURCES,
     )

@@ -1,4 +1,4 @@
-"""The two ament_python packages: built by PyPI's colcon, found in the index, tested, and their launch files.
+"""The two ament_python packages: built by PyPI's colcon, found in the index, and their launch files.
 
 Not tested here, because the commands are missing: `ros2 run` and `ros2 launch` themselves (the other files of
 this folder test the executables that they run), and rosdep.
@@ -6,7 +6,6 @@ this folder test the executables that they run), and rosdep.
 
 import ast
 import re
-import subprocess
 import sys
 import types
 
@@ -15,8 +14,8 @@ import pytest
 pytestmark = pytest.mark.ros
 
 # Keys of rosdistro's python.yaml, and packages of ROS 2 Jazzy, both of which rosdep resolves.
-ROSDEP_KEYS = {"python3-numpy", "python3-opencv", "python3-pytest", "python3-scipy"}
-ROS_PACKAGES = {"rcl_interfaces", "rclpy", "ros2launch", "sensor_msgs", "std_msgs"}
+ROSDEP_KEYS = {"python3-numpy", "python3-opencv"}
+ROS_PACKAGES = {"rclpy", "ros2launch", "sensor_msgs"}
 NO_KEY = {"imgproc_course"}
 
 
@@ -55,23 +54,14 @@ def test_package_xml_names_all_dependencies_and_only_keys_that_rosdep_knows(tool
     assert (package.package_format, package.name, package.version) == (3, name, "0.1.0")
     assert [str(export) for export in package.exports] == ["<build_type>ament_python</build_type>"]
     assert (package.licenses[0], package.get_build_type()) == ("Apache-2.0", "ament_python")
-    dependencies = {dependency.name for dependency in package.exec_depends + package.test_depends}
-    assert dependencies <= ROSDEP_KEYS | ROS_PACKAGES
-    assert dependencies >= {
-        "rclpy",
-        "sensor_msgs",
-        "std_msgs",
-        "python3-opencv",
-        "python3-numpy",
-        "python3-scipy",
-    }
+    assert {dependency.name for dependency in package.exec_depends} == ROSDEP_KEYS | ROS_PACKAGES
     text = (tools.sources / name / "package.xml").read_text()
-    assert re.search(r"<!--.*imgproc_course.*no rosdep key.*-->", text, re.S)
+    assert re.search(r"<!--.*imgproc_course has no such name.*-->", text, re.S)
 
 
 @for_both_packages
 def test_every_import_of_the_node_is_declared(tools, name):
-    keys = {"cv2": "python3-opencv", "numpy": "python3-numpy", "scipy": "python3-scipy"}
+    keys = {"cv2": "python3-opencv"}
     declared = (tools.sources / name / "package.xml").read_text()
     for module in (tools.sources / name / name).glob("*.py"):
         for node in ast.walk(ast.parse(module.read_text())):
@@ -79,34 +69,6 @@ def test_every_import_of_the_node_is_declared(tools, name):
             names += [node.module] if isinstance(node, ast.ImportFrom) else []
             for root in {imported.partition(".")[0] for imported in names} - NO_KEY:
                 assert f"<exec_depend>{keys.get(root, root)}</exec_depend>" in declared
-
-
-def test_colcon_test_runs_the_tests_of_both(workspace, tools):
-    plain = {**workspace.environment, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
-    test_run = subprocess.run(
-        [workspace.colcon, "--log-base", "log", "test", "--return-code-on-test-failure"],
-        cwd=workspace.root,
-        env=plain,
-        capture_output=True,
-        text=True,
-        timeout=240,
-    )
-    assert test_run.returncode == 0, test_run.stdout + test_run.stderr
-    result = subprocess.run(
-        [workspace.colcon, "--log-base", "log", "test-result", "--all"],
-        cwd=workspace.root,
-        env=plain,
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
-    for name in tools.packages:
-        functions = (tools.sources / name / "test" / "test_process.py").read_text().count("def test_")
-        match = re.search(
-            rf"{name}/pytest\.xml: (\d+) tests?, 0 errors, 0 failures, 0 skipped", result.stdout
-        )
-        assert match and int(match[1]) >= functions > 0, result.stdout
-    assert result.stdout.splitlines()[-1].endswith(" tests, 0 errors, 0 failures, 0 skipped")
 
 
 class Recorded:
@@ -135,7 +97,7 @@ def launch_stubs(monkeypatch):
 
 
 DECLARED = {
-    "image_edge_detection": {"low": 50, "high": 150, "sigma": 0.0},
+    "image_edge_detection": {"low": 50, "high": 150},
     "image_gray_processor": {},  # none
 }
 
@@ -158,28 +120,3 @@ def test_the_launch_file_starts_the_executable_with_the_parameters_that_the_node
         key: (value.arguments[0].arguments, value.options["value_type"]) for key, value in parameters.items()
     } == {key: ((key,), type(value)) for key, value in DECLARED[name].items()}
     assert {key: ast.literal_eval(value.capitalize()) for key, value in defaults.items()} == DECLARED[name]
-
-
-WITHOUT_ROS = """
-import sys
-sys.modules["rclpy"] = None
-import numpy as np
-from image_edge_detection.image_edge_detection import process as edges_of
-from image_gray_processor.image_gray_processor import main, process as gray_of
-frame = np.full((4, 4, 3), 200, np.uint8)
-print(gray_of(frame)["gray"][0, 0], edges_of(frame, 50, 150, 0.0)["edges"].sum())
-print(main())
-"""
-
-
-def test_without_ros_the_functions_work_and_main_says_what_to_install(workspace):
-    process = subprocess.run(
-        [sys.executable, "-c", WITHOUT_ROS],
-        env=workspace.environment,
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
-    assert (process.returncode, process.stdout.splitlines()) == (0, ["200 0", "2"])
-    [remedy] = process.stderr.splitlines()
-    assert remedy.startswith("cannot start: ROS 2 is missing") and "environment/setup" in remedy

@@ -1,4 +1,4 @@
-"""Faults in a graph: the installed nodes survive each of them, and log what happened."""
+"""Faults in a graph: ImageProcessors survive each of them, and log what happened."""
 
 import re
 import signal

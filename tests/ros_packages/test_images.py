@@ -1,4 +1,4 @@
-"""What the installed nodes publish for the drive: the right pixels, with the header of the source image.
+"""What ImageProcessors publish for the drive: the right pixels, with the header of the source image.
 
 The expected pixels are OpenCV's, computed here from the recording's frames; the stamp identifies the frame.
 """

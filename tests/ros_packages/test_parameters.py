@@ -1,4 +1,4 @@
-"""The parameters of the edge node: described, changed while images arrive, all of a request or none."""
+"""The parameters of an ImageProcessor: described, changed while images arrive, all of a request or none."""
 
 import cv2
 import pytest
@@ -106,9 +106,8 @@ def test_sigma_accepts_whole_numbers_too(parameters, collect, camera, tools, gra
         ("sigma:=-1.0", r"Parameter sigma out of range Min: 0\.0, Max: 10\.0, value: -1\.0"),
     ],
 )
-def test_a_bad_initial_value_ends_the_start_in_one_line(start, workspace, assignment, reason):
-    executable = workspace.prefix[EDGE] / "lib" / EDGE / EDGE
-    process = start(executable, "--ros-args", "-p", assignment)
+def test_a_bad_initial_value_ends_the_start_in_one_line(start, tools, assignment, reason):
+    process = start(*tools.processor, EDGE, "--ros-args", "-p", assignment)
     assert process.wait(60) == 2
     [line] = process.output.splitlines()
     assert line.startswith("cannot start: ")
@@ -122,8 +121,8 @@ def test_a_bad_initial_value_ends_the_start_in_one_line(start, workspace, assign
         (["--ros-args", "-p", "low:=40", "--", "extra"], "extra"),
     ],
 )
-def test_arguments_that_ros_would_ignore_end_the_start(start, workspace, arguments, unknown):
-    process = start(workspace.prefix[EDGE] / "lib" / EDGE / EDGE, *arguments)
+def test_arguments_that_ros_would_ignore_end_the_start(start, tools, arguments, unknown):
+    process = start(*tools.processor, EDGE, *arguments)
     assert process.wait(60) == 2
     assert process.output == (
         f"cannot start: unknown argument '{unknown}'; set a parameter with --ros-args -p NAME:=VALUE, "
@@ -131,9 +130,8 @@ def test_arguments_that_ros_would_ignore_end_the_start(start, workspace, argumen
     )
 
 
-def test_a_middleware_that_is_not_installed_ends_the_start_in_one_line(start, workspace):
-    executable = workspace.prefix[EDGE] / "lib" / EDGE / EDGE
-    process = start(executable, RMW_IMPLEMENTATION="rmw_none_such_cpp")
+def test_a_middleware_that_is_not_installed_ends_the_start_in_one_line(start, tools):
+    process = start(*tools.processor, EDGE, RMW_IMPLEMENTATION="rmw_none_such_cpp")
     assert process.wait(60) == 2
     assert process.output == (
         "cannot start: RMW_IMPLEMENTATION=rmw_none_such_cpp is set, but that middleware is not installed "

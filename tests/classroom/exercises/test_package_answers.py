@@ -40,7 +40,7 @@ def test_the_solution_passes_and_so_do_other_styles():
 @pytest.mark.parametrize(
     ("step", "old", "new", "sentence"),
     [
-        (1, "<name>image_negative", "<name>negative", "is called negative. The task asks for image_"),
+        (1, "<name>image_negative", "<name>negative", "is called 'negative'. The task asks for 'image_"),
         (1, "python3-opencv", "opencv-python", "opencv-python is a name of pip. package.xml has rosdep keys"),
         (1, "  <exec_depend>sensor_msgs</exec_depend>\n", "", "package.xml does not name: sensor_msgs."),
         (1, "ament_python", "ament_cmake", "<build_type>ament_python</build_type>"),
@@ -62,7 +62,7 @@ def test_the_solution_passes_and_so_do_other_styles():
         (3, "Policy.VOLATILE", "Policy.TRANSIENT_LOCAL", "subscription is TRANSIENT_LOCAL."),
         (2, 'image_negative:main"', 'main"', "executables: image_negative=image_negative.main."),
         (2, 'packages=["image_negative"]', "packages=[]", "must name the folder of the node"),
-        (2, '"image_negative/image_neg', '"image_neg', "the file image_negative/image_negative.py, and none of"),
+        (2, '"image_negative/image_neg', '"image_neg', "file image_negative/image_negative.py, and none"),
         (2, '["resource/image_negative"]', "[]", "Yours installs package.xml to share/image_negative."),
         (2, "def main(args=None)", "def start(args=None)", "defines no function main"),
         (2, "setup(\n", "setup(\n    (", "setup.py, line"),

@@ -1,63 +1,51 @@
-"""Detects edges in the camera's images with Canny's method, and publishes them on ~/edges."""
+"""Detects the edges in the camera's images, and publishes them on ~/edges."""
 
 import cv2
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from sensor_msgs.msg import Image
 
-from imgproc_course.ros import ImageProcessor, NumericParameter, run_processor
-
-# The unit of both thresholds: the L1 norm of the gradient, by Sobel's 3×3 kernels. A straight step of h gray
-# levels gives 4 h; 1530 is the maximum of any image.
-PARAMETERS = [
-    NumericParameter(
-        "low",
-        50,
-        0,
-        1530,
-        "a pixel above it is an edge if it is connected to one above high (step of h: 4 h)",
-    ),
-    NumericParameter(
-        "high", 150, 0, 1530, "a pixel above it is always an edge (a step of h gray levels gives 4 h)"
-    ),
-    NumericParameter(
-        "sigma", 0.0, 0.0, 10.0, "standard deviation of the Gaussian blur, in pixels; 0: no blur"
-    ),
-]
+# On a robot with cv_bridge: from cv_bridge import CvBridge, CvBridgeError
+from imgproc_course.messages.cv_bridge import CvBridge, CvBridgeError
 
 
-def process(frame, low, high, sigma):
-    """Edges of a bgr8 frame.
+class ImageEdgeDetection(Node):
+    def __init__(self):
+        super().__init__("image_edge_detection")
+        self.declare_parameter("low", 50)
+        self.declare_parameter("high", 150)
+        self.bridge = CvBridge()
+        qos = QoSProfile(
+            depth=5,
+            reliability=ReliabilityPolicy.BEST_EFFORT,
+            durability=DurabilityPolicy.VOLATILE,
+        )
+        self.publisher = self.create_publisher(Image, "~/edges", qos)
+        self.create_subscription(Image, "/kachaka/front_camera/image_raw", self.image_callback, qos)
+        self.get_logger().info("The node has started.")
 
-    Returns
-    -------
-    dict of "gray" and "edges", (H, W) uint8, and "view", a function that returns (H, 3 W, 3) uint8 bgr8
-    """
-    # OpenCV's functions: the same pixels as imgproc_course.imaging.canny, in a quarter of the time.
-    gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
-    smoothed = cv2.GaussianBlur(gray, (0, 0), sigma) if sigma else gray
-    edges = cv2.Canny(smoothed, low, high)
-    return {"gray": gray, "edges": edges, "view": lambda: side_by_side(frame, gray, edges)}
-
-
-def side_by_side(frame, gray, edges):
-    """The original, gray, and edges side by side in one image: (H, 3 W, 3) uint8, bgr8."""
-    return cv2.hconcat([frame, *(cv2.cvtColor(image, cv2.COLOR_GRAY2BGR) for image in (gray, edges))])
-
-
-def check(low, high, sigma):
-    """Refuses thresholds in the wrong order. OpenCV would swap them silently."""
-    if low > high:
-        raise ValueError(f"low ({low}) must not be above high ({high}); set both at once, or high first")
-
-
-def make_node(**node_options):
-    return ImageProcessor(
-        "image_edge_detection",
-        process,
-        ["gray", "edges", "view"],
-        parameters=PARAMETERS,
-        check=check,
-        **node_options,
-    )
+    def image_callback(self, msg):
+        try:
+            frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")
+        except CvBridgeError as error:
+            self.get_logger().error(str(error))
+            return
+        gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+        low = self.get_parameter("low").value
+        high = self.get_parameter("high").value
+        edges = cv2.Canny(gray, low, high)
+        self.publisher.publish(self.bridge.cv2_to_imgmsg(edges, "mono8", msg.header))
 
 
 def main(args=None):
-    return run_processor(make_node, args)
+    rclpy.init(args=args)
+    node = ImageEdgeDetection()
+    try:
+        rclpy.spin(node)  # until Ctrl-C
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()

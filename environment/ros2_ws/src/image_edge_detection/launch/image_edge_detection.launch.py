@@ -12,14 +12,9 @@ TOPIC = "/kachaka/front_camera/image_raw"
 def generate_launch_description():
     return LaunchDescription(
         [
-            DeclareLaunchArgument(
-                "topic", default_value=TOPIC, description="topic of the camera, raw or /compressed"
-            ),
+            DeclareLaunchArgument("topic", default_value=TOPIC, description="topic of the camera"),
             DeclareLaunchArgument("low", default_value="50", description="lower threshold of Canny"),
             DeclareLaunchArgument("high", default_value="150", description="upper threshold of Canny"),
-            DeclareLaunchArgument(
-                "sigma", default_value="0.0", description="standard deviation of the Gaussian blur, in pixels"
-            ),
             Node(
                 package="image_edge_detection",
                 executable="image_edge_detection",
@@ -29,7 +24,6 @@ def generate_launch_description():
                     {
                         "low": ParameterValue(LaunchConfiguration("low"), value_type=int),
                         "high": ParameterValue(LaunchConfiguration("high"), value_type=int),
-                        "sigma": ParameterValue(LaunchConfiguration("sigma"), value_type=float),
                     }
                 ],
             ),

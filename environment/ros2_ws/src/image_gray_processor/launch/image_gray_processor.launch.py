@@ -11,9 +11,7 @@ TOPIC = "/kachaka/front_camera/image_raw"
 def generate_launch_description():
     return LaunchDescription(
         [
-            DeclareLaunchArgument(
-                "topic", default_value=TOPIC, description="topic of the camera, raw or /compressed"
-            ),
+            DeclareLaunchArgument("topic", default_value=TOPIC, description="topic of the camera"),
             Node(
                 package="image_gray_processor",
                 executable="image_gray_processor",
