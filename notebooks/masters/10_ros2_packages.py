@@ -218,6 +218,7 @@ if entry_result.passed:
 # The next cell does the same. If you have built in the terminal, it builds once more, which does no harm. The bar moves until colcon ends.
 
 # %%
+# python is the course's own, as after the second line
 os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
 
 

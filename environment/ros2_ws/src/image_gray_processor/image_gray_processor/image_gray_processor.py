@@ -21,7 +21,8 @@ class ImageGrayProcessor(Node):
             durability=DurabilityPolicy.VOLATILE,
         )
         self.publisher = self.create_publisher(Image, "~/gray", qos)
-        self.create_subscription(Image, "/kachaka/front_camera/image_raw", self.image_callback, qos)
+        topic = "/kachaka/front_camera/image_raw"
+        self.create_subscription(Image, topic, self.image_callback, qos)
         self.get_logger().info("The node has started.")
 
     def image_callback(self, msg):
