@@ -56,13 +56,10 @@ def edges_of(frame, low=100, high=250):
 
 def live_stills(frame):
     """What stands for the live cells of the lessons."""
-    shifted = frame.copy()
-    shifted[..., 2] = np.roll(frame[..., 2], 20, axis=1)
     stills = {
         "darken": small(frame) // 2,
         "edges": np.hstack([small(frame), edges_of(small(frame))]),
         "gray": cv2.cvtColor(to_gray(small(frame)), cv2.COLOR_GRAY2BGR),
-        "channels": small(shifted),
     }
     for name, image in stills.items():
         save_still(STATIC / "live" / f"{name}.webp", image)

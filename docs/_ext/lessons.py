@@ -41,9 +41,8 @@ SIGN = (
     "A white sign with the words KITCHEN and ROOM 204 on the wall, beside a bookshelf and a marker.",
 )
 STILLS = {
-    "start_here-18": DARK,
-    "what_is_image_processing-56": EDGES,
-    "images_as_messages-103": ("channels", "The drive with red and blue contours beside the things."),
+    "start_here-19": DARK,
+    "what_is_image_processing-60": EDGES,
     "grayscale_node-46": GRAY,
     "grayscale_node-62": GRAY,
     "edge_detection_node-19": EDGES,

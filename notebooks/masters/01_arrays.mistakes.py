@@ -73,21 +73,6 @@ def bright_percent(gray, level):
     return (gray > level).mean(axis=0) * 100
 
 # %% [markdown]
-# # arrays-two-levels
-
-# %% role="mistake" name="always 128" says="128 is fixed in your comparison. Compare with the parameter level."
-def two_levels(gray, level):
-    return np.where(gray > 128, 255, 0).astype(np.uint8)
-
-# %% role="mistake" name="all white" says="Every pixel became 255. If you change a copy twice, the second mask also selects the pixels that became 0 before: make both masks from gray first, or use np.where."
-def two_levels(gray, level):
-    return np.full_like(gray, 255)
-
-# %% role="mistake" name="positions" says="np.where with a condition alone gives positions (indices). Give it the two values too: np.where(gray > level, 255, 0)."
-def two_levels(gray, level):
-    return np.where(gray > level)
-
-# %% [markdown]
 # # arrays-paint
 
 # %% role="mistake" name="only the selected pixels" says="result[mask] is only the selected pixels, in one row. Return the whole image: result."

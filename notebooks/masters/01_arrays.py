@@ -7,7 +7,7 @@
 # %% [markdown]
 # # Arrays
 #
-# An image in a computer is a table of numbers. In Python, the library *NumPy* stores such tables as *arrays*. You know lists; an array is like a list of rows, but it can do much more: select a part, compute with all numbers at once, compare all of them with a [[term:threshold]]. Every later lesson uses these few operations. Here you learn them on images that are small enough to read.
+# An image in a computer is a table of numbers. In Python, the library *NumPy* stores such tables as *arrays*, and can select parts of them and compute with all numbers at once. Here you learn it on images that are small enough to read.
 #
 # **You will be able to**
 # - read and change single pixels, rows, columns and channels,
@@ -17,7 +17,7 @@
 #
 # **Time** [[minutes]]; take a break after section 5. **You need** [[start_here]]. If you know NumPy, do only the exercises: each is called "Your turn".
 
-# %% role="given" exercise=["arrays-crop", "arrays-mirror", "arrays-red", "arrays-share", "arrays-two-levels", "arrays-paint", "arrays-row-means", "arrays-differences"]
+# %% role="given" exercise=["arrays-crop", "arrays-mirror", "arrays-red", "arrays-share", "arrays-paint", "arrays-row-means", "arrays-differences"]
 import numpy as np
 
 # %%
@@ -64,7 +64,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · A table of numbers ([[minutes]])
 #
-# `np.array` makes an array from a list of rows. `dtype=np.uint8` says what kind of numbers it holds: whole numbers from 0 to 255. The `shape` says how many rows and columns the array has; rows come first. `size` is the number of all its numbers.
+# `np.array` makes an array from a list of rows. `dtype=np.uint8` says what kind of numbers it holds: whole numbers from 0 to 255. The `shape` is the number of rows and the number of columns. `size` is the number of all its numbers.
 
 # %%
 tiny = np.array(
@@ -87,7 +87,7 @@ assert tiny.shape == (5, 5) and tiny.size == 25 and tiny[0, 0] == 10
 # %% [markdown]
 # ## 2 · One pixel: the index ([[minutes]])
 #
-# The *index* of a pixel is its row and its column, in square brackets, with a comma between them. Python counts from 0: the first row is row 0. Negative numbers count from the end: row −1 is the last row.
+# The *index* of a pixel is its row and its column, in square brackets. Python counts from 0. Negative numbers count from the end: row −1 is the last row.
 #
 # **Predict.** Which number is `tiny[2, 4]`? Write it into the next cell, run that cell, and then the cell after it.
 
@@ -115,7 +115,7 @@ assert changed[0].tolist() == [255, 10, 200, 10, 10] and tiny[0, 0] == 10
 # %% [markdown]
 # ## 3 · A part: the slice ([[minutes]])
 #
-# A *slice* `start:stop` selects several rows or columns. The start is included, the stop is not: `1:3` means the rows 1 and 2. If you leave out the start, the slice begins at the first row; if you leave out the stop, it goes to the end. A colon alone, `:`, means all of them.
+# A *slice* `start:stop` selects several rows or columns. The start is included, the stop is not: `1:3` means the rows 1 and 2. Without a start it begins at 0; without a stop it goes to the end. A colon alone, `:`, means all.
 
 # %%
 two_rows = tiny[1:3]
@@ -195,7 +195,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 4 · A step, forwards and backwards ([[minutes]])
 #
-# A slice may have a third number, the *step*. `::2` takes every second row. A step of `-1` goes backwards: `::-1` begins at the end. An axis without a slice of its own, such as the channels of a colour image, stays whole.
+# A slice may have a third number, the *step*. `::2` takes every second row. A step of `-1` goes backwards: `::-1` begins at the end. An axis without a slice, such as the channels of a colour image, stays whole.
 
 # %%
 frame = open_recording("drive").frame(30)
@@ -226,13 +226,14 @@ assert row[::-2].tolist() == [5, 3, 1]
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `image`: an image, (height, width) or (height, width, 3) | the image with its columns in reverse order, same shape and dtype | `mirror(tiny)[4, 0]` is 0 |
+# | `image`: an image, (height, width) or (height, width, 3) | an array: the image with its columns in reverse order, same shape and dtype (the type counts) | `mirror(tiny)[4, 0]` is 0 |
 
 # %% role="exercise"
 exercise(
     "arrays-mirror",
     title="Mirror an image",
     function="mirror",
+    exact_type=True,
     time_limit=5,
     hint="The rows stay as they are; only the order of the columns is reversed.",
     hints=(
@@ -275,7 +276,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 5 · Channels and the three dots ([[minutes]])
 #
-# A colour image has a third index, the *channel*: 0 is blue, 1 is green, 2 is red. So `frame[100, 200, 2]` is the red of one pixel, and `frame[:, :, 2]` is the red channel of all pixels. Three dots, `...`, mean "all axes that I do not name": `frame[..., 2]` is the same as `frame[:, :, 2]`.
+# A colour image has a third index, the *channel*: 0 is blue, 1 is green, 2 is red. So `frame[:, :, 2]` is the red channel of all pixels. Three dots, `...`, mean "all axes that I do not name": `frame[..., 2]` is the same.
 
 # %%
 ball = frame[340:440, 430:530]
@@ -350,17 +351,17 @@ def inputs(rng):
 #
 # **This is a good place for a break.**
 #
-# All numbers of an array have the same kind, its *dtype* (data type). Images mostly use `uint8`: whole numbers from 0 to 255, one *byte* (8 bits) each. Other dtypes hold more:
+# All numbers of an array have the same kind, its *dtype* (data type):
 #
-# | dtype | numbers | bytes |
+# | dtype | numbers | bytes (8 bits each) |
 # |---|---|---|
-# | `uint8` | whole, 0 to 255 | 1 |
+# | `uint8` (most images) | whole, 0 to 255 | 1 |
 # | `uint16` | whole, 0 to 65,535 | 2 |
 # | `int16` | whole, −32,768 to 32,767 | 2 |
 # | `float64` | with decimals | 8 |
 # | `bool` | True or False | 1 |
 #
-# `astype` converts an array to another dtype. The result is a new array; the old one stays as it is.
+# `astype` converts to another dtype. The result is a new array.
 
 # %%
 print(tiny[2], tiny[2].dtype)
@@ -368,7 +369,7 @@ print(tiny[2] / 4, (tiny[2] / 4).dtype)
 print((tiny[2] / 4).astype(np.uint8), "after astype(np.uint8)")
 
 # %% [markdown]
-# The division `/` gives floats, and `astype(np.uint8)` cuts off the decimals: 22.5 becomes 22. NumPy computes with all numbers at once; you need no loop.
+# NumPy computes with all numbers at once; you need no loop. The single number 4 is used for each of them: this is called *[[term:broadcasting]]*. `/` gives floats, and `astype(np.uint8)` cuts off the decimals: 22.5 becomes 22.
 #
 # **Predict.** A `uint8` holds no negative number. What is 0 − 1 in `uint8`?
 
@@ -381,7 +382,7 @@ one = np.array([1], dtype=np.uint8)
 compare_guess(guess_zero, (zero - one)[0])
 
 # %% [markdown]
-# After 0 the numbers begin again at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called *widening*. In [[grayscale]] you see what happens to an image if you forget it.
+# Below 0 the numbers go on at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called *widening*.
 
 # %%
 print(zero.astype(np.int16) - one)
@@ -397,7 +398,7 @@ assert [np.dtype(name).itemsize for name in ("uint8", "uint16", "int16", "float6
 # %% [markdown]
 # ## 7 · Masks ([[minutes]])
 #
-# A comparison with an array gives True or False for each pixel. Such an array is called a *mask*.
+# A comparison with an array gives True or False for each pixel. Such an array is a *mask*.
 
 # %%
 bright = tiny > 100
@@ -405,7 +406,7 @@ print(bright.astype(int))  # 1 for True, 0 for False
 show([tiny, bright], ["tiny", "tiny > 100"], text="arrays/mask")
 
 # %% [markdown]
-# True counts as 1, and False as 0. So the *sum* of a mask is the number of its True pixels, and the *mean* of a mask is their share: between 0 (none) and 1 (all).
+# True counts as 1, and False as 0. So the *sum* of a mask is the number of its True pixels, and its *mean* is their share: between 0 (none) and 1 (all).
 #
 # **Predict** the mean of `bright`: how many of the 25 pixels are True?
 
@@ -417,7 +418,7 @@ print("True pixels:", bright.sum(), "of", bright.size)
 compare_guess(guess_mean, bright.mean())
 
 # %% [markdown]
-# A mask in square brackets selects pixels: `tiny[bright]` are the numbers of the bright pixels, in one row. On the left of `=` it changes them all. And `np.where(mask, a, b)` makes a new array with `a` where the mask is True and `b` where it is False.
+# A mask in square brackets selects pixels: `tiny[bright]`. On the left of `=` it changes them all. `np.where(mask, a, b)` makes a new array with `a` where the mask is True and `b` where it is False.
 
 # %%
 print("selected:", tiny[bright])
@@ -490,65 +491,9 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ### Your turn: two levels ([[minutes]], deeper)
-#
-# Write `two_levels(gray, level)`. The result is an image that has only black and white pixels.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `gray`: an image, (height, width) uint8; `level`: a number | (height, width) uint8: 255 where the pixel is brighter than `level`, 0 elsewhere | `two_levels(tiny, 100)[0]` is 0, 0, 255, 0, 0 |
-#
-# The dtype counts here: `np.where` with two whole numbers gives `int64`.
-
-# %% role="exercise"
-exercise(
-    "arrays-two-levels",
-    title="Two levels",
-    function="two_levels",
-    exact_type=True,
-    time_limit=5,
-    hint="255 where the pixel is brighter than level, and 0 everywhere else.",
-    hints=(
-        "Which function makes a new array from a mask and two values?",
-        "Make the mask gray > level. Choose 255 for True and 0 for False with np.where. Convert the result to uint8.",
-        "return np.where(gray > level, ?, ?).astype(np.uint8) with the two values in place of the question marks.",
-    ),
-    explanation="np.where takes the first value where the mask is True and the second where it is False. Its result has the dtype int64, because 255 and 0 are Python integers; astype makes an image of it again.",
-    another_way="You can also write (gray > level) * np.uint8(255): True counts as 1 and False as 0.",
-)
-
-# %% role="answer"
-def two_levels(gray, level):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def two_levels(gray, level):
-    return np.where(gray > level, 255, 0).astype(np.uint8)
-
-# %% role="check"
-check("arrays-two-levels", two_levels)
-
-# %% role="case" title="few gray levels, then many" points=1
-def inputs(rng):
-    gray = np.array([[10, 50, 50, 90, 90], [10, 90, 140, 90, 200], [10, 10, 90, 90, 90]], dtype=np.uint8)
-    return [(rng.permutation(gray), 50), (rng.integers(0, 256, (4, 6), dtype=np.uint8), 90)]
-
-
-# %% role="case" title="another level" points=0
-def inputs(rng):
-    return (rng.integers(0, 256, (5, 7), dtype=np.uint8), 200)
-
-# %% role="hidden" title="other images" points=1
-def inputs(rng):
-    return [(rng.integers(0, 5, (6, 5), dtype=np.uint8), level) for level in (2, 1, 4)]
-
-
-# %% [markdown]
 # ## 8 · Copy and view ([[minutes]])
 #
-# A slice does not copy the numbers. It is a *view*: another name for the same numbers in memory. This saves time and memory. What happens to the array if you change the view?
-#
-# **Predict.** We take the first row of an array and set its first number to 255. What is `original[0, 0]` after that?
+# **Predict.** We take the first row of an array with an index, and set the first number of this row to 255. What is `original[0, 0]` after that?
 
 # %% role="predict"
 guess_view = None  # your guess: a number
@@ -560,7 +505,7 @@ first_row[0] = 255
 compare_guess(guess_view, original[0, 0])
 
 # %% [markdown]
-# The array changed, although we wrote to `first_row`. Also `b = a` copies nothing: it only gives the array a second name. If you want to change numbers and keep the original, write `.copy()` first. (`astype`, `np.where` and a calculation such as `a + 1` make new arrays.)
+# The array changed, although we wrote to `first_row`. A row or a slice is a *view*: another name for the same numbers in memory. Also `b = a` copies nothing. To keep the original, write `.copy()` first. (`astype`, `np.where` and a calculation such as `a + 1` make new arrays.)
 
 # %%
 safe = tiny[0].copy()
@@ -622,7 +567,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 9 · One axis at a time ([[minutes]], deeper)
 #
-# `mean`, `sum`, `min` and `max` take all numbers together, or one *axis* at a time. Axis 0 goes down the rows, axis 1 goes across the columns. The named axis disappears: `axis=1` computes across the columns, so one number is left for each row.
+# `mean`, `sum`, `min` and `max` take all numbers together, or one *axis* at a time. The named axis disappears: `axis=0` goes down the rows and leaves one number for each column; `axis=1` goes across the columns and leaves one for each row.
 #
 # **Predict.** `tiny.max(axis=0)` has one number for each column. Which is the largest number of the last column?
 
@@ -686,7 +631,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 10 · Neighbours: a loop, and the same with slices ([[minutes]])
 #
-# Most methods of [[term:image processing]] compare a pixel with its neighbours. Here is one row. We want, for each pixel, the sum of its left neighbour, itself, and its right neighbour. With a loop:
+# Most methods of [[term:image processing]] compare a pixel with its neighbours. For each pixel of a row, we want the sum of its left neighbour, itself, and its right neighbour. With a loop:
 
 # %%
 row = np.array([10, 10, 10, 200, 200, 200])
@@ -696,7 +641,7 @@ for column in range(1, len(row) - 1):
 print(sums)
 
 # %% [markdown]
-# The loop begins at column 1 and stops before the last column, because the two pixels at the ends have only one neighbour. Now without a loop: we take the row three times, each time *shifted* by one column. (`np.stack` puts the three rows one above the other, for the figure.)
+# The loop leaves out the two ends, which have only one neighbour. Now without a loop: we take the row three times, each time *shifted* by one column. (`np.stack` puts the three rows one above the other.)
 
 # %%
 left, middle, right = row[:-2], row[1:-1], row[2:]
@@ -704,13 +649,13 @@ show(np.stack([left, middle, right]), "left, middle, right",
      text="arrays/rows")
 
 # %% [markdown]
-# Each column of the figure has the three numbers that the loop adds. So we add the three arrays:
+# Each column has three numbers that the loop adds. So we add the three arrays:
 
 # %%
 print((left + middle + right).tolist())
 
 # %% [markdown]
-# The same numbers, in one line. `row[2:]` begins two numbers later, so it holds the *right* neighbours of `row[1:-1]`. With rows and columns it works in the same way: `gray[1:-1, 2:]` holds the right neighbours of `gray[1:-1, 1:-1]`.
+# The same numbers, in one line. `row[2:]` begins two numbers later, so it holds the *right* neighbours of `row[1:-1]`. In the same way, `gray[1:-1, 2:]` holds the right neighbours of `gray[1:-1, 1:-1]`.
 
 # %%
 # Check: the numbers in this section
@@ -720,7 +665,7 @@ assert len(sums) == len(row) - 2
 # %% [markdown]
 # ### Padding ([[minutes]], deeper)
 #
-# The result has two numbers fewer than the row. To get the same length, we first add a border: this is called *padding*. `np.pad` adds zeros, or repeats the outermost pixels.
+# The result has two numbers fewer than the row. To keep the length, first add a border: this is called *padding*. `np.pad` adds zeros, or repeats the outermost pixels.
 
 # %%
 zeros = np.pad(tiny, 1)
@@ -740,7 +685,7 @@ assert zeros[0, 0] == 0 and repeated[0, 0] == tiny[0, 0]
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `gray`: an image, (height, width) uint8 | for each pixel its right neighbour minus the pixel itself, (height, width − 1) int16 | `differences(tiny)[0]` is 0, 190, −190, 0 |
+# | `gray`: an image, (height, width) uint8 | for each pixel its right neighbour minus the pixel itself, (height, width − 1), int16 or a larger type | `differences(tiny)[0]` is 0, 190, −190, 0 |
 #
 # A difference may be negative: remember section 6.
 
@@ -788,7 +733,7 @@ def inputs(rng):
 # %% [markdown]
 # ### The differences of the whole room ([[minutes]], deeper)
 #
-# Here are the differences of the whole room. NumPy has a function for them, `np.diff`; the next lessons build an edge detector from this idea.
+# NumPy has a function for differences, `np.diff`. Here it is applied to the whole room.
 
 # %%
 steps = np.diff(frame[..., 1].astype(np.int16), axis=1)  # of the green channel
@@ -806,13 +751,12 @@ assert tiny.min() == 0 and tiny.max() == 200
 # %% [markdown]
 # ## Recap
 #
-# Rows first, then columns, then channels. A slice selects a part, a mask selects pixels. Shifted slices replace a loop over neighbours. A slice is a view: copy before you change it. Deeper: an axis says in which direction to compute.
+# Rows first, then columns, then channels. A slice selects a part, a mask selects pixels. Shifted slices replace a loop over neighbours. Copy before you change.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | *tiny* | (5, 5) | uint8 | 0 to 200 | gray level |
 # | mask, `tiny > 100` | (5, 5) | bool | False, True | – |
-# | mean of each row (deeper) | (5,) | float64 | 0 to 255 | gray level |
-# | differences of *tiny* (deeper) | (5, 4) | int16 | −190 to 190 | gray levels |
+# | differences of *tiny* | (5, 4) | int16 | −190 to 190 | gray levels |
 #
 # **Next:** [[what_is_image_processing]].

@@ -1,4 +1,19 @@
 # %% [markdown]
+# # tour-binarize
+
+# %% role="mistake" name="always 128" says="128 is fixed in your comparison. Compare with the parameter level."
+def binarize(gray, level):
+    return np.where(gray > 128, 255, 0).astype(np.uint8)
+
+# %% role="mistake" name="all white" says="Every pixel became 255. If you change a copy twice, the second mask also selects the pixels that became 0 before: make both masks from gray first, or use np.where."
+def binarize(gray, level):
+    return np.full_like(gray, 255)
+
+# %% role="mistake" name="positions" says="np.where with a condition alone gives positions (indices). Give it the two values too: np.where(gray > level, 255, 0)."
+def binarize(gray, level):
+    return np.where(gray > level)
+
+# %% [markdown]
 # # tour-name
 
 # %% role="mistake" name="gray taken for binary" says="A gray image has up to 256 values, a binary image has two. Count the different values with np.unique."

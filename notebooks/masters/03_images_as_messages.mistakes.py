@@ -1,42 +1,4 @@
 # %% [markdown]
-# # messages-mono8
-
-# %% role="mistake" name="not cut into rows" says="The array has only one dimension, all rows one after the other. Cut it into rows with reshape(height, width)."
-def decode_mono8(message):
-    return solution(message).ravel()
-
-# %% role="mistake" name="filled column by column" says="The image was filled column by column. In data it is stored row after row: use reshape(height, width), without .T and without order=\"F\"."
-def decode_mono8(message):
-    return solution(message).ravel().reshape((message.height, message.width), order="F")
-
-# %% role="mistake" name="values from 0 to 1" says="The values were divided by 255. Return the gray levels as they are in data, uint8 from 0 to 255."
-def decode_mono8(message):
-    return solution(message) / 255
-
-# %% [markdown]
-# # messages-rgb8
-
-# %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width, 3), and height comes first."
-def decode_rgb8(message):
-    return solution(message).reshape(message.width, message.height, 3)
-
-# %% role="mistake" name="one pixel per row" says="The array has one pixel in each row. Its shape must have the rows and columns of the image, too: reshape(height, width, 3)."
-def decode_rgb8(message):
-    return solution(message).reshape(-1, 3)
-
-# %% role="mistake" name="not cut into rows" says="The array has only one dimension. Cut it into rows and pixels: reshape(height, width, 3)."
-def decode_rgb8(message):
-    return solution(message).ravel()
-
-# %% role="mistake" name="only one channel" says="Your function returns only the first channel. Return all three: an array of shape (height, width, 3)."
-def decode_rgb8(message):
-    return solution(message)[..., 0]
-
-# %% role="mistake" name="mean of the channels" says="Your function returns the mean of the three channels, a gray image. Return all three channels: shape (height, width, 3)."
-def decode_rgb8(message):
-    return solution(message).mean(axis=-1).astype(np.uint8)
-
-# %% [markdown]
 # # messages-padding
 
 # %% role="mistake" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. First cut data into rows of step bytes, reshape(height, step), so that row r begins at byte r * step. Then crop the padding at the end of each row."

@@ -7,13 +7,13 @@
 # %% [markdown]
 # # Images as messages
 #
-# A robot's camera sends *messages*. A message with an image has a few fields that describe the image, and one long sequence of bytes. (A *[[term:byte]]* is a number from 0 to 255.) The fields say how to read the bytes. If you ignore these fields, you read the bytes wrongly.
+# A robot's camera sends *messages*. A message with an image has a few fields that describe the image, and one long sequence of bytes. (A *[[term:byte]]* is a number from 0 to 255.) The fields say how to read the bytes.
 #
 # **You will be able to**
-# - name the fields of a `sensor_msgs/Image` (ROS's message type for images) and explain each field,
-# - read how the bytes of a message become an array, step by step (deeper: write it yourself),
-# - recognise two common mistakes in an image (channels in the wrong order; rows cut wrongly) and repair them,
-# - choose the policies of a [[term:subscription]] so that they fit a camera.
+# - name the fields of a `sensor_msgs/Image`, ROS's message type for images,
+# - make an array of the bytes of a message, with padding or without,
+# - recognise and repair two mistakes: channels in the wrong order, rows cut wrongly,
+# - choose the policies of a [[term:subscription]] to a camera.
 #
 # **Time** [[minutes]], with a break before section 6. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
 
@@ -21,7 +21,7 @@
 import cv2
 import numpy as np
 
-from imgproc_course.display import live_view, show
+from imgproc_course.display import show
 from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.messages import (
     array_to_compressed, array_to_image, compressed_to_array,
@@ -56,16 +56,12 @@ figure_texts = {
         "The circle is on the copy. The message still holds the camera's image.",
         "The red and white ball with a yellow circle around it.",
     ),
-    "live": (
-        "The drive, with the red and blue channels moved apart.",
-        "The living room with coloured fringes that become wider as the slider moves to the right.",
-    ),
 }
 
 # %% [markdown]
 # ## 1 · An image is a message ([[minutes]])
 #
-# **Ask.** What arrives when a camera sends an image? We take the first frame of the recorded drive and put it into a message, as the robot does. Then we look at its fields.
+# We put the first frame of the recorded drive into a message, as the robot does, and look at its fields.
 
 # %%
 recording = open_recording("drive")
@@ -80,16 +76,14 @@ print("step        ", message.step)
 print("data         the first six bytes:", list(message.data[:6]))
 
 # %% [markdown]
-# | field | meaning |
-# |---|---|
-# | `height`, `width` | rows and columns of the image, in pixels |
-# | `encoding` | the channels of a pixel and their type: `rgb8` has the channels red, green and blue, one byte (8 bits) each |
-# | `step` | number of bytes per row in `data` |
-# | `is_bigendian` | for numbers of two or more bytes: is the more significant byte first? (section 5) |
-# | `data` | all rows, one after the other |
-# | `header` | when the image was taken, and by which camera (section 8) |
+# - `height`, `width`: rows and columns of the image, in pixels.
+# - `encoding`: the channels of a pixel and their type. `rgb8` is red, green and blue, one byte (8 bits) each.
+# - `step`: number of bytes per row in `data`.
+# - `is_bigendian`: for numbers of two or more bytes (section 5).
+# - `data`: all rows, one after the other.
+# - `header`: when the image was taken, and by which camera (section 8).
 #
-# **Predict.** How many bytes are in `data`? Calculate it from the height, the width and the bytes per pixel.
+# **Predict.** How many bytes are in `data`?
 
 # %% role="predict"
 guess_bytes = None  # your guess: how many bytes?
@@ -108,7 +102,7 @@ assert message.step == message.width * bytes_per_pixel == 3840
 # %% [markdown]
 # ## 2 · Find a pixel by hand ([[minutes]])
 #
-# **Ask.** At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read: five rows of five pixels. Its [[term:encoding]] is `mono8`: one channel, one byte per pixel. With one channel, the value of a pixel is its *intensity*, also called its *gray level*: 0 is black and 255 is white.
+# At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read. Its [[term:encoding]] is `mono8`: one channel, one byte per pixel. With one channel, the value of a pixel is its *intensity*, also called its *gray level*: 0 is black and 255 is white.
 
 # %%
 tiny = np.array([[10, 11, 12, 13, 14],
@@ -125,7 +119,7 @@ show(tiny, "data, in rows of step = 5 bytes", encoding="mono8",
      text="images_as_messages/tiny")
 
 # %% [markdown]
-# Rows, columns and bytes are counted from 0. One row takes `step` bytes. So row 1 begins at byte `1 * step`, and column 2 is two bytes after that.
+# Rows, columns and bytes are counted from 0. Row 1 begins at byte `1 * step`:
 #
 # $$\text{position} = \text{row} \cdot \text{step} + \text{column} \cdot \text{bytes per pixel}$$
 #
@@ -141,7 +135,7 @@ print("value there:", tiny_message.data[position])
 compare_guess(guess_position, position)
 
 # %% [markdown]
-# **All pixels at once.** `np.frombuffer` makes an array from the bytes without copying them. `reshape` then cuts the array into rows.
+# **All pixels at once.** `np.frombuffer` makes an array of the bytes, without a copy. `reshape` cuts it into rows.
 
 # %%
 flat = np.frombuffer(tiny_message.data, dtype=np.uint8)
@@ -157,70 +151,9 @@ assert 1 * tiny_message.step + 2 == 7 and tiny_message.data[7] == tiny[1, 2]
 assert (decoded == tiny).all()
 
 # %% [markdown]
-# ### Your turn: decode a gray image ([[minutes]], practice, deeper)
-#
-# Write `decode_mono8(message)` with the two lines above. They must work for an image of any size.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `message`: encoding `mono8`, rows without padding | an array of shape (height, width), dtype uint8 (the type counts) | `decode_mono8(tiny_message)` equals `tiny` |
-
-# %% role="exercise"
-from types import SimpleNamespace
-
-exercise(
-    "messages-mono8",
-    title="Decode a gray image",
-    function="decode_mono8",
-    exact_type=True,
-    practice=True,
-    time_limit=5,
-    hint="data holds the rows one after the other, from top to bottom. Cut it into height rows of width bytes.",
-    hints=(
-        "data is one long row of bytes. How many bytes belong to the first row of the image?",
-        "Two steps: np.frombuffer makes an array of the bytes, with dtype uint8. Then reshape cuts it into rows. The shape is (height, width).",
-        "flat = np.frombuffer(message.data, dtype=np.uint8). Then return flat.reshape(...), with message.height and message.width in the brackets.",
-    ),
-    explanation="np.frombuffer reads the bytes as numbers of one byte each, because the dtype is uint8. They lie in data row after row, which is also the order in which reshape fills an array. Height comes first, because the first axis of an array is its rows.",
-    another_way="You can also write message.step instead of message.width: without padding, a row of a mono8 image has as many bytes as pixels.",
-)
-
-
-def gray_message(rng, height, width, low=0):
-    pixels = rng.integers(low, 256, size=(height, width), dtype=np.uint8)
-    return SimpleNamespace(
-        height=height, width=width, encoding="mono8", is_bigendian=0, step=width, data=pixels.tobytes()
-    )
-
-# %% role="answer" exercise="messages-mono8"
-def decode_mono8(message):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution" exercise="messages-mono8"
-def decode_mono8(message):
-    flat = np.frombuffer(message.data, dtype=np.uint8)
-    return flat.reshape(message.height, message.width)
-
-# %% role="check" exercise="messages-mono8"
-check("messages-mono8", decode_mono8)
-
-# %% role="case" exercise="messages-mono8" title="a small gray image"
-def inputs(rng):
-    return (gray_message(rng, 3, 5),)
-
-# %% role="case" exercise="messages-mono8" title="a bright gray image with more rows than columns"
-def inputs(rng):
-    return (gray_message(rng, 4, 3, low=128),)
-
-# %% role="hidden" exercise="messages-mono8" title="another size"
-def inputs(rng):
-    height, width = (int(n) for n in rng.integers(2, 7, size=2))
-    return (gray_message(rng, height, width + height),)
-
-# %% [markdown]
 # ## 3 · Planned failure: which channel is red? ([[minutes]])
 #
-# The same lines decode the camera's image. `reshape` only needs one more number: three channels per pixel.
+# The same lines decode the camera's image, with one more number for `reshape`: three channels per pixel.
 
 # %%
 flat = np.frombuffer(message.data, dtype=np.uint8)
@@ -232,7 +165,7 @@ print("range", frame.min(), "to", frame.max())
 show(frame, "decoded by hand", encoding="rgb8", text="images_as_messages/decoded")
 
 # %% [markdown]
-# OpenCV stores the channels of a pixel in the order blue, green, red. The robot sends red, green, blue. You cannot see the order in the bytes. Only `encoding` tells you the order.
+# The robot sends red, green, blue. OpenCV needs blue, green, red. You cannot see the order in the bytes: only `encoding` tells it.
 #
 # **Predict.** The ball ahead is red and white. Which colour will replace the red if a program reads `rgb8` bytes as `bgr8`?
 
@@ -250,7 +183,7 @@ show([frame, frame], ["correct: read as rgb8", "wrong: read as bgr8"],
      encoding=["rgb8", "bgr8"], text="images_as_messages/swapped")
 
 # %% [markdown]
-# Python raised no error, so this mistake is easy to overlook. Now **repair it**: OpenCV needs `bgr8`, so red and blue must be swapped. `image_to_array` reads `encoding`. If you ask for another encoding, it reorders the channels.
+# Python raised no error. **Repair it**: `image_to_array` reads `encoding`. If you ask for another encoding, it reorders the channels.
 
 # %%
 bgr = image_to_array(message, "bgr8")
@@ -263,72 +196,9 @@ assert largest == 0  # red in rgb8, but the place of blue in bgr8
 assert (bgr == frame[..., ::-1]).all()
 
 # %% [markdown]
-# ### Your turn: decode a colour image ([[minutes]], practice, deeper)
-#
-# Write `decode_rgb8(message)`. It keeps the channels in the order of `data`, so it treats `rgb8` and `bgr8` in the same way.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `message`: encoding `rgb8` or `bgr8`, rows without padding | an array of shape (height, width, 3), dtype uint8 (the type counts), the channels in the same order as in `data` | `decode_rgb8(message)` equals `frame` |
-
-# %% role="exercise"
-from types import SimpleNamespace
-
-exercise(
-    "messages-rgb8",
-    title="Decode a colour image",
-    function="decode_rgb8",
-    exact_type=True,
-    practice=True,
-    time_limit=5,
-    hint="The three bytes of a pixel are side by side in data. Then comes the next pixel of the same row.",
-    hints=(
-        "In a gray image, a pixel is one byte. How many bytes is a pixel here, and where are they in data?",
-        "It is the exercise before with one more number. Read the bytes with np.frombuffer. The shape has three numbers: rows, columns, channels. The channels are already in the right order.",
-        "flat = np.frombuffer(message.data, dtype=np.uint8). Then return flat.reshape(message.height, message.width, ...), with the number of channels as the third number.",
-    ),
-    explanation="The bytes of a pixel are side by side, so the channels are the last axis of the array. reshape does not move a byte: it only says where a row and a pixel end. rgb8 and bgr8 need the same lines, because the order of the channels stays as it is in data.",
-    another_way="You can also write reshape(message.height, -1, 3): for -1, NumPy computes the number of columns itself.",
-)
-
-
-def colour_message(rng, encoding, height, width):
-    pixels = rng.integers(0, 256, size=(height, width, 3), dtype=np.uint8)
-    return SimpleNamespace(
-        height=height, width=width, encoding=encoding, is_bigendian=0, step=width * 3, data=pixels.tobytes()
-    )
-
-# %% role="answer" exercise="messages-rgb8"
-def decode_rgb8(message):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution" exercise="messages-rgb8"
-def decode_rgb8(message):
-    flat = np.frombuffer(message.data, dtype=np.uint8)
-    return flat.reshape(message.height, message.width, 3)
-
-# %% role="check" exercise="messages-rgb8"
-check("messages-rgb8", decode_rgb8)
-
-# %% role="case" exercise="messages-rgb8" title="an rgb8 image"
-def inputs(rng):
-    return (colour_message(rng, "rgb8", 2, 4),)
-
-# %% role="case" exercise="messages-rgb8" title="a bgr8 image with more rows than columns"
-def inputs(rng):
-    return (colour_message(rng, "bgr8", 5, 2),)
-
-# %% role="hidden" exercise="messages-rgb8" title="another size"
-def inputs(rng):
-    height, width = (int(n) for n in rng.integers(2, 7, size=2))
-    return (colour_message(rng, "rgb8", height, width + height),)
-
-# %% [markdown]
 # ## 4 · Planned failure: a padded row ([[minutes]])
 #
-# Many cameras start every row at a multiple of, for example, 16 bytes. They fill the rest of the row with bytes that have no meaning: *[[term:padded rows|padding]]*. Then `step` is larger than width × bytes per pixel.
-#
-# **Try.** This image has five columns, but a step of eight: the last three bytes of each row (here 99) are padding.
+# Many cameras start every row at a multiple of, for example, 16 bytes. They fill the rest of the row with bytes that have no meaning: *[[term:padded rows|padding]]*. This image has five columns, but a step of eight: the last three bytes of each row (here 99) are padding.
 
 # %%
 padded_rows = np.full((5, 8), 99, dtype=np.uint8)
@@ -354,7 +224,7 @@ cut_by_width = flat[:25].reshape(5, 5)
 compare_guess(guess_first, cut_by_width[1, 0])
 
 # %% [markdown]
-# The correct way has two steps. First cut the bytes into rows of `step` bytes. Then crop the padding: keep only the first `width` columns.
+# The correct way: first cut the bytes into rows of `step` bytes. Then crop the padding: keep only the first `width` columns.
 
 # %%
 rows = flat.reshape(padded.height, padded.step)
@@ -368,15 +238,13 @@ assert len(padded.data) == 40 and cut_by_width[1, 0] == 99
 assert (cut_by_step == tiny).all() and (image_to_array(padded) == tiny).all()
 
 # %% [markdown]
-# ### Your turn: remove the padding ([[minutes]], practice, deeper)
+# ### Your turn: decode a padded colour image ([[minutes]], practice)
 #
-# Write `decode_padded(message)`. Put the two things together that you have seen: crop the padding (cut the bytes into rows of `step` bytes, and keep the first `width` columns), as in `cut_by_step`, and form the pixels of a colour image.
+# Write `decode_padded(message)`: cut by `step` and crop as in `cut_by_step`, then form the pixels of a colour image as in section 3. `np` is ready to use. The check refuses an answer that uses `cv2` or the course's converter.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `message`: encoding `rgb8`, rows with padding of any length | an array of shape (height, width, 3), dtype uint8 (the type counts), without the padding | for a message with height 2, width 4 and step 14, the result has shape (2, 4, 3) |
-#
-# `np` is ready to use in every exercise. The check refuses an answer that uses `cv2` or the course's converter.
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -458,7 +326,7 @@ show(sheared, "padding read as pixels", encoding="rgb8",
      text="images_as_messages/sheared")
 
 # %% [markdown]
-# `image_to_array` uses `step`. If the fields of a message contradict each other, it raises an error. The error says which field is wrong, which value was expected, and what you can do. (`try` and `except` catch the error, so that the lesson goes on.)
+# `image_to_array` uses `step`. If the fields of a message contradict each other, it raises an error that says which field is wrong, which value was expected, and what you can do. (`try` and `except` catch the error, so that the lesson goes on.)
 
 # %%
 cut_short = array_to_image(tiny, "mono8")
@@ -475,7 +343,7 @@ assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).a
 # %% [markdown]
 # ## 5 · Which byte comes first? ([[minutes]], deeper)
 #
-# A depth camera measures distances. It needs numbers above 255, so a pixel takes two bytes. The encoding is `16UC1` (16 bits, unsigned, 1 channel) or `mono16`. One of the two bytes is the *more significant* one: it counts 256 times as much as the other. Two bytes can be stored in two orders. *[[term:big-endian|Big-endian]]* stores the more significant byte first, *little-endian* the less significant one.
+# A depth camera needs numbers above 255, so a pixel takes two bytes. The encoding is `16UC1` (16 bits, unsigned, 1 channel) or `mono16`. The *more significant* byte counts 256 times as much as the other. *[[term:big-endian|Big-endian]]* stores it first, *little-endian* last.
 #
 # **Predict.** The bytes are 1 and 2. In big-endian order they mean 1 × 256 + 2 = 258. What do they mean in little-endian order?
 
@@ -497,7 +365,7 @@ print("is_bigendian", depth_message.is_bigendian, "  step", depth_message.step)
 print("data", list(depth_message.data))
 
 # %% [markdown]
-# `is_bigendian` is 0, so the less significant byte comes first: 2 + 1 × 256 = 258. To decode all pixels, cut the bytes into rows. The slice `0::2` takes every second column, beginning with column 0: the first byte of each pixel. `1::2` takes the second bytes. 256 does not fit into `uint8`, so widen the bytes before you multiply.
+# `is_bigendian` is 0, so the less significant byte comes first: 2 + 1 × 256 = 258. The slice `0::2` takes every second column, beginning with column 0: the first byte of each pixel. `1::2` takes the second bytes. 256 does not fit into `uint8`, so widen before you multiply.
 
 # %%
 flat = np.frombuffer(depth_message.data, dtype=np.uint8)
@@ -516,7 +384,7 @@ print("read as little-endian:", little.tolist())
 print("read as big-endian:   ", big.tolist())
 
 # %% [markdown]
-# Nearly every robot sends little-endian numbers. So a program that ignores the field usually works. But with a big-endian message all its distances are wrong: 258 mm become 513 mm.
+# Nearly every robot sends little-endian numbers, so a program that ignores the field usually works. But with a big-endian message, 258 mm become 513 mm.
 
 # %%
 # Check: the numbers in this section
@@ -600,9 +468,9 @@ def inputs(rng):
 #
 # **This is a good place for a break.** After it, run the cells above again: **Run → Run All Above Selected Cell**.
 #
-# ROS 2 has its own converter, `cv_bridge`, which comes with a full ROS 2 installation. Do not install it with pip: what pip finds under this name is for ROS 1, and fails as soon as it makes a message. The course's `CvBridge` has methods with the same names, and for correct messages the same results. So your code runs on a robot after you change one line: the import.
+# ROS 2 has its own converter, `cv_bridge`. (Do not install it with pip: what pip finds is for ROS 1.) The course's `CvBridge` has the same methods and, for correct messages, the same results. On a robot you only change the import.
 #
-# **Check** that three ways give the same array: by hand, with the course's function, and with `CvBridge`. ("passthrough" means: keep the encoding of the message.)
+# **Check** that three ways give the same array. ("passthrough" means: keep the encoding of the message.)
 
 # %%
 by_hand = frame
@@ -612,7 +480,7 @@ print("values that differ:", (by_hand != by_function).sum(),
       (by_hand != by_bridge).sum())
 
 # %% [markdown]
-# The other direction is `cv2_to_imgmsg`: it makes a message from an array. (To draw into an image that you have decoded, make a copy first: the array may share the memory of the message, and is read-only then.)
+# The other direction is `cv2_to_imgmsg`: it makes a message of an array.
 
 # %%
 new_message = CvBridge().cv2_to_imgmsg(tiny, encoding="mono8")
@@ -627,7 +495,7 @@ assert list(new_message.data) == list(tiny_message.data)
 # %% [markdown]
 # ### A view is not a copy ([[minutes]], deeper)
 #
-# If no value has to change, `image_to_array` does not copy the bytes of the message. The array is a *view*: it uses the memory of the message. This saves time. But if you drew into the array, you would change the message. So the array is read-only. To draw, make a copy.
+# If no value has to change, `image_to_array` does not copy the bytes. Its array is a *view* of the memory of the message, and read-only: if you drew into it, you would change the message. To draw, make a copy.
 
 # %%
 print("writeable:", by_function.flags.writeable)
@@ -659,8 +527,6 @@ assert encoding_info("32FC1").dtype == np.float32
 # | Input | Output | Example call |
 # |---|---|---|
 # | `message`: an object with the fields `height`, `width`, `encoding`, `is_bigendian`, `step` and `data` | the pixels, an array; its shape and dtype depend on the encoding (the types count) | `decode(padded)` equals `tiny` |
-#
-# The encodings are:
 #
 # - `mono8`: shape (height, width), dtype uint8
 # - `rgb8` and `bgr8`: shape (height, width, 3), dtype uint8, with the channels in the same order as in `data`
@@ -753,7 +619,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 8 · The header: time and camera ([[minutes]])
 #
-# A moving robot must know when an image was taken: `header.stamp` (the *[[term:stamp]]*) is this time. `header.frame_id` names the [[term:coordinate frame]] of the camera. (Here *frame* means a coordinate system, not an image of a stream.) A *[[term:node]]* is a program that takes part in ROS. A node that publishes a processed image copies the header, so that a subscriber knows when the camera took the image.
+# `header.stamp` (the *[[term:stamp]]*) is the time when the image was taken. `header.frame_id` names the [[term:coordinate frame]] of the camera. (Here *frame* means a coordinate system.) A *[[term:node]]*, a program that takes part in ROS, copies the header when it publishes a processed image.
 
 # %%
 stamps = recording.stamps  # in nanoseconds, one for each frame
@@ -782,9 +648,7 @@ print("JPEG:", jpeg_bytes, "bytes,", round(jpeg_bytes * 10 * 8 / 1e6), "Mbit/s")
 compare_guess(guess_smaller, round(raw_bytes / jpeg_bytes, 1))
 
 # %% [markdown]
-# (Ten frames per second, eight bits per byte: that gives the Mbit/s, millions of bits per second.)
-#
-# Many Wi-Fi networks cannot carry 221 Mbit/s reliably. ROS 2 cuts a large message into packets and sends them with [[term:UDP]], a network protocol. A UDP packet holds at most 65,507 bytes, so a raw image needs 43 packets, and the JPEG needs three. Also, cameras do not send lost packets again: if one of the 43 packets is lost, the whole image is lost. So over Wi-Fi, subscribe to the compressed topic. This has a disadvantage: JPEG changes the pixels a little each time an image is compressed.
+# Many Wi-Fi networks cannot carry 221 Mbit/s (millions of bits per second). ROS 2 sends a large message in packets of [[term:UDP]], a network protocol. A UDP packet holds at most 65,507 bytes, so a raw image needs 43 packets, and the JPEG needs three. If one packet is lost, the whole image is lost: cameras do not send it again. So over Wi-Fi, subscribe to the compressed topic. But JPEG changes the pixels a little each time an image is compressed.
 
 # %%
 once = compressed_to_array(compressed, "bgr8")
@@ -805,7 +669,7 @@ assert 0 < difference.mean() < 2
 # %% [markdown]
 # ## 10 · A live topic and its QoS ([[minutes]])
 #
-# Now we use ROS 2: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor in [[start_here]] says what to install. Everything above works without ROS.)
+# Now we use ROS 2: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor in [[start_here]] says what to install.)
 
 # %%
 if ros_available():
@@ -813,8 +677,6 @@ if ros_available():
     source = ImageSubscriber(camera.topic, encoding="bgr8")
     live_frame = source.wait(timeout=10)
     print(camera.topic, live_frame.shape, live_frame.dtype)
-else:
-    source = recording
 
 # %%
 # Check: what has arrived
@@ -823,17 +685,15 @@ assert not ros_available() or live_frame.shape == (720, 1280, 3)
 assert not ros_available() or live_frame.dtype == np.uint8
 
 # %% [markdown]
-# **QoS.** Each [[term:publisher]] and each subscription has policies for the *Quality of Service* ([[term:QoS]]). They decide how messages are delivered:
+# **QoS.** Each [[term:publisher]] and each subscription has policies for the *Quality of Service* ([[term:QoS]]). A camera driver uses these:
 #
-# | QoS policy | question | a camera driver uses | meaning |
-# |---|---|---|---|
-# | reliability | is a lost message sent again? | *[[term:best effort]]* | no: the next image is more useful than an old one |
-# | durability | does a late subscription receive earlier messages? | *[[term:volatile]]* | no: only messages that are sent from now on |
-# | history and depth | how many messages wait until the program takes them? | *keep last*, depth 5 | the last five; older ones are dropped |
+# | QoS policy | value | meaning |
+# |---|---|---|
+# | reliability | *[[term:best effort]]* | a lost message is not sent again; the opposite is *[[term:reliable]]* |
+# | durability | *[[term:volatile]]* | a late subscription receives no earlier messages |
+# | history and depth | *keep last*, 5 | the last five messages wait for the program; older ones are dropped |
 #
-# The opposite of best effort is *[[term:reliable]]*: a lost message is sent again.
-#
-# A camera publishes with best effort. A subscription can request *reliable* delivery. Many tutorials do this without saying so: they pass `10` instead of QoS policies, which means reliable, with a queue of 10 messages. **Predict** how many frames such a subscription receives from the camera in two seconds. (The camera sends ten per second.)
+# A subscription can request *reliable* delivery. Many tutorials do this without saying so: they pass `10` instead of QoS policies, which means reliable, with a queue of 10 messages. **Predict** how many frames such a subscription receives from the camera in two seconds. (The camera sends ten per second.)
 
 # %% role="predict"
 guess_received = None  # your guess: how many frames?
@@ -853,7 +713,7 @@ compare_guess(guess_received, reliable_count)
 assert not ros_available() or reliable_count == 0
 
 # %% [markdown]
-# Nothing arrives, and ROS raises no error. The QoS policies are not compatible, so ROS does not connect the publisher and the subscription. The line on a red background (here or below a later cell) is a warning of the course's subscriber. It gives the reason: the subscription requests more (reliable) than the camera offers (best effort). A subscription without the course's subscriber logs one warning at most, which is easy to overlook. The subscriber also keeps the reason:
+# Nothing arrives, and ROS raises no error. The subscription requests more (reliable) than the camera offers (best effort), so ROS does not connect them. The course's subscriber warns on a red background (here or below a later cell), and keeps the reason:
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -865,7 +725,7 @@ if ros_available():
 assert not ros_available() or (reliable.received == 0 and reliable.incompatible_qos)
 
 # %% [markdown]
-# **Repair it**: do not request more than the camera offers. In ROS, a `QoSProfile` holds the policies. This one is what camera drivers use. It is also the default of this course's subscriber, with the short name `qos="sensor_data"`.
+# **Repair it**: do not request more than the camera offers. A `QoSProfile` holds the policies. This one is what camera drivers use, and the default of this course's subscriber.
 
 # %%
 if ros_available():
@@ -890,38 +750,15 @@ assert not ros_available() or repaired.received > 0
 assert not ros_available() or not repaired.incompatible_qos
 
 # %% [markdown]
-# ### Look: the channels, live ([[minutes]], deeper)
-#
-# The function below processes each frame. Move the slider while the view runs: `shift` moves the red channel to the right and the blue channel to the left, by the number of pixels that you choose. (`np.roll` shifts an array: what leaves it on one side comes in again on the other. `axis=1` means: along the rows, to the right.)
-
-# %%
-def shift_channels(frame, shift=0):
-    shifted = frame.copy()
-    shifted[..., 0] = np.roll(frame[..., 0], -shift, axis=1)  # blue
-    shifted[..., 2] = np.roll(frame[..., 2], shift, axis=1)  # red
-    return shifted
-
-
-# %% tags=["nbval-ignore-output"]
-view = live_view(source, shift_channels, shift=(0, 40),
-                 text="images_as_messages/live")
-
-# %%
-# Check: with a shift of 0 the frame stays as it is
-assert (shift_channels(bgr, 0) == bgr).all()
-assert (shift_channels(bgr, 3)[:, 3:, 2] == bgr[:, :-3, 2]).all()
-
-# %% [markdown]
 # ## Recap
 #
-# A message consists of fields and bytes. `encoding`, `step` and `is_bigendian` say what the bytes mean, so use these fields. A subscription must not request more than the publisher offers.
+# `encoding`, `step` and `is_bigendian` say what the bytes of a message mean. A subscription must not request more than the publisher offers.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | `message.data` | (2764800,) | uint8 | 0 to 255 | byte |
 # | rows of `step` bytes | (720, 3840) | uint8 | 0 to 255 | byte |
-# | *frame*, `rgb8` or `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of a channel |
-# | depth, `16UC1` (deeper) | (360, 640) | uint16 | 0 to 65,535 | millimetre |
+# | *frame* | (720, 1280, 3) | uint8 | 0 to 255 | gray level of a channel |
 #
 # **Next:** [[grayscale]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
 
@@ -929,5 +766,3 @@ assert (shift_channels(bgr, 3)[:, 3:, 2] == bgr[:, :-3, 2]).all()
 # Check: the table above
 assert np.frombuffer(message.data, np.uint8).shape == (2764800,)
 assert by_hand.shape == (720, 1280, 3) and message.step == 3840
-assert recording.depth(0).shape == (360, 640) and recording.depth(0).dtype == np.uint16
-assert np.iinfo(np.uint16).max == 65_535

@@ -7,15 +7,14 @@
 # %% [markdown]
 # # Grayscale
 #
-# A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. It is not the average of the three numbers. In this lesson you learn the right formula, and meet a mistake that nearly everybody makes at first when they calculate with pixels.
+# A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. It is not the average of the three. Here you learn the right formula, and meet a mistake that nearly everybody makes at first.
 #
 # **You will be able to**
-# - explain why the three channels have different weights, and compute *luma* (the gray level that OpenCV uses) by hand,
+# - explain why the channels have different weights, and compute *luma* (the gray level that OpenCV uses) by hand,
 # - calculate with `uint8` pixels without overflow,
-# - compute luma with integers (whole numbers) only, and get the same result as OpenCV for every pixel,
-# - deeper: explain which information a gray image loses, and what a pixel value says about the amount of light.
+# - compute luma with integers, and get the same result as OpenCV for every pixel.
 #
-# **Time** [[minutes]], with a pause after section 5. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
+# **Time** [[minutes]], with a pause after section 5. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the channels of a frame are in the order blue, green, red.
 
 # %% role="given" exercise=["grayscale-luma"]
 import numpy as np
@@ -26,7 +25,6 @@ import cv2
 from imgproc_course.display import show
 from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import average_gray, lightness_gray, to_gray
-from imgproc_course.imaging import linear_light, linear_light_gray
 from imgproc_course.recording import open_recording
 
 frame = open_recording("drive").frame(30)
@@ -51,26 +49,14 @@ figure_texts = {
         "The gray image has one number per pixel instead of three, but shapes and shadows are still visible.",
         "The living room with the walking person, in colour and in shades of gray.",
     ),
-    "coffee": (
-        "You can still distinguish saucer, table and coffee in gray, because their luma differs.",
-        "A cup of coffee on a table, in colour and in gray.",
-    ),
-    "pair": (
-        "A green and a violet of equal luma: in gray, the boundary between them disappears.",
-        "Left, a green half and a violet half; right, a single uniform gray.",
-    ),
-    "luminance": (
-        "Luminance, the weighted mean of the light, makes pure colours brighter than luma does.",
-        "Three strips: blue, green and red; their luma; their luminance, which is brighter.",
-    ),
 }
 
 # %% [markdown]
 # ## 1 · One pixel ([[minutes]])
 #
-# **Ask.** A pixel has three channels: blue 30, green 60, red 220. How bright is it? The simplest answer is the average of the three.
+# A pixel has three channels: blue 30, green 60, red 220. How bright is it? The simplest answer is the average.
 #
-# **Predict** the average. Write your guess instead of `None`, and run the cell. Then run the next cell.
+# **Predict** the average. Write your guess instead of `None`, run the cell, and then the next one.
 
 # %% role="predict"
 guess_average = None  # your guess: which number?
@@ -87,7 +73,7 @@ assert average == 103
 # %% [markdown]
 # ## 2 · Planned failure: a sum of pixels ([[minutes]])
 #
-# Now we take the same pixel as it is stored in a frame: three numbers of dtype `uint8`. **Predict** the result of the same calculation.
+# Now the same pixel as it is stored in a frame: three numbers of dtype `uint8`. **Predict** the result of the same calculation.
 
 # %% role="predict"
 guess_wrapped = None  # your guess: which number?
@@ -102,9 +88,7 @@ print("sum:", total[0])
 compare_guess(guess_wrapped, wrapped[0])
 
 # %% [markdown]
-# The result is 18 instead of 103, and NumPy does not warn you: 30 + 60 + 220 = 310 became 310 − 256 = 54, and a third of 54 is 18.
-#
-# A `uint8` holds at most 255. After 255 the values start again at 0. This is called *[[term:overflow]]*, or *wrap-around*.
+# The result is 18 instead of 103, and NumPy does not warn you: 30 + 60 + 220 = 310 became 310 − 256 = 54, and a third of 54 is 18. After 255 a `uint8` starts again at 0. This is called *[[term:overflow]]*, or *wrap-around*.
 #
 # Here is the effect on a whole frame. `frame[..., 0]` is the blue channel of every pixel.
 
@@ -116,7 +100,7 @@ show([wrong, right.astype(np.uint8)], ["added as uint8", "widened first"],
      encoding="mono8", text="grayscale/overflow")
 
 # %% [markdown]
-# **Repair it** in four steps, always in this order: *widen, compute, round, narrow*. To *widen* is to convert to a larger type: `astype(np.uint16)` gives a type that holds numbers up to 65,535. To *narrow* is to convert back to `uint8`, after the values are small enough again. (Here `//` rounds down.)
+# **Repair it** in four steps, always in this order: *widen, compute, round, narrow*. To *widen* is to convert to a larger type: `astype(np.uint16)` gives a type that holds numbers up to 65,535. To *narrow* is to convert back to `uint8`. (Here `//` rounds down.)
 
 # %%
 wide = blue_pixels.astype(np.uint16) + green_pixels + red_pixels
@@ -124,7 +108,7 @@ repaired = (wide // 3).astype(np.uint8)
 print("sum:", wide[0], wide.dtype, "  a third:", repaired[0], repaired.dtype)
 
 # %% [markdown]
-# The rule: before you compute, ask for the *largest* number that can occur, and choose a dtype that holds it.
+# The rule: ask for the *largest* number that can occur, and choose a dtype that holds it.
 
 # %%
 # Check: the numbers in this section
@@ -136,7 +120,7 @@ assert np.iinfo(np.uint16).max == 65_535
 # %% [markdown]
 # ### Is uint16 large enough? ([[minutes]], deeper)
 #
-# `uint16` is large enough for a sum of three pixels. Is it large enough for a product too? Later we multiply pixels by numbers such as 19235. **Predict** the product of a white pixel, 255, and 19235 in `uint16`: is it right?
+# Later we multiply pixels by numbers such as 19235. **Predict** the product of a white pixel, 255, and 19235 in `uint16`: is it right?
 
 # %% role="predict"
 guess_product = None  # your guess: is the product right, "yes" or "no"?
@@ -148,7 +132,7 @@ print("uint32:", (white.astype(np.uint32) * 19235)[0])
 compare_guess(guess_product, int((white * 19235)[0]) == 255 * 19235)
 
 # %% [markdown]
-# The product is 4,904,925. It does not fit into `uint16`, so it overflows too. `uint32` holds numbers up to 4,294,967,295.
+# The product is 4,904,925. It does not fit into `uint16`, but into `uint32`, which holds numbers up to 4,294,967,295.
 
 # %% [markdown]
 # One more trap, with the index. **Predict** the shape of `frame[0]`: is it the blue channel?
@@ -161,7 +145,7 @@ print("frame[..., 0]:", frame[..., 0].shape)
 compare_guess(guess_shape, frame[0].shape)
 
 # %% [markdown]
-# `frame[0]` is not the blue channel. It is the first *row* of the image: 1280 pixels with three channels. The channels are on the *last* axis, so the blue channel is `frame[..., 0]`.
+# `frame[0]` is the first *row* of the image: 1280 pixels with three channels. The channels are on the *last* axis, so the blue channel is `frame[..., 0]`.
 
 # %%
 # Check: the product and the shapes
@@ -181,7 +165,7 @@ patches[:, 2:4, 1] = 255  # two of pure green,
 patches[:, 4:6, 2] = 255  # and two of pure red
 
 # %% [markdown]
-# The cell after your guess draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*. Your guess is compared with the one that has the largest luma.
+# The cell after your guess draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?
@@ -201,13 +185,11 @@ print("lightness", lightness_gray(patches)[0, ::2])
 print("luma     ", luma_patches[0, ::2])
 
 # %% [markdown]
-# For human eyes, green contributes most to the brightness, and blue contributes little.
-#
-# A television standard (ITU-R BT.601) defines three weights from measurements. The weighted sum is called **[[term:luma]]**:
+# For human eyes, green contributes most to the brightness, and blue contributes little. A television standard (ITU-R BT.601) defines three weights from measurements. The weighted sum is called **[[term:luma]]**:
 #
 # $$Y = 0.299\,R + 0.587\,G + 0.114\,B$$
 #
-# The weights add up to 1. So white stays white: 255 gives 255. **Predict** the luma of our pixel (blue 30, green 60, red 220). Is it close to the average, 103? Write the number that you expect.
+# The weights add up to 1, so white stays white. **Predict** the luma of our pixel (blue 30, green 60, red 220).
 
 # %% role="predict"
 guess_luma = None  # your guess: which number?
@@ -234,7 +216,7 @@ print("weights:", integer_weights, "  their sum:", integer_weights.sum())
 print("2**15:", 2**15)
 
 # %% [markdown]
-# The sum of the rounded weights is 32769, one more than 2¹⁵. But the weights of a weighted mean must add up to exactly 1; here, multiplied by 2¹⁵, they must add up to 32768. Otherwise the result is a little too large. OpenCV subtracts 1 from the smallest weight, the one of blue. So its weights are 3735, 19235 and 9798.
+# The sum of the rounded weights is 32769, one more than 2¹⁵, so the result would be a little too large. OpenCV subtracts 1 from the smallest weight. So its weights are 3735, 19235 and 9798.
 #
 # `>> 15` (a shift by 15 bits) is a fast way to write `// 2**15`. Like `//`, it *[[term:truncate|truncates]]*: it drops the fraction. To *round* to the nearest integer, add half of 32768 (2¹⁴ = 16384) first. **Predict** both results for a sum that stands for 104.76.
 
@@ -247,9 +229,9 @@ print("exact:", round(total / 2**15, 2))
 compare_guess(guess_both, (total >> 15, (total + 2**14) >> 15))
 
 # %% [markdown]
-# The parentheses are important: Python computes `+` before `>>`, so `total >> 15 + 2**14` would shift by 16399 bits.
+# The parentheses are important: Python computes `+` before `>>`.
 #
-# First the frame is widened. A white pixel times its weight is 255 × 19235 = 4,904,925. That does not fit into `uint16`, so we take `uint32`, which holds numbers up to 4,294,967,295.
+# Now the whole frame. 255 × 19235 = 4,904,925 does not fit into `uint16`, so we widen to `uint32`, which holds numbers up to 4,294,967,295.
 #
 # Is it important to round? **Predict** for how many pixels of the frame the truncated and the rounded value differ: 1 %, 10 % or 50 %?
 
@@ -264,19 +246,19 @@ rounded = (sums + 2**14) >> 15
 compare_guess(guess_percent, round((truncated != rounded).mean() * 100), "%")
 
 # %% [markdown]
-# More than half of the pixels differ, each by one gray level. You cannot see this. But later lessons compare pixels with a threshold (a fixed number). For a pixel close to the threshold, one gray level decides the result.
+# More than half of the pixels differ, each by one gray level. You cannot see this. But later lessons compare pixels with a threshold, and there one gray level can decide.
 
 # %%
 # Check: the numbers in this section
 assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1 == 32769
-assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384 and 15 + 2**14 == 16399
+assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384
 assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
 assert (truncated != rounded).mean() > 0.5 and (rounded - truncated).max() == 1
 
 # %% [markdown]
 # ### Integers or decimals? ([[minutes]], deeper)
 #
-# Is it important to use integers? The formula with 0.114, 0.587 and 0.299 is right too. But its weights are not exactly the integer weights divided by 2¹⁵. **Predict** how many of the 921,600 pixels get another gray level.
+# The formula with 0.114, 0.587 and 0.299 is right too. But its weights are not exactly the integer weights divided by 2¹⁵. **Predict** how many of the 921,600 pixels get another gray level.
 
 # %% role="predict"
 guess_decimal = None  # your guess: how many pixels?
@@ -295,12 +277,12 @@ decimal = 0.114 * colours[..., 0] + 0.587 * colours[..., 1] + 0.299 * colours[..
 assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decimal) - to_gray(colours)).max() == 1
 
 # %% [markdown]
-# Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise in section 10 asks for the integer weights.
+# Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise asks for the integer weights.
 
 # %% [markdown]
 # ## 5 · An image small enough to read ([[minutes]], deeper)
 #
-# We cut 5 × 5 pixels out of the frame, and compute the middle one by hand. In the last line of the second cell, `f"..."` is an *f-string*: Python replaces each name in braces by its value.
+# We cut 5 × 5 pixels out of the frame, and compute the middle one by hand. (`f"..."` is an *f-string*: Python replaces each name in braces by its value.)
 
 # %%
 tiny = frame[386:391, 449:454]
@@ -315,7 +297,7 @@ by_hand = (b * 3735 + g * 19235 + r * 9798 + 2**14) >> 15
 print(f"({b} * 3735 + {g} * 19235 + {r} * 9798 + 16384) >> 15 = {by_hand}")
 
 # %% [markdown]
-# How do we compute all pixels? First as you would do it by hand: **two loops**, over the rows and over the columns. For each pixel, the result gets one number.
+# Now all pixels, with **two loops** over the rows and the columns:
 
 # %%
 height, width, channels = tiny.shape
@@ -327,7 +309,7 @@ for row in range(height):
 print(by_loops)
 
 # %% [markdown]
-# The same **with slices**: `wide[..., 0]` is the blue channel of all pixels at once, and NumPy runs the loops for us. This is shorter, and for a large image it is much faster.
+# The same **with slices**: `wide[..., 0]` is the blue channel of all pixels at once, and NumPy runs the loops for us, much faster.
 
 # %%
 wide = tiny.astype(np.uint32)
@@ -345,7 +327,7 @@ assert (by_slices == to_gray(tiny)).all() and (by_loops == by_slices).all()
 #
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# We compare three results: our rounded sum above, the course's `to_gray`, and OpenCV's `cvtColor`. **Check** every pixel of the frame.
+# We compare our rounded sum, the course's `to_gray`, and OpenCV's `cvtColor`. **Check** every pixel of the frame.
 
 # %%
 gray = to_gray(frame)
@@ -363,101 +345,9 @@ show([frame, gray], ["frame", "gray (luma)"],
 assert (gray == opencv).all() and (rounded == opencv).all()
 
 # %% [markdown]
-# ### A photograph ([[minutes]], deeper)
+# ## 7 · Your turn: luma with integers ([[minutes]])
 #
-# The same with a photograph: a cup of coffee. The library scikit-image contains this photograph, which is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
-
-# %%
-from skimage import data
-
-coffee = data.coffee()[..., ::-1]
-coffee_gray = to_gray(coffee)
-show([coffee, coffee_gray], ["photograph", "gray (luma)"],
-     encoding=["bgr8", "mono8"], text="grayscale/coffee")
-
-# %%
-# Check: OpenCV agrees
-assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2GRAY)).all()
-
-# %% [markdown]
-# ## 7 · Swapped channels ([[minutes]], deeper)
-#
-# If an image is `rgb8` and you read it as `bgr8`, blue gets the weight of red. The result still looks like a correct gray image. **Predict** the mean error, in gray levels.
-
-# %% role="predict"
-guess_error = None  # your guess: how many gray levels?
-
-# %%
-swapped = to_gray(frame[..., ::-1])
-difference = np.abs(swapped.astype(np.int16) - gray)  # may be negative
-print("largest difference:", difference.max(), "gray levels")
-compare_guess(guess_error, round(float(difference.mean()), 1), "gray levels")
-
-# %%
-# Check: the numbers in this section
-assert round(float(difference.mean()), 1) == 8.6 and difference.max() == 38
-
-# %% [markdown]
-# The mean error is 8.6 gray levels. This is hard to see in the image, but it can change the result of an edge detector. Only the message's `encoding` tells you the right order.
-
-# %% [markdown]
-# ## 8 · What a gray image loses ([[minutes]], deeper)
-#
-# Two different colours can have the same luma. In the gray image they look the same, and no method can find an edge between them.
-
-# %%
-pair = np.zeros((4, 8, 3), dtype=np.uint8)
-pair[:, :4] = (40, 100, 60)   # a green
-pair[:, 4:] = (200, 10, 175)  # a violet
-print("luma:", to_gray(pair)[0, 0], "left,", to_gray(pair)[0, -1], "right")
-show([pair, to_gray(pair)], ["two colours", "one gray"], numbers=False,
-     encoding=["bgr8", "mono8"], text="grayscale/pair")
-
-# %%
-# Check: the results in this section
-assert to_gray(pair)[0, 0] == to_gray(pair)[0, -1]
-
-# %% [markdown]
-# ## 9 · A pixel value is not an amount of light ([[minutes]], deeper)
-#
-# A camera does not store the amount of light. It stores a *[[term:gamma|gamma-encoded]]* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
-#
-# Does a pixel of 200 mean twice as much light as a pixel of 100? **Predict** how many times as much light it means.
-
-# %% role="predict"
-guess_light = None  # your guess: how many times as much light?
-
-# %%
-light = linear_light(np.array([50, 100, 200, 255], dtype=np.uint8))
-print("fraction of full light at 50, 100, 200, 255:", light.round(3))
-compare_guess(guess_light, round(float(light[2] / light[1]), 1))
-
-# %% [markdown]
-# Here twice the number means 4.5 times the light.
-#
-# Luma is a weighted mean of the *numbers*. The *[[term:luminance]]* is a weighted mean of the *light*. To compare the two, we encode the luminance as a gray level again. For grays both give the same gray level, for pale colours nearly the same. For saturated (strong) colours they differ:
-
-# %%
-by_light = linear_light_gray(patches)
-print("luma             ", luma_patches[0, ::2], " (blue, green, red)")
-print("luminance encoded", by_light[0, ::2])
-show([patches, luma_patches, by_light], ["colour", "luma", "luminance"],
-     numbers=False, text="grayscale/luminance")
-
-# %%
-# Check: the numbers in this section
-assert light.round(3).tolist() == [0.032, 0.127, 0.578, 1.0]
-assert round(float(light[2] / light[1]), 1) == 4.5
-white_wall = np.full((1, 1, 3), 200, np.uint8)
-assert (by_light >= luma_patches).all() and linear_light_gray(white_wall) == to_gray(white_wall) == 200
-
-# %% [markdown]
-# Robots still use luma: it needs only three multiplications per pixel, and OpenCV computes it. But if you want to measure light, first undo the gamma encoding, and then take the mean of the pixels.
-
-# %% [markdown]
-# ## 10 · Your turn: luma with integers ([[minutes]])
-#
-# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as `sums` and `rounded` in section 4. Two loops over the pixels are right as well; section 5 (deeper) shows them.
+# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as `sums` and `rounded` in section 4, or with two loops over the pixels, as in section 5 (deeper).
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -534,12 +424,11 @@ def inputs(rng):
 # %% [markdown]
 # ## Recap
 #
-# In luma, green has the largest weight and blue the smallest. Widen, compute, round, narrow, in this order. Then your result equals OpenCV's result for every pixel.
+# In luma, green has the largest weight and blue the smallest. Widen, compute, round, narrow, in this order.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | *frame* | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
-# | widened | (720, 1280, 3) | uint32 | 0 to 255 | gray level |
+# | *frame*, widened | (720, 1280, 3) | uint8, uint32 | 0 to 255 | gray level of blue, green, red |
 # | weighted sum, before `>> 15` | (720, 1280) | uint32 | 0 to 8,355,840 | 1/32768 of a gray level |
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level (luma) |
 #

@@ -28,11 +28,11 @@ _NUMBER = "is this number right?"
 _ROUNDS = "should this happen in each round of the loop, or once?"
 _ROWS = "in compares the single numbers of an array, not its rows. Is that meant?"
 _TYPE = "your numbers do not fit into the dtype of {name}. Use int for them."
-_TRANSPOSED = "is it to be transposed?"
+_TRANSPOSED = "should it be transposed?"
 _DTYPE = "does every value fit into this dtype?"
 _UNIT = "is this angle in radians, or in degrees?"
 _QUESTIONS = {"abs": "is its sign needed?", "radians": _UNIT, "degrees": _UNIT, "sqrt": "is the root needed?"}
-_QUESTIONS |= dict.fromkeys(("int", "round", "float", "floor"), "is it to be cut or rounded here?")
+_QUESTIONS |= dict.fromkeys(("int", "round", "float", "floor"), "should it be cut or rounded here?")
 _OTHER_END = ({"lower": None, "upper": ast.Constant(-1)}, {"lower": ast.Constant(1), "upper": None})
 _AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "prod", "cumsum", "norm")
 _METHODS = ("upper", "lower", "strip", "copy", "tolist", "items", "keys", "values", *_AXES)
@@ -269,7 +269,7 @@ def _axes(node):
     if isinstance(node, ast.Slice):
         yield "which end is left out?", _setting(node, **_OTHER_END[node.lower is None])
     if isinstance(node, ast.UnaryOp):
-        yield "is the sign right, or the not?", _replacing(node, "operand", operand=node.operand)
+        yield "does the minus, or the not, belong here?", _replacing(node, "operand", operand=node.operand)
 
 
 def _call(node, _tree):
