@@ -102,7 +102,7 @@ assert message.step == message.width * bytes_per_pixel == 3840
 # %% [markdown]
 # ## 2 · Find a pixel by hand ([[minutes]])
 #
-# At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read. Its [[term:encoding]] is `mono8`: one channel, one byte per pixel. With one channel, the value of a pixel is its *intensity*, also called its *gray level*: 0 is black and 255 is white.
+# At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read. Its [[term:encoding]] is `mono8`: one channel, one byte per pixel. The value of such a pixel is its *intensity* or *gray level*: 0 is black and 255 is white.
 
 # %%
 tiny = np.array([[10, 11, 12, 13, 14],
@@ -468,9 +468,9 @@ def inputs(rng):
 #
 # **This is a good place for a break.** After it, run the cells above again: **Run → Run All Above Selected Cell**.
 #
-# ROS 2 has its own converter, `cv_bridge`. (Do not install it with pip: what pip finds is for ROS 1.) The course's `CvBridge` has the same methods and, for correct messages, the same results. On a robot you only change the import.
+# ROS 2 has its own converter, `cv_bridge`. The course's `CvBridge` has the same methods and, for correct messages, the same results. On a robot you only change the import. (Do not install `cv_bridge` with pip: that one is for ROS 1.)
 #
-# **Check** that three ways give the same array. ("passthrough" means: keep the encoding of the message.)
+# **Check** that three ways give the same array. ("passthrough": keep the encoding of the message.)
 
 # %%
 by_hand = frame
@@ -669,7 +669,7 @@ assert 0 < difference.mean() < 2
 # %% [markdown]
 # ## 10 · A live topic and its QoS ([[minutes]])
 #
-# Now we use ROS 2: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor in [[start_here]] says what to install.)
+# Now the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor in [[start_here]] says what to install.)
 
 # %%
 if ros_available():
@@ -687,13 +687,11 @@ assert not ros_available() or live_frame.dtype == np.uint8
 # %% [markdown]
 # **QoS.** Each [[term:publisher]] and each subscription has policies for the *Quality of Service* ([[term:QoS]]). A camera driver uses these:
 #
-# | QoS policy | value | meaning |
-# |---|---|---|
-# | reliability | *[[term:best effort]]* | a lost message is not sent again; the opposite is *[[term:reliable]]* |
-# | durability | *[[term:volatile]]* | a late subscription receives no earlier messages |
-# | history and depth | *keep last*, 5 | the last five messages wait for the program; older ones are dropped |
+# - reliability: *[[term:best effort]]*. A lost message is not sent again; the opposite is *[[term:reliable]]*.
+# - durability: *[[term:volatile]]*. A late subscription receives no earlier messages.
+# - history and depth: *keep last*, 5. Five messages wait for the program; older ones are dropped.
 #
-# A subscription can request *reliable* delivery. Many tutorials do this without saying so: they pass `10` instead of QoS policies, which means reliable, with a queue of 10 messages. **Predict** how many frames such a subscription receives from the camera in two seconds. (The camera sends ten per second.)
+# Many tutorials pass `10` instead of QoS policies, which means reliable, with a queue of 10 messages. **Predict** how many frames such a subscription receives from the camera in two seconds. (The camera sends ten per second.)
 
 # %% role="predict"
 guess_received = None  # your guess: how many frames?

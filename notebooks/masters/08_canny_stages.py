@@ -96,11 +96,11 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · An edge is an intensity step ([[minutes]])
 #
-# In this row of an image, the edge is where the gray level (the *intensity*) jumps, between 50 and 200:
+# In this row of an image, the edge is where the gray level (the *intensity*) jumps:
 #
 # `50  50  50  50  200  200  200  200`
 #
-# A program has to compute it. **Predict.** For each pixel, subtract its left neighbour from its right neighbour. At which positions, from 0 to 7, is the result not zero? (`np.pad` with `mode="edge"` first repeats the outermost pixels; without a mode, it adds zeros.)
+# **Predict.** For each pixel, subtract its left neighbour from its right neighbour. At which positions, from 0 to 7, is the result not zero? (`np.pad` with `mode="edge"` first repeats the outermost pixels; without a mode, it adds zeros.)
 
 # %% role="predict"
 guess_positions = None  # your guess: which positions, for example (0, 7)?
@@ -156,7 +156,7 @@ compare_guess(guess_response, products.sum())
 # %% [markdown]
 # The response is 600, which is 4 × 150: the height of the step times the sum of the weights 1, 2 and 1. It can be negative or larger than 255, so we widen to `int32` first.
 #
-# For a *horizontal edge*, the kernel is *[[term:transposed]]*: its rows become columns (`kernel.T`). The course's function `sobel` applies both kernels around every pixel. It returns `grad_row`, the change *down a column*, and `grad_col`, the change *along a row*. Together they are the **[[term:gradient]]**.
+# For a *horizontal edge*, the kernel is *[[term:transposed]]*: its rows become columns (`kernel.T`). The course's `sobel` applies both kernels around every pixel. It returns `grad_row`, the change *down a column*, and `grad_col`, the change *along a row*. Together they are the **[[term:gradient]]**.
 
 # %%
 grad_row, grad_col = sobel(step)
@@ -250,7 +250,7 @@ def inputs(rng):
 # The gradient of a pixel is an arrow: `grad_col` to the right, `grad_row` down. It points from dark to bright, across the edge: this is the **[[term:gradient direction]]** (or orientation). Its length is the **[[term:gradient magnitude]]**, measured by one of two *norms*:
 #
 # - **L2 norm** √(grad_row² + grad_col²): as with a ruler,
-# - **L1 norm** |grad_row| + |grad_col|: as a taxi drives around blocks. It is faster to compute, and `cv2.Canny` uses it by default.
+# - **L1 norm** |grad_row| + |grad_col|: as a taxi drives around blocks. `cv2.Canny` uses it, because it is faster.
 #
 # **Predict** the L1 norm of a gradient with grad_row = −300 and grad_col = 400.
 
@@ -508,9 +508,9 @@ def inputs(rng):
 # %% [markdown]
 # ## 8 · The double threshold ([[minutes]])
 #
-# Which ridges are edges? With a low threshold, the wood pattern of the floor becomes edges. With a high one, outlines get gaps. So Canny uses a **[[term:double threshold]]**. A pixel above `high` is a **strong** edge pixel: it is always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge.
+# Which ridges are edges? With a low threshold, the wood pattern of the floor becomes edges. With a high one, outlines get gaps. Canny uses a **[[term:double threshold]]**: a pixel above `high` is a **strong** edge pixel, and always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge.
 #
-# **Predict**: the low threshold is 50, the high threshold 150. How many of these six magnitudes are weak: 20, 50, 51, 150, 151, 400?
+# **Predict**: `low` is 50, `high` is 150. How many of these six magnitudes are weak: 20, 50, 51, 150, 151, 400?
 
 # %% role="predict"
 guess_weak = None  # your guess: how many?
@@ -599,9 +599,9 @@ def inputs(rng):
 #
 # **This is a good place for a second pause.** Afterwards, choose **Run → Run All Above Selected Cell**.
 #
-# All strong pixels are edges. A weak pixel becomes an edge if one of its eight neighbours, corners included, is an edge: this is *8-connectivity*. So edges grow from the strong pixels along the weak pixels, until nothing changes. This is **[[term:hysteresis|edge tracking by hysteresis]]**: an edge needs the high threshold to start, but only the low one to continue. In other words: if one pixel of a **[[term:connected component]]** of weak and strong pixels is strong, the whole component is an edge.
+# A weak pixel becomes an edge if one of its eight neighbours, corners included, is an edge: this is *8-connectivity*. So edges grow from the strong pixels along the weak pixels, until nothing changes. This is **[[term:hysteresis|edge tracking by hysteresis]]**: an edge needs the high threshold to start, but only the low one to continue. In other words: if one pixel of a **[[term:connected component]]** of weak and strong pixels is strong, the whole component is an edge.
 #
-# The next cell defines one step of growth. Each `padded[row : row + height, col : col + width]` is a shifted copy of the image. `near_edge` is True where at least one of the nine copies is. (`a |= b` means `a = a | b`.)
+# The next cell defines one step of growth. Each `padded[row : row + height, col : col + width]` is a shifted copy of the image. `near_edge` is True where at least one of the nine copies is.
 
 # %%
 def grow_once(edges, weak):
@@ -610,7 +610,8 @@ def grow_once(edges, weak):
     near_edge = np.zeros_like(edges)
     for row in range(3):
         for col in range(3):
-            near_edge |= padded[row : row + height, col : col + width]
+            shifted = padded[row : row + height, col : col + width]
+            near_edge = near_edge | shifted
     return edges | (weak & near_edge)  # already an edge, or weak and near one
 
 
