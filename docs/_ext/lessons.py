@@ -97,14 +97,14 @@ AGAIN = (
 # Texts behind a result that do not state it, by their first words: they are not folded.
 TEACHING = (
     "A mask in square brackets selects",
-    "The mask `floor` has True or False",
+    "The mean of a mask is the share of its True",
     "**All pixels at once.**",
     "The field `is_bigendian` gives the order",
     "The parentheses are important",
     "One number for the strength of the noise",
     "(`minlength=256` gives one count",
     "This is a **[correlation]",
-    "The L1 norm is never smaller",
+    "`canny_stages` runs all stages",
     "In the recorded drive, the ball is 160",
     "Now a whole scan, in a small grid.",
     "The result is a [label image]",
