@@ -7,17 +7,18 @@
 # %% [markdown]
 # # The grayscale node
 #
-# A function converts one frame to gray. A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends, and publishes the results for other nodes. To make a node from the function, you need only a few lines, but some mistakes are easy to make.
+# A function converts one frame to gray. A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends, and publishes the results for other nodes.
 #
 # **You will be able to**
 # - read a Python *class*, and pass a function to it as a *callback*,
 # - write a ROS 2 node that subscribes, converts, processes and publishes, and explain each of its lines,
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted,
+# - change a node, and predict what it publishes then,
 # - deeper: explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2).
 #
-# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), the cells that begin with `if ros_available():` do nothing: their results, and still images of the live views, are on the page that `environment/site --serve` opens. Read the lesson, and do the exercises: their checks work without ROS 2.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]], and a running ROS 2. Without ROS 2 (macOS, Windows without WSL), the cells that begin with `if ros_available():` do nothing. Their results are on the page that `environment/site --serve` opens, and the exercise can be checked without ROS 2.
 
-# %% role="given" exercise=["node-process"]
+# %%
 import cv2
 import numpy as np
 
@@ -30,7 +31,7 @@ from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, RosSession
 from imgproc_course.ros import open_camera, ros_available
 
-offer_modules()  # for the exercise in section 7
+offer_modules()  # for the exercise in section 4
 frame = open_recording("drive").frame(30)
 if ros_available():
     camera = open_camera("recording")
@@ -39,35 +40,35 @@ if ros_available():
 # %% role="texts"
 figure_texts = {
     "gray": (
-        "The drive in gray, live, with ten images per second.",
-        "The living room in gray, while the robot drives.",
+        "What the camera sends, and what the gray node publishes, live.",
+        "The living room in colour, and beside it in gray, while the robot drives.",
     ),
     "mine": (
-        "The images that my node publishes.",
-        "The images of my own node, live.",
+        "What the camera sends, and what my node publishes, live.",
+        "The living room in colour, and beside it the images of my own node.",
     ),
 }
 
 # %% [markdown]
 # ## 1 · A callback is a function that ROS calls ([[minutes]])
 #
-# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *[[term:callback]]*. ROS calls this function for every message that arrives. This is what happens to an image in a grayscale node:
+# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *[[term:callback]]*. ROS calls this function for every message that arrives:
 #
 # ```mermaid
 # %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
-# flowchart TB
+# flowchart LR
 #     accTitle: What happens to an image
 #     accDescr: The camera publishes the topic image_raw. The gray node subscribes to it and publishes the topic gray. This page subscribes to gray and shows the images.
-#     camera(["camera"]) -->|publishes| raw["topic<br>.../image_raw"]
-#     raw -->|subscription calls on_image| node(["gray node"])
-#     node -->|publishes| gray["topic<br>.../gray"]
-#     gray -->|subscription| view(["live view<br>in this page"])
+#     camera(["camera"]) --> raw["topic<br>image_raw"]
+#     raw -->|calls<br>on_image| node(["gray node"])
+#     node --> gray["topic<br>gray"]
+#     gray --> view(["live view"])
 # ```
 
 # %% [markdown]
 # ### How often is it called? ([[minutes]], deeper)
 #
-# The next cell defines a callback. It has two arguments: the frame, and the message from which the frame was made. It stores the message's *stamp*: the time at which the image was taken.
+# This callback gets a frame, and the message from which it was made. It stores the message's *stamp*: the time at which the image was taken.
 
 # %%
 stamps = []
@@ -101,27 +102,27 @@ assert len({(stamp.sec, stamp.nanosec) for stamp in stamps}) == len(stamps)
 # %% [markdown]
 # ROS called the function about twenty times, although your cell only slept.
 #
-# How can this be? The callback ran in a background *[[term:thread]]*. A thread is a part of a program that runs at the same time as the other parts. Your cells run in the main thread. In the background thread, an *[[term:executor]]* waits for messages and calls the callbacks, again and again. This is called *[[term:spin|spinning]]*.
+# The callback ran in a background *[[term:thread]]*: a part of a program that runs at the same time as the other parts. There, an *[[term:executor]]* waits for messages and calls the callbacks, again and again. This is called *[[term:spin|spinning]]*. Your cells run in the main thread.
 #
 # ```mermaid
 # %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
-# flowchart TB
+# flowchart LR
 #     accTitle: Executor, callback and thread
 #     accDescr: The main thread runs your cells. At the same time, the executor in a background thread waits for a message from the topic, calls on_image, and waits for the next message.
-#     topic["topic<br>.../image_raw"] -->|message| background
+#     topic["topic<br>image_raw"] -->|message| background
 #     subgraph background ["background thread"]
-#         executor(["executor:<br>waits for a message"]) -->|calls| callback["on_image(frame, msg)"]
+#         executor(["executor"]) -->|calls| callback["on_image"]
 #         callback -->|returns| executor
 #     end
 #     subgraph main ["main thread"]
-#         cells["your cells:<br>time.sleep(2)"]
+#         cells["your cells"]
 #     end
 # ```
 
 # %% [markdown]
 # ## 2 · A class in ten lines ([[minutes]])
 #
-# In Python, a node is written as a *[[term:class]]*. If you know classes already, go on with section 3. This section does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. If you want to know when it rings, you give it a callback.
+# In Python, a node is written as a *[[term:class]]*. (If you know classes, go on with section 3.) A class describes objects: which values they have, and what they can do. Here is a bell, without ROS. If you want to know when it rings, you give it a callback.
 
 # %%
 class Bell:
@@ -143,7 +144,7 @@ class Bell:
 # - `self.name` is a value that belongs to the object, an *attribute*. Each bell has its own name and its own list of callbacks.
 # - `callback(self.name)` calls a function that somebody else wrote. The bell does not know what the function does.
 #
-# The next cell makes a bell and subscribes a function. Look at `on_ring`: it is written *without* parentheses, because we pass the function itself and do not call it. Then the bell rings twice. **Predict** how many names are in the list at the end.
+# The next cell subscribes the function `on_ring`. It is written *without* parentheses: we pass the function itself, and do not call it. Then the bell rings twice. **Predict** how many names are in the list at the end.
 
 # %% role="predict"
 guess_rings = None  # your guess: how many names are in the list?
@@ -170,7 +171,7 @@ assert rung == ["front door", "front door"]
 # %% [markdown]
 # You never called `on_ring`. The bell called it, once for each ring. In the same way, ROS calls your callback once for each message.
 #
-# A class can extend another class. `CountingBell(Bell)` *[[term:inherit|inherits]]* from `Bell`: it has everything that `Bell` has, and more. `super().__init__(name)` runs the `__init__` of `Bell` first, which sets the name and the list. A method can be a callback too: `self.on_ring`.
+# A class can extend another class. `CountingBell(Bell)` *[[term:inherit|inherits]]* from `Bell`: it has everything that `Bell` has, and more. `super().__init__(name)` runs the `__init__` of `Bell` first. A method can be a callback too: `self.on_ring`.
 
 # %%
 class CountingBell(Bell):
@@ -193,14 +194,12 @@ print(back_door.name, "rang", back_door.rings, "times")
 assert (back_door.name, back_door.rings, len(back_door.callbacks)) == ("back door", 3, 1)
 
 # %% [markdown]
-# Remember this form: a class that inherits, an `__init__` that begins with `super().__init__(...)` and subscribes, and a method that is the callback. The node in the next section has exactly this form.
+# Remember this form: a class that inherits, an `__init__` that begins with `super().__init__(...)` and subscribes, and a method that is the callback. A node has exactly this form.
 
 # %% [markdown]
 # ## 3 · The node, line by line ([[minutes]])
 #
-# A node that works with images does four things: it **subscribes** to a topic, **converts** each message to an array, **processes** the array, and **publishes** (or displays) the result.
-#
-# It needs `rclpy` (nodes, topics and the log), `sensor_msgs` (the message types of sensors, such as `Image`), a converter between messages and arrays (`cv_bridge`, or here the course's `image_to_array` and `array_to_image`), OpenCV and NumPy.
+# A node that works with images does four things: it **subscribes** to a topic, **converts** each message to an array, **processes** the array, and **publishes** (or displays) the result. It needs `rclpy` (nodes, topics and the log), `sensor_msgs` (the message types of sensors, such as `Image`), a converter between messages and arrays, OpenCV and NumPy.
 #
 # **The steps of the implementation**
 # 1. Choose the QoS policies.
@@ -210,7 +209,7 @@ assert (back_door.name, back_door.rings, len(back_door.callbacks)) == ("back doo
 # 5. Process the array, convert the result to a message with the same header, and publish it.
 # 6. Create the node and *[[term:spin]]* it: wait for messages and call the callbacks, again and again.
 #
-# Step 1: the *QoS policies* (quality of service) say how messages are delivered. The next cell states the three that matter for a camera:
+# Step 1: the *QoS policies* (quality of service) say how messages are delivered. Three matter for a camera:
 
 # %%
 if ros_available():
@@ -235,9 +234,9 @@ for policy in ("reliability", "durability", "history", "depth"):
 # - **durability: volatile.** Images that were published before the subscription existed are not delivered.
 # - **depth: 5.** At most five messages wait in a queue until the callback has time for them.
 #
-# `rclpy` has a ready profile with the same policies: `qos_profile_sensor_data`.
+# `rclpy` has a ready profile with the same policies: `qos_profile_sensor_data`. Older files write `QoSReliabilityPolicy` and `QoSDurabilityPolicy` for the two classes.
 #
-# Steps 2 to 5: here is the whole node, as it would run on a robot. The numbers at the ends of the lines refer to the list below.
+# Steps 2 to 5: here is the whole node. The numbers refer to the list below.
 
 # %% tags=["long"]
 if ros_available():
@@ -247,10 +246,8 @@ if ros_available():
     TOPIC = camera.topic
 
     class GrayNode(Node):
-        """Converts the camera's images to gray and publishes them."""
-
-        def __init__(self, context=None):
-            super().__init__("gray_by_hand", context=context)                # 1
+        def __init__(self):
+            super().__init__("gray_by_hand")                                 # 1
             self.publisher = self.create_publisher(                          # 2
                 Image, "~/gray", camera_qos
             )
@@ -260,7 +257,6 @@ if ros_available():
             self.get_logger().info("The gray node has started.")             # 4
 
         def on_image(self, msg):
-            """Called by ROS for every image."""
             try:
                 frame = image_to_array(msg, "bgr8")                          # 5
             except ConversionError as error:
@@ -271,39 +267,47 @@ if ros_available():
             self.publisher.publish(gray_msg)                                 # 9
 
 # %% [markdown]
-# **The code, explained**
-# 1. `GrayNode` inherits from ROS's class `Node`. `"gray_by_hand"` is the node's name. Other programs see it in the *[[term:ROS graph]]*: the network of all running nodes and topics. You can ignore the *[[term:context]]*: it holds the state of ROS in one program, and a script does not pass one.
-# 2. The node creates a *[[term:publisher]]* for messages of the type `Image` on `~/gray`. ROS replaces `~` by the node's name: `/gray_by_hand/gray`. So a node with another name publishes on another topic.
-# 3. The node creates a *[[term:subscription]]* to the camera's topic. The callback is the method `on_image`, without parentheses.
-# 4. The node *[[term:log|logs]]* one line of information when it starts. A node does not use `print`: a log line also has a time, a level (`INFO`, `WARN`, `ERROR`) and the node's name.
-# 5. `image_to_array` converts the message to an array with the channels blue, green, red, whatever the message's encoding is.
-# 6. If an image cannot be converted, the node logs the error and skips the image. One wrong message must not end the node. `try` runs the lines below it. If they raise a `ConversionError`, Python goes on at `except`, and `return` then leaves the callback.
-# 7. This is the only line that processes the image. It does not use ROS.
-# 8. The node converts the result to a message. It **copies the header**, so that the receiver knows when the image was taken.
+# 1. `GrayNode` inherits from ROS's class `Node`. `"gray_by_hand"` is the node's name in the *[[term:ROS graph]]*: the network of all running nodes and topics.
+# 2. The node creates a *[[term:publisher]]* for messages of the type `Image` on `~/gray`. ROS replaces `~` by the node's name: `/gray_by_hand/gray`.
+# 3. It creates a *[[term:subscription]]* to the camera's topic. The callback is the method `on_image`, without parentheses.
+# 4. It *[[term:log|logs]]* a line when it starts. A log line has a time, a level (`INFO`, `WARN`, `ERROR`) and the node's name; a line of `print` has none of them.
+# 5. The message becomes an array with the channels blue, green, red, whatever its encoding is.
+# 6. If this fails, Python goes on at `except`: the node logs the error, and `return` leaves the callback. One bad message must not end the node.
+# 7. Only this line processes the image. It does not use ROS.
+# 8. The result becomes a message. It gets a **copy of the header**, so that the receiver knows when the image was taken.
 # 9. The node publishes the message.
-#
-# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8; its third argument can be a header). If it is not installed, `offer_modules()` in the cell with the imports makes this import work too: you get the course's own class.
-
-# %%
-from cv_bridge import CvBridge, CvBridgeError
-
-bridge = CvBridge()
-msg = bridge.cv2_to_imgmsg(frame, "bgr8")  # an array becomes a message
-array = bridge.imgmsg_to_cv2(msg, "bgr8")  # a message becomes an array
-print(msg.encoding, msg.height, msg.width, "->", array.shape, array.dtype)
-
-# %%
-# Check: both conversions together change no pixel
-assert (array == frame).all() and msg.encoding == "bgr8"
 
 # %% [markdown]
-# Older files write `QoSReliabilityPolicy` and `QoSDurabilityPolicy`. They are the same classes as `ReliabilityPolicy` and `DurabilityPolicy`.
+# **Catch only what a bad message causes.** Many files put `except Exception` around the whole callback. Do not copy it: it also catches your own mistakes. If you misspell a name, such a node logs an error for every image, and you look for the fault in the camera. Put only the conversion inside `try`, and catch only `ConversionError`. In a script, every other error then ends the node, and shows you the line.
 #
-# In many files you see `except Exception` around the whole callback. Do not copy it: it also catches your own mistakes. If you misspell a name in the callback, such a node logs an error for every image, and you look for the fault in the camera. Put only the conversion inside `try`, and catch only what a bad message causes: `ConversionError`, or `CvBridgeError` if you convert with `CvBridge`. Every other error ends the node, and shows you the line.
+# **Step 6.** `RosSession.current()` is the part of the course that runs ROS in this notebook. Its method `add_node` makes a node of your class, and spins it in the background. **Look** at the camera's frame and at what the node publishes:
+
+# %% tags=["nbval-ignore-output"]
+def beside(frame):
+    newest = published.latest()  # None until the first image has arrived
+    return [frame] if newest is None else [frame, newest]
+
+
+if ros_available():
+    RosSession.current().add_node(GrayNode)
+    published = ImageSubscriber("/gray_by_hand/gray")
+    view = live_view(camera, beside, text="grayscale_node/gray")
+else:
+    view = live_view(open_recording("drive"), to_gray, text="grayscale_node/gray")
+
+# %%
+# Check: the live view has no error
+assert view.error is None
+
+# %% [markdown]
+# The line that begins with `[INFO]` is the node's log. A script writes its log to the terminal.
 #
-# Step 6: a script ends with a function `main`:
+# A script has no session. It ends with a function `main`, which spins the node until you press Ctrl-C. Then `rclpy` raises one of the two exceptions, and the node ends without an error:
 #
 # ```python
+# import rclpy
+# from rclpy.executors import ExternalShutdownException
+#
 # def main(args=None):
 #     rclpy.init(args=args)
 #     node = ImageGrayProcessor()
@@ -316,227 +320,33 @@ assert (array == frame).all() and msg.encoding == "bgr8"
 #         rclpy.try_shutdown()
 # ```
 #
-# `ImageGrayProcessor` is the node that you write in section 7. `args` are the arguments of the command line, such as [[term:remapping|remappings]]; `None` means: those with which the program was started. In a script `rclpy.spin(node)` is right: it runs until Ctrl-C raises one of these exceptions, which most tutorials forget. (You run such a script in [[ros2_packages]].)
+# `args` are the arguments of the command line, such as [[term:remapping|remappings]]. You run such a script in [[ros2_packages]].
 #
 # **Pause?** Then choose **Run → Run All Above Selected Cell** when you come back.
 
 # %% [markdown]
-# ### A full queue ([[minutes]], deeper)
+# ## 4 · Your turn: the whole node ([[minutes]])
 #
-# What happens when the callback is slow and the queue is full? Python has such a queue too: `deque(maxlen=5)`. The next cell puts the images 1 to 7 into it. **Predict** which image is the first one in the queue at the end.
-
-# %% role="predict"
-guess_oldest = None  # your guess: the number of the first image in the queue?
+# Most tutorials convert with *[[term:cv_bridge]]*. Its class `CvBridge` has two methods: `imgmsg_to_cv2` (message to array) and `cv2_to_imgmsg` (array to message, with the header as its third argument). A message that cannot be converted raises `CvBridgeError`. (If `cv_bridge` is not installed, `offer_modules()` above makes the import work: you get the course's own class.)
 
 # %%
-from collections import deque
+from cv_bridge import CvBridge, CvBridgeError
 
-queue = deque(maxlen=5)
-for number in range(1, 8):  # 1, 2, ..., 7
-    queue.append(number)
-print(queue)
-compare_guess(guess_oldest, queue[0])
+bridge = CvBridge()
+msg = bridge.cv2_to_imgmsg(frame, "bgr8")
+array = bridge.imgmsg_to_cv2(msg, "bgr8")
+print(msg.encoding, msg.height, msg.width, "->", array.shape, array.dtype)
 
 # %%
-# Check: the two oldest images are gone
-assert list(queue) == [3, 4, 5, 6, 7]
+# Check: both conversions together change no pixel
+assert (array == frame).all() and msg.encoding == "bgr8"
 
 # %% [markdown]
-# The oldest images are dropped. For a robot this is right: the newest image is the most useful one.
+# Write the class `ImageGrayProcessor`, as you would write it for a robot. `__init__` makes one bridge for the node, `self.bridge`; the callback uses it. The check makes a node of your class, sends it images, and looks at what it publishes and logs. Run it after each step.
 #
-# ### Windows ([[minutes]], deeper)
-#
-# Most tutorials also show the image in a window. `cv2.imshow("gray", gray)` draws it, `cv2.waitKey(1)` gives the window one millisecond to react to mouse and keyboard, and `cv2.destroyAllWindows()` closes all windows at the end. A notebook runs in a browser, maybe on another computer than the node, and cannot open such windows. So here you use `live_view`.
-#
-# ## 4 · rclpy.spin in a notebook ([[minutes]], deeper)
-#
-# What does `rclpy.spin` do in a notebook? We make the node first:
-
-# %% tags=["nbval-ignore-output"]
-if ros_available():
-    from rclpy.executors import SingleThreadedExecutor
-
-    session = RosSession.current()
-    node = GrayNode(context=session.context)
-    executor = SingleThreadedExecutor(context=session.context)
-    executor.add_node(node)
-
-# %%
-# Check: the node has its name
-assert not ros_available() or node.get_name() == "gray_by_hand"
-
-# %% [markdown]
-# The line that begins with `[INFO]` is the node's log. A script writes its log to the terminal; a notebook shows it below the cell that made the node.
-#
-# `rclpy.spin` uses such an executor too. The next cell spins for three seconds; `rclpy.spin(node)` does the same without a limit. (In the f-string, `{blocked:.0f}` writes the number without digits after the point; `:.2f` writes two digits.) **Predict**: while a cell spins, can you run another cell?
-
-# %% role="predict"
-guess_other_cells = None  # your guess: can another cell run, "yes" or "no"?
-
-# %% tags=["nbval-ignore-output"]
-started = time.monotonic()
-while time.monotonic() < started + 3:
-    if ros_available():
-        executor.spin_once(timeout_sec=0.1)
-blocked = time.monotonic() - started
-print(f"this cell ran for {blocked:.0f} seconds")
-compare_guess(guess_other_cells, blocked < 3)
-
-# %%
-# Check: the cell did not return earlier
-assert blocked >= 3
-
-# %% [markdown]
-# This was the **planned failure**. While the cell runs, it shows `[*]`, and all other cells wait. A cell with `rclpy.spin(node)` never ends by itself; **Kernel → Interrupt Kernel** stops it.
-#
-# **Repair it**: spin in a background thread. The course's `RosSession` has such a thread, and its executor spins all nodes of this notebook. The thread stops when the kernel stops.
-
-# %% tags=["nbval-ignore-output"]
-if ros_available():
-    executor.remove_node(node)
-    session.add_node(node)
-    gray_frames = ImageSubscriber("/gray_by_hand/gray", encoding="mono8")
-    gray = gray_frames.wait(timeout=10)
-    print("received from my own node:", gray.shape, gray.dtype)
-
-# %%
-# Check: the node publishes gray images of the camera's size
-assert not ros_available() or (gray.shape == (720, 1280) and gray.dtype == np.uint8)
-
-# %% [markdown]
-# **Look** at the result live. The camera publishes each image on a topic. Your node subscribes to this topic and publishes the gray image on a second topic. This page shows the images of the second topic. (Without ROS, the page shows the frames of the recording, converted by `to_gray`.)
-
-# %% tags=["nbval-ignore-output"]
-if ros_available():
-    view = live_view(gray_frames, encoding="mono8", text="grayscale_node/gray")
-else:
-    drive = open_recording("drive")
-    view = live_view(drive, to_gray, text="grayscale_node/gray")
-
-# %%
-# Check: the live view has no error
-assert view.error is None
-
-# %% [markdown]
-# ## 5 · The same node for every function ([[minutes]], deeper)
-#
-# An edge-detection node needs the same lines; only the names and line 7 are different. So the course has one class for all such nodes: `ImageProcessor`. You give it the node's name, a function, and the names of the function's results. The function gets a frame and returns a dictionary. The node publishes each value of the dictionary on the topic that its key names: `"gray"` goes to `~/gray`.
-
-# %%
-def make_gray(frame):
-    return {"gray": to_gray(frame)}
-
-
-result = make_gray(frame)
-print("keys:", list(result))
-print("gray:", result["gray"].shape, result["gray"].dtype)
-
-# %%
-# Check: OpenCV computes the same gray level for every pixel
-assert (result["gray"] == cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)).all()
-
-# %% [markdown]
-# On a robot, speed is important, so a real node calls OpenCV's `cvtColor` here. Both functions give the same gray level for every pixel.
-#
-# If a message cannot be converted, or if your function raises an error, `ImageProcessor` counts the failure, logs it, and the node continues. The next function fails for every second image, on purpose. So the log below the second cell has a line with `[WARN]`.
-
-# %%
-calls = []
-
-
-def failing(frame):
-    calls.append(1)
-    if len(calls) % 2 == 1:
-        raise ValueError("I fail on every second image")
-    return make_gray(frame)
-
-# %% tags=["nbval-ignore-output"]
-if ros_available():
-    from imgproc_course.ros import ImageProcessor
-
-    failing_node = session.add_node(
-        ImageProcessor("failing", failing, ["gray"], context=session.context)
-    )
-    gray_images = ImageSubscriber("/failing/gray", encoding="mono8")
-    for _ in range(6):
-        gray_images.wait(timeout=10)
-    statistics = failing_node.statistics()
-    print("processed", statistics["processed"], " failed", statistics["failed"])
-    session.remove_node(failing_node)
-
-# %%
-# Check: the node failed again and again, and continued
-assert not ros_available() or (statistics["processed"] >= 6 and statistics["failed"] >= 5)
-
-# %% [markdown]
-# ## 6 · Your turn: the node's function ([[minutes]], deeper)
-#
-# Write `process(frame)`, the function of a grayscale node. You may use `cv2` and `np`, which are imported already. If you use something else (for example `to_gray`), import it in this cell. Do not change the frame, because other code may use it too. The key, the shape and the dtype must be exactly as in the table.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `frame`: (height, width, 3) uint8, channels blue, green, red | a dictionary with one key, `"gray"`; its value is the luma, (height, width) uint8 | `process(frame)["gray"].shape` is `(720, 1280)` |
-
-# %% role="exercise"
-exercise(
-    "node-process",
-    title="The grayscale node's function",
-    function="process",
-    exact_type=True,
-    time_limit=5,
-    allowed=("cv2", "imgproc_course.imaging"),
-    hint="cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) computes it; put the result into a dictionary.",
-    hints=(
-        "What does make_gray in section 5 return: an array, or an array with a name? And which call of OpenCV"
-        " gives the same gray image as to_gray?",
-        "1. Convert the frame with cv2.cvtColor and the conversion code cv2.COLOR_BGR2GRAY.\n"
-        "2. Put the result into a dictionary: the key is the text \"gray\", the value is the image.\n"
-        "3. Return the dictionary.",
-        'gray = cv2.cvtColor(frame, ...)\nreturn {"gray": ...}',
-    ),
-    explanation="cv2.cvtColor makes a new array, so the frame does not change. The conversion code begins with"
-    " BGR, because the node reads every image as bgr8. The node takes the key as the name of the topic: the image"
-    " under \"gray\" is published on ~/gray.",
-    border_hint="Every pixel gets its gray level from its own three channels, also at the border of the image. Do you"
-    " change or leave out the first or last rows or columns?",
-    another_way="You can also call to_gray(frame), if you write its import line"
-    " (from imgproc_course.imaging import to_gray) in the answer cell.",
-)
-
-# %% role="answer"
-def process(frame):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def process(frame):
-    return {"gray": cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)}
-
-
-# %% role="check"
-check("node-process", process)
-
-# %% role="case" title="a small frame" points=1 hint="Is the image the luma of the frame? cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) computes it."
-def inputs(rng):
-    return (rng.integers(0, 256, size=(6, 8, 3), dtype=np.uint8),)
-
-# %% role="case" title="a larger frame" points=0 hint="Is every value equal to OpenCV's? cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) computes it."
-def inputs(rng):
-    return (rng.integers(0, 256, size=(48, 64, 3), dtype=np.uint8),)
-
-# %% role="hidden" title="any frame" points=1 hint="Blue comes first. Which of OpenCV's conversion codes starts with BGR?"
-def inputs(rng):
-    frame = rng.integers(0, 256, size=(30, 40, 3), dtype=np.uint8)
-    frame[0, :2] = [128, 1, 78], [65, 168, 127]  # colours for which decimal weights give another gray level
-    return (frame,)
-
-# %% [markdown]
-# ## 7 · Your turn: the whole node ([[minutes]])
-#
-# Write the class `ImageGrayProcessor`, as you would write it for a robot. The check makes a node of your class, sends it images, and looks at what it publishes and logs. Do one step after the other, and run the check after each step. The check shows one line for each step.
-#
-# 1. **Subscribe.** `__init__` gives the node the name `image_gray_processor`. It creates a publisher for `Image` on `~/gray`, and a subscription to `Image` on `/kachaka/front_camera/image_raw` with the callback `self.image_callback`, best effort, volatile, depth 5. *Afterwards* ROS connects the camera with your node.
-# 2. **Answer.** `image_callback` converts the message to a frame with `self.bridge.imgmsg_to_cv2(msg, "bgr8")`, makes it gray with `cv2.cvtColor`, and publishes it as `mono8` with the header of `msg`. *Afterwards* each image of the camera gives one gray image.
-# 3. **Survive.** If a message cannot be converted, the node logs an error with `self.get_logger().error(...)` and publishes nothing. *Afterwards* a bad message costs one image, and not the node.
+# 1. **Subscribe.** `__init__` gives the node the name `image_gray_processor`. It creates a publisher for `Image` on `~/gray`, and a subscription to `Image` on `/kachaka/front_camera/image_raw` with the callback `self.image_callback`, best effort, volatile, depth 5.
+# 2. **Answer.** `image_callback` converts the message to a frame with `self.bridge.imgmsg_to_cv2(msg, "bgr8")`, makes it gray with `cv2.cvtColor`, and publishes it as `mono8` with the header of `msg`.
+# 3. **Survive.** If a message cannot be converted, the node logs an error with `self.get_logger().error(...)` and publishes nothing.
 #
 # The answer cell must work alone: define your `QoSProfile` in it. The node must not call `rclpy.spin`, `time.sleep` or `cv2.imshow`.
 
@@ -671,30 +481,100 @@ def inputs(rng):
 
 
 # %% [markdown]
-# **Run it.** If all three steps show ✓, the next cell makes a node of your class, and spins it in the background. The images below are those that your node publishes.
+# **Run it.** The next cell shows what your node publishes, beside the frame. Below it, the check says what differs from the task.
 
 # %% tags=["nbval-ignore-output"]
-if ros_available() and check("node-class", ImageGrayProcessor).passed:
-    my_node = RosSession.current().add_node(ImageGrayProcessor)
-    my_images = ImageSubscriber("/image_gray_processor/gray", encoding="mono8")
-    my_view = live_view(my_images, encoding="mono8", text="grayscale_node/mine")
-else:
-    print("first all three steps of your class must pass; this also needs ROS 2")
+view.stop()
+if ros_available():
+    try:
+        my_node = RosSession.current().add_node(ImageGrayProcessor)
+        published = ImageSubscriber(f"/{my_node.get_name()}/gray")
+        view = live_view(camera, beside, text="grayscale_node/mine")
+    except NotImplementedError:
+        print("write step 1 of your class first")
+check("node-class", ImageGrayProcessor)
+
+# %%
+# Check: the live view has no error
+assert view.error is None
 
 # %% [markdown]
-# ### Change your node ([[minutes]], deeper)
+# ### Change your node, and observe ([[minutes]])
 #
-# Change your class, and run its cell and the cell above again; the new node replaces the old one. (If you run the check too, it shows ✗ for step 2, because it expects luma.) Ideas for the callback:
+# Make one change after the other. Write down your guess. Then change your class, run its cell, and run the cell above: the new node replaces the old one. Was your guess right? Does the check see the change?
 #
-# - turn the image upside down: `gray[::-1]`,
-# - invert it: `255 - gray`,
-# - make the first twenty rows white: `gray[:20] = 255`,
-# - publish the red channel alone: `gray = frame[..., 2]`. Red objects become bright.
+# | Change | Guess first | Look at |
+# |---|---|---|
+# | below `cv2.cvtColor`: `gray = 255 - gray` | What is bright now? | the lamps and the shadows |
+# | instead of `cv2.cvtColor`: `gray = frame[..., 2]`, the red channel | Is the red ball brighter or darker than before? | the ball, and the blue things |
+# | in your `QoSProfile`: `ReliabilityPolicy.RELIABLE` | How many images arrive? | the right image; what the check says |
+#
+# At the end, undo your changes: your class is graded as it stands in its cell.
+
+# %%
+# Check: the ball in the red channel, against luma
+ball = open_recording("drive").labels(30) == 9
+assert ball.any() and frame[ball][:, 2].mean() > to_gray(frame)[ball].mean() + 40
+
+# %% [markdown]
+# ## 5 · rclpy.spin in a notebook ([[minutes]], deeper)
+#
+# `rclpy.spin(node)` has an executor, and calls its `spin_once` again and again. The next cell does this for three seconds. **Predict**: while a cell spins, can you run another cell?
+
+# %% role="predict"
+guess_other_cells = None  # your guess: can another cell run, "yes" or "no"?
+
+# %% tags=["nbval-ignore-output"]
+started = time.monotonic()
+if ros_available():
+    from rclpy.executors import SingleThreadedExecutor
+
+    executor = SingleThreadedExecutor(context=RosSession.current().context)
+while time.monotonic() < started + 3:
+    if ros_available():
+        executor.spin_once(timeout_sec=0.1)
+blocked = time.monotonic() - started
+print(f"this cell ran for {blocked:.0f} seconds")
+compare_guess(guess_other_cells, blocked < 3)
+
+# %%
+# Check: the cell did not return earlier
+assert blocked >= 3
+
+# %% [markdown]
+# This was the **planned failure**. While the cell runs, it shows `[*]`, and all other cells wait. A cell with `rclpy.spin(node)` never ends by itself; **Kernel → Interrupt Kernel** stops it. **The repair**: spin in a background thread, as `RosSession` does. Its thread stops when the kernel stops. (If the `__init__` of your class has arguments, make the node yourself, with `context=RosSession.current().context`. A *[[term:context]]* holds the state of ROS in one program.)
+#
+# ### A full queue ([[minutes]], deeper)
+#
+# What happens when the callback is slow and the queue is full? Python has such a queue too: `deque(maxlen=5)`. The next cell puts the images 1 to 7 into it. **Predict** which image is the first one in the queue at the end.
+
+# %% role="predict"
+guess_oldest = None  # your guess: the number of the first image in the queue?
+
+# %%
+from collections import deque
+
+queue = deque(maxlen=5)
+for number in range(1, 8):  # 1, 2, ..., 7
+    queue.append(number)
+print(queue)
+compare_guess(guess_oldest, queue[0])
+
+# %%
+# Check: the two oldest images are gone
+assert list(queue) == [3, 4, 5, 6, 7]
+
+# %% [markdown]
+# The oldest images are dropped. For a robot this is right: the newest image is the most useful one.
+#
+# ### Windows ([[minutes]], deeper)
+#
+# Most tutorials also show the image in a window: `cv2.imshow("gray", gray)` draws it, `cv2.waitKey(1)` gives the window one millisecond to react, and `cv2.destroyAllWindows()` closes all windows. A notebook runs in a browser, maybe on another computer than the node, so here you use `live_view`.
 
 # %% [markdown]
 # ## Recap
 #
-# A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures. Deeper: in a notebook, spin the node in a background thread.
+# A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
