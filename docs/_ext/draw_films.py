@@ -56,10 +56,13 @@ def edges_of(frame, low=100, high=250):
 
 def live_stills(frame):
     """What stands for the live cells of the lessons."""
+    gray = cv2.cvtColor(to_gray(small(frame)), cv2.COLOR_GRAY2BGR)
     stills = {
+        "bright": np.hstack([small(frame), np.where(gray > 100, 255, 0).astype(np.uint8)]),
         "darken": small(frame) // 2,
         "edges": np.hstack([small(frame), edges_of(small(frame))]),
-        "gray": cv2.cvtColor(to_gray(small(frame)), cv2.COLOR_GRAY2BGR),
+        "gray": gray,
+        "gray_beside": np.hstack([small(frame), gray]),
     }
     for name, image in stills.items():
         save_still(STATIC / "live" / f"{name}.webp", image)

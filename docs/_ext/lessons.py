@@ -33,6 +33,8 @@ IS_LIVE = "It moves when this cell is run."
 DARK = ("darken", "The living room of the drive, darker than the camera sees it.")
 EDGES = ("edges", "The drive, and beside it the white edges of the furniture on black.")
 GRAY = ("gray", "The drive in gray.")
+GRAY_BESIDE = ("gray_beside", "The drive, and beside it the same in gray.")
+BRIGHT = ("bright", "The drive, and beside it white where it is bright.")
 STEER = (
     "steer",
     "What the robot's camera sees, beside the map of the room with the robot's way.",
@@ -44,10 +46,10 @@ SIGN = (
 STILLS = {
     "start_here-19": DARK,
     "what_is_image_processing-60": EDGES,
-    "grayscale_node-29": GRAY,
-    "grayscale_node-39": GRAY,
-    "edge_detection_node-19": EDGES,
-    "edge_detection_node-44": EDGES,
+    "grayscale_node-29": GRAY_BESIDE,
+    "grayscale_node-39": GRAY_BESIDE,
+    "edge_detection_node-10": BRIGHT,
+    "edge_detection_node-20": EDGES,
     "ros2_packages-37": GRAY,
     "ros2_packages-44": EDGES,
     "ros2_packages-53": GRAY,

@@ -21,10 +21,6 @@ def near(mask, tolerance):
 def near(mask, tolerance):
     return combined(mask, 1)
 
-# %% role="mistake" name="always 2 pixels" says="Your function always looks 2 pixels far. Use the argument tolerance."
-def near(mask, tolerance):
-    return combined(mask, 2)
-
 # %% role="mistake" name="a cross" says="Only the pixels of a cross were accepted, those in the same row or column. Use the whole square, corners included."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: row == 0 or col == 0)
@@ -32,10 +28,6 @@ def near(mask, tolerance):
 # %% role="mistake" name="a circle" says="Pixels in the corners of the square are missing, as if the distance was measured in a circle. Use the whole square: at most tolerance rows and at most tolerance columns."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: row**2 + col**2 <= tolerance**2)
-
-# %% role="mistake" name="the sum of rows and columns" says="The corners of the square are missing, as if the distances in rows and in columns were added. Use the whole square: at most tolerance rows and at most tolerance columns."
-def near(mask, tolerance):
-    return combined(mask, tolerance, lambda row, col: abs(row) + abs(col) <= tolerance)
 
 # %% role="mistake" name="range(3)" says="Your square always has 3 rows and columns, as with range(3); this is right for tolerance 1 alone. It needs 2 * tolerance + 1 of each: tolerance on both sides of the pixel, and the pixel itself."
 def near(mask, tolerance):
@@ -45,22 +37,6 @@ def near(mask, tolerance):
         result |= padded[row : row + height, col : col + width]
     return result
 
-# %% role="mistake" name="range(tolerance + 2)" says="Your square has tolerance + 2 rows and columns; this is right for tolerance 1 alone. It needs 2 * tolerance + 1 of each: tolerance on both sides of the pixel, and the pixel itself."
-def near(mask, tolerance):
-    height, width = mask.shape
-    padded, result = np.pad(mask, tolerance), np.zeros_like(mask)
-    for row, col in np.ndindex(tolerance + 2, tolerance + 2):
-        result |= padded[row : row + height, col : col + width]
-    return result
-
-# %% role="mistake" name="range one too short, nothing for 0" says="The square is one row and one column too small, as with range(2 * tolerance). It has 2 * tolerance + 1 rows and columns."
-def near(mask, tolerance):
-    return combined(mask, tolerance, lambda row, col: row < tolerance and col < tolerance)
-
-# %% role="mistake" name="the pixel itself left out" says="A True pixel itself was not counted. It is near, too: at most tolerance rows and columns away means 0 as well."
-def near(mask, tolerance):
-    return combined(mask, tolerance, lambda row, col: (row, col) != (0, 0))
-
 # %% role="mistake" name="np.roll across the border" says="Pixels at one border counted as near the opposite border, as with np.roll. Pad with False and take shifted slices instead."
 def near(mask, tolerance):
     sides = range(-tolerance, tolerance + 1)
@@ -69,14 +45,6 @@ def near(mask, tolerance):
 # %% role="mistake" name="a negative slice at the border" says="Near the top and the left border the window is empty, because row - tolerance is negative there. Pad the mask with False first, or use max(row - tolerance, 0)."
 def near(mask, tolerance):
     result = np.zeros_like(mask)
-    for row, col in np.ndindex(mask.shape):
-        rows = slice(row - tolerance, row + tolerance + 1)
-        result[row, col] = mask[rows, col - tolerance : col + tolerance + 1].any()
-    return result
-
-# %% role="mistake" name="a negative slice at the border, numbers" says="Two things are wrong. Near the top and the left border the window is empty, because row - tolerance is negative there: pad the mask with False first. And the result must be bool: np.zeros(mask.shape, dtype=bool)."
-def near(mask, tolerance):
-    result = np.zeros(mask.shape)
     for row, col in np.ndindex(mask.shape):
         rows = slice(row - tolerance, row + tolerance + 1)
         result[row, col] = mask[rows, col - tolerance : col + tolerance + 1].any()
@@ -100,10 +68,6 @@ def near(mask, tolerance):
 # %% role="mistake" name="the last slice alone" says="Your result is only the last shifted slice. Combine all slices: result = result | slice."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: row == col == tolerance)
-
-# %% role="mistake" name="half the square" says="Only pixels above and on the left were looked at. The square reaches tolerance pixels in each direction: it has 2 * tolerance + 1 rows and columns."
-def near(mask, tolerance):
-    return combined(mask, tolerance, lambda row, col: row <= 0 and col <= 0)
 
 # %% [markdown]
 # # edges-f1
@@ -132,12 +96,6 @@ def f1_of(hits, edge_count, detected, outline_count):
     precision, recall = hits / edge_count, detected / outline_count
     return 2 * precision * recall / (precision + recall)
 
-def share(part, whole):
-    """The share as NumPy computes it: nan for 0 / 0."""
-    with np.errstate(invalid="ignore"):
-        return np.float64(part) / np.float64(whole)
-
-
 # %% role="mistake" name="precision alone" says="That is the precision. F1 also needs the recall: it is the harmonic mean of both."
 def f1_score(edges, outlines, tolerance):
     hits, edge_count, _, _ = counts(edges, outlines, tolerance)
@@ -147,10 +105,6 @@ def f1_score(edges, outlines, tolerance):
 def f1_score(edges, outlines, tolerance):
     _, _, detected, outline_count = counts(edges, outlines, tolerance)
     return detected / outline_count if outline_count else 0.0
-
-# %% role="mistake" name="always 2 pixels" says="Your function always uses 2 pixels. Use the argument tolerance: another call has another tolerance."
-def f1_score(edges, outlines, tolerance):
-    return solution(edges, outlines, 2)
 
 # %% role="mistake" name="always 1 pixel" says="Your function always uses 1 pixel. Use the argument tolerance: another call has another tolerance."
 def f1_score(edges, outlines, tolerance):
@@ -163,11 +117,6 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return (hits / edge_count + detected / outline_count) / 2
 
-# %% role="mistake" name="the plain mean, nan" says="That is the arithmetic mean of precision and recall. F1 is their harmonic mean, 2 * precision * recall / (precision + recall), which is low if one of them is low. And without edges or outlines you divide by 0, which gives nan: return 0.0 before you divide."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
-    return (share(hits, edge_count) + share(detected, outline_count)) / 2
-
 # %% role="mistake" name="the sum" says="You returned the sum of precision and recall. F1 is 2 * precision * recall, divided by this sum."
 def f1_score(edges, outlines, tolerance):
     hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
@@ -175,82 +124,21 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return hits / edge_count + detected / outline_count
 
-# %% role="mistake" name="the product" says="You returned the product of precision and recall. F1 is 2 times this product, divided by precision + recall."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
-    if not edge_count or not outline_count:
-        return 0.0
-    return hits / edge_count * detected / outline_count
-
-# %% role="mistake" name="no division" says="You returned 2 * precision * recall. Divide it by precision + recall."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
-    if not edge_count or not outline_count:
-        return 0.0
-    return 2 * hits / edge_count * detected / outline_count
-
-# %% role="mistake" name="percent" says="You returned percent. F1 is a share from 0 to 1: leave out the factor 100."
-def f1_score(edges, outlines, tolerance):
-    return 100 * solution(edges, outlines, tolerance)
-
-# %% role="mistake" name="rounded to two digits" says="Your result is rounded to two digits. Return the whole float, without round()."
-def f1_score(edges, outlines, tolerance):
-    return round(solution(edges, outlines, tolerance), 2)
-
 # %% role="mistake" name="edge pixels counted as 255" says="The edge pixels were counted 255 times, because edges holds 0 and 255. Make a mask first, edges > 0, and count with it."
 def f1_score(edges, outlines, tolerance):
     hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
     return f1_of(hits, 255 * edge_count, detected, outline_count)
-
-# %% role="mistake" name="edge pixels counted as 255, nan without edges" says="The edge pixels were counted 255 times, because edges holds 0 and 255. Make a mask first, edges > 0, and count with it. And without edges or outlines you divide by 0, which gives nan: return 0.0 before you divide."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
-    with np.errstate(all="ignore"):
-        precision, recall = np.float64(hits) / (255 * edge_count), np.float64(detected) / outline_count
-    return 2 * precision * recall / (precision + recall) if precision + recall else 0.0
-
-# %% role="mistake" name="always 0" says="Your result is always 0.0. An edge pixel is 255, not 1: find the edge pixels with edges > 0."
-def f1_score(edges, outlines, tolerance):
-    return 0.0
 
 # %% role="mistake" name="recall divided by the number of edges" says="Recall was divided by the number of edge pixels. It is a share of the outline pixels: divide by outlines.sum()."
 def f1_score(edges, outlines, tolerance):
     hits, edge_count, detected, _ = counts(edges, outlines, tolerance)
     return f1_of(hits, edge_count, detected, edge_count)
 
-# %% role="mistake" name="the two divisors exchanged" says="The two divisors are exchanged. Precision is a share of the edge pixels: divide it by their number. Recall is a share of the outline pixels: divide it by outlines.sum()."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
-    return f1_of(hits, outline_count, detected, edge_count)
-
-# %% role="mistake" name="the hits of precision for recall, at most 1" says="Recall was computed from the edge pixels near an outline. It needs the outline pixels near an edge, which is also another number."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, _, outline_count = counts(edges, outlines, tolerance)
-    return f1_of(hits, edge_count, min(hits, outline_count), outline_count)
-
-# %% role="mistake" name="the hits of recall for precision" says="Precision was computed from the outline pixels near an edge. It needs the edge pixels near an outline, which is another number."
-def f1_score(edges, outlines, tolerance):
-    _, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
-    return f1_of(detected, edge_count, detected, outline_count)
-
 # %% role="mistake" name="the grown masks counted" says="The pixels of the grown masks were counted. Count only the edge pixels and the outline pixels themselves: edge pixels & grown outlines, outline pixels & grown edges."
 def f1_score(edges, outlines, tolerance):
     grown_edges, grown_outlines = window(edges > 0, tolerance), window(outlines, tolerance)
     both = int((grown_edges & grown_outlines).sum())
     return f1_of(both, int(grown_edges.sum()), both, int(grown_outlines.sum()))
-
-# %% role="mistake" name="the grown masks counted, nan" says="The pixels of the grown masks were counted. Count only the edge pixels and the outline pixels themselves: edge pixels & grown outlines, outline pixels & grown edges. And without edges or outlines you divide by 0, which gives nan: return 0.0 before you divide."
-def f1_score(edges, outlines, tolerance):
-    grown_edges, grown_outlines = window(edges > 0, tolerance), window(outlines, tolerance)
-    both = (grown_edges & grown_outlines).sum()
-    precision, recall = share(both, grown_edges.sum()), share(both, grown_outlines.sum())
-    return 0.0 if precision + recall == 0 else 2 * precision * recall / (precision + recall)
-
-# %% role="mistake" name="outlines missed without the tolerance" says="Your number of missed outline pixels ignores the tolerance, because it counts each outline pixel that is not exactly on an edge. An outline pixel is missed only if no edge is near it: outlines & ~near(found, tolerance)."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, _, _ = counts(edges, outlines, tolerance)
-    missed = int((outlines & ~(edges > 0)).sum())
-    return f1_of(hits, edge_count, hits, hits + missed)
 
 # %% role="mistake" name="pairs of pixels" says="You counted pairs of an edge pixel and an outline pixel, so one pixel can count several times. Count each pixel once: stop after its first near pixel (break), or use any."
 def f1_score(edges, outlines, tolerance):
@@ -259,54 +147,12 @@ def f1_score(edges, outlines, tolerance):
     pairs = sum(int((mask & p[r : r + height, c : c + width]).sum()) for r in sides for c in sides)
     return f1_of(pairs, int(mask.sum()), pairs, int(outlines.sum()))
 
-# %% role="mistake" name="accuracy" says="That is the accuracy: the share of all pixels on which edges and outlines agree. F1 is computed from precision and recall."
-def f1_score(edges, outlines, tolerance):
-    return float(((edges > 0) == outlines).mean())
-
-# %% role="mistake" name="IoU" says="That is another measure, intersection over union (IoU). F1 is computed from precision and recall."
-def f1_score(edges, outlines, tolerance):
-    union = ((edges > 0) | outlines).sum()
-    return float(((edges > 0) & outlines).sum() / union) if union else 0.0
-
 # %% role="mistake" name="a cross" says="Only pixels in the same row or in the same column were accepted. A pixel may be away in rows and in columns at once: use the whole square, corners included."
 def f1_score(edges, outlines, tolerance):
     def cross(mask, tolerance):
         return window(mask, tolerance, lambda row, col: row == 0 or col == 0)
 
     return f1_of(*counts(edges, outlines, tolerance, cross))
-
-# %% role="mistake" name="the sum of rows and columns" says="The corners of the square are missing, as if the distances in rows and in columns were added. Use the whole square: at most tolerance rows and at most tolerance columns."
-def f1_score(edges, outlines, tolerance):
-    def diamond(mask, tolerance):
-        return window(mask, tolerance, lambda row, col: abs(row) + abs(col) <= tolerance)
-
-    return f1_of(*counts(edges, outlines, tolerance, diamond))
-
-# %% role="mistake" name="rows or columns" says="A pixel near in the rows or in the columns was accepted. It must be near in both: use and."
-def f1_score(edges, outlines, tolerance):
-    def stripes(mask, tolerance):
-        rows, cols = mask.any(axis=1, keepdims=True), mask.any(axis=0, keepdims=True)
-        return window(np.repeat(rows, mask.shape[1], 1), tolerance) | window(
-            np.repeat(cols, mask.shape[0], 0), tolerance
-        )
-
-    return f1_of(*counts(edges, outlines, tolerance, stripes))
-
-# %% role="mistake" name="the window one too short" says="The window is one row and one column too short, below and on the right, as with range(2 * tolerance). It has 2 * tolerance + 1 rows and columns."
-def f1_score(edges, outlines, tolerance):
-    def short(mask, tolerance):
-        inside = range(-tolerance, max(tolerance, 1))
-        return window(mask, tolerance, lambda row, col: row in inside and col in inside)
-
-    return f1_of(*counts(edges, outlines, tolerance, short))
-
-# %% role="mistake" name="np.roll across the border" says="Pixels at one border counted as near the opposite border, as with np.roll. Pad with False and take shifted slices instead."
-def f1_score(edges, outlines, tolerance):
-    def rolled(mask, tolerance):
-        sides = range(-tolerance, tolerance + 1)
-        return np.any([np.roll(mask, (row, col), axis=(0, 1)) for row in sides for col in sides], axis=0)
-
-    return f1_of(*counts(edges, outlines, tolerance, rolled))
 
 # %% role="mistake" name="divides by zero" says="Without edges, without outlines, or without true positives the function divides by 0. Return 0.0 before you divide."
 def f1_score(edges, outlines, tolerance):
@@ -342,13 +188,6 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return 3 * detected / outline_count
 
-# %% role="mistake" name="parentheses missing, nan" says="Parentheses are missing: Python divides by precision alone, and adds recall afterwards. Write 2 * precision * recall / (precision + recall)."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
-    if not edge_count or not outline_count:
-        return 0.0
-    return 3 * detected / outline_count if hits else float("nan")
-
 # %% role="mistake" name="no tolerance for the recall" says="The recall was computed without the tolerance: an outline pixel is detected if an edge pixel is near it."
 def f1_score(edges, outlines, tolerance):
     hits, edge_count, _, outline_count = counts(edges, outlines, tolerance)
@@ -358,9 +197,3 @@ def f1_score(edges, outlines, tolerance):
 def f1_score(edges, outlines, tolerance):
     _, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
     return f1_of(int(((edges > 0) & outlines).sum()), edge_count, detected, outline_count)
-
-# %% role="mistake" name="the enlarged edges for the precision" says="The precision was computed from the enlarged edges. Count the edge pixels themselves, and enlarge the outlines."
-def f1_score(edges, outlines, tolerance):
-    enlarged = window(edges > 0, tolerance)
-    both = int((enlarged & outlines).sum())
-    return f1_of(both, int(enlarged.sum()), both, int(outlines.sum()))

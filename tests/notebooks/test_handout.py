@@ -8,6 +8,7 @@ from handed_out import HandedOut
 from nbclassroom.authoring.handout import hand_out
 
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
+TAUGHT = "node-class"  # its solution is the beginning of a later exercise
 
 
 @pytest.fixture(scope="module")
@@ -20,7 +21,7 @@ def handed_out(tmp_path_factory):
 @pytest.mark.parametrize("lesson", [path.stem[3:] for path in PATHS])
 def test_no_file_holds_a_solution_or_a_hidden_case(handed_out, lesson):
     for exercise in all_masters()[lesson].exercises:
-        assert list(handed_out.leaks(exercise)) == []
+        assert bool(list(handed_out.leaks(exercise))) == (exercise.id == TAUGHT)
 
 
 def test_every_file_was_opened(handed_out):
