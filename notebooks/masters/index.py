@@ -25,7 +25,7 @@ overview()
 #
 # - **The original lesson in one day** (about 6 hours): the cores of [[start_here]], [[arrays]], [[what_is_image_processing]], [[images_as_messages]], [[grayscale]], [[grayscale_node]], [[canny_stages]], [[edge_detection_node]] and [[ros2_packages]]. You write a node that converts images to gray, make one of it that finds edges with thresholds that you can change, and build both as ROS 2 packages.
 # - **The driving robot** (about 8 hours): after the first route, the cores of [[drive_the_robot]], [[obstacles_ahead]], [[numbers_with_doubt]], [[object_tracking]], [[where_am_i]] and [[mapping_and_slam]]. A robot drives, brakes, follows a ball and makes a map. If you want more, take the last lesson of the table, which is about unknown rooms.
-# - **The whole course** (about 38 hours): all lessons in their order, with their deeper sections.
+# - **The whole course** (about 34 hours): all lessons in their order, with their deeper sections.
 #
 # ## Beside the lessons
 #

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from nbclassroom.exercises.canonical import canonical
 from nbclassroom.exercises.comparison import compare
-from nbclassroom.exercises.kinds.node import driver as node_driver
+from nbclassroom.exercises.kinds.node import feed as node_feed
 from nbclassroom.exercises.kinds.node.recording_node import (
     OF_ROS,
     NodeError,
@@ -68,8 +68,8 @@ def real_nodes(monkeypatch):
     monkeypatch.setattr(Publisher, "publish", keep)
     monkeypatch.setattr(_rclpy, "rclpy_logging_rcutils_log", note)
     monkeypatch.setattr(Node, "_node_record", property(record_of), raising=False)
-    monkeypatch.setattr(node_driver, "_recording", contextlib.nullcontext)
-    monkeypatch.setattr(node_driver, "_is_connected", is_connected)
+    monkeypatch.setattr(node_feed, "_recording", contextlib.nullcontext)
+    monkeypatch.setattr(node_feed, "_is_connected", is_connected)
     yield
     for node in made:
         node.destroy_node()
@@ -77,7 +77,7 @@ def real_nodes(monkeypatch):
 
 
 def outcome_of(answer):
-    """The record of a drive through steps of every kind; None if it raises."""
+    """The record of steps of every kind; None if it raises."""
     offer_modules()
     names = {"__name__": "answer"}
     exec(answer.source, names)
@@ -100,7 +100,7 @@ def outcome_of(answer):
         new = [{"get": ["low", "high"]}, {"set": {"low": 10, "high": 30}}, {"set": {"low": 0.5}}]
         steps = [*sent[:4], *new, *sent[4:]]
     try:
-        records = [node_driver.drive(node_class, look, steps) for look in ("setup", "images")]
+        records = [node_feed.feed(node_class, part, steps) for part in ("setup", "images")]
     except (Exception, NodeError):  # noqa: BLE001 - other people's code
         return None
     return canonical(records, limit=None)

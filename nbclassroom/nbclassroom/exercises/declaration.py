@@ -43,8 +43,8 @@ def exercise(
     title : str, the exercise's name in reports; its id if omitted
     function : str, the name of the function or of the class that the learner writes
     subject : str, what the answer is: "function", or "node", the class of a ROS 2 node, which is driven as
-        each case says with its arguments (look, steps), see `node_driver`, or "package", a function that
-        returns the files of a ROS 2 package, see `package_driver`, or "drive", a function
+        each case says with its arguments (part, steps), see `node.feed`, or "package", a function that
+        returns the files of a ROS 2 package, see `package.feed`, or "drive", a function
         control(observation, memory) that returns two speeds; each case gives one scenario, see `drive`
     sensors : tuple of str, what `control` observes: some of `drive.SENSORS`
     time_limit : float, seconds, for one call of the function; for that of a controller, see `drive`

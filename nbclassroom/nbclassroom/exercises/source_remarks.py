@@ -33,9 +33,12 @@ def remarks_on_source(function, errors=(), unheeded=()):
 
 def unheeded_remarks(source, name):
     """The forms of what would be said of a right answer, the function or class of this name in a source."""
-    found = [tree for tree in _body(source) if getattr(tree, "name", "") == name]
-    texts = {text for tree in found for text in _remarks(tree, ast.unparse(tree), ("None", "IndexError"), ())}
-    return tuple(sorted(_form_of(text, found[-1]) for text in texts))
+    parts = [ast.get_source_segment(source, tree) for tree in _body(source) if hasattr(tree, "body")]
+    trees = [(tree, part) for part in parts for tree in _body(part) if getattr(tree, "name", "") == name]
+    errors = ("None", "IndexError")
+    return tuple(
+        {_form_of(text, tree): 0 for tree, part in trees for text in _remarks(tree, part, errors, ())}
+    )
 
 
 def _form_of(remark, tree):

@@ -11,7 +11,7 @@ SUBSCRIBES = ORIGINAL.replace(PUBLISH, "")
 CALLBACK = "        try:\n"
 DRIVER = (
     "from nbclassroom.exercises import running\n"
-    "from nbclassroom.exercises.kinds.node import driver as node_driver, recording_node\n"
+    "from nbclassroom.exercises.kinds.node import feed as node_feed, recording_node\n"
 )
 RECORD = '{"steps": [{"delivered": 1, "ended": "", "log": "", "published": []}] * 3, "sleeps": False, "windows": False}'
 
@@ -22,7 +22,7 @@ def in_callback(source):
 
 # (name, source, outcomes that the cases after the first one may have)
 NODE_ATTACKS = (
-    ("a driver that forges the record", f"{DRIVER}node_driver.drive = lambda *a: {RECORD}\n{SUBSCRIBES}", {"wrong"}),
+    ("a feed that forges the record", f"{DRIVER}node_feed.feed = lambda *a: {RECORD}\n{SUBSCRIBES}", {"wrong"}),
     ("the input as the output", in_callback('msg.encoding = "mono8"; self.publisher.publish(msg)'), {"wrong"}),
     ("the arguments of the drive", in_callback("import sys; f = sys._getframe(3); f.f_locals['steps'].clear()"), {"wrong", "raised", "hostile"}),
     ("a class that makes another object", SUBSCRIBES + "\nclass Meta(type):\n    def __call__(cls):\n        return object()\n\n\nclass ImageGrayProcessor(ImageGrayProcessor, metaclass=Meta):\n    pass\n", {"raised", "wrong"}),

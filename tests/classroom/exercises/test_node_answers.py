@@ -86,7 +86,7 @@ def test_a_node_is_driven_and_its_record_compared(node_master):
     assert [case.passed for case in right.results] == [True, True]
     assert [case.passed for case in wrong.results] == [True, False]
     assert wrong.mistake.says == "It wraps."
-    assert check_data_of(declared).names == ("look", "steps")
+    assert check_data_of(declared).names == ("part", "steps")
 
 
 class Size:
@@ -95,7 +95,7 @@ class Size:
 
 
 def test_a_value_that_is_no_class_is_refused_with_its_type():
-    result = call(Size(3, 4), ("setup", []), ["look", "steps"], 1, kind_of("node").run)
+    result = call(Size(3, 4), ("setup", []), ["part", "steps"], 1, kind_of("node").run)
     assert (result.error, result.message) == (
         "TypeError",
         "expected the class of your node, got a value of type Size",
@@ -117,7 +117,7 @@ def test_the_subject_is_in_the_files_that_a_lesson_carries(node_master, tmp_path
     path = tmp_path / "doubling.json"
     path.write_text(files["checks/doubling.json"])
     stored = read_check_file(path).exercise("test-double")
-    assert (stored.subject, stored.names) == ("node", ("look", "steps"))
+    assert (stored.subject, stored.names) == ("node", ("part", "steps"))
     assert run_check(stored, class_in(RIGHT)).passed and not run_check(stored, class_in(WRONG)).passed
 
 

@@ -12,7 +12,7 @@ from answer_names import names_of_answer
 from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.declaration import read_exercises
 from nbclassroom.exercises.expected_results import check_data_of
-from nbclassroom.exercises.kinds.node.driver import drive
+from nbclassroom.exercises.kinds.node.feed import feed
 from nbclassroom.exercises.kinds.node.recording_node import NodeError, NotGradedError
 from nbclassroom.exercises.kinds.node.ros_double import offer_modules
 from node_answers import ANSWERS, STARTED, changed
@@ -92,7 +92,7 @@ def drive_source(source, name, steps):
     names = {}
     exec(source, names)
     try:
-        return drive(names[name], "images", steps)["steps"]
+        return feed(names[name], "images", steps)["steps"]
     except (NodeError, NotGradedError) as error:
         return str(error)
 
@@ -152,9 +152,9 @@ def test_a_drive_leaves_nothing_behind():
     exec("from time import sleep\nimport rclpy\n" + ANSWERS[0].source, names)
     node_module = sys.modules["rclpy.node"]
     before = (time.sleep, names["sleep"], node_module.Node.__init__, sys.modules["rclpy"].spin)
-    for look, steps in (("setup", []), ("images", [{"image": None}])):
+    for part, steps in (("setup", []), ("images", [{"image": None}])):
         with contextlib.suppress(KeyError):  # of the second one, whose step is no step
-            drive(names["ImageGrayProcessor"], look, steps)
+            feed(names["ImageGrayProcessor"], part, steps)
     after = (time.sleep, names["sleep"], node_module.Node.__init__, sys.modules["rclpy"].spin)
     assert after == before
 

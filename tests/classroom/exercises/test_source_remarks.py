@@ -210,7 +210,9 @@ def test_what_the_right_answer_does_not_heed_is_not_said():
     own = solution.replace("row ", "one ").replace("[row]", "[one]")
     unused = "f() does not use what it gets: first."
     assert remarks(own, {"IndexError"}) == [unused, remarks(own, {"IndexError"})[1]]
-    unheeded = unheeded_remarks(solution, "f")
+    above = "import numpy as np\n\n\ndef g(a):\n    return (a & 1) == a\n\n\n"
+    assert unheeded_remarks(f"{above}{solution}", "g") == ()
+    unheeded = unheeded_remarks(f"{above}{solution}", "f")
     assert remarks_on_source(function_of(own), {"IndexError"}, unheeded) == []
     other = own.replace("last = ", "first = ")
     assert remarks_on_source(function_of(other), {"IndexError"}, unheeded) == []

@@ -1,4 +1,4 @@
-"""What is wrong with a node, in a sentence: from the records of two drives (see `node_driver`).
+"""What is wrong with a node, in a sentence: from two records (see `feed`).
 
 There is a sentence for each path of a record. The first path that differs counts.
 """
@@ -11,7 +11,7 @@ import numpy as np
 from nbclassroom.exercises.canonical import array_of
 from nbclassroom.exercises.error_advice import read_phrases
 
-# Errors of the driver, whose messages are sentences for a learner.
+# Errors of `feed`, whose messages are sentences for a learner.
 NODE_ERRORS = ("NodeError", "NotGradedError")
 # The names in a record, those first that explain others.
 _ORDER = (
@@ -24,7 +24,7 @@ _ORDER = (
 
 
 def sentence_on_node(expected, actual, arguments):
-    """What differs between two records, as forms, of one drive(look, steps); "" if no sentence says it."""
+    """What differs between two records, as forms, of one feed(part, steps); "" if no sentence says it."""
     differences = list(_differences(_plain(expected), _plain(actual)))
     # An error that the node logs for a right image explains why it published nothing.
     differences.sort(key=lambda difference: not (difference[0].endswith("/log") and difference[1] == ""))

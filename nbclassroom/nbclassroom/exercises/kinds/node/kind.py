@@ -11,7 +11,7 @@ class Kind(FunctionKind):
     """A class of a node."""
 
     name, noun = "node", "class"
-    kernel_modules: tuple[str, ...] = ("driver", "recording_node", "ros_double")
+    kernel_modules: tuple[str, ...] = ("feed", "recording_node", "ros_double")
     shows_values = False  # a record is no reading
     has_sentences = True
     refuses_parts = True
@@ -34,12 +34,12 @@ class Kind(FunctionKind):
         return any(steps for _, steps in calls)  # what __init__ makes has none, and the task says what it is
 
     def argument_names(self, answer):
-        return ["look", "steps"]
+        return ["part", "steps"]
 
     def run(self, answer, *arguments):
-        from .driver import drive
+        from .feed import feed
 
-        return drive(answer, *arguments)
+        return feed(answer, *arguments)
 
     def explain(self, exercise, call):
         from .feedback import NODE_ERRORS

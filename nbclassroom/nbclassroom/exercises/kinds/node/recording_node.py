@@ -73,7 +73,7 @@ class _Endpoint(_Part):
 
 
 class _Timer(_Part):
-    """A timer; its period has no meaning in a drive."""
+    """A timer; its period has no meaning here."""
 
     def __init__(self, callback, is_on):
         self.callback, self._is_on = callback, is_on
@@ -89,7 +89,7 @@ class _Timer(_Part):
 
 
 class _Clock(_Part):
-    """It goes on by a millisecond with each look: no answer depends on the machine."""
+    """It goes on by a millisecond with each call: no answer depends on the machine."""
 
     def __init__(self):
         self._nanoseconds = 0

@@ -144,7 +144,7 @@ def _modules():
     best_effort = _POLICIES["reliability"].BEST_EFFORT
     policies = {f"{qos}{kind.__name__}": kind for kind in _POLICIES.values() for qos in ("", "QoS")}
     return modules | {
-        # Each is a function of its own: a drive traps some.
+        # Each is a function of its own: `feed` traps some.
         "rclpy": {name: lambda *_arguments, **_options: None for name in names} | {"ok": lambda: True},
         **{f"rclpy.{name}": {} for name in _EMPTY_MODULES},
         "rclpy.node": {"Node": type("Node", (RecordingNode,), {"__module__": "rclpy.node"})},

@@ -7,7 +7,7 @@ class Kind(NodeKind):
     """A function that returns the files of a package."""
 
     name, noun = "package", "function"
-    kernel_modules = ("driver",)
+    kernel_modules = ("feed",)
 
     def name_of(self, function):
         return f"{function}()"
@@ -16,6 +16,6 @@ class Kind(NodeKind):
         return callable(value)
 
     def run(self, answer, *arguments):
-        from .driver import drive_package
+        from .feed import feed_package
 
-        return drive_package(answer, *arguments)
+        return feed_package(answer, *arguments)

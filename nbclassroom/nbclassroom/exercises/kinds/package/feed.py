@@ -1,7 +1,7 @@
-"""Read the files of a ROS 2 package that a learner wrote as texts, and drive its node.
+"""Read the files of a ROS 2 package that a learner wrote as texts, and feed its node.
 
 The answer is a function without arguments that returns {path: text}, paths as "package.xml". A text is
-parsed: setup.py is never run. The node's file is run, and its class is driven as `node_driver` says.
+parsed: setup.py is never run. The node's file is run, and its class is fed as `node.feed` says.
 """
 
 import ast
@@ -12,7 +12,7 @@ from nbclassroom import course
 
 from ...cell_syntax import program_lines
 from ...running import NodeError
-from ..node.driver import drive
+from ..node.feed import feed
 
 # {what a node imports: its rosdep key}
 _KEYS = {"cv2": "python3-opencv", "numpy": "python3-numpy"} | {
@@ -23,20 +23,20 @@ _ELEMENTS = ("name", "version", "description", "maintainer", "license")
 _DEPENDENCIES = ("depend", "exec_depend", "build_depend")
 
 
-def drive_package(function, look, steps):
+def feed_package(function, part, steps):
     """What a file of a package says, or what its node does: a dict, compared with that of the solution.
 
-    `look` is "package.xml", "setup.py", or as `drive` takes it. NodeError: a file is missing or unreadable.
+    `part` is "package.xml", "setup.py", or as `feed` takes it. NodeError: a file is missing or unreadable.
     """
     files = function()
     parts = [part for item in files.items() for part in item] if isinstance(files, dict) else [None]
     if not all(isinstance(part, str) for part in parts):
         raise NodeError('Return a dict of texts, {path: text}, such as {"package.xml": "..."}.')
-    if look == "package.xml":
+    if part == "package.xml":
         return _read_manifest(files)
-    if look == "setup.py":
+    if part == "setup.py":
         return _read_setup(files)
-    return drive(_node_class(files), look, steps)
+    return feed(_node_class(files), part, steps)
 
 
 def _text(files, name):

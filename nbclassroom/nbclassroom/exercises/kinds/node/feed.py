@@ -1,6 +1,6 @@
 """Drive a node class that a learner wrote, and say what it did, as plain values.
 
-The steps of a drive are dicts, in order:
+The steps are dicts, in order:
 
     {"image": array, "encoding": "bgr8", "topic": "/camera/image_raw", "stamp": (sec, nanosec),
      "frame_id": "camera"}       an image on a topic, as a best-effort camera publishes it. With "cut": True
@@ -25,7 +25,7 @@ from .recording_node import LEVELS, RecordingNode, refuse, takes, type_text
 from .ros_double import offer_modules
 
 _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows", "destroyWindow")
-# What a node must not do: it is trapped during a drive, and the record says that it was used.
+# What a node must not do: it is trapped while it is fed, and the record says that it was used.
 _TRAPS = {
     "time": {"sleep": "sleeps"},
     "cv2": dict.fromkeys(_WINDOWS, "windows"),
@@ -39,10 +39,10 @@ _SPINS = (
 _POLICIES = ("reliability", "durability", "history", "depth")
 
 
-def drive(node_class, look, steps):
+def feed(node_class, part, steps):
     """Make a node of a class, which inherits from ROS's Node or the double's, and let it take some steps.
 
-    The record is a dict. For the look "setup" it has what the node is after the steps: "node", its name,
+    The record is a dict. For the part "setup" it has what the node is after the steps: "node", its name,
     "subscriptions" and "publishers", lists of dicts sorted by topic, and "published early", the number of
     messages that it published in __init__; for "images" it has "steps", what came of each step. And "sleeps"
     and "windows": whether it slept or opened windows.
@@ -61,7 +61,7 @@ def drive(node_class, look, steps):
         for step in steps:
             has_ended = bool(results) and bool(results[-1].get("ended"))
             results.append(results[-1] if has_ended else _take_step(node, record, step))
-        if look == "setup":
+        if part == "setup":
             return _describe(node.get_name(), record) | {"published early": early} | used
         return {"steps": results} | used
 
