@@ -95,7 +95,7 @@ def stop(process):
 
 # %%
 course = Path(imgproc_course.__file__).parents[1] / "environment" / "ros2_ws"
-shutil.copytree(course / "src", workspace / "src", dirs_exist_ok=True)
+workspace = shutil.copytree(course / "src", workspace / "src", dirs_exist_ok=True).parent
 package = workspace / "src" / "image_gray_processor"
 node_file = package / "image_gray_processor" / "image_gray_processor.py"
 print(node_file.read_text(encoding="utf-8"))

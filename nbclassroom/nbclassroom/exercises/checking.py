@@ -257,11 +257,15 @@ def _are_same(codes, other_codes):
     return contents[0] == contents[1]
 
 
+def _end_of(call):
+    """How a call ended, as `remarks_on_source` takes it."""
+    is_none = call.difference is not None and call.result.value == _NONE
+    return "TimeUp" if call.result.timed_out else "None" if is_none else call.result.error
+
+
 def _judge_calls(exercise, function, calls):
     """The CheckResult of the calls of a function."""
-    errors = {case_call.result.error for case_call in calls}
-    errors |= {"TimeUp" for call in calls if call.result.timed_out}
-    errors |= {"None" for call in calls if call.difference is not None and call.result.value == _NONE}
+    errors = set(map(_end_of, calls))
     is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
     if "NotImplementedError" in errors or (is_stub and exercise.kind.expects_values):
         of_class = () if is_stub else (STUB_LINE,)

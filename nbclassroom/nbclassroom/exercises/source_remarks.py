@@ -16,7 +16,6 @@ _PURE = re.compile(
     r"math\.\w+|np\.(abs|clip|round|sort|reshape|where|astype|sqrt)|\w+\.(astype|clip|copy|reshape|round)"
 )
 _IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
-_FIRST_VALUE = r"-?((0|1)(\.0)?|(np|math)\.inf)"  # of the best one
 
 
 def remarks_on_source(function, errors=(), unheeded=()):
@@ -208,20 +207,6 @@ def _columns_first(node, _source):
         yield f"{match[3]} has the rows first. Write {rows}, {columns}{match[2]} = {match[3]}{match[4]}."
 
 
-def _never_stored(node, source):
-    """if depth > best: place = k, and best keeps its first value in the whole loop."""
-    stored = {ast.unparse(name) for name in ast.walk(node) if _is_store(name)}
-    for test in ast.walk(node):
-        compared = test.test if isinstance(test, ast.If) else None
-        if not isinstance(compared, ast.Compare) or not isinstance(compared.ops[0], ast.Lt | ast.Gt):
-            continue
-        for part in (compared.left, compared.comparators[0]):
-            name = ast.unparse(part)
-            starts = re.search(rf"^ *{re.escape(name)} = {_FIRST_VALUE}$", source, re.MULTILINE)
-            if starts and name not in stored and any(map(_is_store, ast.walk(test))):
-                yield SAYS["never stored"].format(test=ast.unparse(compared), name=name)
-
-
 def _is_store(node):
     return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
 
@@ -233,7 +218,6 @@ _RULES = (
     (ast.Expr, _without_effect),
     (ast.Assign, _columns_first),
     (ast.Call, _fixed_size),
-    (ast.For | ast.While, _never_stored),
 )
 
 

@@ -173,25 +173,6 @@ def test_an_argument_that_gets_another_value_before_it_is_read_is_named(line, is
     assert [remark.startswith(start) for remark in found] == [True] * is_lost
 
 
-BEST = """def f(a):
-    largest = 0
-    for k in range(len(a)):
-        if a[k] > largest:
-            place = k{}
-    return place
-"""
-
-
-def test_a_number_that_is_compared_but_never_stored_is_named():
-    (remark,) = remarks(BEST.format(""))
-    assert remark == (
-        "The loop compares a[k] > largest, but largest never gets a new value in it. Store each new one:"
-        " largest = ..."
-    )
-    assert remarks(BEST.format("\n            largest = a[k]")) == []
-    assert remarks(BEST.format("").replace("largest = 0", "largest = 50")) == []  # a threshold
-
-
 @pytest.mark.parametrize(
     "helper",
     [
