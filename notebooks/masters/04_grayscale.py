@@ -349,7 +349,7 @@ assert (gray == opencv).all() and (rounded == opencv).all()
 # %% [markdown]
 # ## 7 · Your turn: luma with integers ([[minutes]])
 #
-# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as `sums` and `rounded` in section 4, or with two loops over the pixels, as in section 5 (deeper).
+# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as `sums` and `rounded` in section 4, or with two loops over the pixels.
 #
 # | Input | Output | Example call |
 # |---|---|---|

@@ -310,7 +310,7 @@ assert view.error is None
 #
 # def main(args=None):
 #     rclpy.init(args=args)
-#     node = ImageGrayProcessor()
+#     node = GrayNode()
 #     try:
 #         rclpy.spin(node)
 #     except (KeyboardInterrupt, ExternalShutdownException):
@@ -407,7 +407,7 @@ from sensor_msgs.msg import Image
 
 class ImageGrayProcessor(Node):
     def __init__(self):
-        raise NotImplementedError("step 1: delete this line, and write it")
+        raise NotImplementedError("step 1: delete this line; first comes super().__init__")
         self.bridge = CvBridge()
 
     def image_callback(self, msg):

@@ -374,7 +374,7 @@ assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
 sector = direction(stages.grad_row, stages.grad_col)
 red, yellow, green, blue = (60, 60, 255), (0, 220, 255), (60, 200, 60), (255, 120, 60)
 painted = np.array([red, yellow, green, blue], dtype=np.uint8)[sector]
-painted[stages.magnitude < 150] = 0  # black where there is no edge
+painted[stages.magnitude < 150] = 0  # black where no strong edge can be
 show(painted, "sectors 0 to 3", rows=(310, 440), cols=(430, 740),
      text="canny_stages/sectors")
 

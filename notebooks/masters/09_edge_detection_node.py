@@ -103,7 +103,7 @@ assert 50 / 4 == 12.5 and 150 / 4 == 37.5
 #
 # ## 2 · A node with a parameter ([[minutes]])
 #
-# A *[[term:ROS parameter]]* is a named value of a node. Others can read it, and change it while the node runs. This node has one: it publishes white where the gray level is above `level`. Only the two numbered lines are new.
+# A *[[term:ROS parameter]]* is a named value of a node. Others can read it, and change it while the node runs. This node has one: it publishes white where the gray level is above `level`. The two numbered lines are about it.
 
 # %% tags=["long"]
 if ros_available():
@@ -178,11 +178,13 @@ assert not ros_available() or not node.set_parameters([Parameter("level", value=
 # %% [markdown]
 # ## 3 · Your turn: the edge-detection node ([[minutes]])
 #
-# The answer cell holds the gray node of [[grayscale_node]]. Make an edge-detection node of it. Each step is one line of the check.
+# The answer cell holds the gray node of [[grayscale_node]]. Make an edge-detection node of it: topic, QoS and error handling stay. Each step is one part of the check.
 #
 # 1. **Declare and answer.** The node is called `edge_detector`, and publishes on `~/edges`. It declares the parameters `low`, at first 50, and `high`, at first 150. For each image it publishes `cv2.Canny` of its gray image, as `mono8` with the header of the message.
 # 2. **Follow the parameters.** The next image after `ros2 param set /edge_detector low 20` has more edges.
 # 3. **Survive.** A message that cannot be converted is logged as an error, and nothing is published for it.
+#
+# What happens if `low` is above `high` is the question of section 5; here it does not matter.
 
 # %% role="exercise"
 exercise(
@@ -455,7 +457,7 @@ outcome = "the same edges" if different == 0 else "other edges"
 compare_guess(guess_swapped, outcome)
 
 # %% [markdown]
-# OpenCV swaps them back without a warning. This hides a mistake: if you increase `low` above `high`, OpenCV uses your `low` as the high threshold. **Repair it**: raise an error. The course's `canny` does this.
+# OpenCV swaps them back without a warning. This hides a mistake: if you increase `low` above `high`, OpenCV uses your `low` as the high threshold. **Repair it**: in a function, raise an error, as the course's `canny` does. In a node, log it and skip the image.
 
 # %%
 try:
@@ -970,7 +972,7 @@ assert round(f1_maps.max(), 2) == 0.45
 # %% [markdown]
 # ## Recap
 #
-# Declare a parameter in `__init__`, and read it in the callback. Know the unit of the thresholds, and refuse `low` above `high`. Deeper: to compare two results, measure both against a ground truth, on frames that you did not tune on.
+# Declare a parameter in `__init__`, and read it in the callback. Know the unit of the thresholds, and that OpenCV swaps them if `low` is above `high`. Deeper: to compare two results, measure both against a ground truth, on frames that you did not tune on.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|

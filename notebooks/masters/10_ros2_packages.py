@@ -7,7 +7,7 @@
 # %% [markdown]
 # # ROS 2 packages
 #
-# A node in a notebook stops when the notebook stops. On a robot, nodes belong to *[[term:package|packages]]*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes outside this notebook.
+# A node in a notebook stops when the notebook stops. On a robot, nodes belong to *[[term:package|packages]]*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run the node of the first one outside this notebook, in a deeper section that of the second one, too.
 #
 # **You will be able to**
 # - explain each file of an `ament_python` package (a ROS 2 package in Python; *[[term:ament]]* is the build system of ROS 2),
@@ -110,7 +110,7 @@ assert "image_gray_processor = image_gray_processor.image_gray_processor:main" i
 assert "python3-opencv" in manifest and "<build_type>ament_python</build_type>" in manifest
 
 # %% [markdown]
-# You know this class from [[grayscale_node]]. New is only that it stands in a file. Its function `main` starts ROS, makes the node, and spins it until Ctrl-C.
+# You know this class from [[grayscale_node]]. Now it stands in a file. Its function `main` starts ROS, makes the node, and spins it until Ctrl-C.
 #
 # Here is `package.xml`. It names other packages by their *[[term:rosdep|rosdep keys]]*: on a robot, the command `rosdep` installs them. Many tutorials write `opencv-python`. This is pip's name, and rosdep stops with *Cannot locate rosdep definition*.
 
@@ -700,7 +700,7 @@ assert own_node is None or own_node.poll() is not None
 # %% [markdown]
 # ## Recap
 #
-# A package is a folder with a fixed structure. The line `EXECUTABLE = PACKAGE.FILE:FUNCTION` makes a program of its node. Build it, source the workspace, and start the node by name. Deeper: in `package.xml`, write rosdep keys, not pip names.
+# A package is a folder with a fixed structure. The line `EXECUTABLE = PACKAGE.FILE:FUNCTION` makes a program of its node. Build it, source the workspace, and start the executable. In `package.xml`, write rosdep keys, not pip names.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
