@@ -16,10 +16,11 @@ TOPIC = "/kachaka/front_camera/image_raw"
 # Imports the package once, and forks a program for each domain that it receives. A program evaluates each
 # line that it reads, and prints the value.
 PROGRAMS = """
-import os, signal, socket, sys
+import faulthandler, os, signal, socket, sys
 from imgproc_course.ros import ImageSubscriber, open_camera
 
 def evaluate_lines():
+    faulthandler.enable()  # what crashes in Fast DDS leaves its stack in the message of `evaluate`
     for line in sys.stdin:
         try:
             print(repr(eval(line)), flush=True)
