@@ -119,7 +119,7 @@ def test_a_text_that_states_no_result_is_not_folded(pages):
     for name, sentence in {
         "04_grayscale": "A television standard (ITU-R BT.601) defines three weights",
         "05_grayscale_node": "waits for messages and calls the callbacks, again and again",
-        "14_object_tracking": "the box must stay inside the image",
+        "18_recognising_objects": "Nine bins of 20 degrees",
     }.items():
         page = pages[name]
         assert sentence in page.text() and sentence not in page.text("details.course-reveal"), name
