@@ -317,6 +317,8 @@ def grade(submissions, keys, out, review, forget_rules, yes, dry_run, **options)
     options["workers"] = options["workers"] or usual_workers(load_keys(keys).lessons.values())
     report = _grade_and_review(submissions, keys, out, rules, review, options)
     click.echo(report.text)
+    if not review:
+        click.echo(f"Next: {course.command} grade {submissions} --out {out} --review (read, and decide)")
     if report.not_graded or report.failed_pages:
         raise SystemExit(_COULD_NOT_GRADE)
 

@@ -31,7 +31,6 @@ class OutcomeTexts:
     message: str = ""  # the case's, if the kernel was ended like this; "" if it depends on the answer
     # For the learner, if every case of an exercise ended so: no input is the cause, and no case's hint helps.
     advice: str = ""
-    shows_values: bool = True  # whether a page shows the failed call's
 
 
 # Of the cases that are not run because those before them took too long.
@@ -46,20 +45,17 @@ TEXTS = {
         "not attempted",
         advice="You have not started this exercise yet, and that is fine. Begin with the example in the"
         " lesson: its check tells you as often as you like how far you are.",
-        shows_values=False,
     ),
     Outcome.MISSING: OutcomeTexts(
         "the answer is missing",
         advice="No cell of the notebook defines a function or class of this name, with a def or class that"
         " begins at the left edge. Write it into its answer cell (a fresh copy of the lesson has one), and"
         f" run `{course.command} check` on the notebook before you submit it.",
-        shows_values=False,
     ),
     Outcome.REFUSED_MODULE: OutcomeTexts(
         "uses a module that this exercise does not allow",
         advice="The task is to write it by hand, without the modules that do it for you. If the module is a"
         " file of your own, copy its functions into a cell of the notebook: only the notebook is graded.",
-        shows_values=False,
     ),
     Outcome.TIME: OutcomeTexts(
         "did not finish in time",

@@ -3,30 +3,24 @@
 A result depends on the answers and the key alone: not on the order of the submissions, the number of workers,
 the time of day or other submissions. It contains no time, no path, no seed and no process number.
 
-Texts are sanitized (no control characters) but not escaped for HTML: that is done where HTML is written.
+Texts are sanitized (no control characters) but not escaped for HTML, except in `body` and `review`, which are
+HTML: what the notebook's `check` would show.
 """
 
-import base64
 import builtins
-import hashlib
-import json
-import re
-from dataclasses import dataclass, is_dataclass
+from dataclasses import dataclass, is_dataclass, replace
 from itertools import chain
 
 import msgspec
 
-from ..exercises.canonical import canonical
 from ..exercises.kinds.node.recording_node import UNKNOWN_PART
+from ..exercises.running import attempt
+from .checked_answer import checked_answer
 from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
-from .sanitize import sanitize_text
+from .sanitize import reproducible_text
 from .verdict import CaseRun, Verdict
 
-_ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
-# How IPython and ipykernel name a cell, with a number that differs from run to run.
-_CELL = re.compile(r"<ipython-input-[^<>\s]*>|(?<!\S)\S*/ipykernel_\d+/\d+\.py|\b\d{5,}\.py\b")
-_LARGEST_SHOWN = 1_500_000  # characters of a form: as much as the largest array with values
-_MOST_READ = 4  # characters that are read of a text, for each one that is kept
+NO_DETAILS = "<p>The details of these checks could not be shown.</p>"
 _MEMORY_ERRORS = ("MemoryError", "_ArrayMemoryError")
 # Errors whose messages are sentences of ours; their names are those of our classes, see `running.error_name`.
 _OUTCOMES_OF_ERRORS = {
@@ -35,16 +29,6 @@ _OUTCOMES_OF_ERRORS = {
     "NodeError": Outcome.RAISED,
 }
 _EXCEPTIONS = {CELL_FAILS} | {name for name, kind in vars(builtins).items() if isinstance(kind, type)}
-
-
-@dataclass(frozen=True)
-class FailedCall:
-    """The first call of a public case that failed; values are canonical forms."""
-
-    arguments: list  # their names: `Exercise.names`
-    expected: dict
-    actual: dict | None  # None if nothing was returned
-    printed: str  # shortened
 
 
 @dataclass(frozen=True)
@@ -57,10 +41,7 @@ class GradedCase:
     points: int
     max_points: int
     outcome: Outcome
-    hint: str = ""  # the master's; "" if the case passed
     message: str = ""  # what went wrong, shortened; for a hidden case it contains no text of the learner's
-    failed_call: FailedCall | None = None  # if it was run and failed; of a hidden one for teachers alone
-    drive: dict | None = None  # of a drive that began: what `drive_images.draw_map` draws
 
     @property
     def passed(self):
@@ -80,6 +61,8 @@ class GradedExercise:
     # About the answer cell itself: its first exception (which costs nothing as long as the function is
     # defined), or why it was not run.
     message: str = ""
+    body: str = ""  # the checks as HTML, for the learner
+    review: str = ""  # and for the teacher, with the values of hidden ones
 
     @property
     def points(self):
@@ -137,11 +120,16 @@ def from_json(data):
 def ungraded_exercise(exercise, outcome, message):
     """The GradedExercise of an exercise that was not run: the outcome of all its cases, and why."""
     cases = tuple(_graded_case(case, outcome) for case in exercise.cases)
-    return GradedExercise(exercise.id, exercise.title, exercise.points, cases, message=message)
+    return _with_pages(*_checked(exercise, cases, {}, None, message))
 
 
 def graded_exercise(exercise, exercise_run):
     """The GradedExercise of an exercise whose cases all have run."""
+    return _with_pages(*checked_exercise(exercise, exercise_run))
+
+
+def checked_exercise(exercise, exercise_run):
+    """(the GradedExercise of an exercise whose cases all have run, without pages, its CheckedAnswer)."""
     runs = exercise_run.runs
     cases = tuple(
         _case_of_run(exercise, case, runs[case.id], case.id in exercise_run.passed)
@@ -150,9 +138,18 @@ def graded_exercise(exercise, exercise_run):
         for case in exercise.cases
     )
     mistake = None if all(case.passed for case in cases) else _known_mistake(exercise, runs)
+    return _checked(exercise, cases, runs, mistake, _message_about_cell(runs))
+
+
+def _checked(exercise, cases, runs, mistake, message):
     name, says = (mistake.name, mistake.says) if mistake else ("", "")
-    message = _message_about_cell(runs)
-    return GradedExercise(exercise.id, exercise.title, exercise.points, cases, name, says, message)
+    graded = GradedExercise(exercise.id, exercise.title, exercise.points, cases, name, says, message)
+    return graded, checked_answer(exercise, cases, runs, mistake, message)
+
+
+def _with_pages(graded, answer):
+    body, review = (attempt(html, NO_DETAILS, 10) for html in (answer.for_learner, answer.for_teacher))
+    return replace(graded, body=body, review=review)
 
 
 def _known_mistake(exercise, runs):
@@ -170,28 +167,19 @@ def _known_mistake(exercise, runs):
     return None
 
 
-def _graded_case(case, outcome, message="", failed_call=None, drawn=None):
-    points, hint = (case.points, "") if outcome == Outcome.PASSED else (0, case.hint)
-    about = (case.id, case.title, case.hidden, points, case.points)
-    return GradedCase(*about, outcome, hint, message, failed_call, drawn)
+def _graded_case(case, outcome, message=""):
+    points = case.points if outcome == Outcome.PASSED else 0
+    return GradedCase(case.id, case.title, case.hidden, points, case.points, outcome, message)
 
 
 def _case_of_run(exercise, case, run, passed):
-    kind, verdict = exercise.kind, run.verdict
-    outcome, message, failed_call = Outcome.PASSED, "", None
+    verdict, outcome, message = run.verdict, Outcome.PASSED, ""
     if not passed:
-        outcome, message = _outcome_of_run(exercise, run)
-        if kind.expects_values:
-            failed_call = _failed_call(case, verdict)
-        if case.hidden:
-            message = _message_of_hidden(outcome, message, verdict)
-        elif failed_call and verdict.difference and failed_call.actual:
-            arguments = case.calls[verdict.failed_call].arguments
-            sentence = kind.sentence_on(failed_call.expected, failed_call.actual, arguments)
-            message = reproducible_text(sentence) or message
+        outcome, message = _outcome_of_run(exercise, case, run)
+        message = _message_of_hidden(outcome, message, verdict) if case.hidden else message
     if verdict.measured:
         message = f"{message.rstrip('.')} ({verdict.measured})" if message else verdict.measured
-    return _graded_case(case, outcome, message, failed_call if kind.shows_values else None, verdict.drawn)
+    return _graded_case(case, outcome, message)
 
 
 def _faulty_case(case, fault):
@@ -201,7 +189,7 @@ def _faulty_case(case, fault):
     return _graded_case(case, Outcome.NOT_GRADED, reproducible_text(f"the autograder failed: {fault}"))
 
 
-def _outcome_of_run(exercise, run):
+def _outcome_of_run(exercise, case, run):
     """(Outcome, message) of a case that did not pass."""
     if run.ended == "budget":
         return Outcome.TIME, BUDGET_MESSAGE
@@ -215,14 +203,14 @@ def _outcome_of_run(exercise, run):
         return Outcome.RAISED, _exception_text(*error)
     if error[0]:
         return Outcome.HOSTILE, Verdict().forged
-    return _outcome_of_verdict(exercise, run.verdict)
+    return _outcome_of_verdict(exercise, case, run.verdict)
 
 
 def _at(message, verdict):
     return f"{message}, {verdict.when}" if verdict.when else message
 
 
-def _outcome_of_verdict(exercise, verdict):
+def _outcome_of_verdict(exercise, case, verdict):
     if verdict.passed:
         return Outcome.NOT_GRADED, "it is right, but nbval did not let it pass: look at it by hand"
     call = verdict.call
@@ -234,9 +222,8 @@ def _outcome_of_verdict(exercise, verdict):
         return outcome, _at(message, verdict) if outcome == Outcome.RAISED else message
     if verdict.forged:
         return Outcome.HOSTILE, reproducible_text(verdict.forged)
-    if call and call.changed:
-        return Outcome.WRONG, f"it changed its input {reproducible_text(', '.join(call.changed), 100)}"
-    return Outcome.WRONG, reproducible_text(verdict.sentence)
+    failed = next(one for one in verdict.case_calls(exercise, case) if not one.passed)
+    return Outcome.WRONG, reproducible_text(exercise.kind.explain(exercise, failed)).replace("\n", " ")
 
 
 def _outcome_of_exception(exercise, call):
@@ -280,39 +267,5 @@ def _message_of_hidden(outcome, message, verdict):
     return message if TEXTS[outcome].message or outcome == Outcome.MISSING else ""
 
 
-def _failed_call(case, verdict):
-    """The call to show for a public case: the one that failed, else the first one."""
-    number = min(verdict.failed_call or 0, len(case.calls) - 1)
-    expected, calls = case.calls[number], verdict.calls or []
-    call = calls[number] if number < len(calls) else None
-    return FailedCall(
-        [canonical(value, limit=None) for value in expected.arguments],
-        expected.result.value,
-        form_to_show(call.value, expected.result.value) if call else None,
-        reproducible_text(call.printed, 2000) if call else "",
-    )
-
-
-def form_to_show(form, expected):
-    """A value as pages, which are in memory, show it: one much larger than expected has no values."""
-    if form is None or _size(form) <= max(_LARGEST_SHOWN, 3 * _size(expected)):
-        return form
-    if form["type"] == "ndarray":
-        digest = hashlib.sha256(base64.b64decode(form["data"])).hexdigest()
-        return {name: form[name] for name in ("type", "dtype", "shape")} | {"digest": digest}
-    kind = form["type"]
-    return {"type": kind, "too_large" if kind in ("tuple", "list", "dict") else "opaque": True}
-
-
-def _size(form):
-    return len(json.dumps(form))
-
-
 def _exception_text(name, text):
     return reproducible_text(f"{name}: {text}" if text else name)
-
-
-def reproducible_text(text, max_length=500):
-    """Sanitized text of a learner's without what differs from run to run: addresses and names of cells."""
-    text = text[: _MOST_READ * max_length]
-    return sanitize_text(_CELL.sub("its cell", _ADDRESS.sub("0x…", text)), max_length)

@@ -17,7 +17,7 @@ class Verdict:
     difference: Difference | None = None  # of that call's value; None: there was no value to compare
 
     # What a partner measures is told of hidden cases, too (see `kinds.drive.graded.DriveVerdict`).
-    when, measured, told_of_hidden, drawn = "", "", "", None
+    when, measured, told_of_hidden = "", "", ""
 
     @property
     def passed(self):
@@ -36,14 +36,6 @@ class Verdict:
             return "its check cell showed something else than what the function returned"
         is_other = self.failed_call is not None and self.call is None
         return "its check cell reported other calls than were made" if is_other else ""
-
-    @property
-    def sentence(self):
-        """What is wrong with the value of the call that failed, "" if there was none."""
-        if self.difference is None:
-            return ""
-        place = f"in answer{self.difference.path}: " if self.difference.path else ""
-        return f"{place}{self.difference.message}"
 
     def case_calls(self, exercise, case):
         """The CaseCalls of a case."""

@@ -8,6 +8,9 @@ exist. It needs only NumPy, gives values and never a verdict, and does not trust
 import array
 import base64
 import collections
+import decimal
+import enum
+import fractions
 import hashlib
 import math
 import types
@@ -33,6 +36,9 @@ _STAND_INS: dict[type, type] = {
     collections.OrderedDict: dict,
     collections.defaultdict: dict,
     collections.Counter: dict,
+    decimal.Decimal: float,
+    fractions.Fraction: float,
+    np.longdouble: float,
 }
 
 # Read through `type` itself: a metaclass may redefine __qualname__ and __module__.
@@ -56,7 +62,8 @@ def canonical(value, limit=None, most=None):
         ROS message, SimpleNamespace     "fields": {name: form}
         numpy.matrix                     "opaque": True, and "array": the form of its values, with two axes
         anything else, and subclasses    "opaque": True, and only the name of the type
-    A named tuple is given as a tuple, NumPy's text as a str, a Counter or defaultdict as a dict.
+    A named tuple is given as a tuple, NumPy's text and a StrEnum as a str, a Counter as a dict, a Decimal, a
+    Fraction and a longdouble as a float, a masked array without a mask as an array.
     A value that is too deep, too long or too large has "too_large": True.
 
     In this form NaN equals NaN and -0.0 equals 0.0; byte order and memory layout make no difference.
@@ -95,6 +102,10 @@ class _Writer:
             return self._array(value)
         if kind is _MATRIX_TYPE:
             return {"type": MATRIX, "opaque": True, "array": self._array(np.ndarray.view(value, np.ndarray))}
+        if kind is np.ma.MaskedArray and not np.ma.is_masked(value):
+            return self._array(np.ndarray.view(value, np.ndarray))
+        if issubclass(kind, (enum.StrEnum, enum.IntEnum)):  # by the methods of str and int, not a learner's
+            return self.write(str.__str__(value) if issubclass(kind, str) else int.__int__(value), depth)
         if kind in SCALARS:
             return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
         if kind in (tuple, list, dict):
@@ -112,6 +123,8 @@ class _Writer:
         return form | {"opaque": True}
 
     def _stand_in(self, value, kind, depth):
+        if kind is float:
+            return self.write(_as_float(value), depth)
         return _too_large(kind.__name__) if len(value) > self._bytes_left else self.write(kind(value), depth)
 
     def _text(self, value):
@@ -131,6 +144,8 @@ class _Writer:
         return {"type": kind, "items": [self.write(item, depth + 1) for item in value]}
 
     def _array(self, value):
+        if value.dtype == np.longdouble:
+            value = value.astype(np.float64)
         form = {"type": "ndarray", "dtype": value.dtype.name, "shape": list(value.shape)}
         if value.dtype.kind not in "biuf" or value.dtype.itemsize > 8:
             return form | {"opaque": True}
@@ -174,6 +189,13 @@ def _number(value):
     if isinstance(value, float) and (value != value or value in (float("inf"), float("-inf"))):
         return "nan" if value != value else "inf" if value > 0 else "-inf"
     return value + 0.0 if isinstance(value, float) else value
+
+
+def _as_float(value):
+    try:
+        return float(value)
+    except (ValueError, OverflowError):  # a signalling nan of Decimal, a great Fraction
+        return math.nan
 
 
 def _too_large(kind):

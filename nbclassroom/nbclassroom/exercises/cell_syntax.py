@@ -14,7 +14,7 @@ _MOST_CACHED = 5_000  # characters: most cells are the lesson's, in every notebo
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
-_CALLABLE_VALUES = (ast.Lambda, ast.Name, ast.Attribute, ast.Call)
+_CALLABLE_VALUES = (ast.Lambda, ast.Name, ast.Attribute, ast.Call, ast.Subscript)
 _EXPRESSIONS_WITH_NAMES = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 _MAGIC = re.compile(
     r"""^(?P<indent>[ \t]*)(?![ \t])
@@ -109,7 +109,7 @@ def function_definitions(source):
     name the last that is no stub.
     """
     definitions = {}
-    for statement in top_level(source):
+    for statement in (part for whole in top_level(source) for part in _parts_to_name(whole, is_main=True)):
         name, digest = callable_name(statement), _body_digest(statement)
         if name and (name not in definitions or digest != BLANK):
             definitions[name] = digest
@@ -120,8 +120,8 @@ def callable_name(statement):
     """The name under which a statement defines something to call, or ""."""
     if isinstance(statement, _DEFINITIONS):
         return statement.name
-    if isinstance(statement, ast.Assign) and isinstance(statement.value, _CALLABLE_VALUES):
-        target = statement.targets[-1]
+    if isinstance(statement, ast.Assign | ast.AnnAssign) and isinstance(statement.value, _CALLABLE_VALUES):
+        target = statement.targets[-1] if isinstance(statement, ast.Assign) else statement.target
         return target.id if isinstance(target, ast.Name) else ""
     return ""
 

@@ -5,18 +5,14 @@ import linecache
 import re
 import types
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field, replace
-from functools import partial
+from dataclasses import replace
 from itertools import product
 
-from . import feedback
-from .case_call import CaseCall
 from .cell_runs import RUNS
 from .cell_syntax import function_definitions, plain_python, program_lines
 from .check_files import find_check_file
-from .diagnosis import Diagnosis, diagnose
-from .document import Text
 from .expected_results import check_data_of
+from .judging import CheckResult, judge
 from .last_resort import with_last_resort
 from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake
 from .mistakes import has_right_values
@@ -29,75 +25,6 @@ from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 _NONE = {"type": "None"}
 _MOST_LINES = 3  # of a program, that are named
 _LONGEST_REMARK = 1_000  # characters
-
-
-@dataclass(frozen=True)
-class CaseResult:
-    """One case, and the first of its calls that failed: None too if an earlier case's did not finish."""
-
-    case: Case
-    passed: bool
-    failed_call: CaseCall | None
-
-
-@dataclass(frozen=True)
-class CheckResult:
-    """The result of `check`. A notebook shows it as HTML; `print(result)` gives the same as plain text.
-
-    exercise      Exercise
-    attempted     False for the unchanged stub
-    results       tuple of CaseResult, one for each public case
-    mistake       the known mistake that explains the answer, or None
-    refused       {module that the exercise does not allow: the name by which the answer uses it}
-    gone          {name that the answer reads: "changed" or "deleted", as is the cell that made it}
-    diagnosis     what is certain about the values of the shown call
-    remarks       what is certain from the source of the function, sentences
-    one_change    where one change would make it right, a sentence
-    why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
-    calls         tuple of CaseCall, those that passed too
-    """
-
-    exercise: Exercise
-    attempted: bool
-    results: tuple[CaseResult, ...] = ()
-    mistake: Mistake | None = None
-    refused: dict[str, str] = field(default_factory=dict)
-    gone: dict[str, str] = field(default_factory=dict)
-    diagnosis: Diagnosis = field(default_factory=Diagnosis)
-    remarks: tuple[str, ...] = ()
-    one_change: str = ""
-    why_older: str = ""
-    calls: tuple[CaseCall, ...] = ()
-
-    @property
-    def passed(self) -> bool:
-        """True if grading would give every point of the public cases."""
-        is_accepted = not (self.refused or self.gone or self.why_older)
-        return self.attempted and is_accepted and all(result.passed for result in self.results)
-
-    @property
-    def shown(self) -> CaseCall | None:
-        """The failed call whose values are shown: one that the known mistake explains, else the first."""
-        failed = [result.failed_call for result in self.results if result.failed_call]
-        explained = [case_call for case_call in failed if self.mistake and case_call.result.finished]
-        return next(iter([*explained, *failed]), None)
-
-    @property
-    def points(self) -> int:
-        """What grading gives for the public cases."""
-        if self.refused or self.gone:
-            return 0
-        return sum(result.case.points for result in self.results if result.passed)
-
-    def __repr__(self):
-        bare = partial(feedback.bare_text, self)
-        return with_last_resort(self.exercise.id, lambda: feedback.document_of(self).plain(), bare)
-
-    def _repr_html_(self):
-        def bare(fault):
-            return Text(feedback.bare_text(self, fault)).html()
-
-        return with_last_resort(self.exercise.id, lambda: feedback.document_of(self).html(), bare)
 
 
 class CheckInterrupted(KeyboardInterrupt):
@@ -155,9 +82,7 @@ def _check_in_notebook(exercise, function):
 
 def _bare_result(exercise, function, fault):
     """The CheckResult of an answer as it stands, without explanations; what stopped them is a remark."""
-    calls = exercise.kind.run_cases(exercise, function)
-    results = tuple(_case_result(case, calls) for case in exercise.cases)
-    return CheckResult(exercise, attempted=True, results=results, remarks=(fault,), calls=tuple(calls))
+    return judge(exercise, exercise.kind.run_cases(exercise, function), remarks=(fault,))
 
 
 def _note(result, function):
@@ -271,8 +196,7 @@ def _judge_calls(exercise, function, calls):
         of_class = () if is_stub else (STUB_LINE,)
         remarks = of_class if isinstance(function, type) else tuple(remarks_on_source(function))
         return CheckResult(exercise, attempted=False, remarks=remarks)
-    results = tuple(_case_result(case, calls) for case in exercise.cases)
-    has_passed = all(result.passed for result in results)
+    has_passed = all(call.passed for call in calls)
     mistake = None if has_passed else attempt(lambda: _explanation(exercise, function, calls), None, 5)
     remarks = (
         () if has_passed else attempt(lambda: remarks_on_source(function, errors, exercise.unheeded), ())
@@ -281,8 +205,7 @@ def _judge_calls(exercise, function, calls):
     if is_stub and _has_other_lines(exercise, function):
         never_run = SAYS["lines that never run"].format(name=exercise.answer_name)
         is_stub, remarks = False, (never_run, *remarks)
-    result = CheckResult(exercise, not is_stub, results, mistake, remarks=remarks, calls=tuple(calls))
-    return replace(result, diagnosis=attempt(lambda: _diagnosis(result, calls), Diagnosis()))
+    return judge(exercise, calls, mistake, remarks, attempted=not is_stub)
 
 
 def _explanation(exercise, function, calls):
@@ -303,13 +226,6 @@ def _has_other_lines(exercise, function):
     return bool(own) and own.get(exercise.function) != stub.get(exercise.function)
 
 
-def _diagnosis(result, calls):
-    shown, exercise = result.shown, result.exercise
-    if not exercise.kind.shows_values or shown is None or shown.difference is None or shown.result.changed:
-        return Diagnosis()
-    return diagnose(calls, shown, exercise.names, exact_type=exercise.exact_type)
-
-
 def _codes_in(source, name):
     """As `codes_of` an answer that a source defines, found without running the source."""
     parts = _named_codes(compile(source, "<stub>", "exec", dont_inherit=True))
@@ -322,9 +238,3 @@ def _codes_in(source, name):
 def _named_codes(code):
     """{name: code object} of the functions and classes that a code object defines."""
     return {part.co_name: part for part in code.co_consts if isinstance(part, types.CodeType)}
-
-
-def _case_result(case, calls):
-    own_calls = [case_call for case_call in calls if case_call.case is case]
-    failed_call = next((case_call for case_call in own_calls if not case_call.passed), None)
-    return CaseResult(case, bool(own_calls) and failed_call is None, failed_call)

@@ -17,11 +17,38 @@ COLOURS = {
     "open": "var(--jp-content-font-color2, #616161)",
     "help": "var(--jp-info-color1, #1976d2)",
 }
-_CODE = (
-    "background: var(--jp-cell-editor-background, transparent); border: 1px solid"
-    " var(--jp-border-color1, #9e9e9e); padding: 6px 10px; overflow-x: auto"
-)
 _CODE_SPAN = re.compile(r"`([^`]+)`")
+_CELL = "padding: 1px 6px; text-align: right; white-space: nowrap; font-family: monospace"
+_CELL += "; border: 1px solid #9e9e9e"
+_STYLES = {
+    "text": "white-space: pre-wrap",
+    "below": "margin-top: 4px",
+    "paragraph": "margin-top: 4px; white-space: pre-wrap",
+    "code": "background: var(--jp-cell-editor-background, transparent); border: 1px solid"
+    " var(--jp-border-color1, #9e9e9e); padding: 6px 10px; overflow-x: auto",
+    **{mark: f"color: {COLOURS[mark]}" for mark in ("passed", "failed")},
+    "details": "margin: 0 0 6px 18px",
+    "scroll": "overflow-x: auto",
+    "values": "border-collapse: collapse; margin: 2px 0 4px",
+    "value": _CELL,
+    "wrong value": f"{_CELL}; border: 2px solid {COLOURS['failed']}; font-weight: 700",
+    "images": "display: flex; flex-wrap: wrap; gap: 10px; margin: 4px 0",
+    "image": "margin: 0",
+    "pixels": "max-width: 100%; height: auto; image-rendering: pixelated",
+}
+_STYLES |= {f"head {name}": _STYLES[name].replace("nowrap", "normal") for name in ("value", "wrong value")}
+
+
+class Html:
+    """How blocks become HTML: for the output of a cell, whose elements carry their styles."""
+
+    def look(self, name):
+        """The attribute that gives an element one of the looks in _STYLES."""
+        return f'style="{_STYLES[name]}"'
+
+    def text(self, text):
+        """A text as HTML."""
+        return html.escape(text)
 
 
 @dataclass(frozen=True)
@@ -29,13 +56,13 @@ class Text:
     """A paragraph; a notebook keeps its lines."""
 
     text: str
-    style: str = "white-space: pre-wrap"
+    look: str = "text"
 
     def plain(self):
         return self.text
 
-    def html(self):
-        return f'<div style="{self.style}">{html.escape(self.text)}</div>' if self.text else ""
+    def html(self, out):
+        return f"<div {out.look(self.look)}>{out.text(self.text)}</div>" if self.text else ""
 
 
 @dataclass(frozen=True)
@@ -47,10 +74,9 @@ class Paragraphs:
     def plain(self):
         return self.text
 
-    def html(self):
-        style = "margin-top: 4px; white-space: pre-wrap"
-        lines = [_CODE_SPAN.sub(r"<code>\1</code>", html.escape(line)) for line in self.text.splitlines()]
-        return "".join(f'<div style="{style}">{line}</div>' for line in lines)
+    def html(self, out):
+        lines = [_CODE_SPAN.sub(r"<code>\1</code>", out.text(line)) for line in self.text.splitlines()]
+        return "".join(f"<div {out.look('paragraph')}>{line}</div>" for line in lines)
 
 
 @dataclass(frozen=True)
@@ -62,28 +88,30 @@ class Code:
     def plain(self):
         return "\n".join(f"    {line}".rstrip() for line in self.code.splitlines())
 
-    def html(self):
-        return f'<pre style="{_CODE}" tabindex="0">{html.escape(self.code)}</pre>' if self.code else ""
+    def html(self, out):
+        return f'<pre {out.look("code")} tabindex="0">{out.text(self.code)}</pre>' if self.code else ""
 
 
 @dataclass(frozen=True)
 class Check:
-    """The title of a check, and below it, indented, blocks on what went wrong."""
+    """The title of a check, with a note such as its points, and indented blocks on what went wrong."""
 
     title: str
     passed: bool
     blocks: tuple = ()
+    note: str = ""
 
     def plain(self):
         blocks = "\n".join(filter(None, (block.plain() for block in self.blocks)))
         indented = [f"    {line}" for line in blocks.splitlines()]
-        return "\n".join([f"{'✓' if self.passed else '✗'} {self.title}", *indented])
+        return "\n".join([f"{'✓' if self.passed else '✗'} {self.title}{self.note}", *indented])
 
-    def html(self):
-        mark, colour = ("✓", COLOURS["passed"]) if self.passed else ("✗", COLOURS["failed"])
-        line = f'<div><span style="color: {colour}">{mark}</span> {html.escape(self.title)}</div>'
-        blocks = "".join(block.html() for block in self.blocks)
-        return line if self.passed else f'{line}<div style="margin: 0 0 6px 18px">{blocks}</div>'
+    def html(self, out):
+        mark, look = ("✓", "passed") if self.passed else ("✗", "failed")
+        title = out.text(f"{self.title}{self.note}")
+        line = f"<div><span {out.look(look)}>{mark}</span> {title}</div>"
+        blocks = "".join(block.html(out) for block in self.blocks)
+        return line if self.passed else f"{line}<div {out.look('details')}>{blocks}</div>"
 
 
 @dataclass(frozen=True)
@@ -106,24 +134,21 @@ class Table:
     def _has_marks(self):
         return any(mark for row in self.rows for _, mark in row)
 
-    def html(self):
+    def html(self, out):
         marks = " (values that differ are framed)" if self._has_marks() else ""
-        caption = f"<div>{html.escape(self.caption + marks)}</div>" if self.caption else ""
-        return caption + self._table() if self.rows else caption
+        caption = f"<div>{out.text(self.caption + marks)}</div>" if self.caption else ""
+        return caption + self._table(out) if self.rows else caption
 
-    def _table(self):
-        plain = "padding: 1px 6px; text-align: right; white-space: nowrap; font-family: monospace"
-        plain += "; border: 1px solid #9e9e9e"
-        framed = f"{plain}; border: 2px solid {COLOURS['failed']}; font-weight: 700"
+    def _table(self, out):
         lines, first = "", 'th scope="col"' if self.has_head else "td"
         for tag, row in zip(chain([first], repeat("td")), self.rows, strict=False):
-            styled = [(framed if mark else plain, html.escape(text)) for text, mark in row]
-            if tag.startswith("th"):  # a long name of a metric takes two lines
-                styled = [(style.replace("nowrap", "normal"), text) for style, text in styled]
-            cells = "".join(f'<{tag} style="{style}">{text}</{tag[:2]}>' for style, text in styled)
+            head = "head " if tag.startswith("th") else ""  # a long name of a metric takes two lines
+            cells = "".join(
+                f"<{tag} {out.look(head + ('wrong value' if mark else 'value'))}>{out.text(text)}</{tag[:2]}>"
+                for text, mark in row
+            )
             lines += f"<tr>{cells}</tr>"
-        table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{lines}</table>'
-        return f'<div style="overflow-x: auto" tabindex="0">{table}</div>'
+        return f'<div {out.look("scroll")} tabindex="0"><table {out.look("values")}>{lines}</table></div>'
 
 
 @dataclass(frozen=True)
@@ -136,18 +161,18 @@ class Figures:
     def plain(self):
         return ""
 
-    def html(self):
-        figures = "".join(map(_figure, self.draw()))
-        flow = "display: flex; flex-wrap: wrap; gap: 10px; margin: 4px 0"
-        return (f'<div style="{flow}">{figures}</div>' if figures else "") + Text(self.text).html()
+    def html(self, out):
+        figures = "".join(_figure(image, out) for image in self.draw())
+        figures = f"<div {out.look('images')}>{figures}</div>" if figures else ""
+        return figures + Text(self.text).html(out)
 
 
-def _figure(image):
+def _figure(image, out):
     return (
-        f'<figure style="margin: 0"><img src="{image.url}" alt="{html.escape(image.alt)}"'
+        f'<figure {out.look("image")}><img src="{image.url}" alt="{out.text(image.alt)}"'
         f' width="{image.width}" height="{image.height}"'
-        ' style="max-width: 100%; height: auto; image-rendering: pixelated">'
-        f"<figcaption>{html.escape(image.caption)}</figcaption></figure>"
+        f" {out.look('pixels')}>"
+        f"<figcaption>{out.text(image.caption)}</figcaption></figure>"
     )
 
 
@@ -165,8 +190,9 @@ class Document:
         return "\n".join(filter(None, parts))
 
     def html(self):
-        colour = COLOURS[self.colour]
+        """The HTML of a cell's output."""
+        colour, out = COLOURS[self.colour], Html()
         style = "font-weight: 600" + ("" if self.colour == "help" else f"; color: {colour}")
-        heading = f'<div style="{style}">{html.escape(self.heading)}</div>'
-        body = heading + "".join(block.html() for block in self.blocks)
+        heading = f'<div style="{style}">{out.text(self.heading)}</div>'
+        body = heading + "".join(block.html(out) for block in self.blocks)
         return f'<div style="border-left: 4px solid {colour}; padding: 4px 10px">{body}</div>'

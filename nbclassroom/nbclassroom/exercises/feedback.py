@@ -67,7 +67,7 @@ def _cases(result):
             if kind.has_sentences and first != step:
                 explanation = f"as in {first} above"
         elif not case_result.passed:
-            explanation = "not run, because the call above did not finish"
+            explanation = case_result.reason
         yield case_result, explanation, call if call is result.shown else None
 
 
@@ -115,7 +115,7 @@ def _ends(result):
         yield f'Stuck? hint("{result.exercise.id}") gives help in steps.'
 
 
-def _advice(result, call):
+def _advice(result, call, graded):
     """What is known of the mistake; if that is not all, the hint of the case."""
     kind = result.exercise.kind
     if result.mistake is not None:
@@ -123,7 +123,7 @@ def _advice(result, call):
         yield result.one_change
         return
     if call.result.timed_out:
-        yield SAYS["time is up"]
+        yield "" if graded else SAYS["time is up"]
         if "overflow" in call.result.warning:
             yield SAYS["overflow in a loop"]
     elif call.result.error:
@@ -154,33 +154,37 @@ def _warning_and_output(call, kind):
 
 def document_of(result):
     """The Document of a CheckResult."""
-    kind = result.exercise.kind
-    checks = [
-        Check(one.case.title, one.passed, (Text(explanation), *_details(result, call)))
-        for one, explanation, call in _cases(result)
-    ]
-    blocks = [*map(Text, _remarks(result)), *_table_of_all(kind, result.calls), *checks]
-    blocks += [Text(_footer(result), "margin-top: 4px"), *map(Text, _ends(result))]
+    ends = [Text(_footer(result), "below"), *map(Text, _ends(result))]
     colour = "passed" if result.passed else "failed" if result.attempted else "open"
-    return Document(f"{result.exercise.id}: {_headline(result)}", tuple(blocks), colour, ".")
+    heading = f"{result.exercise.id}: {_headline(result)}"
+    return Document(heading, (*blocks_of(result), *ends), colour, ".")
 
 
-def _table_of_all(kind, calls):
+def blocks_of(result, *, graded=False):
+    """The blocks on the checks of a CheckResult; `graded`: in a process that grades."""
+    yield from map(Text, _remarks(result))
+    yield from _table_of_all(result.exercise.kind, result.calls, graded)
+    for one, explanation, call in _cases(result):
+        details = _details(result, call, graded) if call else ()
+        yield Check(one.case.title, one.passed, (Text(explanation), *details), one.note)
+
+
+def _table_of_all(kind, calls, graded):
     """The table of all calls, and their images, of a kind that has them."""
     if rows := kind.table_of(calls):
+        draw = kind.images_in_grading if graded else kind.images_of_all
         yield Table(rows, has_head=True)
-        yield Figures(lambda: kind.images_of_all(calls), SAYS["map of a drive"])
+        yield Figures(lambda: draw(calls), SAYS["map of a drive"])
 
 
-def _details(result, call):
-    """Blocks on the call whose values are shown, if it is one."""
-    if call is None:
-        return
+def _details(result, call, graded):
+    """Blocks on the call whose values are shown."""
     kind = result.exercise.kind
-    yield from map(Text, _advice(result, call))
+    yield from map(Text, _advice(result, call, graded))
     for label, form, wrong in _labelled_forms(result, call):
         yield Table(table_rows(form, wrong), f"{label.strip()}: {describe_value(form)}")
-    yield Figures(lambda: kind.images_of(result.exercise, call))
+    if kind.expects_values or not graded:
+        yield Figures(lambda: kind.images_of(result.exercise, call))
     yield from map(Text, _warning_and_output(call, kind))
 
 

@@ -22,6 +22,8 @@ from .cell_syntax import UNPARSABLE, names_bound_by
 STATEMENT_SECONDS = 5.0  # that one statement may take
 # Of all cells of a kind together.
 TOGETHER_SECONDS = {"given": 20.0, "lesson": 10.0, "own": 10.0, "answer": 20.0}
+# If one of these fails, it runs again without its annotations: they cost nobody a point.
+_ANNOTATED = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.AnnAssign)
 _KNOWN = ("RefusedModule", "NotGradedError")  # errors of ours, which keep their class
 # Looked up before any code of a learner's runs.
 _process, _end_process, _monotonic = os.getpid, os._exit, time.monotonic
@@ -161,19 +163,19 @@ class PageRun:
             error = TimeoutError("the cells above took all the time that they may take")
         else:
             self._tell(*place)
-            error = self._execute(node, number)
+            error = self._execute(node, number, self._flags)
+            if isinstance(node, _ANNOTATED) and error is not None and not isinstance(error, TimeoutError):
+                error = self._execute(node, number, self._flags | __future__.annotations.compiler_flag)
         if _process() != self._process:
             _end_process(0)  # a copy of this process, which the learner's code made
         self._seconds[kind] += _monotonic() - began
         if error is not None:
             self._note(node, number, error)
 
-    def _execute(self, node, number):
+    def _execute(self, node, number, flags):
         """Run a statement; the exception that ended it, or None."""
         try:
-            code = compile(
-                ast.Module([node], []), _file_of(number), "exec", flags=self._flags, dont_inherit=True
-            )
+            code = compile(ast.Module([node], []), _file_of(number), "exec", flags=flags, dont_inherit=True)
             running.call_within(lambda: self._evaluate(code), STATEMENT_SECONDS)
         except running.TimeUp:
             return TimeoutError("it did not end in time")

@@ -11,12 +11,11 @@ from typing import Any
 from .. import course
 from ..authoring.lesson_names import notebook_name
 from ..autograder.nbval_plugin import ExerciseRun
-from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
+from ..autograder.outcomes import Outcome
 from ..autograder.page_kernels import PageKernels
-from ..autograder.results import GradedExercise, graded_exercise
+from ..autograder.results import GradedExercise, checked_exercise
 from ..autograder.sandbox.kernel_factory import KernelFactory
 from ..exercises import check_files
-from ..exercises.error_advice import advice_on
 from ..exercises.input_encoding import encode
 from ..exercises.lesson import Exercise
 from .archives import LARGEST, too_large
@@ -158,19 +157,13 @@ def _run_answer(entry, kernels):
         run = exercise_run.run(case, exercise.kind.check_source(exercise))
         exercise_run.passed |= {case.id} if run.passed else set()
     exercise_run.close()
-    entry.result = result = graded_exercise(exercise, exercise_run)
-    failed = [case for case in result.cases if not case.passed]
-    outcomes = {case.outcome for case in failed}
-    is_said = any(case.message.startswith(CELL_FAILS) for case in failed)
-    entry.notes += [result.message] if result.message and not is_said else []
+    entry.result, answer = checked_exercise(exercise, exercise_run)
+    entry.notes += [entry.result.message] if entry.result.message else []
+    outcomes = {case.outcome for case in entry.result.cases}
     if outcomes == {Outcome.NOT_ATTEMPTED}:
         entry.state, entry.result = AnswerState.NOT_ATTEMPTED, None
-    elif failed:
-        explanation = failed[0].message or TEXTS[failed[0].outcome].label
-        name, _, text = explanation.partition(": ")
-        text = " ".join(filter(None, [explanation.removesuffix("."), advice_on(name, text)]))
-        count = f"{len(failed)} of {len(result.cases)} checks fail"
-        entry.notes.append(f"{count}: {failed[0].title}: {text}")
+    elif outcomes != {Outcome.PASSED}:
+        entry.notes += answer.plain().splitlines()
 
 
 def report_lines(lesson_check):
@@ -186,7 +179,7 @@ def report_lines(lesson_check):
             passed = sum(case.passed for case in entry.result.cases)
             summary = f"{passed} of {len(entry.result.cases)} checks pass"
         yield f"  {entry.exercise.id}{f' ({kind})' if kind else ''}: {summary}"
-        yield from (f"      {' '.join(note.split())}" for note in entry.notes)
+        yield from (f"      {note}" for note in entry.notes)
     yield _verdict(lesson_check)
     if lesson_check.open:
         count = len(lesson_check.open)

@@ -2,6 +2,7 @@
 
 from .notebook_reader import NotebookReader
 
+EQUALS = "it equals the course's solution, whatever the names and numbers; it is public: a reason to ask"
 SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same short solution
 _SECONDS = 5  # of processor time, for the answers of one submission
 
@@ -22,11 +23,10 @@ def find_copies(learners, answer_keys, store):
 
 def report_copies(entries, learners, copies):
     """Add a finding for each graded answer that equals the solution; `copies` is from `find_copies`."""
-    text = "it equals the course's solution, whatever the names and numbers; it is public: a reason to ask"
     for entry, learner in zip(entries, learners, strict=True):
         for lesson in entry["lessons"]:
             copied = copies.get(learner.digests.get(lesson["lesson"]), ())
             graded = {exercise["id"] for exercise in lesson["exercises"]}
-            found = [{"kind": "odd", "exercise": id, "text": text} for id in copied if id in graded]
+            found = [{"kind": "odd", "exercise": id, "text": EQUALS} for id in copied if id in graded]
             lesson["findings"] += found
     return entries

@@ -15,7 +15,7 @@ from .learners import Submission
 from .submission import Finding, SubmissionContent
 from .teacher_tables import plain_number
 
-FORMAT = 5
+FORMAT = 6
 
 
 def grades_of(entries, answer_keys, *, sandbox, rules, collection, roster, anonymous):
@@ -182,8 +182,8 @@ def _file_entry(learner, submission, rules):
 
 
 def _exercise_entries(result):
-    """The exercises without the values: those are on the learner's page and in the store."""
+    """The exercises without their HTML: that is on the pages and in the store."""
     exercises = [to_json(exercise) | {"points": exercise.points} for exercise in result.exercises]
-    for case in (case for exercise in exercises for case in exercise["cases"]):
-        del case["failed_call"], case["drive"]
+    for exercise in exercises:
+        del exercise["body"], exercise["review"]
     return exercises

@@ -104,7 +104,13 @@ def read_submission(data, catalog, reader, name=""):
     _inspect_notebook(notebook, cells, lesson, content)
     answers = _answer_cells(cells, lesson, reader, content)
     for exercise in lesson.exercises:
-        content.states[exercise.id] = _inspect_answer(exercise, answers[exercise.id], content)
+        content.states[exercise.id] = state = _inspect_answer(exercise, answers[exercise.id], content)
+        for cell in cells if state is AnswerState.NOT_ATTEMPTED else ():
+            if cell["type"] != "code" and exercise.function in cell["functions"]:
+                text = (
+                    f"its answer is in a text cell ({_place(cell)}), which does not run; make it a code cell"
+                )
+                content.add(f"{text} (key Y)", exercise.id)
         _compare_given(exercise, cells, lesson, content)
         _report_other_tries(exercise, cells, content)
     python, own = re.match(r"3\.(\d{1,2})\b", notebook["python"] or ""), sys.version_info.minor

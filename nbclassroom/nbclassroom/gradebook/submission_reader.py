@@ -38,6 +38,7 @@ _MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_NAME = 200  # characters of a name or an id
 _SAVE = "save it again in JupyterLab"
+_FENCED = re.compile(r"^```\w*\n(.*?)^```", re.M | re.S)  # code in a Markdown cell
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
 _PR_SET_PDEATHSIG = 1
 _SLIPS = "syntax_slips" if __name__ == "__main__" else "nbclassroom.exercises.syntax_slips"
@@ -165,6 +166,7 @@ def _cell(cell, number, code_left):
     if content["type"] == "code":
         may_define = content["source"]
     else:  # a line of it begins like code
+        source = (source and "\n".join(_FENCED.findall(source))) or source
         may_define = source and len(source) <= MOST_CHARACTERS and _CODE_BEGINS.search(source)
     if may_define:
         content["functions"] = _functions(source)

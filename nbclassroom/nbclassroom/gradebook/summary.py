@@ -10,6 +10,7 @@ import numpy as np
 from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from ..autograder.sanitize import spreadsheet_text
 from ..exercises.running import MEANT
+from .copies import EQUALS
 from .csv_table import csv_text
 from .grades_json import lesson_names
 from .report import count_of, finding_text, render_page
@@ -45,6 +46,7 @@ def summary_page(grades, failed_pages=()):
         sent={name: sum(squeezed(name) in squeezed(path) for path in grades["ignored"]) for name in missing},
         **_mean_and_median(grades["learners"]),
         **_lists_of_concerns(grades["learners"], own_modules),
+        equal=_equal_to_solution(grades["learners"]),
         lessons=list(_lesson_rows(graded, lesson_names(grades))),
     )
 
@@ -60,6 +62,18 @@ def _lists_of_concerns(learners, own_modules):
             for name, concern in _concerns(learner, lesson, own_modules):
                 lists[name].append(concern)
     return lists
+
+
+def _equal_to_solution(learners):
+    """{exercise id: learners whose answer equals the solution, and is not decided}."""
+    found: dict[str, list] = {}
+    for learner in learners:
+        for lesson in learner["lessons"]:
+            decided = {one["id"] for one in lesson["exercises"] if one["decision"] or lesson["decision"]}
+            equal = {one["exercise"] for one in lesson["findings"] if one["text"] == EQUALS}
+            for id in sorted(equal - decided):
+                found.setdefault(id, []).append(learner)
+    return found
 
 
 def _lessons_to_look_at(learner):
@@ -123,7 +137,7 @@ def _about_findings(lesson):
         repeated = lesson["earlier"] and finding["text"].startswith("submitted ")
         if finding["exercise"] and entry is lesson:  # a practice exercise has no points
             yield "others", "", finding_text(finding)
-        elif finding["kind"] == "odd":
+        elif finding["kind"] == "odd" and finding["text"] != EQUALS:
             yield "dishonest", finding["exercise"], finding_text(finding)
         elif finding["kind"] == "message" and not repeated:
             yield ("unfair" if lost_points else "others"), finding["exercise"], finding_text(finding)

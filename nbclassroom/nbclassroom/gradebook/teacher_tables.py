@@ -155,13 +155,15 @@ def _points(text, lesson, exercise, place):
         return None, False
     maximum = exercise.points if exercise else lesson.points
     try:
-        points = float(text.replace(",", "."))
+        points, *bonus = [float(part.replace(",", ".")) for part in text.split("+")]
     except ValueError:
-        points = -1.0
-    if not 0 <= points <= maximum:
+        points, bonus = -1.0, []
+    if not (0 <= points <= maximum and len(bonus) < 2 and all(0 <= more <= maximum for more in bonus)):
         text = f"the points are {_quoted(text)}"
-        raise TableError(f"{place}: {text}; expected 0 to {maximum}, excused, or nothing")
-    return plain_number(points), False
+        raise TableError(
+            f"{place}: {text}; expected 0 to {maximum}, {maximum}+1 for a bonus, excused, or nothing"
+        )
+    return plain_number(points + sum(bonus)), False
 
 
 def plain_number(value):

@@ -14,7 +14,7 @@ from nbclassroom import course
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.outcomes import Outcome
 from nbclassroom.autograder.page_kernels import PageKernels
-from nbclassroom.autograder.results import graded_exercise
+from nbclassroom.autograder.results import checked_exercise
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
 from nbclassroom.autograder.sandbox.inside import confine
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
@@ -70,7 +70,7 @@ def explore(source, scenario):
     exercise_run.passed |= {_CASE} if is_whole else set()
     found = _found(run) if is_whole else None
     values = course.load(course.league_score)(environment(SENSORS), found) if is_whole else {}
-    (case,) = graded_exercise(exercise, exercise_run).cases
+    (case,) = checked_exercise(exercise, exercise_run)[0].cases
     record = getattr(run.verdict, "record", None)
     return Exploration(case.outcome, case.message, values, found is not None, record)
 

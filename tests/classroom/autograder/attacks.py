@@ -14,10 +14,7 @@ from textwrap import dedent
 
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.autograder.pool import Limits, autograde
-from nbclassroom.autograder.results import GradedSubmission
-from nbclassroom.exercises.answer_images import answer_images
-from nbclassroom.exercises.values import answer_parts, differing_elements
-from nbclassroom.gradebook.report import value_of
+from nbclassroom.autograder.results import NO_DETAILS, GradedSubmission
 
 MASTERS = Path(__file__).parent / "masters"
 LESSON = "attacked"
@@ -675,20 +672,9 @@ class AttackResult:
             harm.append("the next submission")
         if exercise_of(self.result, "attacked-mean").points != 7 and not self.harms_own:
             harm.append("its own other exercise")
-        try:
-            show_values(self.exercise)
-        except Exception as error:  # noqa: BLE001 - whatever a learner's value did to the page
-            harm.append(f"its page: {error!r}")
+        if NO_DETAILS in (self.exercise.body, self.exercise.review):
+            harm.append("its page")
         return tuple(harm)
-
-
-def show_values(exercise):
-    """What a page does with the values of an exercise's failed calls."""
-    for call in (case.failed_call for case in exercise.cases if case.failed_call):
-        for name, expected, actual in answer_parts(call.expected, call.actual):
-            wrong = differing_elements(expected, actual, 0.0)
-            value_of(name, actual, wrong)
-            answer_images(None, name, expected, actual, wrong)
 
 
 def grade_attacks(key):

@@ -7,13 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from nbclassroom.autograder.answer_forms import read_calls, read_form
-from nbclassroom.autograder.results import form_to_show
+from nbclassroom.autograder.checked_answer import PageHtml
 from nbclassroom.autograder.verdict import CaseRun, verdict_on
 from nbclassroom.exercises.answer_images import answer_images
 from nbclassroom.exercises.canonical import PLAIN_TYPES, canonical
 from nbclassroom.exercises.comparison import compare
-from nbclassroom.exercises.values import answer_parts, differing_elements
-from nbclassroom.gradebook.report import value_of
+from nbclassroom.exercises.values import answer_parts, describe_value, differing_elements, table_rows
 
 RIGHT = np.array([[1.0, 2.0], [3.0, 4.0]])
 JSON = st.recursive(
@@ -138,7 +137,8 @@ def show(expected, actual):
     for name, part, actual_part in answer_parts(expected, actual):
         wrong = differing_elements(part, actual_part, 0.0)
         if actual_part is not None:
-            value_of(name, actual_part, wrong)
+            PageHtml().text(describe_value(actual_part))
+            table_rows(actual_part, wrong)
         answer_images(expected, name, part, actual_part, wrong)
     return difference
 
@@ -241,23 +241,3 @@ def test_a_right_answer_of_a_cell_that_failed_does_not_pass():
     assert not run.passed
     run.check.error, run.check.ended = ("", ""), "time"
     assert not run.passed
-
-
-LARGE = np.arange(1_200_000, dtype=np.uint32).astype(np.uint8)
-
-
-@pytest.mark.parametrize(
-    ("value", "shown"),
-    [
-        ([LARGE[:10]], canonical([LARGE[:10]])),
-        ([LARGE[:900_000]] * 3, {"type": "list", "too_large": True}),
-        (np.append(LARGE, LARGE), canonical(np.append(LARGE, LARGE), limit=1_000)),
-    ],
-)
-def test_a_page_shows_no_value_much_larger_than_the_expected_one(value, shown):
-    """All values of a learner are in memory while their page is written."""
-    form = form_to_show(canonical(value, limit=None), canonical(RIGHT))
-    assert form == shown
-    same = canonical(value, limit=None)
-    assert form_to_show(same, same) is same
-    assert form_to_show(None, same) is None

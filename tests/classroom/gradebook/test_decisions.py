@@ -75,6 +75,11 @@ def test_a_decision_means_the_name_as_grades_csv_writes_it(grade, class_folder, 
     assert '"\'=Eve"' in table and "\"''=Eve\"" in table
 
 
+def test_a_bonus_is_written_with_a_plus_and_goes_above_the_maximum(grade):
+    light = grade(HEADER + 'Bob,light,,"6+1,5",for the drawing\nAda,light,,6+0.5,\n')[0]["Bob"]["light"]
+    assert (light["points"], light["max_points"], light["autograded_points"] < 6) == (7.5, 6, True)
+
+
 def test_an_excused_exercise_counts_neither_for_nor_against(grade):
     before = grade()[0]["Bob"]["light"]
     light = grade(HEADER + "Bob,light,light-halves,excused,\n")[0]["Bob"]["light"]
@@ -98,9 +103,11 @@ def test_a_decision_on_a_lesson_is_final_and_grades_what_could_not_be_read(grade
         ("Bobb,light,,3,", "row 3: there is no learner 'Bobb'; did you mean 'Bob'?"),
         ("Bob,dark,,3,", "row 3: there is no lesson 'dark'; the key has light, sound"),
         ("Bob,light,sound-mean,3,", "row 3: light has no exercise 'sound-mean'; it has light-double"),
-        ("Bob,light,,seven,", "row 3: the points are 'seven'; expected 0 to 6, excused, or nothing"),
+        ("Bob,light,,seven,", "row 3: the points are 'seven'; expected 0 to 6, 6+1 for a bonus, excused"),
         ("Bob,light,,nan,", "row 3: the points are 'nan'; expected 0 to 6"),
         ("Bob,light,,7,", "row 3: the points are '7'; expected 0 to 6"),
+        ("Bob,light,,7+1,", "row 3: the points are '7+1'; expected 0 to 6"),
+        ("Bob,light,,1+1+1,", "row 3: the points are '1+1+1'; expected 0 to 6"),
         ("Bob,light,,,", "row 3: it decides nothing"),
         ("Bob,light,,3,one,two", "row 3: 6 cells, expected 5; put a text with commas in quotes"),
         ("Ada,sound,sound-mean,1,", "row 3: Ada's sound was not submitted, so it has no exercises"),

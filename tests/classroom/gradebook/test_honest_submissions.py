@@ -460,6 +460,59 @@ def made_markdown_in_a_fence(made):
     change_type(made, position_of(made, DOUBLE), "markdown")
 
 
+@case(points=3, double=STUB, finding="its answer is in a text cell (cell number 1), which does not run")
+def written_in_a_text_with_words_around_it(made):
+    text = new_cell(f"My answer:\n\n```python\n{RIGHT[DOUBLE]}\n```\nIt takes the smaller one.")
+    insert(made, 0, text)
+    change_type(made, 0, "markdown")
+
+
+# ---------------------------------------------------------------- libraries that only show or annotate
+
+
+TYPES = ("from typing_extensions import TypeAlias as A", "from cv2.typing import MatLike as A")
+TYPES += ("from PIL import Image\nA = Image.Image", "import torch\nA = torch.Tensor[int]")
+for number, line in enumerate(TYPES):
+    change = with_own_cells([])
+    change.__name__ = f"annotations_of_other_libraries_{number}"
+    case(double=f"{line}\ndef double(pixels: A) -> A:\n{BODY}")(change)
+
+
+@case(double=f"from PIL import Image\ndef double(pixels: Image.Image) -> Image.Image:\n{BODY}")
+def an_annotation_that_cannot_be_read(made):
+    pass
+
+
+@case(
+    double="from tqdm.contrib import tenumerate\ndef double(pixels):\n    out = pixels.astype(int)\n"
+    "    for k, row in tenumerate(out):\n        out[k] = np.minimum(row * 2, LIMIT)\n    return out"
+)
+def a_bar_that_counts(made):
+    pass
+
+
+# ---------------------------------------------------------------- definitions of other forms
+
+
+def without_marks(made):
+    for cell in made["cells"]:
+        cell["metadata"] = {}
+        cell.pop("id")
+    made["metadata"].pop("imgproc_course")
+    made["nbformat_minor"] = 4
+
+
+FORMS = (
+    f"from typing import Callable\ndef twice(pixels):\n{BODY}\ndouble: Callable = twice",
+    f"def twice(pixels):\n{BODY}\nMETHODS = {{'twice': twice}}\ndouble = METHODS['twice']",
+    f"if True:\n    def double(pixels):\n    {BODY}",
+)
+for number, source in enumerate(FORMS):
+    change = lambda made: without_marks(made)  # noqa: E731 - its name is the case's
+    change.__name__ = f"a_definition_of_another_form_{number}"
+    case(double=source, finding="graded from another cell")(change)
+
+
 # ---------------------------------------------------------------- magics and prints
 
 
@@ -532,6 +585,18 @@ def an_array_of_two_elements_for_a_number(made):
 @case(points=0, mean="def mean(values):\n    return np.sum([values], axis=1)")
 def an_array_of_one_wrong_element_for_a_number(made):
     pass
+
+
+@case(double="def double(p):\n    return np.ma.masked_array(np.minimum(p * np.longdouble(2), 255))")
+def a_masked_array_of_long_numbers(made):
+    pass
+
+
+NUMBERS = ("np.longdouble", "__import__('decimal').Decimal", "__import__('fractions').Fraction")
+for number, kind in enumerate(NUMBERS):
+    change = with_own_cells([])
+    change.__name__ = f"a_number_of_another_type_{number}"
+    case(points=4, mean=f"def mean(values):\n    return {kind}(float(np.mean(values)))")(change)
 
 
 @case(points=3, double="def double(p):\n    return p * 2.0")

@@ -10,6 +10,7 @@ from datetime import datetime
 
 import pytest
 from click.testing import CliRunner
+from nbclassroom.gradebook.copies import EQUALS
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.grades_folder import changed_points
 from nbclassroom.gradebook.summary import _concerns, summary_page
@@ -53,6 +54,20 @@ def test_who_may_have_lost_points_comes_first_and_the_dishonest_last(graded):
     assert "could not be graded: " in row and "<bdi>Zoe, =1+1</bdi>" in row
     (row,) = rows_of(graded[1], "Perhaps dishonest")
     assert "light-double: ended the Python process" in row and "<bdi>eve</bdi>" in row
+
+
+def test_what_equals_the_solution_is_one_line_for_each_exercise(graded):
+    grades = json.loads((graded[1] / "grades.json").read_text(encoding="utf-8"))
+    to_look_at = re.compile(r"<b>(\d+)</b>to look at")
+    (before,) = to_look_at.findall(summary_page(grades))
+    found = {"kind": "odd", "exercise": "light-double", "text": EQUALS}
+    for learner in grades["learners"][:2]:
+        learner["lessons"][0]["findings"].append(found)
+    page = summary_page(grades)
+    rows = page.partition("Equal to the course")[2].partition("</section>")[0].split("<tr>")[2:]
+    assert len(rows) == 1 and "2 learners:" in rows[0] and "light-double.html" in rows[0]
+    assert to_look_at.findall(page) == [str(int(before) + 1)]
+    assert "equals the course" not in page
 
 
 def test_more_than_ten_findings_that_may_be_dishonest_are_folded(graded):

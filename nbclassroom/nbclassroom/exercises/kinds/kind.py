@@ -120,10 +120,6 @@ class Kind:
         """What went wrong in a call, in a sentence or two; "" if nothing did."""
         raise NotImplementedError
 
-    def sentence_on(self, expected, actual, arguments):
-        """What differs between two values, canonical forms; "" if no sentence of this kind says it."""
-        return ""
-
     def advice_on_error(self, exercise, result):
         """What the exception of a CallResult means, "" if nothing is certain."""
         from ..error_advice import advice_on
@@ -150,3 +146,7 @@ class Kind:
     def images_of_all(self, calls):
         """AnswerImages of all calls."""
         return ()
+
+    def images_in_grading(self, calls):
+        """The same, in a process that grades."""
+        return self.images_of_all(calls)

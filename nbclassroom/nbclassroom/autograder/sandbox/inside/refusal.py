@@ -58,8 +58,11 @@ class _Silent:
         return False
 
 
+_SILENT = {"trange": range, "tnrange": range, "tenumerate": enumerate, "tzip": zip, "tmap": map}  # of tqdm
+
+
 def _silent_named(name):
-    return range if name in ("trange", "tnrange") else _Silent()
+    return _SILENT.get(name) or _Silent()
 
 
 class _StandIn(types.ModuleType):

@@ -112,14 +112,6 @@ class DriveVerdict:
         metrics, thresholds = self.record["metrics"], self.scenario["thresholds"] if self.is_whole else ()
         return ", ".join(f"{METRICS[name].title} {metric_text(name, metrics[name])}" for name in thresholds)
 
-    @property
-    def drawn(self):
-        """What a map shows of a drive, as plain data; positions to a millimetre."""
-        record, scenario = self.record, self.scenario
-        path = [[round(number, 3) for number in place] for place in record["path"]]
-        drawn = {"path": path, "bumps": record["bumps"], "decisive": record["decisive"]}
-        return drawn | {name: scenario.get(name) for name in ("room", "goal", "ball")}
-
     def case_calls(self, exercise, case):
         (expected,) = case.calls
         result = self.call or CallResult(value=form_of(self.record))

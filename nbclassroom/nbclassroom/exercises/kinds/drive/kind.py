@@ -134,6 +134,11 @@ class Kind(AnyKind):
 
         return [image for call in calls for image in images_of_drive("draw_map", call)]
 
+    def images_in_grading(self, calls):
+        from .images import draw_map
+
+        return [draw_map(call.record, *call.arguments) for call in calls]
+
     def table_of(self, calls):
         """The metrics that have a threshold; those that are missed are marked."""
         thresholds = [call.arguments[0]["thresholds"] for call in calls]

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 from .... import course
-from ...case_call import explain_call
 from ..function.kind import Kind as FunctionKind
 
 
@@ -42,19 +41,14 @@ class Kind(FunctionKind):
         return feed(answer, *arguments)
 
     def explain(self, exercise, call):
-        from .feedback import NODE_ERRORS
+        from .feedback import NODE_ERRORS, sentence_on_node
 
         if call.result.error in NODE_ERRORS:
             return "\nin your ".join(filter(None, (call.result.message, call.result.line)))
+        sentence = ""
         if call.difference is not None:
-            sentence = self.sentence_on(call.expected.value, call.result.value, call.arguments)
-            return sentence or explain_call(call.result, call.difference, exercise.answer_name)
-        return super().explain(exercise, call)
-
-    def sentence_on(self, expected, actual, arguments):
-        from .feedback import sentence_on_node
-
-        return sentence_on_node(expected, actual, arguments)
+            sentence = sentence_on_node(call.expected.value, call.result.value, call.arguments)
+        return sentence or super().explain(exercise, call)
 
     def advice_on_error(self, exercise, result):
         from .feedback import advice_on_node_error

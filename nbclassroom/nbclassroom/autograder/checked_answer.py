@@ -1,0 +1,158 @@
+"""What pages show of a graded answer: what `check` in the notebook would show, as HTML with classes."""
+
+import html
+from dataclasses import dataclass, replace
+
+from ..exercises.document import Html, Paragraphs
+from ..exercises.error_advice import advice_on
+from ..exercises.feedback import blocks_of
+from ..exercises.judging import CheckResult, judge
+from .outcomes import TEXTS, Outcome
+from .sanitize import reproducible_text, sanitize_text, without_machine_paths
+
+_LONGEST = 2_000  # characters of a text, and of what an answer printed
+_CELL_ADVICE = (
+    "No check could use your answer: run the cell in the lesson, and fix what Python reports there."
+)
+_FOREIGN_VALUE = (
+    "Your answer reads a value that another cell makes with a module that is not allowed here. In the lesson"
+    " it works; in grading nothing has this module. Compute with the arguments of your function."
+)
+_NAME_ADVICE = (
+    "Grading runs your notebook as Restart & Run All does, from its top to the check of the exercise, and if"
+    " a name is missing the cells below, too. Is the name misspelled, or does no cell define it?"
+)
+# Cases that ended so are explained by the outcome, and not by a call.
+_NO_CALL = (Outcome.HOSTILE, Outcome.NOT_ATTEMPTED, Outcome.REFUSED_MODULE, Outcome.NOT_GRADED)
+
+
+class PageHtml(Html):
+    """How blocks become HTML on a page: with classes, which its style knows."""
+
+    def look(self, name):
+        return f'class="{name}"'
+
+    def text(self, text):
+        return html.escape(without_machine_paths(sanitize_text(text, _LONGEST)))
+
+
+@dataclass(frozen=True)
+class CheckedAnswer:
+    """The CheckResults of a graded answer: the public checks, and the hidden ones for whom they are shown."""
+
+    remarks: tuple  # sentences on all checks
+    public: CheckResult
+    hidden: CheckResult
+    hidden_for_learner: tuple  # of CaseResult
+
+    def for_learner(self):
+        """The checks as HTML: of a hidden one only its title, how it ended, and its hint."""
+        told = replace(self.hidden, results=self.hidden_for_learner, calls=(), mistake=None)
+        return self._html(self.public, told)
+
+    def for_teacher(self):
+        """The checks as HTML, with all values."""
+        return self._html(self.public, self.hidden)
+
+    def plain(self):
+        """The public checks as text."""
+        text = "\n".join(filter(None, (block.plain() for block in self._blocks(self.public))))
+        return sanitize_text(text, 10 * _LONGEST)
+
+    def _html(self, *results):
+        out = PageHtml()
+        return "".join(block.html(out) for block in self._blocks(*results))
+
+    def _blocks(self, *results):
+        yield from map(Paragraphs, self.remarks)
+        for result in results:
+            yield from blocks_of(result, graded=True)
+
+
+def checked_answer(exercise, cases, runs, mistake, message):
+    """The CheckedAnswer of GradedCases and of {id of a case: CaseRun}; `message` is about the cell."""
+    graded, is_said = {case.id: case for case in cases}, _ended_alike(cases)
+    public, hidden = (
+        _result(replace(exercise, cases=own), graded, runs, mistake, is_said=is_said)
+        for own in (exercise.public, exercise.hidden)
+    )
+    shown = public.shown
+    cause = "" if message or shown else cases[0].message
+    remarks = tuple(filter(None, (_sentence(cause), _advice(cases, message)))) if is_said else ()
+    if is_said and shown and not remarks:  # an exception: does the public call say what it means?
+        is_said = bool(exercise.kind.advice_on_error(exercise, shown.result))
+    told = tuple(
+        replace(one, failed_call=None, reason=_told_of_hidden(one, is_said)) for one in hidden.results
+    )
+    return CheckedAnswer(remarks, public, replace(hidden, mistake=None), told)
+
+
+def _ended_alike(cases):
+    """Whether all cases ended in one way that is no wrong value: then the cause is not in the inputs."""
+    endings = {
+        (case.outcome, case.message.partition(":")[0] * (case.outcome == Outcome.RAISED)) for case in cases
+    }
+    return len(endings) == 1 and not endings & {(Outcome.WRONG, ""), (Outcome.PASSED, "")}
+
+
+def _result(exercise, graded, runs, mistake, *, is_said):
+    """The CheckResult of some cases of an exercise; `is_said`: how all of them ended is said above."""
+    by_call = [
+        case for case in exercise.cases if case.id in runs and _is_told_by_call(exercise, graded[case.id])
+    ]
+    calls = [_readable(call) for case in by_call for call in runs[case.id].verdict.case_calls(exercise, case)]
+    result = judge(exercise, calls, mistake)
+    cases = [graded[one.case.id] for one in result.results]
+    results = [
+        replace(one, passed=case.passed, reason=_ending(case, is_said=is_said), note=_note(case))
+        for one, case in zip(result.results, cases, strict=True)
+    ]
+    return replace(result, results=tuple(results))
+
+
+def _is_told_by_call(exercise, case):
+    is_late = case.outcome == Outcome.TIME and exercise.kind.expects_values
+    return case.outcome not in _NO_CALL and not is_late
+
+
+def _readable(call):
+    """A CaseCall whose texts of the learner's differ neither from run to run nor hide anything."""
+    about = call.result
+    texts = {name: reproducible_text(getattr(about, name)) for name in ("message", "line")}
+    return replace(call, result=replace(about, **texts, printed=reproducible_text(about.printed, _LONGEST)))
+
+
+def _ending(case, *, is_said):
+    """How a case ended that no call explains, a sentence."""
+    label = "" if case.outcome == Outcome.WRONG and case.message else TEXTS[case.outcome].label
+    return _sentence(": ".join(filter(None, (label, "" if is_said else case.message))))
+
+
+def _sentence(text):
+    """The text with a capital, unless it begins with a name such as my_psnr(), and with a full stop."""
+    first = text.split(" ", 1)[0]
+    end = "" if text.endswith((".", "?", ")")) or not text else "."
+    return (text[:1].upper() + text[1:] if first.rstrip(":,").isalpha() else text) + end
+
+
+def _told_of_hidden(one, is_said):
+    """What a learner is told of a hidden case that fails: a hint only if the input can be the reason."""
+    return one.reason if is_said or not one.case.hint else f"{one.reason}\nHint: {one.case.hint}"
+
+
+def _note(case):
+    points = f"{case.points} of {case.max_points}" if case.max_points else "no points"
+    return f" (on other inputs; {points})" if case.hidden else f" ({points})"
+
+
+def _advice(cases, message):
+    """What helps if all cases ended alike, "" if nothing is certain."""
+    outcome = cases[0].outcome
+    if outcome != Outcome.RAISED:
+        return TEXTS[outcome].advice
+    if ": RefusedModule: " in message:
+        return _FOREIGN_VALUE
+    if message:
+        error, _, text = message.partition(": ")[2].partition(": ")
+        return f"{advice_on(error, text)} {_CELL_ADVICE}".strip()
+    return _NAME_ADVICE if cases[0].message.startswith("NameError") else ""

@@ -1,0 +1,110 @@
+"""One judge: what an answer did in the cases of an exercise becomes a CheckResult.
+
+`check` in a notebook and grading judge here, and all that is shown of an answer is made from this result.
+"""
+
+from dataclasses import dataclass, field, replace
+from functools import partial
+
+from . import feedback
+from .case_call import CaseCall
+from .diagnosis import Diagnosis, diagnose
+from .document import Html, Text
+from .last_resort import with_last_resort
+from .lesson import Case, Exercise, Mistake
+from .running import attempt
+
+
+@dataclass(frozen=True)
+class CaseResult:
+    """One case, and the first of its calls that failed.
+
+    `failed_call` is None, too, if the case made no call; `reason` says why, and `note` is shown beside the
+    title: grading sets them.
+    """
+
+    case: Case
+    passed: bool
+    failed_call: CaseCall | None
+    reason: str = "not run, because the call above did not finish"
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """The result of `check`. A notebook shows it as HTML; `print(result)` gives the same as plain text.
+
+    exercise      Exercise
+    attempted     False for the unchanged stub
+    results       tuple of CaseResult, one for each public case
+    mistake       the known mistake that explains the answer, or None
+    refused       {module that the exercise does not allow: the name by which the answer uses it}
+    gone          {name that the answer reads: "changed" or "deleted", as is the cell that made it}
+    diagnosis     what is certain about the values of the shown call
+    remarks       what is certain from the source of the function, sentences
+    one_change    where one change would make it right, a sentence
+    why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
+    calls         tuple of CaseCall, those that passed too
+    """
+
+    exercise: Exercise
+    attempted: bool
+    results: tuple[CaseResult, ...] = ()
+    mistake: Mistake | None = None
+    refused: dict[str, str] = field(default_factory=dict)
+    gone: dict[str, str] = field(default_factory=dict)
+    diagnosis: Diagnosis = field(default_factory=Diagnosis)
+    remarks: tuple[str, ...] = ()
+    one_change: str = ""
+    why_older: str = ""
+    calls: tuple[CaseCall, ...] = ()
+
+    @property
+    def passed(self) -> bool:
+        """True if grading would give every point of the public cases."""
+        is_accepted = not (self.refused or self.gone or self.why_older)
+        return self.attempted and is_accepted and all(result.passed for result in self.results)
+
+    @property
+    def shown(self) -> CaseCall | None:
+        """The failed call whose values are shown: one that the known mistake explains, else the first."""
+        failed = [result.failed_call for result in self.results if result.failed_call]
+        explained = [case_call for case_call in failed if self.mistake and case_call.result.finished]
+        return next(iter([*explained, *failed]), None)
+
+    @property
+    def points(self) -> int:
+        """What grading gives for the public cases."""
+        if self.refused or self.gone:
+            return 0
+        return sum(result.case.points for result in self.results if result.passed)
+
+    def __repr__(self):
+        bare = partial(feedback.bare_text, self)
+        return with_last_resort(self.exercise.id, lambda: feedback.document_of(self).plain(), bare)
+
+    def _repr_html_(self):
+        def bare(fault):
+            return Text(feedback.bare_text(self, fault)).html(Html())
+
+        return with_last_resort(self.exercise.id, lambda: feedback.document_of(self).html(), bare)
+
+
+def judge(exercise, calls, mistake=None, remarks=(), *, attempted=True):
+    """The CheckResult of the CaseCalls of an exercise's cases, with what is certain about their values."""
+    results = tuple(_case_result(case, calls) for case in exercise.cases)
+    result = CheckResult(exercise, attempted, results, mistake, remarks=remarks, calls=tuple(calls))
+    return replace(result, diagnosis=attempt(lambda: _diagnosis(result), Diagnosis()))
+
+
+def _case_result(case, calls):
+    own_calls = [case_call for case_call in calls if case_call.case is case]
+    failed_call = next((case_call for case_call in own_calls if not case_call.passed), None)
+    return CaseResult(case, bool(own_calls) and failed_call is None, failed_call)
+
+
+def _diagnosis(result):
+    shown, exercise = result.shown, result.exercise
+    if not exercise.kind.shows_values or shown is None or shown.difference is None or shown.result.changed:
+        return Diagnosis()
+    return diagnose(result.calls, shown, exercise.names, exact_type=exercise.exact_type)
