@@ -460,7 +460,7 @@ def made_markdown_in_a_fence(made):
     change_type(made, position_of(made, DOUBLE), "markdown")
 
 
-@case(points=3, double=STUB, finding="its answer is in a text cell (cell number 1), which does not run")
+@case(points=3, double=STUB, finding="), which does not run; make it a code cell (key Y)")
 def written_in_a_text_with_words_around_it(made):
     text = new_cell(f"My answer:\n\n```python\n{RIGHT[DOUBLE]}\n```\nIt takes the smaller one.")
     insert(made, 0, text)
