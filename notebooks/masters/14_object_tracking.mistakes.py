@@ -114,6 +114,48 @@ def backproject(hue, weights):
     return weights[hue // max(180 // len(weights), 1) % len(weights)]
 
 # %% [markdown]
+# # tracking-covariance
+
+# %% role="mistake" name="not divided" says="The products are added up, but not divided: the covariance is their mean. Divide by len(samples)."
+def covariance(samples):
+    d = samples - samples.mean(axis=0)
+    return d.T @ d
+
+# %% role="mistake" name="mean not subtracted" says="The means are not subtracted. First compute the deviations: samples - samples.mean(axis=0)."
+def covariance(samples):
+    return samples.T @ samples / len(samples)
+
+# %% role="mistake" name="mean of the rows" says="You subtracted the mean of each row. The numbers of one kind stand in a column: mean(axis=0)."
+def covariance(samples):
+    d = samples - samples.mean(axis=1)[:, np.newaxis]
+    return d.T @ d / len(samples)
+
+# %% role="mistake" name="variances only" says="These are the variances alone. The covariances belong to the result too: the products of different columns, in an (n, n) matrix."
+def covariance(samples):
+    return samples.var(axis=0)
+
+# %% role="mistake" name="variances on the diagonal" says="Beside the diagonal all numbers are 0 in your matrix. There belong the covariances: the means of the products of different columns."
+def covariance(samples):
+    return np.diag(samples.var(axis=0))
+
+# %% role="mistake" name="absolute products" says="You took absolute values. A covariance keeps its sign: it is negative if one number falls when the other grows."
+def covariance(samples):
+    return np.abs(solution(samples))
+
+# %% role="mistake" name="correlation" says="This is the correlation: the covariance divided by both standard deviations. The task asks for the covariance itself."
+def covariance(samples):
+    C = solution(samples)
+    return C / np.sqrt(np.outer(np.diag(C), np.diag(C)))
+
+# %% role="mistake" name="square root" says="You took the square root. The covariance matrix has the variances, not the standard deviations."
+def covariance(samples):
+    return np.sqrt(np.abs(solution(samples)))
+
+# %% role="mistake" name="rounded" says="The numbers are rounded. Return the exact numbers, and leave round out."
+def covariance(samples):
+    return solution(samples).round(3)
+
+# %% [markdown]
 # # tracking-predict
 
 # %% role="mistake" name="without Q" says="Q is missing: each prediction makes the state less certain. Add Q to the covariance."

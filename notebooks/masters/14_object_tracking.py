@@ -12,14 +12,15 @@
 # **You will be able to**
 # - measure how well two boxes agree (IoU),
 # - find the pixels that have the colour of an object (back-projection),
+# - compute how uncertain several numbers are together (covariance),
 # - combine what you expect and what you measure, with a Kalman filter,
 # - keep two objects apart that look the same, by joint assignment,
 # - write a node that follows a ball,
 # - deeper: drive after a ball with the image alone.
 #
-# **Time** [[minutes]], with a pause after section 3. **You need** [[obstacles_ahead]] and [[numbers_with_doubt]]. Only the last part of section 6 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[obstacles_ahead]]. Matrices are explained here. Only the last part of section 6 needs ROS 2.
 
-# %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-predict", "tracking-update", "tracking-drive"]
+# %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-covariance", "tracking-predict", "tracking-update", "tracking-drive"]
 import math
 
 import numpy as np
@@ -433,9 +434,23 @@ assert sum(distance < 5 for distance in distances) == 75
 #
 # ## 4 · The Kalman filter ([[minutes]])
 #
-# We know two things about the ball: where it should be now, since it rolled in a certain direction with a certain speed, and where we see it now. Both are uncertain. How do we combine them?
+# We know two things about the ball: where it should be now, since it rolled in a certain direction with a certain speed, and where we see it now. Both are uncertain. How do we combine them? First we need a number for "uncertain".
 #
-# First with one number. The ball should be at 2.00 m, and this is uncertain by 0.1 m. We measure 2.40 m, and the measurement is uncertain by 0.2 m. The [[term:variance|variances]] are 0.01 and 0.04. This is the weighted mean of [[numbers_with_doubt#6]], with the weights 1 / variance. In tracking, one writes it with the share of the measurement, the *gain*: how far we go from the expected place towards the measured place.
+# ### The doubt of one number
+#
+# A sensor measures the same distance four times. The *mean* is the best answer. How far a number is from the mean is its *deviation*. The mean of the **squared** deviations is the *[[term:variance]]*, and its root is the [[term:standard deviation]] σ: the typical error of **one** measurement.
+
+# %%
+few = np.array([5.0, 5.2, 4.9, 5.3])  # metres
+deviations = few - few.mean()
+variance = (deviations**2).sum() / 4
+print("mean", few.mean().round(2), "m   deviations", deviations.round(2), "m")
+print("variance", variance.round(4), "m²   σ", round(math.sqrt(variance), 3), "m")
+
+# %% [markdown]
+# Why squared? The deviations themselves always add up to 0. Squares are never negative, and large deviations count more.
+#
+# Now two numbers with different doubt. The ball should be at 2.00 m, with σ = 0.1 m. We measure 2.40 m, with σ = 0.2 m. The variances are 0.01 and 0.04. The best answer is a mean in which each number has the *weight* 1 / variance: no other mix has a smaller variance. In tracking, one writes it with the share of the measurement, the *gain*: how far we go from the expected place towards the measured place.
 #
 # $$\text{gain} = \frac{\text{variance of the prediction}}{\text{variance of the prediction} + \text{variance of the measurement}}$$
 #
@@ -454,22 +469,152 @@ print("gain", round(gain, 2), "  variance", round(combined_variance, 4))
 compare_guess(guess_place, round(combined, 2), "m")
 
 # %% [markdown]
-# The result lies nearer to the more certain number, and it is more certain than both: its variance is 0.008.
+# The result lies nearer to the more certain number, and it is more certain than both: its variance is 0.008. So a bad measurement still helps.
 #
-# The *[[term:Kalman filter]]* does this for several numbers together, its *[[term:state]]*. For a ball on a line these are its place and its speed. Its doubt is a [[term:covariance]] matrix, as that of y and yaw in [[numbers_with_doubt#2]].
+# ### Numbers that belong together ([[minutes]])
 #
-# **One frame later**: after dt = 0.1 s, the new place is place + 0.1 · speed. This is a product with a matrix F of the same form as in [[numbers_with_doubt#4]]: there y grew by 1 m · yaw, here the place grows by 0.1 s · speed.
+# The *[[term:Kalman filter]]* does this for several numbers together, its *[[term:state]]*. For a ball on a line these are its place and its speed. Four balls, and what a tracker says of each:
+
+# %%
+balls = np.array([[0.0, 0.1], [0.2, 0.3], [0.1, 0.1], [0.5, 0.7]])  # m, m/s
+d = balls - balls.mean(axis=0)
+print(d.round(2))
+print("variance of the place", (d[:, 0] * d[:, 0]).mean().round(3))
+print("variance of the speed", (d[:, 1] * d[:, 1]).mean().round(3))
+print("covariance           ", (d[:, 0] * d[:, 1]).mean().round(3))
+
+# %% [markdown]
+# The *[[term:covariance]]* is the mean of deviation **times** deviation, of two different numbers. Here a ball that is farther than the mean is also faster: most products are positive, and so is their mean. If one number says nothing about the other, positive and negative products cancel each other.
+#
+# To compute with all of them at once, we need a *[[term:matrix]]*: a table of numbers with rows and columns, in NumPy an array with two axes. `@` multiplies two of them. The number in row i and column j of the product comes from **row i of the first** and **column j of the second** matrix: multiply them number by number, and add up.
+
+# %%
+M, N = np.array([[1, 2], [3, 4]]), np.array([[5, 6], [7, 8]])
+print(M @ N)
+print("row 0 with column 0:", 1 * 5 + 2 * 7, "  row 1 with column 0:", 3 * 5 + 4 * 7)
+print("M times a vector:", M @ np.array([5, 7]))  # as if it was one column
+print("M.T\n", M.T)
+
+# %% [markdown]
+# The order counts: `N @ M` is another matrix. `M.T` is M *transposed*: its rows are the columns of M (in formulas Mᵀ).
+#
+# Row i of `d.T` holds all deviations of the number i, and column j of `d` those of the number j. So `d.T @ d` multiplies them and adds up. Divided by the number of balls, this is the *covariance matrix* C: the variances on its diagonal, and the covariance beside it, twice.
+
+# %%
+C = d.T @ d / len(d)
+print(C.round(3))
+
+# %%
+# Check: the numbers of the variances and matrices
+assert few.mean() == 5.1 and round(variance, 4) == 0.025 == round(few.var(), 4) and abs(deviations.sum()) < 1e-9
+shares = np.linspace(0, 1, 101)  # of the measurement: the gain has the smallest variance
+assert shares[((1 - shares)**2 * expected_variance + shares**2 * measured_variance).argmin()] == round(gain, 2)
+assert abs(combined - 2.08) < 1e-9 and abs(combined_variance - 0.008) < 1e-9
+assert (d.prod(axis=1) > 0).sum() == 3 and (M @ N).tolist() == [[19, 22], [43, 50]] and (N @ M != M @ N).any()
+assert np.allclose(C, np.cov(balls.T, bias=True)) and C.round(3).tolist() == [[0.035, 0.045], [0.045, 0.06]]
+
+# %% [markdown]
+# ### Your turn: the covariance matrix
+#
+# Write `covariance(samples)`. Divide by the number of samples, as above.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `samples`: (N, n) float: N measurements, each with n numbers | (n, n) float: the variances on the diagonal, and the covariance of the numbers i and j at `[i, j]` | `covariance(balls)` returns `C` |
+
+# %% role="exercise"
+exercise(
+    "tracking-covariance",
+    title="The covariance matrix",
+    function="covariance",
+    tolerance=1e-9,
+    hint="Subtract the mean of each column; then d.T @ d, divided by the number of rows.",
+    hints=(
+        "How far is each measurement from the mean of its column, and which products does each place of the matrix add up?",
+        "1. The mean of each column: mean(axis=0). Subtract it.\n"
+        "2. The products, added up over all measurements: d.T @ d.\n"
+        "3. Divide by the number of measurements, len(samples).",
+        "d = samples - samples.mean(axis=...)\nreturn d.T @ ... / len(...)",
+    ),
+    explanation="d.T has one row for each number, d one column for each number. So d.T @ d multiplies column i with column j of"
+    " the deviations and adds up: with i = j these are the squares. The result is symmetric.",
+    another_way="NumPy has it as np.cov(samples.T, bias=True). Without bias=True, it divides by N - 1.",
+)
+
+
+def cloud(rng, count, mix):
+    """Measurements whose numbers belong together, far from 0."""
+    spread = rng.normal(0, 1, (count, len(mix))) @ np.array(mix)
+    return (spread + rng.uniform(2, 4, len(mix))).round(2)
+
+
+# %% role="answer"
+def covariance(samples):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+# %% role="solution"
+def covariance(samples):
+    d = samples - samples.mean(axis=0)
+    return d.T @ d / len(samples)
+
+
+# %% role="check"
+check("tracking-covariance", covariance)
+
+# %% role="case" title="two numbers" points=1
+def inputs(rng):
+    small = np.array([[0.0, 0.1], [0.2, 0.3], [0.1, 0.1], [0.5, 0.7]])
+    return [(small,), (cloud(rng, 6, [[0.5, 0.3], [0.0, 0.2]]),)]
+
+
+# %% role="case" title="one falls when the other grows" points=1 hint="A covariance can be negative: is it the mean of the products, without abs?"
+def inputs(rng):
+    return [(cloud(rng, 5, [[0.6, -0.5], [0.1, 0.2]]),), (cloud(rng, 8, [[0.1, -0.4], [0.3, -0.2]]),)]
+
+
+# %% role="hidden" title="three numbers" points=1 hint="Does it work for any number of columns?"
+def inputs(rng):
+    mix = [[0.5, 0.2, -0.4], [0.0, 0.3, 0.2], [0.1, 0.0, 0.6]]
+    return [(cloud(rng, 7, mix),), (cloud(rng, 20, mix),), (cloud(rng, 9, [[0.7]]),)]
+
+
+# %% [markdown]
+# ### The doubt rolls on ([[minutes]])
+#
+# After one second, each of the four balls is at place + 1 s · speed, with the same speed. This is a product with a matrix F: its first row says place + 1 · speed, its second one says speed.
+#
+# The variances of place and speed are 0.035 and 0.060. **Predict** the variance of the place after this second, in m².
+
+# %% role="predict"
+guess_variance = None  # your guess: how many m²?
+
+# %%
+F = np.array([[1.0, 1.0], [0.0, 1.0]])
+after = d @ F.T  # F @ row, for each row
+compare_guess(guess_variance, (after[:, 0]**2).mean().round(3), "m²")
+
+# %% [markdown]
+# If both errors were independent, their variances would be added: 0.095. But they belong together. The square of (d_place + d_speed) is d_place² + 2 · d_place · d_speed + d_speed², and its mean is variance + 2 · covariance + variance: 0.035 + 2 · 0.045 + 0.06.
+#
+# A tracker has no four balls, only the matrix C. It can move C itself: each number of C is a mean of deviation times deviation, and F moves **both**. So F stands twice, on the left, and transposed on the right.
+
+# %%
+print("of the moved balls\n", (after.T @ after / len(after)).round(3))
+print("F @ C @ F.T\n", (F @ C @ F.T).round(3))
+
+# %% [markdown]
+# Now one frame of our ball: dt = 0.1 s, so the new place is place + 0.1 · speed.
 
 # %%
 F = np.array([[1, 0.1], [0, 1]])
 state = np.array([2.0, 0.5])  # 2 m, 0.5 m/s
-covariance = np.array([[0.01, 0], [0, 0.25]])
+C = np.array([[0.01, 0], [0, 0.25]])
 Q = np.array([[0.0001, 0], [0, 0.01]])
 print("state", (F @ state).round(4))
-print((F @ covariance @ F.T + Q).round(4))
+print((F @ C @ F.T + Q).round(4))
 
 # %% [markdown]
-# The place is now 2.05 m. The covariance has changed too: the place is less certain (0.0126 instead of 0.01), because the speed is not certain. The number 0.025 beside the diagonal says: if the ball is farther than expected, it is probably also faster. `F @ covariance @ F.T` is the doubt that drives on ([[numbers_with_doubt#4]]): each number of the covariance comes from two deviations, and F moves both. *Q* adds what F does not know: the ball may become faster or slower.
+# The place is now 2.05 m, and it is less certain: 0.0126 in place of 0.01, because the speed is not certain. The 0.025 beside the diagonal says: if the ball is farther than expected, it is probably also faster. *Q* adds what F does not know: the ball may become faster or slower.
 #
 # ### Your turn: predict
 #
@@ -477,7 +622,7 @@ print((F @ covariance @ F.T + Q).round(4))
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `state`: (n,) float; `covariance`, `F`, `Q`: (n, n) float | two arrays: the predicted state (n,), and its covariance (n, n) | `predict(state, covariance, F, Q)` with the numbers above returns `[2.05, 0.5]` and `[[0.0126, 0.025], [0.025, 0.26]]` |
+# | `state`: (n,) float; `covariance`, `F`, `Q`: (n, n) float | two arrays: the predicted state (n,), and its covariance (n, n) | `predict(state, C, F, Q)` with the numbers above returns `[2.05, 0.5]` and `[[0.0126, 0.025], [0.025, 0.26]]` |
 
 # %% role="exercise"
 exercise(
@@ -543,20 +688,20 @@ def inputs(rng):
 
 
 # %% [markdown]
-# **With the measurement**: it is the same as with one number, with matrices instead of numbers. The matrix H says what we measure: here only the place, the first number of the state. *R* is the variance of the measurement. In place of a division, there is the *inverse* matrix, `np.linalg.inv`:
+# **With the measurement**: it is the same as with one number, with matrices instead of numbers. The matrix H says what we measure: here only the place, the first number of the state. *R* is the variance of the measurement. In place of a division, there is the *[[term:inverse]]* matrix, `np.linalg.inv(S)`: multiplied with S, it gives the *identity matrix*, with 1 on the diagonal and 0 beside it.
 
 # %%
-state, covariance = F @ state, F @ covariance @ F.T + Q
+state, C = F @ state, F @ C @ F.T + Q
 H = np.array([[1.0, 0.0]])
 R = np.array([[0.01]])
-S = H @ covariance @ H.T + R  # variance of prediction and measurement together
-gain = covariance @ H.T @ np.linalg.inv(S)
+S = H @ C @ H.T + R  # variance of prediction and measurement together
+gain = C @ H.T @ np.linalg.inv(S)
 surprise = np.array([2.15]) - H @ state  # measured minus expected
 print("S", S.round(4), "  gain", gain.ravel().round(3), "  surprise", surprise.round(3))
 print("state", (state + gain @ surprise).round(3))
 
 # %% [markdown]
-# We measured only the place, but the speed was corrected too: from 0.5 m/s to 0.611 m/s. The ball was farther than expected, so it is probably faster. This is what the number beside the diagonal is for. The covariance becomes smaller, as with one number: (1 − gain) · variance, where 1 is now `np.eye(n)`, the *identity matrix*, and the gain is `gain @ H`.
+# We measured only the place, but the speed was corrected too: from 0.5 m/s to 0.611 m/s. The ball was farther than expected, so it is probably faster. This is what the number beside the diagonal is for. The covariance becomes smaller, as with one number: (1 − gain) · variance, where 1 is now the identity matrix, `np.eye(n)`, and the gain is `gain @ H`.
 #
 # OpenCV has the whole filter, `cv2.KalmanFilter`. With the same matrices it gives the same numbers:
 
@@ -584,7 +729,8 @@ print("state", kalman.statePost.ravel().round(3))
 
 # %% tags=["long"]
 # Check: the numbers, and OpenCV's filter has the same
-assert round(gain[1, 0], 3) == 1.106 and abs(combined - 2.08) < 1e-9 and abs(combined_variance - 0.008) < 1e-9
+assert np.allclose(after.T @ after / len(after), [[0.185, 0.105], [0.105, 0.06]]) and round(0.035 + 2 * 0.045 + 0.06, 3) == 0.185
+assert round(gain[1, 0], 3) == 1.106 and C.round(4).tolist() == [[0.0126, 0.025], [0.025, 0.26]]
 assert (state + gain @ surprise).round(3).tolist() == [2.106, 0.611]
 kalman = new_filter([2.0, 1.0])
 x, P, T = kalman.statePost.copy(), kalman.errorCovPost.copy(), kalman.transitionMatrix
@@ -602,7 +748,7 @@ for place in np.random.default_rng(0).normal(0, 1, (50, 2, 1)):
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `state`: (n,) float; `covariance`: (n, n) float; `measurement`: (m,) float; `H`: (m, n) float; `R`: (m, m) float | two arrays: the corrected state (n,), and its covariance (n, n) | `update(state, covariance, np.array([2.15]), H, R)` with the numbers above returns about `[2.106, 0.611]` and `[[0.0056, 0.0111], [0.0111, 0.2323]]` |
+# | `state`: (n,) float; `covariance`: (n, n) float; `measurement`: (m,) float; `H`: (m, n) float; `R`: (m, m) float | two arrays: the corrected state (n,), and its covariance (n, n) | `update(state, C, np.array([2.15]), H, R)` with the numbers above returns about `[2.106, 0.611]` and `[[0.0056, 0.0111], [0.0111, 0.2323]]` |
 
 # %% role="exercise"
 exercise(
@@ -675,7 +821,7 @@ def inputs(rng):
 #
 # Two *tracks*, of ball and car, and in each frame several red things. Which thing belongs to which track?
 #
-# A distance in metres is not a good measure. An error of 10 cm is large for a track that knows its place to 3 cm, and small for a track that has not been seen for a second. So we divide by the uncertainty S: surprise · S⁻¹ · surprise is the squared distance in units of the doubt, as in [[numbers_with_doubt#3]]. A pair with more than 9.21 is refused: it lies outside of the ellipse that holds 99 % of the right pairs. This limit is called a *[[term:gate]]*.
+# A distance in metres is not a good measure. An error of 10 cm is large for a track that knows its place to 3 cm, and small for a track that has not been seen for a second. So we divide by the uncertainty S: surprise · S⁻¹ · surprise is the squared distance in units of the doubt. (With one number it is surprise² / variance.) If the noise has the usual bell shape, 1 % of the right pairs have more than 9.21. A pair beyond this limit is refused. The limit is called a *[[term:gate]]*.
 
 # %%
 def costs_of(filters, places):
@@ -825,7 +971,7 @@ def command_to(place, robot_pose):
 
 
 def follow(tracker, frame, depth, camera, robot_pose):
-    """One look: the command for the robot."""
+    """One step: the command for the robot."""
     hsv = cv2.cvtColor(frame, cv2.COLOR_BGR2HSV)
     tracker.step(find_red(hsv, depth, camera, camera_pose(robot_pose)))
     if 0 not in tracker.filters:
@@ -964,7 +1110,9 @@ if ros_available():
 assert not ros_available() or node.looks > 0
 
 # %% [markdown]
-# **On the real robot** there is no depth image of the floor: take the lowest pixel of each red spot, and its ray, as in section 3. `find_red` is the only function that changes.
+# **On the real robot**, the depth camera looks up and does not see the floor. This node would wait for ever for a depth image with the stamp of the image. So call `look` for each image alone, and let `find_red` take the lowest pixel of each red spot and its ray, as in section 3. The camera is lower, too: 0.07 m above the floor, in `camera_pose`.
+#
+# **What you would start there**: the package `image_pipeline`. Its `image_proc` takes the distortion out of images, and `depth_image_proc` makes clouds of points of depth images, as you did with ray · depth. Both need a `camera_info` that belongs to the image. The front camera of this course has one, in full size; its depth image, which is half as large, has none.
 
 # %% [markdown]
 # ## 7 · Follow a ball that rolls away ([[minutes]], deeper)
