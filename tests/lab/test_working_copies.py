@@ -291,7 +291,8 @@ def test_a_deleted_copy_is_created_again(course):
 def test_a_lesson_that_the_course_no_longer_has_stays(course):
     course.start()
     (course.notebooks / "a.ipynb").unlink()
-    course.start()
+    kept = "No longer in the course; your file and its progress are kept: a.ipynb"
+    assert [kept in course.start().lines() for _ in range(2)] == [True, False]
     assert course.read("a") == notebook("1")
 
 

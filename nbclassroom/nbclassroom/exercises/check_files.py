@@ -56,6 +56,10 @@ class CheckFileError(ValueError):
         return [str(self)]
 
 
+class UnknownExerciseError(CheckFileError):
+    """No lesson of the course has the exercise."""
+
+
 @dataclass(frozen=True, eq=False)
 class CheckFile:
     """A checks file as it was read, see above; `entries` are its exercises, which `exercise` gives."""
@@ -175,7 +179,7 @@ def checks_folders(beside=None):
 def find_check_file(id):
     """The CheckFile that has this exercise.
 
-    CheckFileError: no checks files, no such exercise (the message names the nearest id), or a damaged file.
+    CheckFileError: no checks files, or a damaged file; UnknownExerciseError names the nearest id.
     """
     paths = [path for folder in checks_folders() for path in sorted(folder.glob("*.json"))]
     if not paths:
@@ -189,7 +193,7 @@ def find_check_file(id):
             file = read_check_file(path)
             if id in file.entries:
                 return file
-    raise CheckFileError(f"there is no exercise {id!r}; {_advice(id, paths)}")
+    raise UnknownExerciseError(f"there is no exercise {id!r}; {_advice(id, paths)}")
 
 
 def _advice(id, paths):

@@ -10,15 +10,16 @@ from itertools import product
 
 from .cell_runs import RUNS
 from .cell_syntax import function_definitions, plain_python, program_lines
-from .check_files import find_check_file
+from .check_files import UnknownExerciseError, find_check_file
 from .expected_results import check_data_of
+from .help_steps import Help
 from .judging import CheckResult, judge
 from .last_resort import with_last_resort
 from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake
 from .mistakes import has_right_values
 from .names_read import NamesRead
 from .one_change import sentence_on_change
-from .progress import ExerciseProgress, content_of, digest_of, note_progress
+from .progress import ExerciseProgress, content_of, digest_of, note_progress, progress_of
 from .running import attempt, codes_of, globals_of, source_of
 from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
@@ -34,7 +35,7 @@ class CheckInterrupted(KeyboardInterrupt):
         return ["The check was interrupted. Run its cell again: it drives from the start."]
 
 
-def check(exercise_id: str, function: Callable) -> CheckResult:
+def check(exercise_id: str, function: Callable) -> CheckResult | Help:
     """Check an answer: show what is right, what is wrong, and where to look.
 
     Parameters
@@ -44,14 +45,20 @@ def check(exercise_id: str, function: Callable) -> CheckResult:
 
     Returns
     -------
-    CheckResult, which a notebook shows; programs use `.passed` and `.results`
+    CheckResult, which a notebook shows; programs use `.passed` and `.results`. Help, one sentence: the
+    learner has tried the exercise, and the course no longer has it
 
     Raises
     ------
     CheckFileError : there is no such exercise, or its file is missing or damaged
     TypeError : `function` cannot be called, or is no class where the answer is one
     """
-    exercise = find_check_file(exercise_id).exercise(exercise_id)
+    try:
+        exercise = find_check_file(exercise_id).exercise(exercise_id)
+    except UnknownExerciseError:
+        if progress_of(exercise_id) == ExerciseProgress():
+            raise
+        return Help(f"{exercise_id} is no longer in the course. Your answer and your progress are kept.")
     if not exercise.kind.can_be_answer(function):
         noun = exercise.kind.noun
         raise TypeError(

@@ -17,6 +17,7 @@ _NEEDS = re.compile(r"\*\*You need\*\*(.*?)(?:\n|$)")
 _LINKED_NUMBER = re.compile(r"\]\((\d\d)_[a-z0-9_]+\.ipynb")
 _BAR_CHARACTERS = 20
 CERTIFICATE = "certificate.html"
+GONE = "no longer in the course"
 
 
 @dataclass(frozen=True)
@@ -32,10 +33,16 @@ class LessonProgress:
     deeper: tuple[str, ...]  # those that can be left out
     passed: tuple[str, ...]
     points: int = 0  # of those that have passed, without hidden checks
+    remark: str = ""  # "optional" or "no longer in the course": then no hours count it
 
     @property
     def number(self):
         return self.file[:2]
+
+    @property
+    def name(self):
+        """Its title, and the remark."""
+        return f"{self.title} ({self.remark})" if self.remark else self.title
 
     @property
     def core(self):
@@ -82,11 +89,12 @@ class Overview:
         begun = [k for k, lesson in enumerate(self.lessons) if lesson.passed]
         last = max(begun, default=-1)
         rest = (lesson for k, lesson in enumerate(self.lessons) if k > last or lesson.core)
-        return next((lesson for lesson in rest if not lesson.is_done), None)
+        return next((lesson for lesson in rest if not lesson.is_done and not lesson.remark), None)
 
     def _summary(self):
-        whole = _time(sum(lesson.minutes for lesson in self.lessons))
-        core = _time(sum(lesson.core_minutes for lesson in self.lessons))
+        counted = [lesson for lesson in self.lessons if not lesson.remark]
+        whole = _time(sum(lesson.minutes for lesson in counted))
+        core = _time(sum(lesson.core_minutes for lesson in counted))
         passed = f"{self.passed} of {self.exercises} exercises passed"
         return f"{passed} · all lessons: {whole}; their cores: {core}"
 
@@ -99,7 +107,7 @@ class Overview:
         needs = f", needs {', '.join(lesson.needs)}" if lesson.needs else ""
         mark = lesson.tick or ("→ " if lesson == self.next_lesson else "  ")
         time = f"core {lesson.core_minutes}, whole {lesson.minutes} minutes"
-        about = f"{lesson.number} {lesson.title}: {time}{needs}"
+        about = f"{lesson.number} {lesson.name}: {time}{needs}"
         return f"{mark}{about}; {lesson.count} exercises"
 
     def _repr_html_(self):
@@ -113,7 +121,7 @@ class Overview:
         return f"<div>{bar}</div><div>{self._summary()}</div>{table}"
 
     def _cells(self, lesson):
-        label = html.escape(f"{lesson.number} · {lesson.title}")
+        label = html.escape(f"{lesson.number} · {lesson.name}")
         link = f'<a href="{html.escape(lesson.file)}">{label}</a>'
         if lesson == self.next_lesson:
             link += f" <b>{'begin' if self.passed == 0 else 'continue'} here</b>"
@@ -167,17 +175,29 @@ def _lesson(path, progress):
         return None
     needs = _NEEDS.search(text)
     exercises = _exercises_of(name, path.parent)
+    remark = "optional" if about.get("optional") else ""
+    if exercises is None:
+        exercises, remark = _exercises_in(notebook), GONE
     passed = tuple(id for id in exercises if id in progress and progress[id].passed)
     numbers = tuple(dict.fromkeys(_LINKED_NUMBER.findall(needs[1]))) if needs else ()
     deeper = tuple(id for id in exercises if id in deeper)
     points = sum(exercises[id] for id in passed)
-    return LessonProgress(path.name, title, whole, core, numbers, tuple(exercises), deeper, passed, points)
+    parts = tuple(exercises), deeper, passed, points, remark
+    return LessonProgress(path.name, title, whole, core, numbers, *parts)
+
+
+def _exercises_in(notebook):
+    """The exercises of a lesson that the course no longer has, {exercise id: 0}: its points are not known."""
+    ids = (str(cell.get("id", "")) for cell in notebook["cells"])
+    return {id.removeprefix("answer-"): 0 for id in ids if id.startswith("answer-")}
 
 
 def _exercises_of(lesson, folder):
-    """{exercise id: points of its checks}."""
+    """{exercise id: points of its checks}; None if other lessons have checks, and it has none."""
     paths = [checks / f"{lesson}.json" for checks in checks_folders(folder)]
     path = next(filter(Path.is_file, paths), None)
+    if paths and not path:
+        return None
     with contextlib.suppress(CheckFileError):
         entries = read_check_file(path).entries if path else {}
         return {id: sum(case["points"] for case in entry["cases"]) for id, entry in entries.items()}

@@ -41,6 +41,7 @@ class LessonChanges:
     updated: list[str] = field(default_factory=list)
     added_beside: list[tuple[str, str]] = field(default_factory=list)  # (learner's file, updated lesson)
     renumbered: list[tuple[str, str]] = field(default_factory=list)  # (old name, new name)
+    no_longer_in_course: list[str] = field(default_factory=list)  # copies that stay, named once
     folder: str = "my_lessons"
 
     @property
@@ -59,6 +60,9 @@ class LessonChanges:
         if self.renumbered:
             pairs = ", ".join(f"{old} is now {new}" for old, new in self.renumbered)
             yield f"Lessons have new numbers, and your work in them is unchanged: {pairs}"
+        if self.no_longer_in_course:
+            names = ", ".join(self.no_longer_in_course)
+            yield f"No longer in the course; your file and its progress are kept: {names}"
         if not self.written and not self.renumbered:
             yield f"{self.folder}/ is up to date; nothing was changed."
 
@@ -110,6 +114,10 @@ def _update(source, target, lessons, version):
                 changes.renumbered.append((old_name, name))
             origin = _take_origin(origins, target, name, old_name)
             origins[name] = _update_one(staged, changes, name, data, origin, version)
+        for name in origins.keys() - lessons:
+            del origins[name]
+            if name.endswith(".ipynb") and (target / name).exists():
+                changes.no_longer_in_course.append(name)
         staged.write(STATE, _state_text(origins).encode(), replaces=_content(target / STATE))
         staged.put_in_place()
     return changes

@@ -92,6 +92,37 @@ def test_a_core_without_exercises_has_no_tick_and_is_next_until_a_later_lesson_i
     assert "  07 Lesson <one>" in repr(overview(folder))
 
 
+def test_a_lesson_that_the_course_no_longer_has_keeps_its_progress_and_counts_no_hours(folder):
+    path = folder / "07_one.ipynb"
+    notebook = json.loads(path.read_text())
+    notebook["cells"] += [
+        {"cell_type": "code", "id": f"answer-{id}", "source": ""} for id in EXERCISES["one"]
+    ]
+    path.write_text(json.dumps(notebook))
+    (folder / "checks" / "one.json").unlink()
+    pass_exercises(folder, "one-b")
+    result = overview(folder)
+    assert (result.passed, result.next_lesson.file) == (1, "08_two.ipynb")
+    assert "all lessons: 30 minutes; their cores: 20 minutes" in repr(result)
+    assert (
+        "07 Lesson <one> (no longer in the course): core 20, whole 30 minutes; 0 of 1, deeper 1 of 1"
+        in repr(result)
+    )
+    page = certificate("Ada", folder).path.read_text(encoding="utf-8")
+    assert "<td>Lesson &lt;one&gt; (no longer in the course)</td><td>1 of 2</td><td>–</td>" in page
+
+
+def test_an_optional_lesson_is_marked_is_not_next_and_counts_no_hours(folder):
+    path = folder / "07_one.ipynb"
+    notebook = json.loads(path.read_text())
+    notebook["metadata"]["imgproc_course"]["optional"] = True
+    path.write_text(json.dumps(notebook))
+    result = overview(folder)
+    assert result.next_lesson.file == "08_two.ipynb"
+    assert "all lessons: 30 minutes; their cores: 20 minutes" in repr(result)
+    assert "07 · Lesson &lt;one&gt; (optional)</a>" in result._repr_html_()
+
+
 def test_a_certificate_lists_what_has_passed(folder):
     pass_exercises(folder, "one-a", "one-b")
     result = certificate("  Ada <b>", folder)

@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 import pytest
-from nbclassroom.exercises import progress
+from nbclassroom.exercises import CheckFileError, check, progress
 from nbclassroom.exercises.progress import (
     PROGRESS,
     ExerciseProgress,
@@ -141,3 +141,12 @@ def test_a_digest_does_not_depend_on_lines(monkeypatch):
         exec(compile(source, "<cell>", "exec"), names := {})
         digests.add(digest_of(names["f"]))
     assert len(digests) == 1
+
+
+def test_check_of_a_tried_exercise_that_the_course_no_longer_has_is_a_sentence(learner):
+    with pytest.raises(CheckFileError, match="there is no exercise 'gone-one'"):
+        check("gone-one", len)
+    note_progress("gone-one", ExerciseProgress(passed=True))
+    assert repr(check("gone-one", len)) == (
+        "gone-one is no longer in the course. Your answer and your progress are kept."
+    )
