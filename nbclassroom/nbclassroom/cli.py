@@ -201,7 +201,7 @@ def key(lessons, seed, out, masters, replace, unsafe):
     from nbclassroom.autograder import key_seed
     from nbclassroom.autograder.make_answer_key import make_key
 
-    seed_file, is_seed_saved = key_seed.seed_file_of(out), seed is None
+    seed_file, is_seed_saved = out.with_name(f"{out.name}.seed"), seed is None  # beside the key
     seed = key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed
     key_seed.require_unguessable(seed)
     answer_key = make_key(masters, seed, out, lessons, unsafe=unsafe, replace=replace, say=click.echo)

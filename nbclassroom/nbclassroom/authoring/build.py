@@ -172,6 +172,7 @@ def lesson_notebook(master, *, solved=False):
         "deeper": list(master.deeper_exercises),
         "version": course.release(),
     }
+    lesson_metadata |= {"optional": True} if master.optional else {}
     kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
     return new_notebook(cells=cells, metadata={"kernelspec": kernel, course.name: lesson_metadata})
 

@@ -50,9 +50,10 @@ class Master:
     """A master: `cells` are the lesson's, `exercises` are the declarations that grading needs."""
 
     path: Path
-    title: str
+    title: str  # of an optional one it says so
     minutes: int  # of the whole lesson
     core_minutes: int
+    optional: bool  # whether no route and no stated hours count it
     cells: tuple
     exercises: tuple
     texts: dict  # {name of a figure: (caption, alternative text)}
@@ -130,16 +131,18 @@ def read_master(path):
     path = Path(path)
     script, references = read_script(path), References(path)
     exercises = tuple(_resolved(exercise, references) for exercise in read_exercises(path))
-    title = str(script.front_matter.get("title", ""))
+    optional = bool(script.front_matter.get("optional"))
+    title = str(script.front_matter.get("title", "")) + " (optional)" * optional
     match = LESSON_FILE.fullmatch(path.stem)
     with_asks, questions = with_questions(script.cells, path, references)
     timed = timed_script(replace(script, cells=with_asks), match["number"] if match else "")
     cells = list(_lesson_cells(path, timed, exercises, references))
     if match and cells and cells[0].kind == "markdown" and cells[0].source.startswith("# "):
-        source = f"# {match['number']} · {cells[0].source[2:]}"
+        heading, line_end, text = cells[0].source[2:].partition("\n")
+        source = f"# {match['number']} · {heading}{' (optional)' * optional}{line_end}{text}"
         cells[0] = replace(cells[0], source=source, solved_source=source)
     parts = tuple(cells), exercises, _texts(script, references), questions
-    master = Master(path, title, timed.whole, timed.core, *parts)
+    master = Master(path, title, timed.whole, timed.core, optional, *parts)
     problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))

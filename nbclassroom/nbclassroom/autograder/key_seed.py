@@ -20,11 +20,6 @@ def require_unguessable(seed):
         )
 
 
-def seed_file_of(key):
-    """Where the seed of a key is saved: beside its folder."""
-    return key.with_name(f"{key.name}.seed")
-
-
 def read_or_make_seed(path):
     """The secret seed in a file that only its owner can read; without such a file, one is made and stored."""
     if path.exists():

@@ -90,16 +90,12 @@ def names_bound_by(statement):
             names.add(node.name)
             continue
         if isinstance(node, (ast.Import, ast.ImportFrom)):
-            names |= {_name_of(alias) for alias in node.names}
+            names |= {(alias.asname or alias.name).split(".")[0] for alias in node.names}
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             names.add(node.id)
         if not isinstance(node, _EXPRESSIONS_WITH_NAMES):
             nodes.extend(ast.iter_child_nodes(node))
     return names
-
-
-def _name_of(alias):
-    return (alias.asname or alias.name).split(".")[0]
 
 
 def function_definitions(source):

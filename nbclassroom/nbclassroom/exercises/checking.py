@@ -45,8 +45,7 @@ def check(exercise_id: str, function: Callable) -> CheckResult | Help:
 
     Returns
     -------
-    CheckResult, which a notebook shows; programs use `.passed` and `.results`. Help, one sentence: the
-    learner has tried the exercise, and the course no longer has it
+    CheckResult, which a notebook shows; programs use `.passed` and `.results`. Help: the exercise is gone
 
     Raises
     ------

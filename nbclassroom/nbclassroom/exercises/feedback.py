@@ -34,7 +34,8 @@ def _remarks(result):
     """Sentences on the whole answer."""
     yield result.why_older
     yield from _refusals(result)
-    yield from _gone(result)
+    for name, end in result.gone.items():
+        yield SAYS["gone"].format(answer=result.exercise.answer_name, name=name, end=end)
     yield from result.remarks
 
 
@@ -43,11 +44,6 @@ def _refusals(result):
         used = module if name.startswith(module) else f"{name} of {module}"
         reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
         yield f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
-
-
-def _gone(result):
-    for name, end in result.gone.items():
-        yield SAYS["gone"].format(answer=result.exercise.answer_name, name=name, end=end)
 
 
 def _cases(result):

@@ -91,7 +91,12 @@ def _find_change(function, passes):
         return changed_function is not None and passes(changed_function, seconds)
 
     nodes = list(ast.walk(tree))
-    possible = list(_possible_changes(tree, nodes))
+    possible = [
+        _Change(rule, number, kind, question)
+        for rule in _RULES
+        for number, node in enumerate(nodes)
+        for kind, (question, _) in enumerate(rule(node, tree))
+    ]
     for changes in _groups(possible, nodes):
         if helps(changes):
             like = [change for change in possible if _is_like(change, changes[0], nodes)]
@@ -123,13 +128,6 @@ def _compiled(tree, function):
     except Exception:  # noqa: BLE001 - such as a default value of the learner's
         return None
     return names.get(tree.name)
-
-
-def _possible_changes(tree, nodes):
-    for rule in _RULES:
-        for number, node in enumerate(nodes):
-            for kind, (question, _) in enumerate(rule(node, tree)):
-                yield _Change(rule, number, kind, question)
 
 
 def _groups(possible, nodes):

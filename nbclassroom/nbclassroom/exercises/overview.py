@@ -17,7 +17,6 @@ _NEEDS = re.compile(r"\*\*You need\*\*(.*?)(?:\n|$)")
 _LINKED_NUMBER = re.compile(r"\]\((\d\d)_[a-z0-9_]+\.ipynb")
 _BAR_CHARACTERS = 20
 CERTIFICATE = "certificate.html"
-GONE = "no longer in the course"
 
 
 @dataclass(frozen=True)
@@ -33,16 +32,11 @@ class LessonProgress:
     deeper: tuple[str, ...]  # those that can be left out
     passed: tuple[str, ...]
     points: int = 0  # of those that have passed, without hidden checks
-    remark: str = ""  # "optional" or "no longer in the course": then no hours count it
+    is_counted: bool = True  # in the hours: it is in the course, and not optional
 
     @property
     def number(self):
         return self.file[:2]
-
-    @property
-    def name(self):
-        """Its title, and the remark."""
-        return f"{self.title} ({self.remark})" if self.remark else self.title
 
     @property
     def core(self):
@@ -89,10 +83,10 @@ class Overview:
         begun = [k for k, lesson in enumerate(self.lessons) if lesson.passed]
         last = max(begun, default=-1)
         rest = (lesson for k, lesson in enumerate(self.lessons) if k > last or lesson.core)
-        return next((lesson for lesson in rest if not lesson.is_done and not lesson.remark), None)
+        return next((lesson for lesson in rest if lesson.is_counted and not lesson.is_done), None)
 
     def _summary(self):
-        counted = [lesson for lesson in self.lessons if not lesson.remark]
+        counted = [lesson for lesson in self.lessons if lesson.is_counted]
         whole = _time(sum(lesson.minutes for lesson in counted))
         core = _time(sum(lesson.core_minutes for lesson in counted))
         passed = f"{self.passed} of {self.exercises} exercises passed"
@@ -107,7 +101,7 @@ class Overview:
         needs = f", needs {', '.join(lesson.needs)}" if lesson.needs else ""
         mark = lesson.tick or ("→ " if lesson == self.next_lesson else "  ")
         time = f"core {lesson.core_minutes}, whole {lesson.minutes} minutes"
-        about = f"{lesson.number} {lesson.name}: {time}{needs}"
+        about = f"{lesson.number} {lesson.title}: {time}{needs}"
         return f"{mark}{about}; {lesson.count} exercises"
 
     def _repr_html_(self):
@@ -121,7 +115,7 @@ class Overview:
         return f"<div>{bar}</div><div>{self._summary()}</div>{table}"
 
     def _cells(self, lesson):
-        label = html.escape(f"{lesson.number} · {lesson.name}")
+        label = html.escape(f"{lesson.number} · {lesson.title}")
         link = f'<a href="{html.escape(lesson.file)}">{label}</a>'
         if lesson == self.next_lesson:
             link += f" <b>{'begin' if self.passed == 0 else 'continue'} here</b>"
@@ -166,7 +160,8 @@ def overview(folder: Path | str | None = None) -> Overview:
 def _lesson(path, progress):
     """The LessonProgress of a notebook; None if it is no lesson, or cannot be read."""
     try:
-        notebook = json.loads(path.read_text(encoding="utf-8"))
+        text_of_file = path.read_text(encoding="utf-8")
+        notebook = json.loads(text_of_file)
         about = notebook["metadata"][course.name]
         name, title, whole = str(about["lesson"]), str(about["title"]), int(about["minutes"])
         core, deeper = int(about.get("core_minutes", whole)), tuple(about.get("deeper", ()))
@@ -175,21 +170,16 @@ def _lesson(path, progress):
         return None
     needs = _NEEDS.search(text)
     exercises = _exercises_of(name, path.parent)
-    remark = "optional" if about.get("optional") else ""
-    if exercises is None:
-        exercises, remark = _exercises_in(notebook), GONE
+    is_counted = exercises is not None and not about.get("optional")
+    if exercises is None:  # a copy of a lesson that the course no longer has: its points are not known
+        answers = re.findall(r'"answer-([a-z0-9-]+)"', text_of_file)
+        exercises, title = dict.fromkeys(answers, 0), f"{title} (no longer in the course)"
     passed = tuple(id for id in exercises if id in progress and progress[id].passed)
     numbers = tuple(dict.fromkeys(_LINKED_NUMBER.findall(needs[1]))) if needs else ()
     deeper = tuple(id for id in exercises if id in deeper)
     points = sum(exercises[id] for id in passed)
-    parts = tuple(exercises), deeper, passed, points, remark
+    parts = tuple(exercises), deeper, passed, points, is_counted
     return LessonProgress(path.name, title, whole, core, numbers, *parts)
-
-
-def _exercises_in(notebook):
-    """The exercises of a lesson that the course no longer has, {exercise id: 0}: its points are not known."""
-    ids = (str(cell.get("id", "")) for cell in notebook["cells"])
-    return {id.removeprefix("answer-"): 0 for id in ids if id.startswith("answer-")}
 
 
 def _exercises_of(lesson, folder):

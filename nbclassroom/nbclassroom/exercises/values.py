@@ -55,7 +55,7 @@ def table_rows(form, wrong=None):
         values, wrong = values[np.newaxis], wrong[np.newaxis]
     wrong = wrong.any(axis=2) if values.ndim == 3 else wrong
     rows = zip(values, wrong.tolist(), strict=True)
-    return tuple(tuple(zip(map(_element, row), marks, strict=True)) for row, marks in rows)
+    return tuple(tuple(zip(map(_number, row), marks, strict=True)) for row, marks in rows)
 
 
 def _rows_of_message(form):
@@ -74,11 +74,9 @@ def _bytes_of(form):
     return None
 
 
-def _element(value):
-    return f"({' '.join(map(_number, value))})" if np.ndim(value) else _number(value)
-
-
 def _number(value):
+    if np.ndim(value):
+        return f"({' '.join(map(_number, value))})"
     return f"{value:.6g}" if value.dtype.kind == "f" else str(value)
 
 

@@ -96,9 +96,8 @@ def read_submission(data, catalog, reader, name=""):
     content.lesson = _recognize(notebook, cells, catalog, name, content)
     if content.lesson is None:
         content.is_page = notebook["lesson"] in PAGES
-        content.reason = f"it is not one of the lessons {', '.join(catalog.lessons)}"
-        if notebook["lesson"]:
-            content.reason += f"; it says that it is {sanitize_line(notebook['lesson'], 80)!r}"
+        named = f"its lesson, {sanitize_line(notebook['lesson'], 80)!r}," if notebook["lesson"] else "it"
+        content.reason = f"{named} is not, or no longer, one of {', '.join(catalog.lessons)}"
         return content
     lesson = catalog.describe(content.lesson, content.version)
     _inspect_notebook(notebook, cells, lesson, content)

@@ -1,6 +1,7 @@
 """The format's rules."""
 
 import pytest
+from nbclassroom.authoring.build import lesson_notebook
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.exercises import MasterError
 
@@ -24,6 +25,12 @@ def test_a_master_is_read_whole(write_master):
 
 
 THIRTEEN = "\n".join(f"x{k} = {k}" for k in range(13))
+
+
+def test_an_optional_lesson_says_so_in_its_heading_and_metadata(write_master):
+    master = read_master(write_master(("title: Doubling", "title: Doubling\n#     optional: true")))
+    assert master.cells[0].source.startswith("# 90 · Doubling (optional)\n")
+    assert lesson_notebook(master).metadata["imgproc_course"]["optional"] is True
 
 
 @pytest.mark.parametrize(

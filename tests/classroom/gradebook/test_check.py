@@ -157,7 +157,7 @@ def test_a_lesson_without_metadata_is_recognized_by_its_cells_or_its_name(lesson
     renamed.write_text(json.dumps(notebook))
     assert check_lesson(renamed).content.lesson == "template"
     path.write_text(json.dumps(notebook))
-    with pytest.raises(LessonFileError, match=r"it is not one of the lessons .*template"):
+    with pytest.raises(LessonFileError, match=r"is not, or no longer, one of .*template"):
         check_lesson(path)
 
 

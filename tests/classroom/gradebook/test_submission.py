@@ -358,7 +358,7 @@ def test_a_lesson_without_a_key_is_not_graded_as_another_one(read, made):
     made["metadata"]["imgproc_course"]["lesson"] = "light_node"
     content = read(made, "20_light_node.ipynb")
     assert (content.lesson, content.states) == (None, {})
-    assert content.reason == "it is not one of the lessons light, sound; it says that it is 'light_node'"
+    assert content.reason == "its lesson, 'light_node', is not, or no longer, one of light, sound"
 
 
 def test_a_lesson_with_the_answer_cells_of_another_one(read, made):
@@ -380,7 +380,7 @@ def test_a_notebook_with_answers_of_two_lessons_says_which_one_counts(read, made
 
 def test_a_notebook_that_is_no_lesson(read):
     content = read({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []})
-    assert (content.lesson, content.reason) == (None, "it is not one of the lessons light, sound")
+    assert (content.lesson, content.reason) == (None, "it is not, or no longer, one of light, sound")
 
 
 # ---------------------------------------------------------------- damaged notebooks

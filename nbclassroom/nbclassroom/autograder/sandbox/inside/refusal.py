@@ -71,12 +71,9 @@ class _StandIn(types.ModuleType):
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        return _silent_named(name) if _only_shows(self.__name__) else _unusable(self.__name__)
-
-
-def _unusable(module):
-    """What stands for whatever a module that is not allowed would hold."""
-    return Missing(RefusedModule(f"write this exercise without {module}", name=module))
+        if _only_shows(self.__name__):
+            return _silent_named(name)
+        return Missing(RefusedModule(f"write this exercise without {self.__name__}", name=self.__name__))
 
 
 def _only_shows(module):
