@@ -1295,7 +1295,7 @@ if ros_available() and live_seconds:
 # | scan | (90,) | float64 | 0 to infinity | metre |
 # | time to collision | one number | float | 0 to infinity | second |
 #
-# **Next:** [[numbers_with_doubt]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[object_tracking]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the numbers in the table

@@ -11,12 +11,13 @@
 #
 # **You will be able to**
 # - compute the homography of a flat thing from four corners,
-# - say how a marker carries its number,
+# - take a matrix apart (SVD), and say how a marker carries its number,
 # - find the motion between two clouds of points (Kabsch), also if many of the pairs are wrong (RANSAC),
 # - chain motions to a path, and measure its error against the truth,
+# - name the coordinate frames of a robot, and say which node publishes what (tf2),
 # - deeper: choose keyframes, and write a node that computes the path of the robot.
 #
-# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]], [[drive_the_robot]] and [[numbers_with_doubt]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]], [[drive_the_robot]], and of [[object_tracking#4]] the product of matrices. Only section 9 needs ROS 2.
 
 # %% role="given" exercise=["where-homography", "where-motion", "where-inliers", "where-keyframes"]
 import math
@@ -54,6 +55,10 @@ figure_texts = {
     "cells": (
         "Left, the marker and the middles of its 6 × 6 cells. Right, what they say: 1 is white, 0 is black.",
         "Left, the marker with one small dot in each cell. Right, a grid of 6 × 6 squares with a black border, and a pattern inside.",
+    ),
+    "svd": (
+        "What the matrix does with a circle: V rotates it, s makes it longer in one direction and shorter in the other, U rotates it again. The red and the blue point are always the same two points.",
+        "Four panels: a circle; the circle with its two points rotated; an ellipse along the axes; the same ellipse, rotated.",
     ),
     "flips": (
         "The room from above: the places that the marker gives. With refined corners (blue), all of them are near the true path; without (red crosses), some are far away.",
@@ -178,7 +183,40 @@ print("row of u times the matrix:", abs(round(float(row_u @ H.ravel()), 6)))
 print("row of v times the matrix:", abs(round(float(row_v @ H.ravel()), 6)))
 
 # %% [markdown]
-# Four corners give eight rows. We look for the vector that gives 0 with each of them. The SVD of [[numbers_with_doubt#8]] finds it: "rotate, stretch, rotate", and here one direction is stretched to 0. Which one? V rotates it to the last axis, so it is the **last row** of V, the third result. First a small example with two rows, and a vector of three numbers:
+# Four corners give eight rows. We look for the vector that gives 0 with each of them. For this we take the matrix apart.
+#
+# ### Rotate, stretch, rotate ([[minutes]])
+#
+# What does a matrix do to the plane? Every matrix does the same three things: it **rotates**, it **stretches or shrinks** along the two axes, and it **rotates** again. (A rotation may also be a mirror.) The *[[term:singular value decomposition]]*, SVD, finds the three parts: `U, s, V = np.linalg.svd(M)`, and M is `U @ np.diag(s) @ V`. Read it from the right: first V, then s, then U. (Many books call the third part Vᵀ.)
+#
+# Row k of V and column k of U can both change their signs, and M stays the same. Each computer may choose other signs. So we choose: V has positive numbers on its diagonal.
+
+# %%
+M = np.array([[1.0, 1.0], [0.0, 1.0]])
+U, s, V = np.linalg.svd(M)
+signs = np.sign(np.diag(V))
+U, V = U * signs, V * signs[:, np.newaxis]  # columns of U, rows of V
+print("s", s.round(3))
+
+# %% tags=["long"]
+angles = np.linspace(0, 2 * math.pi, 200)
+circle = np.array([np.cos(angles), np.sin(angles)])
+figure = Figure(figsize=(9, 2.6), layout="constrained")
+stages = {"a circle": np.eye(2), "V rotates": V, "s stretches": np.diag(s) @ V, "U rotates: M": M}
+for axes, (title, stage) in zip(figure.subplots(1, 4, sharey=True), stages.items(), strict=True):
+    axes.plot(*(stage @ circle).round(3), color="0.5")
+    for (a, b), colour in zip(stage.T.round(3), "rb", strict=True):  # where (1, 0) and (0, 1) go
+        axes.plot([0, a], [0, b], f"{colour}o-", markevery=[1])
+    axes.set(title=title, xlim=(-1.8, 1.8), ylim=(-1.8, 1.8), aspect="equal")
+show_figure(figure, text="where_am_i/svd")
+
+# %%
+# Check: the numbers of the SVD
+assert np.allclose(U @ np.diag(s) @ V, M) and np.allclose(U @ U.T, np.eye(2)) and np.allclose(V @ V.T, np.eye(2))
+assert s[0] > s[1] and all(np.allclose(M @ V[k], s[k] * U[:, k]) for k in range(2))
+
+# %% [markdown]
+# The numbers in s are sorted, the largest first. Row k of V is the direction that is stretched by `s[k]`. So the **last row** of V is the direction that is stretched least: to 0, if a vector gives 0 with all rows. First a small example with two rows, and a vector of three numbers:
 
 # %%
 rows = np.array([[1.0, 2, -3], [2, -1, -1]])
@@ -192,7 +230,7 @@ print("rows times vector:", abs((rows @ vector).round(6)))
 # Why the division? If a vector gives 0, so does each multiple of it. NumPy returns the one with the length 1, and its sign depends on the computer. So we make the last number 1. (This way to a homography is called the *[[term:direct linear transform]]*, DLT.)
 
 # %%
-# Check: the numbers in this section
+# Check: the numbers of the homography
 assert to_image(H, 1, 0) == (333.3, 166.7) and column == 357.1 and round(357.1 - 333.3, 1) == 23.8
 assert abs(row_u @ H.ravel()) < 1e-9 and abs(row_v @ H.ravel()) < 1e-9 and np.allclose(vector, 1)
 
@@ -375,7 +413,7 @@ print("OpenCV ", place_by_opencv(corners[60]).round(2))
 print("truth  ", true_places[60].round(2))
 
 # %% [markdown]
-# Now all 90 frames. To measure a whole path, we take the distance between the computed and the true place in each frame, square it, take the mean, and then the root: the *[[term:absolute trajectory error]]* (ATE).
+# Now all 90 frames. To measure a whole path, we take the distance between the computed and the true place in each frame, square it, take the mean, and then the root: the *[[term:absolute trajectory error]]* (ATE). (In tables of papers, the computed path is first shifted and turned until it fits best. Ours is not.)
 #
 # And once more, with another setting: without the *refinement* of the corners, which shifts each corner by parts of a pixel until it is at the edge between black and white. Without it, the corners are whole pixels, and up to 1.5 pixels away from the refined ones. **Predict** the largest error of the place in the 90 frames with these rough corners, in centimetres.
 
@@ -499,7 +537,7 @@ print(few_centered.tolist())
 print(after_centered.tolist())
 
 # %% [markdown]
-# The *[[term:Kabsch algorithm]]* has two steps. First multiply the clouds with each other: `after_centered.T @ few_centered`, a small matrix. It holds the sums of all products, as a covariance matrix does, but of one cloud with the other one: it turns and stretches. Then take the nearest rotation, U @ V, as in [[numbers_with_doubt#8]]. No other rotation brings the two clouds nearer to each other.
+# The *[[term:Kabsch algorithm]]* has two steps. First multiply the clouds with each other: `after_centered.T @ few_centered`, a small matrix. It holds the sums of all products, as a covariance matrix does, but of one cloud with the other one. Then take it apart with the SVD: rotate, stretch, rotate. Leave the stretching out: `U @ V` is a rotation. No other one gives a smaller sum of squared distances between the two clouds: this is *[[term:least squares]]*.
 
 # %%
 U, sizes, V = np.linalg.svd(after_centered.T @ few_centered)
@@ -533,6 +571,11 @@ print("without:", round(np.linalg.det(U @ V)), "  with:", round(np.linalg.det(U 
 # Check: the numbers in this section
 assert np.allclose(R, [[0, -1], [1, 0]]) and np.allclose(t, [5, 1])
 assert np.allclose(few @ R.T + t, few_after)
+noisy = after_centered + 0.3 * few_centered
+U_near, _, V_near = np.linalg.svd(noisy.T @ few_centered)
+turns = [np.array([[math.cos(a), -math.sin(a)], [math.sin(a), math.cos(a)]]) for a in angles]
+sums = [((few_centered @ turn.T - noisy)**2).sum() for turn in [U_near @ V_near, *turns]]
+assert sums[0] == min(sums)
 assert round(np.linalg.det(U @ V)) == -1 and round(np.linalg.det(U @ flip @ V)) == 1
 assert np.allclose((few - few.mean(axis=0)) @ R.T, after_centered)
 assert before.shape == after.shape == (142, 3) and 0.3 < np.median(before[:, 2] - after[:, 2]) < 0.35
@@ -1022,12 +1065,76 @@ show_figure(figure, text="where_am_i/room")
 assert round(error_wheels) == 22 and error_camera < 6 and not robot.bumped and len(truth) == 40
 
 # %% [markdown]
-# And where it sees nothing? A bare wall has no corners, so there are no points to follow. The class then takes the pose from before, and the camera is worse than the wheels. Real robots combine both, with a Kalman filter as in [[object_tracking#4]].
+# And where it sees nothing? A bare wall has no corners, so there are no points to follow. The class then takes the pose from before, and the camera is worse than the wheels.
+#
+# Real robots combine both, with a Kalman filter as in [[object_tracking#4]]. **What you would start there**: the package `robot_localization`. Its `ekf_node` takes wheels, camera and a gyroscope, each as a message with covariances, and publishes one smooth path. The `Odometry` of this course's robot has the right type, but its covariances are 0: you would have to fill them in. The node also asks tf2 (section 9) how the sensors are mounted.
 
 # %% [markdown]
-# ### The same as a node ([[minutes]], deeper)
+# ## 9 · Frames with names: tf2 ([[minutes]])
 #
-# Now the same as a node. It sees only what the robot publishes. It begins where the wheels say that it is, and then goes its own way. It publishes its pose as `Odometry`, and the way until now as a `Path`; RViz and Foxglove draw both. If a red line says that the room reaches fewer than 10 images per second, your machine is busy, and the two paths may differ much.
+# A pose always says where one thing is *as another one sees it*. ROS calls these things coordinate frames, and names them. The document REP 105 has the names for a robot that drives, and their order, a tree:
+#
+# ```mermaid
+# %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
+# flowchart LR
+#     accTitle: The coordinate frames of a robot
+#     accDescr: From map to odom leads what a localization publishes, from odom to base_footprint what the odometry publishes, and from base_footprint to camera_front and to laser_frame how the sensors are mounted.
+#     map -->|localization| odom -->|odometry| base[base_footprint] -->|mounted| camera[camera_front]
+#     base -->|mounted| laser[laser_frame]
+# ```
+#
+# | from → to | says where … is | published on a real robot by |
+# |---|---|---|
+# | `map` → `odom` | the place at which the wheels began to count | localization: a marker, or a map |
+# | `odom` → `base_footprint` | the robot, as the wheels count | the driver of the robot |
+# | `base_footprint` → `camera_front`, `laser_frame` | a sensor on the robot | `robot_state_publisher`, from a model of the robot |
+#
+# Each arrow is a *[[term:transform]]*: a pose with two names and a stamp. The library **tf2** collects all of them, and multiplies along the tree. "Where is the camera in the map?" is then one product of poses:
+
+# %%
+counted = robot.odometry()
+odom_to_base = Pose.planar(counted.x, counted.y, counted.yaw)
+x, y, _, _, _, qz, qw = robot.pose("robot")
+map_to_base = Pose.planar(x, y, 2 * math.atan2(qz, qw))  # as an exact localization knows it
+map_to_odom = map_to_base @ odom_to_base.inverse()
+camera_in_map = map_to_odom @ odom_to_base @ mount
+print("map -> odom:    ", map_to_odom.position.round(1) + 0.0)
+print("camera in map:  ", camera_in_map.position.round(2))
+print("its true place: ", robot.pose("camera")[:3].round(2))
+
+# %% [markdown]
+# Why two frames, `map` and `odom`? When the robot sees a marker, its place in the map is corrected: it **jumps**. A controller that drives 0.5 m straight ahead must not see this jump. So the wheels keep their own frame: the robot's pose in `odom` drifts, but it **never jumps**. The correction goes into `map` → `odom` alone. At the start of the slalom both frames were the same; now this arrow holds the drift of the wheels.
+#
+# And the axes? In all frames of a robot, x points ahead, y to the left, z up (REP 103). A camera's image has other axes: x to the right, y down, z ahead, along the *optical axis*. `mount` turns the one into the other. On many robots this *optical frame* has a name that ends in `_optical_frame`; on this robot it is `camera_front` itself.
+
+# %%
+# Check: the chain gives the camera's true place, and the columns of mount are the camera's axes
+assert np.allclose(camera_in_map.position, robot.pose("camera")[:3], atol=1e-3)
+assert math.dist(wheels[0], truth[0]) < 1e-6 < 0.1 < np.linalg.norm(map_to_odom.position)
+assert mount.rotation.T.tolist() == [[0, -1, 0], [0, 0, -1], [1, 0, 0]]
+
+# %% [markdown]
+# As a message, a transform is a `TransformStamped`. This is what a robot publishes once for its camera:
+
+# %%
+if ros_available():
+    from geometry_msgs.msg import TransformStamped
+
+    msg = TransformStamped(child_frame_id="camera_front")
+    msg.header.frame_id = "base_footprint"  # the parent
+    shift, turn = msg.transform.translation, msg.transform.rotation
+    shift.x, shift.y, shift.z, turn.x, turn.y, turn.z, turn.w = mount.vector.tolist()
+    print(msg.header.frame_id, "->", msg.child_frame_id)
+    print("shift", shift.x, shift.y, shift.z)
+    print("quaternion", turn.x, turn.y, turn.z, turn.w)
+
+# %% [markdown]
+# Transforms that change are sent on `/tf`, the mounted ones on `/tf_static`: there a subscriber that comes late still gets the last message (*transient local*). Their type, `tf2_msgs/TFMessage`, is not among the packages from which this course installs ROS 2. So nothing here publishes `/tf`, and you multiply the poses yourself. On a robot, `ros2 run tf2_tools view_frames` draws its tree, and `buffer.lookup_transform("map", "camera_front", stamp)` gives the product.
+
+# %% [markdown]
+# ### Visual odometry as a node ([[minutes]], deeper)
+#
+# Now visual odometry as a node. It sees only what the robot publishes. It begins where the wheels say that it is, and then goes its own way. It publishes its pose as `Odometry`, and the way until now as a `Path`, both in the frame `odom`; RViz and Foxglove draw them. If a red line says that the room reaches fewer than 10 images per second, your machine is busy, and the two paths may differ much.
 
 # %% tags=["long"]
 if ros_available():
@@ -1143,7 +1250,7 @@ assert not ros_available() or node.looks == len(node.path.poses) > 0
 # | shift | (3,) | float64 | | metre |
 # | inliers | (N,) | bool | False, True | |
 #
-# **Next:** [[mapping_and_slam]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[reading_text]], or the optional [[mapping_and_slam]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the numbers in the table

@@ -2,12 +2,13 @@
 # jupyter:
 #   imgproc_course:
 #     title: Gestures
+#     optional: true
 # ---
 
 # %% [markdown]
 # # Gestures
 #
-# You stand in the living room and raise your hand: the robot stops. You swipe to the left: the robot turns to the left. In this lesson you count the raised fingers of a hand in three ways, by its outline, by a circle, and with a small neural network. Then you compare movements. At the end, the robot in the room obeys your hand.
+# *Optional:* no other lesson needs this one. You stand in the living room and raise your hand: the robot stops. You swipe to the left: the robot turns to the left. In this lesson you count the raised fingers of a hand in three ways, by its outline, by a circle, and with a small neural network. Then you compare movements. At the end, the robot in the room obeys your hand.
 #
 # **You will be able to**
 # - find the valleys between the fingers (convex hull, convexity defects),
