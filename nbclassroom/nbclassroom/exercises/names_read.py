@@ -151,5 +151,7 @@ def _names_at_once(node):
     if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)):
         defaults = [part for part in (*node.args.defaults, *node.args.kw_defaults) if part]
         parts = [*getattr(node, "decorator_list", ()), *defaults]
+    scopes = node.body if isinstance(node, ast.ClassDef) else getattr(node, "generators", ())
+    own = set().union(*map(names_bound_by, scopes))  # of a class or a comprehension
     for part in parts:
-        yield from _names_at_once(part)
+        yield from (name for name in _names_at_once(part) if name not in own)

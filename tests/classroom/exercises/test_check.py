@@ -376,6 +376,22 @@ def test_a_value_of_a_deleted_cell_does_not_pass(runs):
     assert not result.passed and result.gone == {"most": "deleted"}
 
 
+@pytest.mark.parametrize(
+    "table",
+    [
+        "most = max([k for k in range(256)])",
+        "most = max({k: k for k in range(256) if k > 3})",
+        "class Table:\n    k = 255\n    last = k\nmost = Table.last",
+    ],
+)
+def test_what_a_comprehension_or_a_class_binds_is_read_of_no_other_cell(runs, table):
+    runs.start("for k in range(3):\n    print(k)", "mine")
+    runs.start(f"{table}\n{USES_MOST}", "answer-test-double")
+    runs._deleted.add("mine")
+    result = check("test-double", run_cell(f"{table}\n{USES_MOST}", {"np": np, "k": 2})["double"])
+    assert result.passed and result.gone == {}
+
+
 def test_a_value_that_needs_a_refused_module_is_refused(runs):
     import cv2
 
