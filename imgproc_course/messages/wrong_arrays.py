@@ -9,7 +9,11 @@ _CALLS = {  # by the name of a class
     "tuple": "take the image out of it: VideoCapture.read gives (ok, frame)",
     "list": "call np.asarray(..., dtype=np.uint8) first",
     **dict.fromkeys(("str", "PurePath"), "call cv2.imread(...) first"),
-    "bytes": "call cv2.imdecode(np.frombuffer(..., np.uint8), cv2.IMREAD_COLOR) first",
+    **dict.fromkeys(
+        ("bytes", "bytearray", "memoryview"),
+        "call cv2.imdecode(np.frombuffer(..., np.uint8), cv2.IMREAD_COLOR) first",
+    ),
+    "VideoCapture": "call .read() first: it gives (ok, frame)",
     "Tensor": "call .numpy() first; of PyTorch .permute(1, 2, 0).cpu().numpy(), whose channels come first",
     **dict.fromkeys(("UMat", "ndarray"), "call .get() first"),  # of OpenCV and CuPy
     "VideoFrame": "call .to_ndarray(format='bgr24') first",
