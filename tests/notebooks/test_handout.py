@@ -28,5 +28,6 @@ def test_every_file_was_opened(handed_out):
     names = {Path(name).name for name in handed_out.files}
     assert {path.name for path in NOTEBOOKS.glob("*.ipynb")} <= names
     assert {path.name for path in (NOTEBOOKS / "checks").glob("*.json")} <= names
+    assert "baseline.py" in names  # a lesson names it
     zipped = [name for name in handed_out.files if ".zip/" in name]
     assert 2 * len(zipped) == len(handed_out.files) > 2 * len(PATHS)

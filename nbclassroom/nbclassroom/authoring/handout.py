@@ -41,7 +41,9 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
         files[name] = link.sub(lambda found: found[1] if found[2].decode() in left_out else found[0], text)
     for path in chosen:
         files |= _exercise_files(source, path, with_solutions)
-        beside = f"{TEXTS}/{lesson_name(path.stem)}.json", f"{lesson_name(path.stem)}.py"
+        beside = [f"{TEXTS}/{lesson_name(path.stem)}.json", f"{lesson_name(path.stem)}.py"]
+        if course.league_baseline.encode() in path.read_bytes():
+            beside.append(course.league_baseline)
         files |= {name: (source / name).read_bytes() for name in beside if (source / name).is_file()}
     files[LEARNERS_FOLDER] = (json.dumps({"handout": course.release()}) + "\n").encode()
     if course.face == course.KEYS["face"]:  # the lessons import the classroom, which must find the course
