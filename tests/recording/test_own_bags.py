@@ -232,6 +232,24 @@ def test_a_foreign_channel_costs_nothing_and_is_named_once(tmp_path, kind):
     assert len(texts) == 1 and texts[0].startswith("skipped: /other of a.mcap cannot be read: ")
 
 
+@pytest.mark.parametrize("kind", ["a/msg/Own", "a/srv/B_Event"])
+@pytest.mark.parametrize("distribution", ["Humble", "Jazzy"])
+def test_a_type_that_a_db3_does_not_define_costs_nothing_and_is_named_once(tmp_path, kind, distribution):
+    folder = write_raw_bag(tmp_path / "mine", "sqlite3")
+    with sqlite3.connect(bag_file(folder)) as database:
+        if distribution == "Humble":  # it stored no definitions
+            database.execute("DROP TABLE message_definitions")
+        columns = "id, name, type, serialization_format, offered_qos_profiles, type_description_hash"
+        database.execute(f"INSERT INTO topics ({columns}) VALUES (7, '/other', '{kind}', 'cdr', '', '')")
+        database.execute("INSERT INTO messages VALUES (NULL, 7, ?, x'00010000')", (START,))
+    database.close()
+    with open_recording(folder) as recording:
+        assert len(recording) == 6
+        count, texts = warnings_of_iterating(recording)
+    assert count == 6
+    assert len(texts) == 1 and texts[0].startswith("skipped: /other of mine cannot be read: its type")
+
+
 FIELDS = "std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\n"
 
 
