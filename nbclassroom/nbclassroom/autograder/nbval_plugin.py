@@ -94,6 +94,7 @@ class ExerciseRun:
     def __init__(self, exercise, kernels, stop_at=math.inf):
         self._exercise, self._kernels = exercise, kernels  # PageKernels
         self._process, self._seconds, self._answer_run = None, 0.0, CellRun()
+        self._drives_too_long = False
         self.stop_at = stop_at  # on time.monotonic(): then no further case is run; robots' time is added
         self.runs = {}  # {case id: CaseRun}
         self.passed = set()  # ids of the cases that nbval let pass
@@ -101,7 +102,7 @@ class ExerciseRun:
 
     def run(self, case, source):
         """The CaseRun of one case: its check cell runs after the page."""
-        if time.monotonic() > self.stop_at:
+        if time.monotonic() > self.stop_at or self._drives_too_long:
             run = CaseRun(check=CellRun(ended="budget"))
         else:
             run = self._run_in_same_process(case, source) or self._run_in_new_processes(case, source)
@@ -164,6 +165,7 @@ class ExerciseRun:
         """Run a check that talks to a partner. What fails in the partner is raised: no answer causes it."""
         run.check = process.run_with(source, partner)
         run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
+        self._drives_too_long = run.check.ended == "time"
         self.stop_at += partner.seconds
         run.verdict, run.is_measured = partner.verdict(), True
 

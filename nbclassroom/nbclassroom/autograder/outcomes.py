@@ -34,7 +34,7 @@ class OutcomeTexts:
 
 
 # Of the cases that are not run because those before them took too long.
-BUDGET_MESSAGE = "it was not run: the checks before it used all the time that one submission may use"
+BUDGET_MESSAGE = "it was not run: the checks before it took too much time"
 # How the message of a case begins whose function is not there, because its cell raised an exception.
 CELL_FAILS = "its cell does not run"
 TEXTS = {

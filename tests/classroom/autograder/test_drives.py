@@ -9,6 +9,7 @@ from drive_attacks import DRIVE_ATTACKS
 from drive_runs import GOOD, HIDDEN, MASTERS, PUBLIC, on_the_plane, run_drives
 from nbclassroom.autograder.answer_key import load_key
 from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.outcomes import BUDGET_MESSAGE
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
@@ -111,6 +112,15 @@ def test_what_ends_a_drive_is_one_sentence_with_line_and_time(drive):
     public, _ = drive("def control(o, m):\n    while True: pass").cases
     assert public.outcome == "time"
     assert public.message == "one step took more than 0.5 s of processor time, 0.0 s after the start"
+
+
+def test_after_a_drive_that_takes_too_long_no_other_one_begins():
+    """It sleeps, so that only the time of the whole drive ends it."""
+    with KernelFactory(limits=Limits(wall_factor=0, wall_grace=3.0)) as factory, on_the_plane():
+        _, exercise = run_drives(factory, f"import time\n{GOOD}".replace("return", "time.sleep(0.4); return"))
+    public, hidden = exercise.cases
+    assert (public.outcome, hidden.outcome) == ("time", "time")
+    assert public.message.startswith("it did not finish in time, ") and hidden.message == BUDGET_MESSAGE
 
 
 def test_a_stub_and_an_answer_without_the_function(drive):
