@@ -45,6 +45,7 @@ def main(args=None):
         ("try:\n    main()\nexcept KeyboardInterrupt:\n    pass", "main()", True),
         ("node = Gray()\nrclpy.spin(node)", "rclpy.spin(node)", True),
         ("executor.spin()", "executor.spin()", True),
+        ("MultiThreadedExecutor().spin()", "MultiThreadedExecutor().spin()", True),
         ("Gray().run()", "Gray().run()", True),
         ("while rclpy.ok():\n    rclpy.spin_once(Gray())", "while rclpy.ok():", True),
         ("while True:\n    print(3)", "while True:", True),
