@@ -322,6 +322,7 @@ def test_a_short_message_is_not_held_back_on_its_way_to_the_browser(server):
     while "TCP_NODELAY" not in server.output() and time.monotonic() < end:
         time.sleep(0.1)
     assert re.findall(r"TCP_NODELAY (\d)", server.output()) == ["1"]
+    assert "websocket_ping" not in server.output()  # no warning of Tornado
 
 
 def test_a_second_one_names_the_first_and_takes_another_port(server, folders):
