@@ -2,6 +2,10 @@
 
 import array
 import inspect
+import os
+import subprocess
+import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import cv2
@@ -11,6 +15,7 @@ import pytest
 from imgproc_course.messages import ConversionError
 from imgproc_course.messages.cv_bridge import CvBridge, CvBridgeError, cvtColorForDisplay, getCvType
 
+FOR_OTHER_NODES = Path(__file__).parents[2] / "environment" / "cv_bridge"
 BRIDGE = CvBridge()
 BGR = np.arange(18, dtype=np.uint8).reshape(2, 3, 3)
 
@@ -174,3 +179,18 @@ def test_an_image_that_cannot_be_displayed_is_refused(arguments, words):
     with pytest.raises(CvBridgeError) as caught:
         cvtColorForDisplay(*arguments)
     assert words in str(caught.value)
+
+
+@pytest.mark.parametrize("is_installed", [False, True])
+def test_other_peoples_nodes_import_it_as_cv_bridge_where_none_is_installed(tmp_path, is_installed):
+    program = "import cv_bridge; print(cv_bridge.CvBridge.__module__)"
+    if is_installed:
+        program = "from cv_bridge import CvBridge; from cv_bridge.core import WHO; print(CvBridge, WHO)"
+        (tmp_path / "cv_bridge").mkdir()
+        (tmp_path / "cv_bridge" / "__init__.py").write_text("from .core import CvBridge")
+        (tmp_path / "cv_bridge" / "core.py").write_text("CvBridge, WHO = 'the installed one', __name__")
+    environment = os.environ | {"PYTHONPATH": f"{FOR_OTHER_NODES}{os.pathsep}{tmp_path}"}
+    command = [sys.executable, "-c", program]
+    process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=60)
+    expected = "the installed one cv_bridge.core" if is_installed else "imgproc_course.messages.cv_bridge"
+    assert (process.stdout, process.stderr) == (f"{expected}\n", "")
