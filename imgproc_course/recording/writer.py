@@ -3,13 +3,15 @@
 import contextlib
 import shutil
 from binascii import crc32
+from collections.abc import Sequence
 from pathlib import Path
 from types import MappingProxyType
 from typing import Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
-from rosbags.interfaces import Connection
+from rosbags import interfaces
+from rosbags.interfaces import Connection, Qos
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.rosbag2.errors import WriterError
 from rosbags.rosbag2.storage_mcap import McapWriter
@@ -21,6 +23,7 @@ from .mcap import HEAD
 
 METADATA_VERSION: Final = 8  # the newest that `ros2 bag` of both Humble and Jazzy reads
 CRC_PLACE = HEAD.size + 24  # in a chunk
+NO_LIMIT = interfaces.QosTime(9223372036, 854775807)  # ROS's own, in seconds and ns
 
 
 class _CheckedMcapWriter(McapWriter):
@@ -37,6 +40,21 @@ class _CheckedMcapWriter(McapWriter):
 
 class _CheckedWriter(Writer):
     STORAGE_PLUGINS = MappingProxyType({**Writer.STORAGE_PLUGINS, StoragePlugin.MCAP: _CheckedMcapWriter})
+
+
+def offered_qos(reliability: str = "BEST_EFFORT", durability: str = "VOLATILE") -> Qos:
+    """The QoS of a publisher, as `ros2 bag record` stores it for those who play the recording."""
+    return Qos(
+        history=interfaces.QosHistory.UNKNOWN,
+        depth=0,
+        reliability=interfaces.QosReliability[reliability],
+        durability=interfaces.QosDurability[durability],
+        deadline=NO_LIMIT,
+        lifespan=NO_LIMIT,
+        liveliness=interfaces.QosLiveliness.AUTOMATIC,
+        liveliness_lease_duration=NO_LIMIT,
+        avoid_ros_namespace_conventions=False,
+    )
 
 
 class RecordingWriter:
@@ -84,7 +102,9 @@ class RecordingWriter:
             raise RecordingError(f"{self.path} cannot be written: {error.strerror}") from error
         self._is_open = True
 
-    def write(self, topic: str, kind: str, serialized: bytes, stamp: int) -> None:
+    def write(
+        self, topic: str, kind: str, serialized: bytes, stamp: int, qos: Sequence[Qos] = (offered_qos(),)
+    ) -> None:
         """Adds a message.
 
         Parameters
@@ -93,6 +113,7 @@ class RecordingWriter:
         kind : its type, such as "sensor_msgs/msg/Image", of `message_types()`
         serialized : bytes, CDR
         stamp : time of recording in ns since 1970
+        qos : of its publishers, by `offered_qos`; that of a topic's first message counts
 
         Raises
         ------
@@ -104,7 +125,9 @@ class RecordingWriter:
             if topic not in self._connections:
                 if kind not in message_types().types:
                     raise RecordingError(f"{topic} cannot be recorded: {kind} is no message type of ROS")
-                self._connections[topic] = self._writer.add_connection(topic, kind, typestore=message_types())
+                self._connections[topic] = self._writer.add_connection(
+                    topic, kind, typestore=message_types(), offered_qos_profiles=qos
+                )
             self._writer.write(self._connections[topic], stamp, serialized)
         except OSError as error:
             raise RecordingError(f"{self.path} cannot be written: {error.strerror}") from error

@@ -5,13 +5,15 @@ import math
 import threading
 import time
 from pathlib import Path
+from typing import Any
 
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
-from imgproc_course.messages.message_classes import installed_class
+from imgproc_course.messages.message_classes import installed_class, message_types
 from imgproc_course.recording import RecordingError, RecordingWriter
 from imgproc_course.recording.topics import POSE_PREFIX, POSES
+from imgproc_course.recording.writer import offered_qos
 from imgproc_course.ros.entities import Entities, Stoppable
 from imgproc_course.ros.robot_process import running_robot
 from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, SCAN, TOPIC, camera_topics
@@ -29,6 +31,7 @@ ROBOT_TOPICS = (
     COMMANDS,
     *(POSE_PREFIX + name for name in ("robot", *POSES)),
 )
+TF = "tf2_msgs/msg/TFMessage"  # which the ROS from pip lacks; rosbags knows it
 QUEUE = 30  # messages that may wait while the disk is busy: a second of images
 DISCOVERY_TIMEOUT = 10.0
 SETTLING = 0.5  # seconds without another topic of the robot, until its topics are known
@@ -44,7 +47,8 @@ class Recorder(Stoppable):
     Parameters
     ----------
     topics : a name, or a list of names; None for those of the robot (camera, depth, odometry, scan, commands,
-        true poses), as far as they are published
+        true poses), as far as they are published. With the odometry of the room come /tf and /tf_static, by
+        which viewers draw camera, scan and robot in place
     path : the new folder, which must not exist
 
     Attributes
@@ -82,6 +86,8 @@ class Recorder(Stoppable):
         self.last_error: str | None = None
         self.running = True
         counts = self._robots_subscribers()
+        self._mounts = self._sensor_mounts()
+        self._offers: dict[str, list[Any]] = {}  # topic: QoS of its publishers
         self._entities = Entities(self, self.stop)  # this also keeps a Recorder that is bound to no name
         for topic in self.topics:
             self._subscribe(topic)
@@ -147,6 +153,14 @@ class Recorder(Stoppable):
         status = running_robot(self._session.context.get_domain_id())
         return (status or {}).get("subscribers", {})
 
+    def _sensor_mounts(self):
+        """{frame: its pose on the robot} of the room's robot; empty for another one."""
+        if "seed" not in (running_robot(self._session.context.get_domain_id()) or {}):
+            return {}
+        from imgproc_course.ros.room_messages import MOUNTS  # here: a room takes a while to import
+
+        return {frame: pose.vector.tolist() for frame, pose in MOUNTS.items()}
+
     def _wait_for_robot(self, counts):
         """Waits until the robot process, which had `counts` subscribers, sends to our subscriptions."""
         end = time.monotonic() + MATCHING
@@ -165,6 +179,7 @@ class Recorder(Stoppable):
             reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
             durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
         )
+        self._offers[topic] = [offered_qos(offer.reliability.name, offer.durability.name) for offer in offers]
         events = SubscriptionEventCallbacks(matched=self._losses[topic].on_matched)
         message_type = installed_class(self.topics[topic])
         options = {"event_callbacks": events, "raw": True}
@@ -175,7 +190,10 @@ class Recorder(Stoppable):
             if not self.running:
                 return
             try:
-                self._writer.write(topic, self.topics[topic], serialized, time.time_ns())
+                now, kind = time.time_ns(), self.topics[topic]
+                if topic == ODOMETRY and self._mounts:
+                    self._write_frames(message_types().deserialize_cdr(serialized, kind), now)
+                self._writer.write(topic, kind, serialized, now, self._offers[topic])
             except RecordingError as error:
                 self.last_error = str(error)
             else:
@@ -184,6 +202,29 @@ class Recorder(Stoppable):
         if self.last_error:
             log.warning("the recording stopped: %s", self.last_error)
             self.stop()
+
+    def _write_frames(self, odometry, now):
+        header, base = odometry.header, odometry.child_frame_id
+        place, turn = odometry.pose.pose.position, odometry.pose.pose.orientation
+        if not self.counts[ODOMETRY]:
+            kept = offered_qos("RELIABLE", "TRANSIENT_LOCAL")
+            self._writer.write("/tf_static", TF, _transforms(header.stamp, base, self._mounts), now, [kept])
+        pose = place.x, place.y, place.z, turn.x, turn.y, turn.z, turn.w
+        frames = _transforms(header.stamp, header.frame_id, {base: pose})
+        self._writer.write("/tf", TF, frames, now, [offered_qos("RELIABLE")])
+
+
+def _transforms(stamp, parent, poses):
+    """A serialized TFMessage; {frame: (x, y, z, qx, qy, qz, qw) in its parent}."""
+    types = message_types().types
+    header = types["std_msgs/msg/Header"](stamp, parent)
+    vector, quaternion = types["geometry_msgs/msg/Vector3"], types["geometry_msgs/msg/Quaternion"]
+    transform, stamped = types["geometry_msgs/msg/Transform"], types["geometry_msgs/msg/TransformStamped"]
+    frames = [
+        stamped(header, frame, transform(vector(*pose[:3]), quaternion(*pose[3:])))
+        for frame, pose in poses.items()
+    ]
+    return bytes(message_types().serialize_cdr(types[TF](frames), TF))
 
 
 def record_until_signal(topics, path, *, status_seconds=STATUS_SECONDS, say=print):

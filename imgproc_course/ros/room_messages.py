@@ -9,12 +9,15 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import CameraInfo, Image, LaserScan
 from std_msgs.msg import Header
 
-from imgproc_course.recording.topics import POSE_PREFIX, POSES, WORLD_FRAME
+from imgproc_course.recording.topics import CAMERA_FRAME, POSE_PREFIX, POSES, WORLD_FRAME
 from imgproc_course.ros.robot_topics import SCAN, TOF
 from imgproc_course.simulation.laser import RAYS
+from imgproc_course.simulation.simulation import CAMERA_MOUNT, LASER_MOUNT, TOF_MOUNT
 
 # As on the robot, whose scanner is turned to the left by 90 degrees.
 ODOM_FRAME, BASE_FRAME, LASER_FRAME, TOF_FRAME = "odom", "base_footprint", "laser_frame", "tof_camera"
+# Poses in BASE_FRAME, as /tf_static has them.
+MOUNTS = {CAMERA_FRAME: CAMERA_MOUNT, TOF_FRAME: TOF_MOUNT, LASER_FRAME: LASER_MOUNT}
 
 
 def sensor_topics(base):

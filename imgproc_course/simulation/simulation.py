@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..geometry import CameraModel, Pose
 from ..geometry.poses import product, rotation_about
-from .laser import LaserScan
+from .laser import MOUNT, LaserScan
 from .movers import Movers
 from .renderer import NEAR, NEAREST
 from .room import MOVERS, Room, recorded_room
@@ -20,15 +20,16 @@ from .wheels import Odometry, WheelOdometry, Wheels, clearance, gap, nearest_on_
 
 # The recorded drive's camera: 1280×720, and where it stands on the robot.
 CAMERA = CameraModel(1280, 720, 705.0, 705.0, 639.5, 359.5, (-0.170, 0.035, 0.0004, -0.0003, 0.0))
-CAMERA_MOUNT = (0.21, 0.20)  # x and z in base_link, metres
+OPTICAL = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # columns: the optical frame's axes in the body's
+CAMERA_MOUNT = Pose(OPTICAL, np.array([0.21, 0, 0.20]))  # of the optical frame in base_link, metres
 # The depth camera below it, tilted up by 45 degrees: at this tilt it does not see the floor.
 TOF_CAMERA = CameraModel(160, 120, 80.0, 80.0, 79.5, 59.5)
-TOF_MOUNT, TOF_TILT = (0.221, 0.0418), math.pi / 4
+TOF_MOUNT = Pose(product(OPTICAL, rotation_about("x", math.pi / 4)), np.array([0.221, 0, 0.0418]))
+LASER_MOUNT = Pose.planar(MOUNT[0], 0, math.pi / 2, MOUNT[1])  # its messages' frame is turned to the left
 LONGEST_STEP = 0.02  # seconds
 LONGEST_HELD, PLAY = 1.0, 0.01  # seconds that the body cannot move; metres per second: see _blocked
 LONGEST_PINNED = 3.0  # seconds in which it only moves to and fro in some centimetres, as before the car
 DEPTH_WIDTH = 640
-OPTICAL = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # columns: the optical frame's axes in the body's
 
 
 class Simulation:
@@ -306,12 +307,9 @@ class Simulation:
         return Pose.planar(*self._wheels.place)
 
     def _camera_pose(self, camera):
-        if camera == "tof":
-            tilted = product(OPTICAL, rotation_about("x", TOF_TILT))
-            return self._robot_pose() @ Pose(tilted, np.array([TOF_MOUNT[0], 0, TOF_MOUNT[1]]))
-        if self._look is not None:
+        if camera == "front" and self._look is not None:
             return self._look
-        return self._robot_pose() @ Pose(OPTICAL, np.array([CAMERA_MOUNT[0], 0, CAMERA_MOUNT[1]]))
+        return self._robot_pose() @ (TOF_MOUNT if camera == "tof" else CAMERA_MOUNT)
 
     def close(self) -> None:
         """Frees the images; the simulation cannot be used any more."""

@@ -69,7 +69,6 @@ def bench_gray(frames, rounds):
         "to_gray": imaging.to_gray,
         "average_gray": imaging.average_gray,
         "lightness_gray": imaging.lightness_gray,
-        "linear_light_gray": imaging.linear_light_gray,
     }
     return compare("gray, 1280×720", ways, frames, rounds, {"to_gray": GRAY_BUDGET})
 

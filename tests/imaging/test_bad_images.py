@@ -17,14 +17,11 @@ from imgproc_course.imaging import (
     gaussian_blur,
     gaussian_kernel,
     lightness_gray,
-    linear_light,
-    linear_light_gray,
     median_blur,
     otsu_threshold,
     psnr,
     smooth,
     sobel,
-    srgb_levels,
     ssim,
     threshold,
     to_gray,
@@ -46,7 +43,6 @@ ON_BGR = {
     "to_gray": to_gray,
     "average_gray": average_gray,
     "lightness_gray": lightness_gray,
-    "linear_light_gray": linear_light_gray,
 }
 ON_BOTH = {
     "box_blur": box_blur,
@@ -205,8 +201,6 @@ BAD_NUMBERS = {
     "two shapes": (lambda: psnr(GRAY, GRAY[1:]), r"must have the same shape, got \(9, 9\) and \(8, 9\)"),
     "ssim of colour": (lambda: ssim(np.zeros((9, 9, 3), np.uint8), np.zeros((9, 9, 3), np.uint8)), "to_gray"),
     "ssim of a small image": (lambda: ssim(GRAY[:5], GRAY[:5]), "at least 7×7 pixels"),
-    "float levels": (lambda: linear_light(np.zeros(3)), "levels must be uint8"),
-    "light NaN": (lambda: srgb_levels(np.array([np.nan])), "nan_to_num"),
 }
 
 

@@ -2,16 +2,8 @@
 
 import cv2
 import numpy as np
-import pytest
 
-from imgproc_course.imaging import (
-    average_gray,
-    lightness_gray,
-    linear_light,
-    linear_light_gray,
-    srgb_levels,
-    to_gray,
-)
+from imgproc_course.imaging import average_gray, lightness_gray, to_gray
 
 
 def every_colour():
@@ -55,33 +47,9 @@ def test_lightness_is_the_mean_of_the_extremes_rounded_half_up():
 
 def test_the_other_grays_do_not_change_their_input(colours):
     for name, frame in colours.items():
-        for convert in (average_gray, lightness_gray, linear_light_gray):
+        for convert in (average_gray, lightness_gray):
             before = frame.copy()
             gray = convert(frame)
             assert gray.dtype == np.uint8 and gray.shape == frame.shape[:2], name
             assert np.array_equal(frame, before), name
             assert np.array_equal(gray, convert(before)), name
-
-
-def test_linear_light_follows_the_srgb_curve():
-    assert linear_light(np.uint8([0, 255])).tolist() == [0, 1]
-    # The curve is a straight line up to level 10 and a power function above.
-    assert linear_light(np.uint8([10]))[0] == pytest.approx(10 / 255 / 12.92, rel=1e-12)
-    assert linear_light(np.uint8([11]))[0] == pytest.approx(((11 / 255 + 0.055) / 1.055) ** 2.4, rel=1e-12)
-    # Level 188 stands for half of the light of white, level 128 for 22 %.
-    assert np.allclose(linear_light(np.uint8([128, 188])), [0.215861, 0.502886], atol=5e-7)
-    assert np.all(np.diff(linear_light(np.arange(256, dtype=np.uint8))) > 0)
-
-
-def test_levels_and_light_are_inverses():
-    levels = np.arange(256, dtype=np.uint8)
-    assert np.array_equal(srgb_levels(linear_light(levels)), levels)
-    assert srgb_levels(np.array([-1, 0, 0.5, 1, 7])).tolist() == [0, 0, 188, 255, 255]
-
-
-def test_gamma_makes_luma_of_saturated_colours_too_dark():
-    gray = np.repeat(np.arange(256, dtype=np.uint8)[None, :, None], 3, axis=2)
-    assert np.array_equal(linear_light_gray(gray), to_gray(gray))
-    red, green, blue = ([[[0, 0, 255]]], [[[0, 255, 0]]], [[[255, 0, 0]]])
-    assert [int(linear_light_gray(np.uint8(colour))[0, 0]) for colour in (red, green, blue)] == [127, 220, 76]
-    assert [int(to_gray(np.uint8(colour))[0, 0]) for colour in (red, green, blue)] == [76, 150, 29]

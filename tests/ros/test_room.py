@@ -4,6 +4,7 @@ import contextlib
 import itertools
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -11,8 +12,10 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import mcap.reader
 import numpy as np
 import pytest
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 pytest.importorskip("rclpy", reason="needs ROS 2")
 
@@ -123,6 +126,45 @@ def test_what_it_sees_is_what_the_simulation_sees_there(robot, collect, wait_unt
     assert frames[f"{CAMERA}/image_raw"] == frames[f"{CAMERA}/depth"] == "camera_front"
     assert frames["/kachaka/tof_camera/image_raw"] == "tof_camera"
     assert (frames["/kachaka/lidar/scan"], frames["/truth/pose/robot"]) == ("laser_frame", "world")
+
+
+def test_a_viewer_can_draw_the_sensors_of_a_recording_in_place(robot, tmp_path, wait_until):
+    topics = ["/kachaka/odometry/odometry", "/kachaka/lidar/scan"]
+    with record(topics, tmp_path / "own") as recorder:
+        robot.drive(0.2, 0.4, seconds=0.5)
+        wait_until(lambda: min(recorder.counts.values()) >= 5)
+    found, qos = {}, {}
+    with (tmp_path / "own" / "own.mcap").open("rb") as file:
+        for schema, channel, message in mcap.reader.make_reader(file).iter_messages():
+            types = get_typestore(Stores.EMPTY)
+            types.register(get_types_from_msg(schema.data.decode(), schema.name))
+            found.setdefault(channel.topic, []).append(types.deserialize_cdr(message.data, schema.name))
+            qos[channel.topic] = channel.metadata["offered_qos_profiles"]
+    assert found.keys() == {*topics, "/tf", "/tf_static"}
+    (mounted,) = found["/tf_static"]
+    mounts = {}
+    for transform in mounted.transforms:
+        assert transform.header.frame_id == "base_footprint"
+        p, q = transform.transform.translation, transform.transform.rotation
+        mounts[transform.child_frame_id] = Pose.from_vector([p.x, p.y, p.z, q.x, q.y, q.z, q.w])
+    # A metre ahead of each: along the camera's optical axis, and by the scanner's ray at -90 degrees.
+    assert mounts["camera_front"].apply([0, 0, 1]) == pytest.approx([1.21, 0, 0.20])
+    assert mounts["tof_camera"].apply([0, 0, 2**0.5]) == pytest.approx([1.221, 0, 1.0418])
+    assert mounts["laser_frame"].apply([0, -1, 0]) == pytest.approx([1.156, 0, 0.105])
+    assert {scan.header.frame_id for scan in found["/kachaka/lidar/scan"]} == {"laser_frame"}
+    assert len(found["/tf"]) == len(found[topics[0]]) >= 5
+    for tf, odometry in zip(found["/tf"], found[topics[0]], strict=True):
+        (transform,) = tf.transforms
+        assert (transform.header.frame_id, transform.child_frame_id) == ("odom", "base_footprint")
+        assert stamp(transform) == stamp(odometry)
+        p, place = transform.transform.translation, odometry.pose.pose.position
+        assert (p.x, p.y, p.z) == (place.x, place.y, place.z)
+        q, turn = transform.transform.rotation, odometry.pose.pose.orientation
+        assert (q.x, q.y, q.z, q.w) == (turn.x, turn.y, turn.z, turn.w)
+    # As rmw/types.h numbers them: 1 is reliable and transient local, 2 best effort and volatile.
+    policies = {topic: re.findall(r"(?:durability|reliability): (\d)", text) for topic, text in qos.items()}
+    assert policies.pop("/tf_static") == ["1", "1"] and policies.pop("/tf") == ["2", "1"]
+    assert policies == {topic: ["2", "2"] for topic in topics}
 
 
 def test_it_drives_and_stops_by_itself_after_half_a_second(robot, collect, wait_until):
