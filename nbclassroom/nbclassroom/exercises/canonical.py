@@ -36,10 +36,8 @@ _STAND_INS: dict[type, type] = {
     collections.OrderedDict: dict,
     collections.defaultdict: dict,
     collections.Counter: dict,
-    decimal.Decimal: float,
-    fractions.Fraction: float,
-    np.longdouble: float,
 }
+_NUMBERS = (decimal.Decimal, fractions.Fraction, np.longdouble)
 
 # Read through `type` itself: a metaclass may redefine __qualname__ and __module__.
 _QUALNAME = type.__dict__["__qualname__"]
@@ -87,6 +85,7 @@ class _Writer:
         self._items_left = _MOST_ITEMS
 
     def write(self, value, depth):
+        value = _plain(value)
         kind = type(value)
         if value is None:
             return {"type": "None"}
@@ -102,10 +101,6 @@ class _Writer:
             return self._array(value)
         if kind is _MATRIX_TYPE:
             return {"type": MATRIX, "opaque": True, "array": self._array(np.ndarray.view(value, np.ndarray))}
-        if kind is np.ma.MaskedArray and not np.ma.is_masked(value):
-            return self._array(np.ndarray.view(value, np.ndarray))
-        if issubclass(kind, (enum.StrEnum, enum.IntEnum)):  # by the methods of str and int, not a learner's
-            return self.write(str.__str__(value) if issubclass(kind, str) else int.__int__(value), depth)
         if kind in SCALARS:
             return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
         if kind in (tuple, list, dict):
@@ -123,8 +118,6 @@ class _Writer:
         return form | {"opaque": True}
 
     def _stand_in(self, value, kind, depth):
-        if kind is float:
-            return self.write(_as_float(value), depth)
         return _too_large(kind.__name__) if len(value) > self._bytes_left else self.write(kind(value), depth)
 
     def _text(self, value):
@@ -191,11 +184,19 @@ def _number(value):
     return value + 0.0 if isinstance(value, float) else value
 
 
-def _as_float(value):
-    try:
-        return float(value)
-    except (ValueError, OverflowError):  # a signalling nan of Decimal, a great Fraction
-        return math.nan
+def _plain(value):
+    """A number, text or array of another type in the type that stands for it; any other value as it is."""
+    kind = type(value)
+    if kind in _NUMBERS:
+        try:
+            return float(value)
+        except (ValueError, OverflowError):  # a signalling nan of Decimal, a great Fraction
+            return math.nan
+    if kind is np.ma.MaskedArray and not np.ma.is_masked(value):
+        return np.ndarray.view(value, np.ndarray)
+    if issubclass(kind, (enum.StrEnum, enum.IntEnum)):  # by the methods of str and int, not a learner's
+        return str.__str__(value) if issubclass(kind, str) else int.__int__(value)
+    return value
 
 
 def _too_large(kind):

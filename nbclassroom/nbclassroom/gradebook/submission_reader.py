@@ -163,18 +163,20 @@ def _cell(cell, number, code_left):
         content["source"] = source if len(source or "") <= code_left else None
     if is_answer and source is not None:
         content["answer"] = _parsed_answer(source)
-    if content["type"] == "code":
-        may_define = content["source"]
-    else:  # a line of it begins like code
-        source = (source and "\n".join(_FENCED.findall(source))) or source
-        may_define = source and len(source) <= MOST_CHARACTERS and _CODE_BEGINS.search(source)
-    if may_define:
+    source = content["source"] if content["type"] == "code" else _code_in(source or "")
+    if source:
         content["functions"] = _functions(source)
     if content["functions"]:
         content["source"] = source
     if content["id"].startswith("check-"):
         content["output"] = _output_text(cell)
     return content
+
+
+def _code_in(text):
+    """What a cell of text has in code fences, or all of it; "" if no line of it begins like code."""
+    code = "\n".join(_FENCED.findall(text)) or text
+    return code if len(code) <= MOST_CHARACTERS and _CODE_BEGINS.search(code) else ""
 
 
 @cell_syntax.cached_if_short
