@@ -103,7 +103,8 @@ def _run(jobs, seed, kernel_factory):
     missing = [job for job in jobs if not job[1].exists()]
     # Each one as often as it takes seconds: so the bar knows how much time is left.
     seconds = [job for job in missing for _ in range(1 + round(_seconds_of(job[0])))]
-    for exercise, path in tqdm(seconds, desc="key", unit=" s", smoothing=0, delay=2, leave=False):
+    form = "key: {percentage:3.0f}%|{bar}| {elapsed}, {remaining} left"
+    for exercise, path in tqdm(seconds, bar_format=form, smoothing=0, delay=2, leave=False):
         if not path.exists():
             if exercise.practice:
                 exercise = replace(exercise, cases=(), mistakes=())

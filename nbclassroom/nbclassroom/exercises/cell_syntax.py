@@ -33,9 +33,7 @@ _INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]+)(?=\S)")  # of a whole cell: Jupyter
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
 # Calls that belong to a program which runs by itself: those that never come to an end, or come once in a
 # process, and those that wait for a person.
-_ENDLESS_CALLS = re.compile(
-    r"(\w{1,9}\.){0,2}(spin\w{0,22}|(rclpy\.)(init|ok|shutdown|try_shutdown)|ok)|\.spin\w{0,22}"
-)
+_ENDLESS_CALLS = re.compile(r"\.?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)")
 _WAITING_CALLS = re.compile(
     rf"{_ENDLESS_CALLS.pattern}|main|input|(plt|pyplot)\.show|(cv2\.)?(imshow|waitKey\w{{0,9}})"
 )
