@@ -910,12 +910,12 @@ if ros_available():
     from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
     from sensor_msgs.msg import LaserScan
 
-    LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-
     def seconds(msg):
         return msg.header.stamp.sec + msg.header.stamp.nanosec / 1e9
 
     class MappingNode(Node):
+        LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
         def __init__(self, context=None):
             super().__init__("mapping", context=context)
             self.mapper, self.scan, self.looks = Mapper(), None, 0
@@ -924,7 +924,7 @@ if ros_available():
                                      self.on_odometry, qos_profile_sensor_data)
             self.create_subscription(LaserScan, "/kachaka/lidar/scan",
                                      self.on_scan, qos_profile_sensor_data)
-            self.grids = self.create_publisher(OccupancyGrid, "/map", LATCHED)
+            self.grids = self.create_publisher(OccupancyGrid, "/map", self.LATCHED)
             self.paths = self.create_publisher(Path, "/mapping/path", 10)
 
         def on_scan(self, msg):
@@ -985,7 +985,7 @@ if ros_available():
         time.sleep(0.1)
     live_robot.stop()
     late = []
-    node.create_subscription(OccupancyGrid, "/map", late.append, LATCHED)
+    node.create_subscription(OccupancyGrid, "/map", late.append, node.LATCHED)
     end = time.monotonic() + 5
     while not late and time.monotonic() < end:
         time.sleep(0.1)

@@ -301,7 +301,7 @@ def test_the_lessons_node_closes_a_loop_from_another_process(robot, collect, wai
     row, col = ((mapped[-1, 1::-1] - corner) / info.resolution).astype(int)
     assert 0 <= percent[row * info.width + col] < 20  # free, where the robot is
     assert percent.min() == -1 and (percent > 80).sum() > 100 and len(percent) == info.width * info.height
-    assert grids[-1].header.frame_id == paths[-1].header.frame_id == "odom"
+    assert grids[-1].header.frame_id == paths[-1].header.frame_id == "map"
 
 
 def test_the_lessons_node_reads_the_sign_from_another_process(robot, collect, wait_until):
