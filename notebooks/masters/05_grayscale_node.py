@@ -100,7 +100,12 @@ assert not ros_available() or camera.rate == 10
 assert len({(stamp.sec, stamp.nanosec) for stamp in stamps}) == len(stamps)
 
 # %% [markdown]
-# ROS called the function about twenty times, although your cell only slept.
+# ROS called the function about twenty times, although your cell only slept. If you have the command `ros2`, it counts the same in a terminal:
+#
+# ```
+# $ ros2 topic hz /kachaka/front_camera/image_raw/compressed
+# average rate: 10.002
+# ```
 #
 # The callback ran in a background *[[term:thread]]*: a part of a program that runs at the same time as the other parts. There, an *[[term:executor]]* waits for messages and calls the callbacks, again and again. This is called *[[term:spin|spinning]]*. Your cells run in the main thread.
 #

@@ -157,7 +157,16 @@ if ros_available():
 assert not ros_available() or view.error is None
 
 # %% [markdown]
-# In a terminal, you change the parameter with `ros2 param set /bright_pixels level 200`. In Python, `set_parameters` does the same. **Predict**: are there more or fewer white pixels with 200? Then watch the live view above.
+# If you have the command `ros2`, you change the parameter in a terminal:
+#
+# ```
+# $ ros2 param set /bright_pixels level 200
+# Set parameter successful
+# $ ros2 param set /bright_pixels level 99.5
+# Setting parameter failed: Wrong parameter type, expected 'Type.INTEGER' got 'Type.DOUBLE'
+# ```
+#
+# In Python, `set_parameters` does the same. **Predict**: are there more or fewer white pixels with 200? Then watch the live view above.
 
 # %% role="predict"
 guess_white = None  # your guess: "more" or "fewer"?
