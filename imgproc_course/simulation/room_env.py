@@ -46,9 +46,9 @@ class RoomEnv(gymnasium.Env):
     """A robot in the room of the recorded drive, or in a furnished one, as an environment of Gymnasium::
 
         import gymnasium
-        import imgproc_course.simulation.room_env  # registers the environment
 
-        env = gymnasium.make("imgproc_course/Room-v0", sensors=("scan",))
+        name = "imgproc_course.simulation.room_env:imgproc_course/Room-v0"
+        env = gymnasium.make(name, sensors=("scan",))
         observation, info = env.reset(seed=1, options={"duration": 10.0})
         over = False
         while not over:
