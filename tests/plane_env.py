@@ -89,7 +89,7 @@ def room_of(number):
     return number or 20
 
 
-def draw_map(path, bumps=(), *, room=None, goal=None, ball=None, mark=None):
+def draw_map(path, bumps=(), *, room=None, goal=None, balls=(), mark=None):
     """Columns: one for each look of the path, white up to the mark, else gray."""
     image = np.full((20, len(path), 3), 128, np.uint8)
     if mark:

@@ -141,8 +141,8 @@ def main():
     shots = [small(recording.frame(number), FILM) for number in range(20, 50)]
     save_film("edges", [np.hstack([shot, edges_of(shot)]) for shot in shots], 10)
     save_film("brakes", drive_room(brake, 5.0, start=(0.0, 0.0, 0.0), movers=["toycar", "person"])[::2], -1)
-    ball = (1.0, 0.0, 1.2, -0.4)
-    save_film("follows", drive_room(follow, 8.0, start=(0.0, 0.0, 0.0), ball=ball, movers=["ball"])[::2], -1)
+    balls = [(1.0, 0.0, 1.2, -0.4)]
+    save_film("follows", drive_room(follow, 8.0, start=(0.0, 0.0, 0.0), balls=balls)[::2], -1)
     save_film("maps", drive_room(wander, 18.0, start=(0.0, 0.0, 0.0), draw_beside=GrowingMap())[::6], -1)
     sign = stored_image("reading_text", "reading_text-104")
     height, width = sign.shape[:2]

@@ -1,7 +1,7 @@
-"""What moves besides the robot: a person who walks, a toy car, and a ball that rolls and can be pushed.
+"""What moves besides the robot: a person who walks, a toy car, and balls that roll and can be pushed.
 
 For the first nine seconds they move as in the recorded drive, unless the robot meets them. Then the person
-and the car go back and forth; each of them waits while the robot is in its way.
+and the car go back and forth; each of them waits while the robot is in its way. Balls do not push each other.
 """
 
 import math
@@ -12,11 +12,10 @@ import numpy as np
 
 from ..geometry import Pose
 from ..geometry.poses import product, rotation_about
-from .room import MOVERS, ROLL_TIME, BallWay
+from .room import BALLS, MOVERS, ROLL_TIME, BallWay
 from .wheels import nearest_on_body
 
 PERSON_RADIUS, CAR_RADIUS, BALL_RADIUS = 0.25, 0.13, 0.11
-FAR_AWAY = 1000.0  # metres: where those are who do not take part
 BOUNCE = 0.4  # share of its speed that the ball keeps when it meets something
 SLIDE, ESCAPE = 0.12, 0.6  # metres: how far a ball slides that is pushed, and one that holds the robot
 HOLD = 3.0  # seconds in which who gave way does not come back
@@ -96,23 +95,19 @@ class Walker:
 
 
 class Movers:
-    """Person, car and ball of a room; `present` names those that take part."""
+    """Person, car and balls of a room that take part."""
 
-    def __init__(self, time, room, present=MOVERS, ball=None):
-        """ball : (x, y, dx, dy), its BallWay from now on; if omitted, the ball is where the room's is"""
-        self.present = present
+    def __init__(self, time, room, present=MOVERS, balls=()):
+        """present : names of MOVERS; balls : (x, y, dx, dy) of each, else "ball" is where the room's is"""
         self._room, self._free_space, self._hold = room, room.free_space, 0.0
         self.walkers = {
             "person": Walker(time, PERSON_RADIUS, lambda time: room.person.at(time)[0][:2]),
             "toycar": Walker(time, CAR_RADIUS, lambda time: room.car.at(time, room.rug)[0][:2]),
         }
         self.walkers = {name: walker for name, walker in self.walkers.items() if name in present}
-        way = BallWay((FAR_AWAY, FAR_AWAY))
-        if ball is not None:
-            time, way = 0.0, ball_way(ball, self._free_space)
-        elif "ball" in present:
-            way = room.ball
-        self.ball = Ball.at(time, way)
+        self.balls = {"ball": Ball.at(time, room.ball)} if "ball" in present and not balls else {}
+        for name, ball in zip(BALLS, balls, strict=False):
+            self.balls[name] = Ball.at(0.0, ball_way(ball, self._free_space))
 
     def circles(self):
         """{name: (x, y, radius)} of person and car."""
@@ -120,13 +115,12 @@ class Movers:
 
     def gaps(self, robot):
         """{name: metres} between the body at (x, y, yaw) and everyone who takes part; negative inside."""
-        circles = self.circles()
-        if "ball" in self.present:
-            circles["ball"] = self.ball.x, self.ball.y, BALL_RADIUS
+        balls = {name: (ball.x, ball.y, BALL_RADIUS) for name, ball in self.balls.items()}
+        circles = self.circles() | balls
         return {name: nearest_on_body(robot, x, y)[1] - radius for name, (x, y, radius) in circles.items()}
 
     def step(self, dt, robot):
-        """dt seconds of person, car and ball; `robot` is (x, y, yaw)."""
+        """dt seconds of person, car and balls; `robot` is (x, y, yaw)."""
         self._hold = max(0.0, self._hold - dt)
         for walker in () if self._hold else self.walkers.values():
             later = round(walker.time + dt, 9)
@@ -136,45 +130,51 @@ class Movers:
                 walker.time = later
                 velocity = [(b - a) / dt for a, b in zip(before, after, strict=True)]
                 self._strike(after, walker.radius, velocity)
-        self.ball.roll(dt, self._free_space, robot)
+        for ball in self.balls.values():
+            ball.roll(dt, self._free_space, robot)
 
     def _strike(self, center, radius, velocity):
-        dx, dy = self.ball.x - center[0], self.ball.y - center[1]
-        distance = math.hypot(dx, dy)
-        if 0 < distance < radius + BALL_RADIUS:
-            self.ball.bounce(dx / distance, dy / distance, *velocity)
+        for ball in self.balls.values():
+            dx, dy = ball.x - center[0], ball.y - center[1]
+            distance = math.hypot(dx, dy)
+            if 0 < distance < radius + BALL_RADIUS:
+                ball.bounce(dx / distance, dy / distance, *velocity)
 
-    def push_ball(self, robot, velocity, before):
-        """The robot, at (linear, angular) from `before` to `robot`, pushes the ball: (touched, can move)."""
-        distance = nearest_on_body(robot, self.ball.x, self.ball.y)[1]
+    def push_balls(self, robot, velocity, before):
+        """The robot, at (linear, angular) from `before` to `robot`, pushes balls: (touched, can move)."""
+        pushes = [self._push(ball, robot, velocity, before) for ball in self.balls.values()]
+        return any(touched for touched, _ in pushes), all(can_move for _, can_move in pushes)
+
+    def _push(self, ball, robot, velocity, before):
+        distance = nearest_on_body(robot, ball.x, ball.y)[1]
         if distance >= BALL_RADIUS:
             return False, True
-        spot = self._spot_beside(robot)
+        spot = self._spot_beside(ball, robot)
         if spot is None:  # wedged: away from it the robot can always move
-            return True, distance > nearest_on_body(before, self.ball.x, self.ball.y)[1]
-        self.ball.place(*spot)
+            return True, distance > nearest_on_body(before, ball.x, ball.y)[1]
+        ball.place(*spot)
         nearest, distance = nearest_on_body(robot, *spot)
         c, s = math.cos(robot[2]), math.sin(robot[2])
         linear, angular = velocity
         arm_x, arm_y = nearest[0] - robot[0], nearest[1] - robot[1]
         nx, ny = (spot[0] - nearest[0]) / distance, (spot[1] - nearest[1]) / distance
-        self.ball.bounce(nx, ny, linear * c - angular * arm_y, linear * s + angular * arm_x)
+        ball.bounce(nx, ny, linear * c - angular * arm_y, linear * s + angular * arm_x)
         return True, True
 
-    def _spot_beside(self, robot):
-        """(x, y) where the ball has room straight before the body, or else beside that; None if wedged."""
-        (near_x, near_y), distance = nearest_on_body(robot, self.ball.x, self.ball.y)
+    def _spot_beside(self, ball, robot):
+        """(x, y) where a ball has room straight before the body, or else beside that; None if wedged."""
+        (near_x, near_y), distance = nearest_on_body(robot, ball.x, ball.y)
         if distance == 0:  # its center is under the body
             return None
         scale = BALL_RADIUS / distance
-        straight = near_x + (self.ball.x - near_x) * scale, near_y + (self.ball.y - near_y) * scale
+        straight = near_x + (ball.x - near_x) * scale, near_y + (ball.y - near_y) * scale
         if self._free_space.distance(*straight) >= BALL_RADIUS:
             return straight
-        return self._spot_around(robot, SLIDE, BALL_RADIUS)
+        return self._spot_around(ball, robot, SLIDE, BALL_RADIUS)
 
-    def _spot_around(self, robot, reach, room):
+    def _spot_around(self, ball, robot, reach, room):
         """The nearest (x, y) within `reach` metres with `room` metres to everything, or None."""
-        x, y = self.ball.x, self.ball.y
+        x, y = ball.x, ball.y
         for r in np.arange(0.02, reach, 0.02).tolist():
             for c, s in DIRECTIONS:
                 spot, middle = (x + r * c, y + r * s), (x + r * c / 2, y + r * s / 2)
@@ -184,33 +184,31 @@ class Movers:
         return None
 
     def give_way(self, dt, robot):
-        """Makes room for a robot that is held: person and car go back for dt seconds, the ball rolls away."""
+        """Makes room for a robot that is held: person and car go back for dt seconds, balls roll away."""
         for walker in self.walkers.values():
             if nearest_on_body(robot, *walker.place(walker.time))[1] < walker.radius + 0.05:
                 walker.time = round(walker.time - dt, 9)
                 self._hold = HOLD
-        near = nearest_on_body(robot, self.ball.x, self.ball.y)[1] < BALL_RADIUS + 0.01
-        spot = self._spot_around(robot, ESCAPE, BALL_RADIUS + 0.05) if near else None
-        if spot is not None:
-            self.ball.place(*spot)
+        for ball in self.balls.values():
+            if nearest_on_body(robot, ball.x, ball.y)[1] < BALL_RADIUS + 0.01:
+                ball.place(*(self._spot_around(ball, robot, ESCAPE, BALL_RADIUS + 0.05) or (ball.x, ball.y)))
 
     def _time_of(self, name):
         return self.walkers[name].time if name in self.walkers else 0.0
 
     def joint_poses(self, tree):
         """The poses in the map, {name: Pose}, of the joints of a RoomModel's joint_tree that take part."""
-        if not self.present:
-            return {}
-        room, ball = self._room, self.ball
+        room = self._room
         (x, y, yaw), phase, amplitude = room.person.at(self._time_of("person"))
         (u, v, z, heading), turn = room.car.at(self._time_of("toycar"), room.rug)
-        height = BALL_RADIUS + (room.rug.height if room.rug.holds(ball.x, ball.y) else 0.0)
         poses = {
             "person": rounded(Pose.planar(x, y, yaw)),
             "toycar": rounded(Pose.planar(u, v, heading, z)),
-            "ball": Pose(ball.rotation, np.array([ball.x, ball.y, height])),
         }
-        poses = {name: pose for name, pose in poses.items() if name in self.present}
+        poses = {name: pose for name, pose in poses.items() if name in self.walkers}
+        for name, ball in self.balls.items():
+            height = BALL_RADIUS + (room.rug.height if room.rug.holds(ball.x, ball.y) else 0.0)
+            poses[name] = Pose(ball.rotation, np.array([ball.x, ball.y, height]))
         angles = gait(phase, amplitude) | dict.fromkeys([n for n in tree if n.startswith("wheel")], turn)
         for name in tree:
             if name not in poses and tree[name]["parent"] in poses:
@@ -244,8 +242,8 @@ def gait(phase, amplitude):
 def ball_way(ball, free_space):
     """The BallWay of (x, y, dx, dy)."""
     if len(ball) != 4 or not np.isfinite(ball).all():
-        raise ValueError(f"ball is four finite numbers, x, y, dx and dy in metres, got {ball}")
+        raise ValueError(f"a ball is four finite numbers, x, y, dx and dy in metres, got {ball}")
     x, y, dx, dy = (float(value) for value in ball)
     if free_space.distance(x, y) < BALL_RADIUS:
-        raise ValueError(f"the ball cannot begin at {(x, y)}: there is no room; choose another place")
+        raise ValueError(f"a ball cannot begin at {(x, y)}: there is no room; choose another place")
     return BallWay((x, y), (dx, dy))

@@ -53,13 +53,11 @@ def direction(yaw):
 
 def turned(points, place):
     """Points (N, 2) of a piece that stands at (x, y, yaw)."""
-    c, s = direction(place[2])
-    x, y = points[:, 0], points[:, 1]
-    return np.stack([x * c - y * s + place[0], x * s + y * c + place[1]], 1)
+    return turned_to_each(points, np.array([place]))[0]
 
 
 def turned_to_each(points, places):
-    """Points (M, N, 2) of a piece at each of the places (M, 3); each as `turned` gives it."""
+    """Points (M, N, 2) of a piece at each of the places (M, 3)."""
     c, s = np.array([direction(yaw) for yaw in places[:, 2].tolist()]).T[..., np.newaxis]
     x, y = points.T
     return np.stack([x * c - y * s + places[:, :1], x * s + y * c + places[:, 1:2]], -1)
@@ -85,9 +83,10 @@ def load_pieces() -> Pieces:
         piece = file["piece"].astype(int)
     origins = json.loads((PIECES / "scene.json").read_text(encoding="utf-8"))["origins"]
     outlines = json.loads((PIECES / "outlines.json").read_text(encoding="utf-8"))
+    model = load_room(PIECES)
     return Pieces(
-        model=load_room(PIECES),
-        piece=piece,
+        model=model,
+        piece=np.pad(piece, (0, len(model.joint) - len(piece)), constant_values=-1),
         origins={name: tuple(origin) for name, origin in origins.items()},
         hulls={name: np.array(outlines[name]["hull"]) / 1000 for name in origins},
         bodies={name: [np.array(p) / 1000 for p in own["body"]] for name, own in outlines.items()},

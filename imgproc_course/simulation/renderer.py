@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from . import sheen
-from .room_model import FACES_OUTWARD, NO_JOINT
+from .room_model import BALLS, FACES_OUTWARD, NO_JOINT
 
 try:
     from panda3d import core as p3d
@@ -34,7 +34,7 @@ BALL_LIGHT = {
         ((-0.1, -1, -0.4), (0.02, 0.02, 0.04)),
     ),
 }
-SHADOWS = {"ball": (0.15, 0.15), "toycar": (0.20, 0.13), "person": (0.30, 0.26)}  # half sizes in metres
+SHADOWS = dict.fromkeys(BALLS, (0.15, 0.15)) | {"toycar": (0.20, 0.13), "person": (0.30, 0.26)}  # metres
 BLINDERS_ORDER = -1
 FLOOR_ORDER, SHEEN_ORDER, RUG_ORDER, SHADOW_ORDER, OTHERS_ORDER = 0, 1000, 2000, 3000, 4000
 
@@ -347,7 +347,7 @@ class ColorRenderer(Renderer):
 
     def _add_chunk(self, room, chunk, parent):
         triangles, corners = room.triangles[chunk.rows], room.texture[chunk.rows]
-        is_ball = chunk.joint == "ball"  # its middle is at (0, 0, 0)
+        is_ball = chunk.joint in BALLS  # its middle is at (0, 0, 0)
         normals = triangles / np.linalg.norm(triangles, axis=-1, keepdims=True) if is_ball else None
         node = parent.attach_new_node(textured(self._name, triangles, corners, normals))
         if is_ball:
@@ -412,7 +412,7 @@ class ColorRenderer(Renderer):
             shadow.show()
             pose = joint_poses[name]
             x, y, z = pose.position
-            if name == "ball":
+            if name in BALLS:
                 shadow.set_pos(x, y, z - 0.11 + 0.003)
             else:
                 shadow.set_mat(as_matrix(pose))

@@ -8,14 +8,14 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from .room_model import FreeSpace, RoomModel, load_room, read_image
+from .room_model import BALLS, FreeSpace, RoomModel, load_room, read_image
 
 WALK_TIME, WALK_LENGTH, STAND_TIME, TURN_TIME = 6.5, 2.35, 4.5, 1.5
 CAR_TIME, CAR_REST, CAR_SPEED, CAR_SWING = 9.0, 1.0, 0.30, 0.30
 ROLL_TIME = 3.5  # seconds in which the ball loses all but 1/e of its speed
 ROLLED = 0.88  # of its direction, the way that it rolls in all
 SIGN = (5.594, -0.29, 0.72, 0.0, 0.0, -0.707106781, 0.707106781)  # of the recorded room
-MOVERS = ("person", "toycar", "ball")
+MOVERS = ("person", "toycar", BALLS[0])
 
 
 @dataclass(frozen=True)

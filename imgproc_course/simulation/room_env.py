@@ -34,7 +34,7 @@ OPTIONS: dict[str, Any] = {
     "lighting": "day",
     "movers": [],
     "duration": 40.0,
-    "ball": None,
+    "balls": [],
     "goal": None,
     "answer": None,
 }
@@ -85,7 +85,7 @@ class RoomEnv(gymnasium.Env):
     - "start": (x, y, yaw) in the map; else it is drawn from the seed
     - "lighting": "day" or "evening"; "duration": seconds, else 40
     - "movers": those of "person", "toycar" and "ball" that take part, else none; "time": where they begin
-    - "ball": (x, y, dx, dy): a ball begins at (x, y), and rolls along (dx, dy), 0.88 of it in all
+    - "balls": at most three (x, y, dx, dy), as a Simulation has them; the first one is judged
     - "goal": (x, y, radius)
     - "answer": degrees to the left of the sign: there the robot is to look at the end
 
@@ -147,7 +147,7 @@ class RoomEnv(gymnasium.Env):
         self._simulation = None  # if this drive cannot begin, the one before is over all the same
         self._scene = self._scene_of(scenario["room"])
         self._simulation = self._begin(scenario)
-        self._goal, self._ball, self._duration = scenario["goal"], scenario["ball"], scenario["duration"]
+        self._goal, self._balls, self._duration = (scenario[name] for name in ("goal", "balls", "duration"))
         self.path = [self._simulation.place]
         self.bump_places: list[tuple[int, tuple[float, float, float]]] = []
         self._metrics = Metrics(self._simulation, self._goal, scenario["answer"])
@@ -177,7 +177,7 @@ class RoomEnv(gymnasium.Env):
         if self.render_mode is None:
             return None
         bumps = [(number, x, y) for number, (x, y, _) in self.bump_places]
-        drawn = draw_map(self.path, bumps, room=self._scene.room, goal=self._goal, ball=self._ball)
+        drawn = draw_map(self.path, bumps, room=self._scene.room, goal=self._goal, balls=self._balls)
         height = drawn.shape[0]
         width = 2 * round(height * 8 / 9)  # 16:9, and even: videos need even sizes
         frame = cv2.resize(self.frame(), (width, height), interpolation=cv2.INTER_LINEAR)
@@ -212,7 +212,7 @@ class RoomEnv(gymnasium.Env):
     def _begin(self, scenario):
         seed = int(self.np_random.integers(1 << 31))
         size, depth_size = self._image_size, self._depth_size
-        options = {name: scenario[name] for name in ("start", "movers", "ball", "time", "lighting")}
+        options = {name: scenario[name] for name in ("start", "movers", "balls", "time", "lighting")}
         if options["start"] is None:
             options["start"] = self._draw_start(scenario)
         return Simulation(seed, room=self._scene, size=size, depth_size=depth_size, **options)
@@ -220,7 +220,7 @@ class RoomEnv(gymnasium.Env):
     def _draw_start(self, scenario):
         """(x, y, yaw) with START_CLEARANCE around the body, in the part of the room where its start is."""
         room = self._scene.room
-        movers = Movers(scenario["time"], room, checked_movers(scenario["movers"]), scenario["ball"])
+        movers = Movers(scenario["time"], room, checked_movers(scenario["movers"]), scenario["balls"])
         cells = reachable_cells(room)
         for _ in range(1000):
             x, y = cells[self.np_random.integers(len(cells))].tolist()

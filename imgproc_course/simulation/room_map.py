@@ -22,7 +22,7 @@ def draw_map(
     *,
     room: Room | None = None,
     goal: Sequence[float] | None = None,
-    ball: Sequence[float] | None = None,
+    balls: Sequence[Sequence[float]] = (),
     mark: Sequence[float] | None = None,
 ) -> NDArray[np.uint8]:
     """The room from above with the path of a robot, (height, width, 3) uint8 BGR; x to the right, y up.
@@ -33,7 +33,7 @@ def draw_map(
     bumps : (step, x, y), where the robot was: red crosses
     room : the living room of the recorded drive, if omitted
     goal : (x, y, radius), a green circle
-    ball : (x, y), where it began; with (dx, dy) a line to where it would roll
+    balls : (x, y, dx, dy) of each: where it began, and a line to where it would roll
     mark : (x, y) or more, where the robot was at a moment: an orange ring around it
     """
     space = (room or recorded_room()).free_space
@@ -51,10 +51,9 @@ def draw_map(
     cv2.polylines(image, [pixels(body_at(*path[-1]))], True, PATH, 2, cv2.LINE_AA)
     if goal is not None:
         cv2.circle(image, pixel(goal), round(goal[2] * PIXELS), GOAL, 2, cv2.LINE_AA)
-    if ball is not None:
-        cv2.circle(image, pixel(ball), round(0.11 * PIXELS), BALL, -1, cv2.LINE_AA)
-        x, y, dx, dy = (*ball, 0.0, 0.0)[:4]
-        cv2.line(image, pixel(ball), pixel((x + ROLLED * dx, y + ROLLED * dy)), BALL, 2, cv2.LINE_AA)
+    for x, y, dx, dy in balls:
+        cv2.circle(image, pixel((x, y)), round(0.11 * PIXELS), BALL, -1, cv2.LINE_AA)
+        cv2.line(image, pixel((x, y)), pixel((x + ROLLED * dx, y + ROLLED * dy)), BALL, 2, cv2.LINE_AA)
     if mark is not None:
         cv2.circle(image, pixel(mark), round(0.55 * PIXELS), MARK, 2, cv2.LINE_AA)
     for _, *place in bumps:

@@ -12,6 +12,7 @@ from ..geometry import triangle_planes
 
 FILES = Path(__file__).parent / "room"
 NO_JOINT = -1
+BALLS = ("ball", "second ball", "third ball")  # the model's, and joints like it
 FACES_OUTWARD = "plant"  # the one kind that is seen from both sides
 
 
@@ -43,6 +44,7 @@ def load_room(folder=FILES):
     with np.load(folder / "geometry.npz") as file:
         arrays = {name: file[name] for name in names}
     description = json.loads((folder / "scene.json").read_text(encoding="utf-8"))
+    _add_balls(arrays, description)
     normals, offsets = triangle_planes(arrays["triangles"])
     return RoomModel(
         **arrays,
@@ -54,6 +56,18 @@ def load_room(folder=FILES):
         markers={name: np.array(pose) for name, pose in description["markers"].items()},
         label_names={int(number): name for number, name in description["labels"].items()},
     )
+
+
+def _add_balls(arrays, description):
+    """Adds a joint, and the ball's triangles once more, for each further one of BALLS."""
+    joints = description["joints"]
+    (rows,) = np.nonzero(arrays["joint"] == joints.index("ball"))
+    for name in BALLS[1:]:
+        for key, array in arrays.items():
+            arrays[key] = np.concatenate([array, array[rows]])
+        arrays["joint"][-len(rows) :] = len(joints)
+        joints.append(name)
+        description["joint_tree"][name] = description["joint_tree"]["ball"]
 
 
 def read_image(name):

@@ -13,7 +13,7 @@ from ..geometry.poses import product, rotation_about
 from .laser import MOUNT, LaserScan
 from .movers import Movers
 from .renderer import NEAR, NEAREST
-from .room import MOVERS, Room, recorded_room
+from .room import BALLS, MOVERS, Room, recorded_room
 from .scene import Scene
 from .sensor import Sensor
 from .wheels import Odometry, WheelOdometry, Wheels, clearance, gap, nearest_on_body
@@ -45,8 +45,8 @@ class Simulation:
     room : the `Room`; if omitted, the living room of the recorded drive. Or a Scene of a room: simulations
         that one thread uses, one after the other or in turns, share what their sensors need
     movers : whether person, car and ball take part; or the names of those that do
-    ball : (x, y, dx, dy): it takes part, begins at (x, y) in the map, and rolls along (dx, dy), 0.88 of it in
-        all; if omitted, the room's own
+    balls : at most three (x, y, dx, dy): each begins at (x, y) in the map, and rolls along (dx, dy), 0.88 of
+        it in all; the first one is "ball"; if omitted, the room's own
     start : (x, y, yaw) of the axle's center in the map, metres and radians; if omitted, the room's own
     time : seconds after the recorded drive's start, for person, car and ball
     size : (width, height) of the image, of shape 16:9
@@ -75,7 +75,7 @@ class Simulation:
         *,
         room: Room | Scene | None = None,
         movers: bool | Collection[str] = True,
-        ball: Sequence[float] | None = None,
+        balls: Sequence[Sequence[float]] = (),
         start: Sequence[float] | None = None,
         time: float = 0.0,
         size: tuple[int, int] = (640, 360),
@@ -94,8 +94,8 @@ class Simulation:
         self._shares_scene = isinstance(room, Scene)
         self._scene = room if isinstance(room, Scene) else Scene(recorded_room() if room is None else room)
         self.room = self._scene.room
-        self.movers = checked_movers(movers, ball)
-        self._movers = Movers(round(float(time), 9), self.room, self.movers, ball)
+        self.movers = checked_movers(movers, balls)
+        self._movers = Movers(round(float(time), 9), self.room, self.movers, balls)
         self.time, self._steps, self.bumped = round(float(time), 9), 0, False
         self._wheels = Wheels(checked_start(self.room.start if start is None else start))
         for name, distance in self._distances(self._wheels.place).items():
@@ -140,7 +140,7 @@ class Simulation:
         for speeds in ((body.linear, body.angular), (0.0, body.angular), (0.0, 0.0)):
             place = body.moved(*speeds, dt)
             if speeds == (0.0, 0.0) or not self._blocked(place):
-                hit, gave_way = self._movers.push_ball(place, speeds, body.place)
+                hit, gave_way = self._movers.push_balls(place, speeds, body.place)
                 touched |= hit
                 if gave_way or speeds == (0.0, 0.0):
                     break
@@ -362,12 +362,14 @@ def check_size(name, size):
         )
 
 
-def checked_movers(movers, ball=None):
+def checked_movers(movers, balls=()):
     """The names of those that take part, in the order of MOVERS; a ball whose way is given does."""
+    if len(balls) > len(BALLS):
+        raise ValueError(f"balls are at most {len(BALLS)}, got {len(balls)}")
     names = MOVERS if movers is True else movers or ()
     if isinstance(names, str) or not isinstance(names, Collection) or not set(names) <= set(MOVERS):
         raise ValueError(f"movers is True, False, or names of {', '.join(MOVERS)}, got {movers!r}")
-    return tuple(name for name in MOVERS if name in names or (name == "ball" and ball is not None))
+    return tuple(dict.fromkeys([*(name for name in MOVERS if name in names), *BALLS[: len(balls)]]))
 
 
 def checked_start(start):

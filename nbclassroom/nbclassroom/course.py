@@ -46,10 +46,11 @@ KEYS: dict[str, str | list[str] | None] = {
     "drive_observation": "",
     "drive_room": "",
     "drive_map": "",
+    "drive_allowed": [],  # what a controller may import
     # The list of functions that give advice on an error of a learner's function, wherever it is called.
     "error_advisers": "",
-    # The league: the scenario of a room by two secret numbers, what a drive in it is worth, the packages that
-    # a controller may use, and a controller that drives beside the class.
+    # The league: the scenario of a room by two secret numbers, what a drive in it is worth, what a controller
+    # may import beside `drive_allowed`, and a controller that drives beside the class.
     "league_scenario": "",
     "league_score": "",
     "league_allowed": [],

@@ -220,14 +220,15 @@ def update(state, covariance, measurement, H, R):
 # %% [markdown]
 # # tracking-drive
 
-# %% role="mistake" name="the mean of everything red" says="Your robot follows the mean of all red pixels. Other things are red, too: take one spot, the largest one near the place where the ball was."
+# %% role="mistake" name="the largest red spot" says="Your robot follows the largest red spot: a ball that lies still. Stand for half a second, and take the ball that moves."
 def control(observation, memory):
-    hue, saturation, _ = cv2.split(cv2.cvtColor(observation["image"], cv2.COLOR_BGR2HSV))
-    cols = np.nonzero(((hue < 9) | (hue > 174)) & (saturation > 120))[1]
-    if not cols.size:
+    spots = [(max(width, height), col + width / 2)
+             for col, row, width, height in red_spots(observation["image"])]
+    if not spots:
         return 0.0, 0.4
-    linear = 1.2 * (176.25 * 0.22 / (np.ptp(cols) + 1) - 0.6)
-    return float(min(max(linear, -0.3), 0.3)), float(2 * (160 - cols.mean()) / 176.25)
+    size, middle = max(spots)
+    linear = 1.2 * (176.25 * 0.22 / size - 0.6)
+    return min(max(linear, -0.3), 0.3), min(max(2 * (160 - middle) / 176.25, -1.0), 1.0)
 
 # %% role="mistake" name="no distance" says="Your robot follows the ball at one speed, whatever the distance is, and pushes it. Drive in proportion to the distance minus 0.6."
 def control(observation, memory):

@@ -63,6 +63,10 @@ figure_texts = {
         "What the node saw last.",
         "The ball on the floor of the living room, in front of the robot.",
     ),
+    "rolling": (
+        "One of the two balls rolls: half a second later it is in other columns.",
+        "Twice the same view of the room with two red and white balls. The near one is at the same place; the other one, right of it, has moved a little to the right and away.",
+    ),
     "follow": (
         "The robot follows the ball: its first and its last frame.",
         "Left, the ball is far away, a little left of the middle; right, it is near, a little right of the middle.",
@@ -1115,9 +1119,9 @@ assert not ros_available() or node.looks > 0
 # **What you would start there**: the package `image_pipeline`. Its `image_proc` takes the distortion out of images, and `depth_image_proc` makes clouds of points of depth images, as you did with ray · depth. Both need a `camera_info` that belongs to the image. The front camera of this course has one, in full size; its depth image, which is half as large, has none.
 
 # %% [markdown]
-# ## 7 · Follow a ball that rolls away ([[minutes]], deeper)
+# ## 7 · Follow the ball that rolls away ([[minutes]], deeper)
 #
-# In section 6 the tracker was given, and the robot knew depth and odometry. In this exercise your function drives the robot with the image alone. A ball rolls away in front of the robot, to the left or to the right, and slows down. Nothing stands in its way. The robot follows the ball, and keeps a distance of 0.6 m between the camera and the middle of the ball.
+# In section 6 the tracker was given, and the robot knew depth and odometry. In this exercise your function drives the robot with the image alone. **Several red balls lie in the room. The right one is the one that moves:** it rolls away in front of the robot, to the left or to the right, and slows down. Another ball lies nearer, and more in the middle of the image. The robot follows the ball that rolls, and keeps 0.6 m between the camera and the middle of this ball.
 #
 # Ten times per second, the robot calls your function `control(observation, memory)`. It returns two speeds, as for `robot.step`. One call may take 0.5 s, and 0.05 s of processor time on average. `memory` is an empty dict at the start of a drive: what you store in it, you find again at the next call. The *observation* is a dict, too:
 #
@@ -1126,7 +1130,7 @@ assert not ros_available() or node.looks > 0
 # | `"image"` | (180, 320, 3) uint8 BGR: the image of the front camera |
 # | `"time"` | float: seconds since the start |
 #
-# The function `red_spots` is given. It finds the red spots of the image by their hue and saturation, as in section 2, and returns their boxes. At this size of the image, the focal length is 176.25 pixels, and column 160 is straight ahead. The ball is 0.22 m wide, so the width of its box gives its distance, as in section 5:
+# The function `red_spots` is given. It finds the red spots of the image by their hue and saturation, as in section 2, and returns their boxes. At this size of the image, the focal length is 176.25 pixels, and column 160 is straight ahead. A ball is 0.22 m wide, so the width of its box gives its distance, as in section 5. Which spot is the right ball? The robot stands still for half a second. What lies still stays in its columns:
 
 # %% role="given" exercise="tracking-drive" tags=["long"]
 import cv2
@@ -1143,25 +1147,31 @@ def red_spots(image):
     return sorted(boxes, key=lambda box: -box[2] * box[3])
 
 # %%
-rolling = Simulation(seed=1, start=(0.0, 0.0, 0.0), ball=(1.2, 0.25, 1.5, 0.3),
-                     movers=False, size=(320, 180))
-spots = red_spots(rolling.frame())
-ball_size = max(spots[0][2:])  # the larger one of width and height
+rolling = Simulation(seed=1, start=(-0.43, 1.47, -0.72), movers=False, size=(320, 180),
+                     balls=[(0.12, 0.26, 0.11, -1.44), (0.45, 0.87, 0.0, 0.0)])
+images = [rolling.frame()]
+rolling.step(0.0, 0.0, 0.5)
+images.append(rolling.frame())
+before, now = ([(col + width / 2, max(width, height)) for col, row, width, height
+                in red_spots(image)][:2] for image in images)
 ball_distance = math.dist(rolling.pose("ball")[:2], rolling.pose("camera")[:2])
-print(len(spots), "spots, the largest:", spots[0])
-print(f"distance: {176.25 * 0.22 / ball_size:.2f} m, true: {ball_distance:.2f} m")
+print("middle column and size, before:", before)
+print("after 0.5 s:                   ", now)
+print(f"distance of the second: {176.25 * 0.22 / now[1][1]:.1f} m, true: {ball_distance:.1f} m")
+show(images, ["at the start", "after 0.5 s"], text="object_tracking/rolling")
 
 # %%
-# Check: the largest spot is the ball, at its true distance; there are others
-assert abs(176.25 * 0.22 / ball_size - ball_distance) < 0.15 and len(spots) > 1
-assert rolling.camera.fx == 176.25 and rolling.frame().shape == (180, 320, 3)
+# Check: the largest spot lies still; the second one is the ball that rolls, about at its true distance
+assert abs(now[0][0] - before[0][0]) <= 1 and abs(now[1][0] - before[1][0]) >= 4
+assert abs(176.25 * 0.22 / now[1][1] - ball_distance) < 0.3 and len(red_spots(images[1])) > 2
+assert rolling.camera.fx == 176.25 and images[0].shape == (180, 320, 3)
 
 # %% [markdown]
-# The ball is not the only red thing in the room: there are the chair, the books, the blocks and the pattern of the rug. And sometimes the two red stripes of the ball are two spots. Then only a part of the ball is in the box, and the distance seems larger than it is.
+# After that, your robot moves, and everything moves in its image. So **predict** where the ball will be, from its last column and from the robot's own turn: at an angular speed ω, all columns grow by 17.6 · ω in 0.1 s. And use a **gate**: the ball is the spot near this column, of nearly the same size. The chair, the books, the blocks and the pattern of the rug are red, too. And sometimes the two red stripes of the ball are two spots. Then only a part of the ball is in the box, and the distance seems larger than it is.
 #
 # ### Your turn: follow the ball
 #
-# Write `control(observation, memory)`. Each drive takes 20 s, and is judged by three metrics. The **bumps**: none, also not into the ball. The **error of the distance**: after the first 5 s, the mean of |distance − 0.6 m| is at most 0.25 m. And the **ball beside the middle**: after the first 5 s, the robot looks at most 15° past the ball, on average. At the start, the ball is farther away than 0.6 m, and it rolls: the first 5 s are for coming nearer. A drive gives all its points or none. `math`, `np`, `cv2` and `red_spots` are imported for you.
+# Write `control(observation, memory)`. Each drive takes 20 s, and is judged by three metrics. The **bumps**: none, also not into a ball. The **error of the distance**: after the first 5 s, the mean of |distance − 0.6 m| to the ball that rolled is at most 0.25 m. And the **ball beside the middle**: after the first 5 s, the robot looks at most 15° past this ball, on average. The first 5 s are for watching and for coming nearer. A drive gives all its points or none. `math`, `np`, `cv2` and `red_spots` are imported for you. You may also import `scipy`, and of `imgproc_course` the packages `geometry`, `imaging` and `messages`.
 #
 # The stub drives straight ahead. Check it first, and look at what happens; then improve it step by step. The check takes a while: it drives three times.
 #
@@ -1176,52 +1186,89 @@ exercise(
     function="control",
     subject="drive",
     sensors=("image",),
-    allowed=("cv2",),
-    hint="Turn in proportion to 160 minus the middle column of the ball, and drive in proportion to its distance minus 0.6. The ball is the largest red spot near the place where it was at the last look.",
+    hint="Stand for half a second, and take the spot that moved. Then the ball is the spot near the column where you predict it. Turn in proportion to 160 minus its column, and drive in proportion to its distance minus 0.6.",
     hints=(
-        "Which number of the box says to which side the ball is, and which one how far away it is? And which of the spots is the ball?",
-        "1. At the first look, the ball is the largest spot near the middle of the image. Store its middle column and its size (the larger one of width and height) in memory.\n"
-        "2. Later, the ball is the largest spot near the stored column. Refuse spots that are much larger than the stored size: this is your gate.\n"
-        "3. The distance is 176.25 * 0.22 / size.\n"
-        "4. Drive in proportion to the distance minus 0.6, and turn in proportion to 160 minus the middle column.\n"
-        "5. If no spot is in the gate, stand, and turn slowly to the side where the ball was.",
-        "spots = [(col + width / 2, max(width, height)) for col, row, width, height in red_spots(observation[\"image\"])]\n"
-        "if \"ball\" in memory:\n    middle, size = memory[\"ball\"]\n    spots = [spot for spot in spots if abs(spot[0] - middle) < size and ...]\n"
-        "middle, size = max(spots, key=lambda spot: spot[1])\nmemory[\"ball\"] = ...\n"
-        "linear = 1.2 * (176.25 * 0.22 / size - 0.6)\nangular = 2 * (160 - middle) / 176.25\n"
-        "return min(max(linear, -0.3), 0.3), min(max(angular, -1.0), 1.0)",
+        "How can you see which of the balls is the right one? And when your robot turns, where in the next image is a ball that lies still?",
+        "1. Return 0, 0 for the first 0.5 s, and store the spots of the first image in memory: their middle columns and sizes (the larger one of width and height).\n"
+        "2. Then take the spot whose column is farthest from all columns of the first image. Leave out spots that are smaller than 15 pixels.\n"
+        "3. From now on, predict its column: add 17.6 times the angular speed that you returned last.\n"
+        "4. The ball is the largest spot near this column that is not much larger than before: this is your gate. If there is none, keep the predicted column.\n"
+        "5. The distance is 176.25 * 0.22 / size. Drive in proportion to the distance minus 0.6, and turn in proportion to 160 minus the column.",
+        "if observation[\"time\"] < 0.55:\n    memory.setdefault(\"before\", spots)\n    return 0.0, 0.0\n"
+        "if \"ball\" not in memory:\n    memory[\"ball\"] = max(spots, key=lambda spot: min(abs(spot[0] - other[0]) for ...))\n"
+        "middle, size = memory[\"ball\"]\nmiddle += 17.6 * memory.get(\"turn\", 0.0)\n"
+        "near = [spot for spot in spots if abs(spot[0] - middle) < 0.7 * size and ...]\n"
+        "linear = 1.2 * (176.25 * 0.22 / size - 0.6)\nangular = 2 * (160 - middle) / 176.25",
     ),
-    explanation="Two errors, two speeds: the error of the column turns the robot, and the error of the distance drives it. Each"
-    " speed is in proportion to its error. The memory is the simplest tracker: between two looks the ball moves and grows"
-    " only a little, so a spot that is far from the last place, or much larger, is another thing. Of the others the largest"
-    " one is taken: a small one may be a single stripe of the ball. For the same reason the size"
-    " shrinks by 5 % a look at most.",
+    explanation="First the robot stands: what moves in the image moves in the room. Then two errors give two speeds: the error"
+    " of the column turns the robot, and the error of the distance drives it. The memory is the simplest tracker: the last"
+    " column, moved by the robot's own turn, predicts the next one. A spot that is far from it, or much larger, is another"
+    " thing. Of the others the largest one is taken: a small one may be a single stripe of the ball. For the same reason the"
+    " size shrinks by 5 % a look at most.",
     another_way="You can also use a Kalman filter on column and size.",
 )
 
 
-def rolling_ball(rng, duration):
-    """A scenario: a ball in front of the robot rolls away, where nothing is in its way, and not on the rug."""
+def one_of_three_balls(rng):
+    """A scenario: one ball rolls away. A nearer one and one far behind lie still, neither is in the way."""
     from imgproc_course.simulation import recorded_room
 
-    room = recorded_room()
-    shares = np.linspace(0, 1, 30)[:, np.newaxis]
+    room, times = recorded_room(), np.arange(0, 20, 0.1)
+    shares = 0.88 * (1 - np.exp(-times / 3.5))[:, np.newaxis]  # of its way, that the ball has rolled
+
+    def polar(angle, length):
+        return length * np.array([math.cos(angle), math.sin(angle)])
+
+    def are_free(places, metres):
+        nearest = min(room.free_space.distance(*place) for place in places)
+        return nearest > metres and not any(room.rug.holds(*place) for place in places)
+
+    def follow(x, y, yaw, balls):
+        """x, y and yaw of the camera (N, 3) of a robot that follows well."""
+        track, speed = [], 0.0
+        for ball in balls:
+            camera = np.array([x, y]) + polar(yaw, 0.21)
+            track.append((*camera, yaw))
+            turn = math.remainder(math.atan2(*(ball - camera)[::-1]) - yaw, 2 * math.pi)
+            asked = min(max(1.2 * (math.dist(camera, ball) - 0.6), -0.3), 0.3)
+            speed += min(max(asked - speed, -0.06), 0.06)
+            yaw += min(max(2 * turn, -1), 1) * 0.1
+            x, y = np.array([x, y]) + polar(yaw, 0.1 * speed)
+        return np.array(track)
+
+    def seen(track, places):
+        """Angle to the left of the middle, and distance, of a place or of places (N, 2) on the way."""
+        ahead, left = (places - track[:, :2]).T
+        angle = np.arctan2(left, ahead) - track[:, 2]
+        return np.arctan2(np.sin(angle), np.cos(angle)), np.hypot(ahead, left)
+
     while True:
         x, y, yaw = rng.uniform((-0.5, -1.8, -math.pi), (5.2, 2.0, math.pi))
-        to_left = rng.choice([-1, 1])  # the ball rolls to one side: who drives straight ahead loses it
-        way, side = rng.uniform(0.9, 1.7), yaw + to_left * rng.uniform(0, 0.35)
-        length, heading = rng.uniform(1.2, 2.6), yaw + to_left * rng.uniform(0.3, 1.4)
-        to_ball = way * np.array([math.cos(side), math.sin(side)])
-        roll = length * np.array([math.cos(heading), math.sin(heading)])
-        robot = np.array([x, y])
-        places = robot + np.concatenate([shares * to_ball, to_ball + 0.88 * shares * roll])
-        seen = robot + 2.5 * shares * to_ball  # also behind the ball: there the rug is as red as the ball
-        is_free = min(room.free_space.distance(*place) for place in places) > 0.35
-        if is_free and not any(room.rug.holds(*place) for place in [*places, *seen]):
-            start, ball = (x, y, yaw), (*(robot + to_ball), *roll)
-            return {"seed": int(rng.integers(1 << 31)), "duration": duration,
-                    "start": [round(float(v), 3) for v in start], "ball": [round(float(v), 3) for v in ball],
-                    "thresholds": {"bumps": ["<=", 0], "ball_gap": ["<=", 0.25], "ball_angle": ["<=", 15]}}
+        to_left = rng.choice([-1, 1])
+        ball = np.array([x, y]) + polar(yaw + to_left * rng.uniform(0.15, 0.45), rng.uniform(1.1, 1.7))
+        roll = polar(yaw + to_left * rng.uniform(0.5, 1.4), rng.uniform(1.4, 2.6))
+        balls = ball + shares * roll
+        track = follow(x, y, yaw, balls)
+        angles, distances = seen(track, balls)
+        # Behind the ball the rug is as red as the ball.
+        behind = balls + np.linspace(0, 1.5, 8)[:, np.newaxis, np.newaxis] * (balls - track[:, :2])
+        is_on_rug = any(room.rug.holds(*place) for place in behind[:, ::10].reshape(-1, 2))
+        if is_on_rug or not are_free(balls, 0.3) or not are_free(track[:, :2], 0.35):
+            continue
+        for _ in range(40):
+            near = track[0, :2] + polar(yaw - to_left * rng.uniform(0, 0.3), rng.uniform(0.7, 1.0))
+            far = track[-1, :2] + polar(track[-1, 2] + rng.uniform(-0.6, 0.6), rng.uniform(1.2, 2.0))
+            (near_angles, near_way), (far_angles, far_way) = seen(track, near), seen(track, far)
+            # The robot has room beside both, and the rolling ball is not beside another one in the image.
+            if (are_free([near, far], 0.25) and min(near_way) > 0.5 and min(far_way) > 0.8
+                    and abs(near_angles[0]) < abs(angles[0]) - 0.08 and near_way[0] < distances[0] - 0.2
+                    and min(np.abs(near_angles - angles)[np.abs(near_angles) < 0.9], default=1) > 0.25
+                    and min(np.abs(far_angles - angles)[np.abs(far_angles) < 0.9], default=1) > 0.2):
+                ways = [(*ball, *roll), (*near, 0, 0), (*far, 0, 0)]
+                return {"seed": int(rng.integers(1 << 31)), "duration": 20.0,
+                        "start": [round(float(v), 3) for v in (x, y, yaw)],
+                        "balls": [[round(float(v), 3) for v in way] for way in ways],
+                        "thresholds": {"bumps": ["<=", 0], "ball_gap": ["<=", 0.25], "ball_angle": ["<=", 15]}}
 
 
 # %% role="answer"
@@ -1232,57 +1279,63 @@ def control(observation, memory):
 def control(observation, memory):
     spots = [(max(width, height), col + width / 2)
              for col, row, width, height in red_spots(observation["image"])]
-    middle, size = memory.get("ball", (160, None))
-    if size is None:
-        spots = [spot for spot in spots if abs(spot[1] - middle) < 80]
-    else:
-        spots = [spot for spot in spots
-                 if abs(spot[1] - middle) < size and spot[0] < 1.4 * size]
-    if not spots:
-        return 0.0, 0.4 if middle < 160 else -0.4
-    seen, middle = max(spots)
-    size = seen if size is None else max(seen, 0.95 * size)  # a single stripe is small
-    memory["ball"] = middle, size
-    linear = 1.2 * (176.25 * 0.22 / size - 0.6)
-    angular = 2 * (160 - middle) / 176.25
-    return min(max(linear, -0.3), 0.3), min(max(angular, -1.0), 1.0)
+    if observation["time"] < 0.55:  # stand and watch
+        memory.setdefault("before", spots)
+        return 0.0, 0.0
+
+    def way(spot):
+        """Columns to the nearest spot of the first image."""
+        return min((abs(spot[1] - middle) for _, middle in memory["before"]), default=0)
+
+    if "ball" not in memory:
+        memory["ball"] = max((spot for spot in spots if spot[0] > 14), key=way, default=(20, 160))
+    size, middle = memory["ball"]
+    middle += 17.6 * memory.get("turn", 0.0)  # the robot's own turn moves the image
+    near = [spot for spot in spots if abs(spot[1] - middle) < 0.7 * size and spot[0] < 1.4 * size]
+    if near:
+        seen, middle = max(near)
+        size = max(seen, 0.95 * size)  # a single stripe is small
+    linear = 1.2 * (176.25 * 0.22 / size - 0.6) if near else 0.0
+    angular = min(max(2 * (160 - middle) / 176.25, -1.0), 1.0)
+    memory["ball"], memory["turn"] = (size, middle), angular
+    return min(max(linear, -0.3), 0.3), angular
 
 # %% role="check" tags=["long"]
 check("tracking-drive", control)
 
-# %% role="case" title="a ball rolls away" points=1 hint="Which spot is the ball, and how far away is it?"
+# %% role="case" title="one of three balls rolls away" points=1 hint="Which of the spots has moved while the robot stood?"
 def inputs(rng):
-    return (rolling_ball(rng, 20.0),)
+    return (one_of_three_balls(rng),)
 
 
-# %% role="case" title="another way" points=1 hint="Does the robot turn to the side on which the ball is?"
+# %% role="case" title="another way" points=1 hint="Does the robot still look at the ball that rolled, when another one is in the image?"
 def inputs(rng):
-    return (rolling_ball(rng, 20.0),)
+    return (one_of_three_balls(rng),)
 
 
 # %% role="case" title="a third way" points=1 hint="Does the robot keep 0.6 m when the ball stands?"
 def inputs(rng):
-    return (rolling_ball(rng, 20.0),)
+    return (one_of_three_balls(rng),)
 
 
 # %% role="hidden" title="an unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
 def inputs(rng):
-    return (rolling_ball(rng, 20.0),)
+    return (one_of_three_balls(rng),)
 
 
 # %% role="hidden" title="a second unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
 def inputs(rng):
-    return (rolling_ball(rng, 20.0),)
+    return (one_of_three_balls(rng),)
 
 
 # %% role="hidden" title="a third unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
 def inputs(rng):
-    return (rolling_ball(rng, 20.0),)
+    return (one_of_three_balls(rng),)
 
 
 # %% role="hidden" title="a fourth unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
 def inputs(rng):
-    return (rolling_ball(rng, 20.0),)
+    return (one_of_three_balls(rng),)
 
 
 # %% [markdown]

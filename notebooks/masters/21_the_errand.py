@@ -1177,7 +1177,6 @@ exercise(
     function="control",
     subject="drive",
     sensors=("image", "odometry"),
-    allowed=("cv2",),
     hint="Four tasks, one after the other: drive to the sign until two looks read the same word; drive back to (0, 0) of the odometry; turn until the sign is straight ahead; turn on by ANSWERS[word], in radians, and stay.",
     hints=(
         "Which tasks has the errand, and what ends each of them? What must the robot remember from one task to the next? And what does it do when it does not see the sign?",

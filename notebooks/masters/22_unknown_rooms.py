@@ -347,7 +347,6 @@ exercise(
     function="control",
     subject="drive",
     sensors=("depth", "scan", "odometry"),
-    allowed=("imgproc_course.geometry",),
     hint="Turn on the spot to the chosen direction, then drive until less than 0.45 m are free or 1 m is driven. Then choose the direction with the most new cells on its free way, less one cell for each radian of the turn.",
     hints=(
         "Where is something that the robot has not visited, and how far can it drive there? When must it choose again?",

@@ -155,7 +155,8 @@ def way_of(room, linear, angular, steps=100):
 def test_from_a_wedged_ball_the_robot_can_move_away():
     with Simulation(start=(4.4, -1.55, -1.233), time=60.0) as room:
         room._wheels.place = (4.456305232, -1.671509979, -1.233024163)  # the ball is between it and a corner
-        room._movers.ball.x, room._movers.ball.y = 4.639998628, -1.974826058
+        ball = room._movers.balls["ball"]
+        ball.x, ball.y = 4.639998628, -1.974826058
         assert max(way_of(room, *command) for command in ((-0.3, 0), (0, 1), (0, -1), (0.3, 0))) > 0.1
 
 
@@ -171,7 +172,8 @@ def test_the_car_goes_back_for_a_robot_that_can_only_move_to_and_fro():
         room._wheels.place = (-0.762153225, -1.628152218, -1.611798562)  # in a corner; the car is behind it
         room._held = room._wheels.place, 28.9, frozenset({1.0})  # after it has chased the ball
         room._movers.walkers["toycar"].time = 27.32
-        room._movers.ball.x, room._movers.ball.y = -0.773003969, -1.974999974
+        ball = room._movers.balls["ball"]
+        ball.x, ball.y = -0.773003969, -1.974999974
         assert max(way_of(room, linear, 0, 150) for linear in (0.3, -0.3) * 4) > 0.1
 
 

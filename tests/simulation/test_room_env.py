@@ -106,20 +106,20 @@ def test_record_video_gets_the_camera_beside_the_map(env, videos, tmp_path):
 
 def test_the_same_seed_gives_the_same_bytes_again_and_in_another_environment(env):
     actions = [(0.3, 0.5), (0.2, -1.0), (-0.1, 0.3)] * 2
-    first = drive(env, 3, actions, ball=BALL, movers=["person"])
+    first = drive(env, 3, actions, balls=[BALL], movers=["person"])
     drive(env, 4, actions[:2], lighting="evening")
     other = RoomEnv(SENSORS)
-    assert drive(env, 3, actions, ball=BALL, movers=["person"]) == first
-    assert drive(other, 3, actions, ball=BALL, movers=["person"]) == first
-    assert drive(other, 5, actions, ball=BALL, movers=["person"]) != first
+    assert drive(env, 3, actions, balls=[BALL], movers=["person"]) == first
+    assert drive(other, 3, actions, balls=[BALL], movers=["person"]) == first
+    assert drive(other, 5, actions, balls=[BALL], movers=["person"]) != first
     other.close()
 
 
 def test_environments_side_by_side_do_not_disturb_each_other(env):
     actions = [(0.3, 0.5)] * 4
-    expected = [drive(env, 6, actions), drive(env, 7, actions, ball=BALL)]
+    expected = [drive(env, 6, actions), drive(env, 7, actions, balls=[BALL])]
     envs = [RoomEnv(SENSORS), RoomEnv(SENSORS)]
-    results = [envs[0].reset(seed=6)[0], envs[1].reset(seed=7, options={"ball": BALL})[0]]
+    results = [envs[0].reset(seed=6)[0], envs[1].reset(seed=7, options={"balls": [BALL]})[0]]
     totals = [hashlib.sha256(), hashlib.sha256()]
     infos = [other._metrics.info() for other in envs]
     for action in (*actions, None):
@@ -135,9 +135,11 @@ def test_environments_side_by_side_do_not_disturb_each_other(env):
 
 
 def test_it_sees_what_a_simulation_of_its_own_sees(env):
-    observation, _ = env.reset(seed=8, options={"start": FREE, "ball": BALL})
+    observation, _ = env.reset(seed=8, options={"start": FREE, "balls": [BALL]})
     seed = int(np.random.default_rng(8).integers(1 << 31))
-    with Simulation(seed, start=FREE, movers=[], ball=BALL, size=(320, 180), depth_size=(160, 90)) as plain:
+    with Simulation(
+        seed, start=FREE, movers=[], balls=[BALL], size=(320, 180), depth_size=(160, 90)
+    ) as plain:
         for _ in range(3):
             assert (observation["depth"] == plain.depth()).all()
             assert (observation["image"] == plain.frame()).all()
@@ -224,7 +226,7 @@ def test_clearance_is_the_true_distance_of_the_body(env):
 
 def test_what_moves_counts_as_a_bump_but_not_for_the_clearance():
     env = RoomEnv(())
-    env.reset(seed=0, options={"start": FREE, "ball": [0.5, 0.0, 0.0, 0.0], "duration": 8.0})
+    env.reset(seed=0, options={"start": FREE, "balls": [[0.5, 0.0, 0.0, 0.0]], "duration": 8.0})
     for _ in range(80):
         *_, info = env.step((0.1, 0.0))
     assert info["bumps"] >= 1 and info["bumped_into"] == "ball" and info["clearance"] > 0.3
@@ -244,7 +246,7 @@ def test_who_stands_is_not_judged_by_the_clearance():
 
 def test_a_ball_that_rolls_away():
     env = RoomEnv(())
-    env.reset(seed=0, options={"start": FREE, "ball": BALL, "time": 20.0})
+    env.reset(seed=0, options={"start": FREE, "balls": [BALL], "time": 20.0})
     for _ in range(60):
         env.step((0.0, 0.0))
     x, y = env._simulation.pose("ball")[:2]
@@ -254,7 +256,7 @@ def test_a_ball_that_rolls_away():
 
 
 def test_the_map_shows_path_and_bumps():
-    drawn = draw_map([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)], [(3, 0.5, 0.5)], ball=(0.5, -0.5, 1.0, 0.0))
+    drawn = draw_map([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)], [(3, 0.5, 0.5)], balls=[(0.5, -0.5, 1.0, 0.0)])
     x0, y0 = recorded_room().free_space.origin
 
     def color(x, y):
@@ -276,8 +278,8 @@ def test_the_map_shows_path_and_bumps():
         ({}, {"strat": FREE}, "unknown option 'strat'; expected some of room, start"),
         ({}, {"start": (2.0, -1.5, 0.0)}, "the robot cannot start at (2.0, -1.5, 0.0): a wall or furniture"),
         ({}, {"start": (1.0, 2.0)}, "start is three finite numbers"),
-        ({}, {"ball": [1.75, -1.2, 0, 0]}, "the ball cannot begin at (1.75, -1.2): there is no room"),
-        ({}, {"ball": [2.0]}, "ball is four finite numbers"),
+        ({}, {"balls": [[1.75, -1.2, 0, 0]]}, "a ball cannot begin at (1.75, -1.2): there is no room"),
+        ({}, {"balls": [[2.0]]}, "a ball is four finite numbers"),
         ({}, {"goal": (1.0, 2.0)}, "goal is (x, y, radius) in metres"),
         ({}, {"duration": 0}, "duration is 0.1 seconds or more, got 0"),
         ({}, {"lighting": "night"}, 'lighting is "day" or "evening", got \'night\''),

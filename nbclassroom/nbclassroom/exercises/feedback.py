@@ -43,7 +43,8 @@ def _refusals(result):
     for module, name in result.refused.items():
         used = module if name.startswith(module) else f"{name} of {module}"
         reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
-        yield f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
+        text = f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
+        yield f"{text} You may use {', '.join(['numpy', *result.exercise.allowed])}."
 
 
 def _cases(result):

@@ -88,7 +88,7 @@ def _exercise(scenario):
         function=FUNCTION,
         subject="drive",
         sensors=SENSORS,
-        allowed=course.league_allowed,
+        allowed=(*course.drive_allowed, *course.league_allowed),
         cases=(case,),
     )
 

@@ -7,6 +7,7 @@ import pytest
 from nbclassroom.exercises.kinds.drive.drive import (
     Drive,
     decisive_moment,
+    metric_text,
     passes,
     question_of,
     sentences_of,
@@ -120,6 +121,12 @@ def test_the_first_metric_that_is_missed_asks_a_question_but_not_after_a_bump():
     record["missed"] = [["places", 1, ">=", 10]]
     sentence = "The places that the robot came to (cells of 0.5 m): 1; the task asks for at least 10."
     assert sentences_of(record, SCENARIO) == [sentence]
+
+
+def test_a_metric_that_looks_like_its_limit_has_more_digits():
+    cases = [("clearance", 0.0799), ("clearance", 0.076), ("clearance", 0.08), ("clearance", 0.3)]
+    assert [metric_text(*case, 0.08) for case in cases] == ["0.0799 m", "0.076 m", "0.08 m", "0.30 m"]
+    assert [metric_text("ball_angle", 15.3, limit) for limit in (15, 20)] == ["15.3°", "15°"]
 
 
 def test_speeds_beyond_the_robots_limits_are_cut():

@@ -21,7 +21,7 @@ from nbclassroom.exercises.checking import check, run_cases, run_check
 from nbclassroom.exercises.declaration import MasterError, exercise, read_exercises
 from nbclassroom.exercises.expected_results import check_data_of
 from nbclassroom.exercises.kinds.drive import simulators
-from nbclassroom.exercises.kinds.drive.drive import METRICS, OPTIONS, PATH_TOLERANCE, SENSORS, STEP, Drive
+from nbclassroom.exercises.kinds.drive.drive import METRICS, PATH_TOLERANCE, SENSORS, STEP, Drive
 from nbclassroom.exercises.kinds.drive.images import draw_map, look_back
 from nbclassroom.exercises.kinds.drive.scenario import read_scenario
 from PIL import Image
@@ -65,7 +65,7 @@ def checked(data, source):
 
 
 def test_the_environment_of_the_room_is_as_a_drive_expects():
-    assert (room_env.SENSORS, room_env.STEP, tuple(room_env.OPTIONS)) == (SENSORS, STEP, OPTIONS)
+    assert (room_env.SENSORS, room_env.STEP) == (SENSORS, STEP)
     _, info = room_env.RoomEnv(()).reset(seed=1, options={"duration": 1.0})
     assert {*METRICS, "bumped_into", "nearest_to"} == {*info}
 
@@ -248,6 +248,24 @@ def test_a_controller_that_is_slow_now_and_then_drives_to_the_end(data):
 def test_a_controller_with_other_arguments_is_told_which(data):
     text = repr(checked(data, "def control(scan):\n    return 0, 0\n"))
     assert "begin your function with def control(observation, memory): and use these arguments." in text
+
+
+def test_a_mistake_that_is_too_slow_stops_a_build(master):
+    slow = BLIND.replace("    return", "    __import__('time').sleep(0.08)\n    return")
+    (declared,) = read_exercises(
+        master(**{"second mistake": f'# %% role="mistake" name="slow" says="No."\n{slow}'})
+    )
+    with pytest.raises(MasterError, match="test-drive: mistake 'slow' was too slow; build on"):
+        validate_exercise(declared)
+
+
+def test_a_robot_that_stands_is_not_told_that_it_turns(master):
+    spins = "def control(observation, memory):\n    return 0.0, 0.6\n"
+    (declared,) = read_exercises(
+        master(**{"second mistake": f'# %% role="mistake" name="spins" says="It turns."\n{spins}'})
+    )
+    assert run_cases(declared, control_in(spins)).mistake.name == "spins"
+    assert run_cases(declared, control_in(spins.replace("0.6", "0.0"))).mistake is None
 
 
 def test_what_a_controller_prints_until_the_moment_that_is_shown_and_what_numpy_warns(data):

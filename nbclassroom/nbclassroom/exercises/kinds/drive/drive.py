@@ -19,13 +19,11 @@ STEP_SECONDS = 0.5  # how long one call of `control` may take
 MEAN_STEP_SECONDS = 0.05  # of processor time, how long it may take on average of a whole drive
 PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
 SENSORS = ("scan", "depth", "image", "odometry")
-# The keys of a scenario that the environment's `reset` takes.
-OPTIONS = ("room", "start", "time", "lighting", "movers", "duration", "ball", "goal", "answer")
 DURATION = 40.0  # seconds, of a scenario that does not say it
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _REPR = reprlib.Repr()
 _REPR.maxother = 80  # characters: an address is not cut
-_COUNTS = {"<=": ("≤", "at most"), ">=": ("≥", "at least")}
+COUNTS = {"<=": ("≤", "at most"), ">=": ("≥", "at least")}
 _EXPECTED = "expected two numbers, (linear, angular)"
 
 
@@ -68,7 +66,7 @@ METRICS = {
         "error of the distance",
         "{:.2f} m",
         "The robot's distance to the ball was wrong by {}",
-        "Does it turn to the side on which the ball is, and does it stop and drive back when it is too near?",
+        "Does it follow the right ball, and does it stop and drive back when it is too near?",
     ),
     "ball_angle": _Metric(
         "ball beside the middle",
@@ -79,10 +77,15 @@ METRICS = {
 }
 
 
-def metric_text(name, value, operator=""):
-    """The value of a metric with its unit, "–" if nothing was measured; with an operator its threshold."""
-    sign = f"{_COUNTS[operator][0]} " if operator else ""
-    return sign + ("–" if value is None else METRICS[name].format.format(value))
+def metric_text(name, value, limit=None):
+    """A metric with its unit; with more digits where it would look like a limit, and is not."""
+    if value is None:
+        return "–"
+    for more in range(4):
+        shape = re.sub(r"\d", lambda digits, more=more: str(int(digits[0]) + more), METRICS[name].format)
+        if limit in (None, value) or shape.format(value) != shape.format(limit):
+            break
+    return shape.format(value)
 
 
 class Drive:
@@ -97,8 +100,8 @@ class Drive:
     def __init__(self, env, scenario):
         self._env, self.scenario = env, scenario
         self._ended, self._actions, self._decisive = "", [], 0
-        options = {key: value for key, value in scenario.items() if key in OPTIONS}
-        self._read(*env.reset(seed=scenario["seed"], options=options))
+        names = scenario.keys() - {"seed", "title", "thresholds"}
+        self._read(*env.reset(seed=scenario["seed"], options={name: scenario[name] for name in names}))
         arrays = {name: np.asarray(value) for name, value in self.observation.items()}
         self.layout = [[name, array.dtype.str, list(array.shape)] for name, array in arrays.items()]
 
@@ -193,9 +196,7 @@ def passes(record, scenario):
 
 
 def _is_kept(value, operator, limit):
-    if value is None:
-        return False
-    return value <= limit if operator == "<=" else value >= limit
+    return value is not None and (value <= limit if operator == "<=" else value >= limit)
 
 
 def speeds_of(value):
@@ -243,13 +244,13 @@ def question_of(record):
 def _sentence(record, name, value, operator, limit):
     if value is None:
         return "The robot did not reach the goal." if name == "goal_time" else "The robot never drove."
-    asked = f"the task asks for {_COUNTS[operator][1]} {metric_text(name, limit)}."
+    asked = f"the task asks for {COUNTS[operator][1]} {metric_text(name, limit)}."
     if name == "bumps" and record["bumps"]:
         obstacle = record["metrics"].get("bumped_into") or "something"
         text = f"The robot bumped into the {obstacle} at {record['bumps'][0][0] * STEP:.1f} s"
         text += f", and bumped {value} times in all" if value > 1 else ""
         return f"{text}; {asked}" if limit else f"{text}."
-    text = METRICS[name].sentence.format(metric_text(name, value))
+    text = METRICS[name].sentence.format(metric_text(name, value, limit))
     if name == "clearance":
         thing = record["metrics"].get("nearest_to")
         text += f" to {f'the {thing}' if thing else 'what stands still'} at {record['decisive'] * STEP:.1f} s"

@@ -20,7 +20,7 @@ _MOST_FILM = 150_000  # bytes
 def draw_map(record, scenario):
     """The room from above with the path of a drive, as an AnswerImage."""
     path, room = record["path"], course.load(course.drive_room)(scenario.get("room"))
-    marks = {name: scenario.get(name) for name in ("goal", "ball")}
+    marks = {"goal": scenario.get("goal"), "balls": scenario.get("balls", ())}
     if record["ended"] or record["missed"]:
         marks["mark"] = path[record["decisive"]]
     pixels = course.load(course.drive_map)(path, record["bumps"], room=room, **marks)

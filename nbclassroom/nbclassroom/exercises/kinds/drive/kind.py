@@ -5,8 +5,10 @@ import re
 from dataclasses import replace
 from functools import lru_cache
 
+from .... import course
 from ..kind import Kind as AnyKind
 from .drive import (
+    COUNTS,
     METRICS,
     PATH_TOLERANCE,
     SENSORS,
@@ -33,6 +35,9 @@ class Kind(AnyKind):
     expects_values = shares_kernel = False
     shows_last_prints = True
     not_attempted = "not attempted yet; the function drives as you got it"
+
+    def modules(self):
+        return course.drive_allowed
 
     def tolerance(self, declared):
         return PATH_TOLERANCE
@@ -149,8 +154,10 @@ class Kind(AnyKind):
             cells = [(f"{'✓' if call.passed else '✗'} {call.arguments[0]['title']}", False)]
             missed = {name for name, *_ in call.record["missed"]}
             for name in metrics:
-                limit = f" ({metric_text(name, own[name][1], own[name][0])})" if name in own else ""
-                cells.append((metric_text(name, call.record["metrics"][name]) + limit, name in missed))
+                operator, limit = own.get(name, ("", None))
+                asked = f" ({COUNTS[operator][0]} {metric_text(name, limit)})" if operator else ""
+                text = metric_text(name, call.record["metrics"][name], limit)
+                cells.append((text + asked, name in missed))
             points = call.case.points
             rows.append([*cells, (f"{points if call.passed else 0} of {points}", False)])
         return rows if calls else ()
@@ -185,6 +192,10 @@ def _drives_of_mistake(exercise, mistake, cases):
 
 @lru_cache(maxsize=1024)
 def _drive_mistake(exercise, mistake, scenarios):
-    from .simulators import drive_scenarios
+    from ...percent_script import MasterError
+    from .simulators import SLOW, drive_scenarios
 
-    return drive_scenarios(exercise, json.loads(scenarios), lambda: exercise.function_of_mistake(mistake))
+    drives = drive_scenarios(exercise, json.loads(scenarios), lambda: exercise.function_of_mistake(mistake))
+    if any(SLOW in record["ended"] or result.timed_out for record, result in drives):
+        raise MasterError(f"{exercise.id}: mistake {mistake.name!r} was too slow; build on an idle machine")
+    return drives

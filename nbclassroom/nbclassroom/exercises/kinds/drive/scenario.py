@@ -1,7 +1,6 @@
 """A scenario: what a case of an exercise that drives gives, a dict, read and checked.
 
-The environment's `reset` takes the keys of `drive.OPTIONS`, and `seed`. An example of thresholds, which judge
-the drive: {"bumps": ["<=", 0], "clearance": [">=", 0.25]}.
+Thresholds judge the drive, such as {"bumps": ["<=", 0], "clearance": [">=", 0.25]}.
 """
 
 import json
@@ -14,7 +13,7 @@ from nbclassroom.exercises.kinds.drive.drive import METRICS
 
 _Number = Annotated[int, Meta(ge=0)]
 _Metric: Any = Literal[tuple(METRICS)]  # made of data: no type that can be checked before it runs
-_NEEDED = {"goal_time": "goal", "answer_error": "answer", "ball_gap": "ball", "ball_angle": "ball"}
+_NEEDED = {"goal_time": "goal", "answer_error": "answer", "ball_gap": "balls", "ball_angle": "balls"}
 
 
 class _Scenario(msgspec.Struct, forbid_unknown_fields=True):
@@ -27,7 +26,7 @@ class _Scenario(msgspec.Struct, forbid_unknown_fields=True):
     lighting: Literal["day", "evening"] = "day"
     movers: list[Literal["person", "toycar", "ball"]] = []
     duration: Annotated[float, Meta(ge=0.1, le=120)] = 40.0
-    ball: tuple[float, float, float, float] | None = None
+    balls: list[tuple[float, float, float, float]] = []
     goal: tuple[float, float, float] | None = None
     answer: float | None = None
 
@@ -40,6 +39,6 @@ def read_scenario(value):
     except (TypeError, ValueError, AttributeError) as error:
         raise ValueError(f"a scenario is wrong: {error}; got {value!r}"[:1000]) from error
     for metric, needed in _NEEDED.items():
-        if metric in scenario["thresholds"] and scenario[needed] is None:
+        if metric in scenario["thresholds"] and scenario[needed] in (None, []):
             raise ValueError(f"a threshold of {metric} needs {needed!r} in the scenario, got none")
     return json.loads(json.dumps(scenario))

@@ -1,7 +1,6 @@
 """Let a learner's `control` drive in scenarios. It runs here; the robot is in simulators, other processes.
 
-A simulator lives as long as this process. While one of them computes its next observation, `control`
-answers another one.
+They live as long as it. While one computes its next observation, `control` answers another one.
 """
 
 import atexit
@@ -28,10 +27,8 @@ _SIMULATORS = 2
 _SHOWN_STEPS = 20  # between two states of the progress bar
 _MOST_SLOW = 20  # steps that take longer than they may while the drive does so on average
 _MOST_MEMORY = 1_000_000_000  # bytes by which this process may grow
-_SLOW = (
-    f"takes longer than {MEAN_STEP_SECONDS} s for a step on average: do less in each call, do not sleep, or"
-)
-_SLOW += " keep results in memory"
+SLOW = f"takes longer than {MEAN_STEP_SECONDS} s for a step on average: do less in each call, do not sleep"
+SLOW += ", or keep results in memory"
 _LARGE = "takes more than 1 GB of memory: keep only what later steps need"
 _KEPT_LINES = 13  # of what a drive prints: one more than is shown
 _PLACE_PERIOD = 5  # steps between two places of a path that is stored or compared
@@ -156,7 +153,7 @@ class _Run:
         if _memory() - self.burden.memory > _MOST_MEMORY:
             self.burden.excess = f"{name} {_LARGE}"
         elif self.slow_steps >= _MOST_SLOW or self.seconds > seconds_of(self.scenario):
-            self.burden.excess = f"{name} {_SLOW}"
+            self.burden.excess = f"{name} {SLOW}"
         if self.burden.excess:
             return self._end()
         try:
@@ -252,6 +249,8 @@ def known_mistake(exercise, calls):
     after the decisive moment. If several do, the nearest one counts. None if there is none.
     """
     failed = [call for call in calls if not call.passed]
+    if all(np.ptp(call.record["path"], axis=0).max() < 0.02 for call in failed):
+        return None  # it stands, and so is near to a robot that turns on the spot
     nearest, least = None, np.inf
     for mistake in exercise.mistakes:
         distance = max((_distance(mistake, call) for call in failed), default=np.inf)

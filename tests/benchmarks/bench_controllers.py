@@ -1,0 +1,233 @@
+"""Do the driving exercises ask for their deed? Honest and cheap controllers in unseen scenarios.
+
+.venv/bin/python tests/benchmarks/bench_controllers.py [-n 20] [--seed 91] [--lesson NAME] [--only NAME]
+
+Required of 20: the solution passes 18, an honest controller of another style 15, a cheap one 4; the exit code
+is 1 otherwise. Stub, known mistakes and a replay of the solution are driven with --mistakes.
+"""
+
+import argparse
+import math
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import cv2
+import numpy as np
+from nbclassroom.exercises.declaration import read_exercises
+
+from imgproc_course.simulation.room_env import OPTIONS, RoomEnv, controller_observation
+
+MASTERS = Path(__file__).parents[2] / "notebooks/masters"
+LEAST_OF_SOLUTION, LEAST_OF_HONEST, MOST_OF_CHEAP = 0.9, 0.75, 0.2
+given: Any = SimpleNamespace()  # what the lesson defines for its controllers: given.red_spots …
+
+
+# ---------------------------------------------------------------- object_tracking: one of three balls rolls
+
+FOCAL = 176.25  # pixels
+
+
+def sizes_and_columns(observation):
+    """(size, middle column) of each red spot, pixels."""
+    boxes = given.red_spots(observation["image"])
+    return [(max(width, height), col + width / 2) for col, _, width, height in boxes]
+
+
+def speeds_towards(size, middle):
+    linear = 1.2 * (FOCAL * 0.22 / size - 0.6)
+    return min(max(linear, -0.3), 0.3), min(max(2 * (160 - middle) / FOCAL, -1.0), 1.0)
+
+
+def largest_spot(observation, memory):
+    spots = sizes_and_columns(observation)
+    return speeds_towards(*max(spots)) if spots else (0.0, 0.4)
+
+
+def second_largest_spot(observation, memory):
+    spots = sorted(sizes_and_columns(observation))
+    return speeds_towards(*spots[-min(2, len(spots))]) if spots else (0.0, 0.4)
+
+
+def spot_nearest_to_the_middle(observation, memory):
+    spots = [spot for spot in sizes_and_columns(observation) if spot[0] > 12]
+    if not spots:
+        return 0.0, 0.4
+    return speeds_towards(*min(spots, key=lambda spot: abs(spot[1] - 160)))
+
+
+def spot_nearest_to_the_last(observation, memory):
+    """Without a look at what moves, and without a prediction."""
+    spots = [spot for spot in sizes_and_columns(observation) if spot[0] > 12]
+    if not spots:
+        return 0.0, 0.4
+    spot = min(spots, key=lambda spot: abs(spot[1] - memory.get("middle", 160)))
+    memory["middle"] = spot[1]
+    return speeds_towards(*spot)
+
+
+def moved_spot(observation, memory):
+    """The spot that moved most while the robot stood for 0.6 s; until then None."""
+    spots = sizes_and_columns(observation)
+    first = memory.setdefault("first", spots)
+    if observation["time"] < 0.55:
+        return None
+    large = [spot for spot in spots if spot[0] > 14]
+    return max(large, key=lambda spot: min(abs(spot[1] - other[1]) for other in first), default=(20, 160))
+
+
+def kalman_filter(observation, memory):
+    """Of the direction and its speed, with a gate of three deviations."""
+    if "state" not in memory:
+        spot = moved_spot(observation, memory)
+        if spot is None:
+            return 0.0, 0.0
+        state = np.array([(160 - spot[1]) / FOCAL, 0.0])
+        memory.update(state=state, covariance=np.diag([0.002, 0.1]), size=spot[0], turn=0.0)
+    F = np.array([[1, 0.1], [0, 1]])
+    state = F @ memory["state"] - (0.1 * memory["turn"], 0)
+    covariance = F @ memory["covariance"] @ F.T + np.diag([4e-4, 4e-3])
+    variance, size = covariance[0, 0] + 1e-3, memory["size"]
+    near = [
+        (own, (160 - column) / FOCAL)
+        for own, column in sizes_and_columns(observation)
+        if abs((160 - column) / FOCAL - state[0]) < 3 * math.sqrt(variance) and 0.4 < own / size < 1.4
+    ]
+    linear = 0.0
+    if near:
+        seen, direction = max(near)
+        gain = covariance[:, 0] / variance
+        state = state + gain * (direction - state[0])
+        covariance = covariance - np.outer(gain, covariance[0])
+        size = max(seen, 0.95 * size)
+        linear = min(max(1.2 * (FOCAL * 0.22 / size - 0.6), -0.3), 0.3)
+    turn = min(max(2 * float(state[0]), -1.0), 1.0)
+    memory.update(state=state, covariance=covariance, size=size, turn=turn)
+    return linear, turn
+
+
+def mean_size_and_nearest(observation, memory):
+    """No filter: the nearest spot of about this size, and the mean of its size and the last one."""
+    if "ball" not in memory:
+        memory["ball"], memory["turn"] = moved_spot(observation, memory), 0.0
+        if memory["ball"] is None:
+            del memory["ball"]
+            return 0.0, 0.0
+    size, middle = memory["ball"]
+    middle += FOCAL * 0.1 * memory["turn"]
+    near = [
+        spot
+        for spot in sizes_and_columns(observation)
+        if abs(spot[1] - middle) < max(20, 0.6 * size) and 0.35 < spot[0] / size < 1.5
+    ]
+    linear = 0.0
+    if near:
+        seen, middle = min(near, key=lambda spot: abs(spot[1] - middle) - 0.5 * spot[0])
+        size = 0.5 * size + 0.5 * seen
+        linear, _ = speeds_towards(size, middle)
+    memory["ball"], memory["turn"] = (size, middle), speeds_towards(size, middle)[1]
+    return linear, memory["turn"]
+
+
+# ---------------------------------------------------------------- the tables
+
+# Of each lesson: honest controllers, which use its idea in another way, and cheap ones, which leave it out.
+TABLES: dict[str, tuple] = {
+    "obstacles_ahead": ((), ()),
+    "object_tracking": (
+        (kalman_filter, mean_size_and_nearest),
+        (largest_spot, second_largest_spot, spot_nearest_to_the_middle, spot_nearest_to_the_last),
+    ),
+}
+
+
+def drive(env, control, scenario):
+    """The metrics of a drive, and whether it keeps the thresholds."""
+    options = {name: scenario[name] for name in OPTIONS if name in scenario}
+    observation, info = env.reset(seed=scenario["seed"], options=options)
+    memory, over = {}, False
+    while not over:
+        observation, _, _, over, info = env.step(control(controller_observation(observation), memory))
+    signs = {"<=": lambda value, limit: value <= limit, ">=": lambda value, limit: value >= limit}
+    return info, all(
+        info[name] is not None and signs[sign](info[name], limit)
+        for name, (sign, limit) in scenario["thresholds"].items()
+    )
+
+
+def replay_of(env, control, scenario):
+    """A controller that repeats what another one did in a scenario, and then stands."""
+    actions = []
+
+    def recorded(observation, memory):
+        actions.append(control(observation, memory))
+        return actions[-1]
+
+    def replay(_, memory):
+        memory["look"] = memory.get("look", -1) + 1
+        return (actions + [(0.0, 0.0)] * memory["look"])[memory["look"]]
+
+    drive(env, recorded, scenario)
+    return replay
+
+
+def controllers_of(lesson, exercise, with_mistakes):
+    """(kind, name, control) of all controllers of an exercise."""
+
+    def prepared(name, source):
+        return exercise.function_of(source, name, prepared=True)
+
+    solution = prepared("solution", exercise.solution)
+    vars(given).update(solution.__globals__)
+    yield "solution", "solution", solution
+    for kind, controls in zip(("honest", "cheap"), TABLES[lesson], strict=True):
+        for control in controls:
+            yield kind, control.__name__, control
+    if with_mistakes:
+        scenario = exercise.arguments(exercise.cases[0])[0][0]
+        yield "mistake", "replay", replay_of(RoomEnv(exercise.sensors), solution, scenario)
+        yield "mistake", "stub", prepared("stub", exercise.stub)
+        for mistake in exercise.mistakes:
+            yield "mistake", mistake.name, prepared(mistake.name, mistake.source)
+
+
+def problem_of(kind, share):
+    least = {"solution": LEAST_OF_SOLUTION, "honest": LEAST_OF_HONEST}.get(kind)
+    if least is None:
+        return "TOO MANY" if share > MOST_OF_CHEAP else ""
+    return "TOO FEW" if share < least else ""
+
+
+def main():
+    cv2.setNumThreads(1)
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--lesson", choices=TABLES, action="append")
+    parser.add_argument("--seed", type=int, default=91)
+    parser.add_argument("-n", type=int, default=20)
+    parser.add_argument("--only", action="append")
+    parser.add_argument("--mistakes", action="store_true")
+    options = parser.parse_args()
+    problems = []
+    for lesson in options.lesson or TABLES:
+        (exercise,) = (
+            e for e in read_exercises(next(MASTERS.glob(f"*_{lesson}.py"))) if e.subject == "drive"
+        )
+        case, env = exercise.hidden[0], RoomEnv(exercise.sensors)
+        scenarios = [exercise.arguments(case, 1000 * options.seed + k)[0][0] for k in range(options.n)]
+        print(f"{exercise.id}, {options.n} scenarios of seed {options.seed}", flush=True)
+        for kind, name, control in controllers_of(lesson, exercise, options.mistakes):
+            if options.only and name not in options.only:
+                continue
+            drives = [drive(env, control, scenario) for scenario in scenarios]
+            count = sum(kept for _, kept in drives)
+            problems += [problem_of(kind, count / options.n)]
+            print(f"  {kind:8} {name:30} {count:3} {problems[-1]}", flush=True)
+            for metric in scenarios[0]["thresholds"]:
+                values = sorted(-1.0 if info[metric] is None else info[metric] for info, _ in drives)
+                print(f"    {metric}: {' '.join(f'{value:.2f}' for value in values)}", flush=True)
+    sys.exit(any(problems))
+
+
+if __name__ == "__main__":
+    main()
