@@ -1,6 +1,6 @@
 """Answers to the node exercises: in all styles that are right, and wrong in the ways of beginners.
 
-`passes` names the cases that an answer passes: 1, 2 and 3 are the steps of the task, h is the hidden case.
+`passes` names the cases that an answer passes: 1, 2, ... are the steps of the task, h is the hidden case.
 `says` is a part of what `check` says about a wrong one.
 """
 
@@ -248,10 +248,10 @@ RIGHT = (
     ),
 )
 WRONG = (
-    ("reliable", changed(("ReliabilityPolicy.BEST_EFFORT", "ReliabilityPolicy.RELIABLE")), "", "camera offers best effort"),
+    ("reliable", changed(("ReliabilityPolicy.BEST_EFFORT", "ReliabilityPolicy.RELIABLE")), "", "sensor offers best effort"),
     ("transient local", changed(("Policy.VOLATILE", "Policy.TRANSIENT_LOCAL")), "", "durability of your subscription"),
     ("depth 10", changed(("depth=5", "depth=10")), "23h", "The depth of your subscription is 10"),
-    ("another topic", changed(("kachaka/front_camera/", "")), "", "You subscribe to /image_raw, and the camera"),
+    ("another topic", changed(("kachaka/front_camera/", "")), "", "You subscribe to /image_raw."),
     ("no depth", changed(("            depth=5,\n", "")), "", "QoSProfile needs a depth"),
     ("the callback called", changed(("self.image_callback, qos", "self.image_callback(), qos")), "", "without parentheses"),
     ("no subscription", changed((SUBSCRIBE, "")), "", "Your node has no subscription"),
@@ -260,7 +260,7 @@ WRONG = (
     ("compressed", changed(("Image, \"/k", "CompressedImage, \"/k"), ("msg import Image", "msg import CompressedImage, Image")), "", "sensor_msgs/msg/Image"),
     ("another name", changed(('"image_gray_processor"', '"gray"')), "", "Your node is called gray"),
     ("a publisher on /gray", changed(("~/gray", "/gray")), "", "You publish on /gray"),
-    ("publishes in __init__", changed((STARTED, "        self.publisher.publish(Image())\n")), "23h", "before an image has arrived"),
+    ("publishes in __init__", changed((STARTED, "        self.publisher.publish(Image())\n")), "23h", "before a message has arrived"),
     ("no super", changed(('        super().__init__("image_gray_processor")\n', "")), "", "super().__init__"),
     ("no node", changed(("ImageGrayProcessor(Node)", "ImageGrayProcessor")), "", "inherit from Node"),
     ("Image in quotes", changed(('Image, "/k', '"Image", "/k')), "", "is the class of the messages: Image"),
@@ -353,7 +353,7 @@ EDGE_ANSWERS = (
         "declared in the callback",
         edges((DECLARE, ""), ("        low =", f"{DECLARE}        low =")),
         "",
-        "does not have the parameters high, low: __init__ declares each",
+        "does not have the parameters {'high': 150, 'low': 50}",
     ),
     ("gray published", edges(('(edges, "mono8")', '(gray, "mono8")')), "", "has only the values 0 and 255"),
     (

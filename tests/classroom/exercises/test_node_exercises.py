@@ -142,7 +142,7 @@ def test_what_the_double_does_not_have_is_refused_by_name(outcomes):
 def test_the_same_reason_is_said_once():
     reliable = next(answer for answer in ANSWERS if answer.name == "reliable")
     text = str(result_of(reliable))
-    assert text.count("The image did not reach your node") == 1
+    assert text.count("The message did not reach your node") == 1
     assert text.count("as in step 2 above") == 2  # step 3 and the hidden case
 
 

@@ -67,7 +67,7 @@ def test_the_solution_passes_and_so_do_other_styles():
         (2, "def main(args=None)", "def start(args=None)", "defines no function main"),
         (2, "setup(\n", "setup(\n    (", "setup.py, line"),
         (3, "255 - gray", "gray", "pixels of the published image are wrong."),
-        (3, "BEST_EFFORT", "RELIABLE", "The camera offers best effort"),
+        (3, "BEST_EFFORT", "RELIABLE", "The sensor offers best effort"),
         (3, "except CvBridgeError", "except KeyError", "A message that cannot be"),
         (3, "import cv2\n", "import cv2\nimport scipy\n", "imports scipy, which this exercise does not need"),
         (3, "def main(args", "rclpy.spin(None)\n\n\ndef main(args", "rclpy.spin(None) runs when the file is"),

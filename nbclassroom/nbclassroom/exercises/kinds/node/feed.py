@@ -6,6 +6,7 @@ The steps are dicts, in order:
      "frame_id": "camera"}       an image on a topic, as a best-effort camera publishes it. With "cut": True
                                  half of its data are missing; with "bad": True the node must survive it
     {"message": "LaserScan", "topic": "/scan", "fields": {"ranges": [1.0]}}       another message
+    {"seconds": 1.2}             nothing comes; a step that sends takes 0.1 s, or its "seconds"
     {"set": {"low": 20}}         parameters, as `ros2 param set` sets them
     {"get": ["low", "high"]}     parameters, as `ros2 param get` reads them
 
@@ -13,6 +14,7 @@ A node of rclpy is driven as a `RecordingNode`, so nothing of it appears in the 
 records stands between the learner's class and rclpy's Node.
 """
 
+import array
 import contextlib
 import importlib
 import sys
@@ -21,13 +23,13 @@ import threading
 import numpy as np
 
 from ...running import NodeError
-from .recording_node import LEVELS, RecordingNode, refuse, takes, type_text
+from .recording_node import CLOCK, LEVELS, RecordingNode, fields_of, refuse, takes, type_text
 from .ros_double import offer_modules
 
 _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows", "destroyWindow")
-# What a node must not do: it is trapped while it is fed, and the record says that it was used.
+# What a node must not do: it is trapped while it is fed, and the record says that it was used. And its time.
 _TRAPS = {
-    "time": {"sleep": "sleeps"},
+    "time": {"sleep": "sleeps"} | dict.fromkeys(("time", "monotonic", "perf_counter"), "clock"),
     "cv2": dict.fromkeys(_WINDOWS, "windows"),
     "rclpy": dict.fromkeys(("spin", "spin_once"), "spins"),
     "rclpy.logging": {"get_logger": "loggers"},
@@ -44,8 +46,9 @@ def feed(node_class, part, steps):
 
     The record is a dict. For the part "setup" it has what the node is after the steps: "node", its name,
     "subscriptions" and "publishers", lists of dicts sorted by topic, and "published early", the number of
-    messages that it published in __init__; for "images" it has "steps", what came of each step. And "sleeps"
-    and "windows": whether it slept or opened windows.
+    messages that it published in __init__; for "connections" less, what decides whether ROS connects it. For
+    "images" it has "steps", what came of each step, and for "commands", with what a robot obeys after it: the
+    newest message of each topic, zeros before the first. "sleeps" and "windows" say whether it used them.
 
     NotGradedError: the node uses what the double does not have. NodeError: it cannot be driven. Exceptions of
     its __init__ are raised, and those of its callback with an image that is not bad.
@@ -53,6 +56,7 @@ def feed(node_class, part, steps):
     if not isinstance(node_class, type):
         raise TypeError(f"expected the class of your node, got a value of type {type(node_class).__name__}")
     offer_modules()
+    CLOCK.nanoseconds = 0
     with _recording(node_class) as recording_class, _traps(node_class) as used:
         node = recording_class()
         record = node._node_record
@@ -61,8 +65,12 @@ def feed(node_class, part, steps):
         for step in steps:
             has_ended = bool(results) and bool(results[-1].get("ended"))
             results.append(results[-1] if has_ended else _take_step(node, record, step))
+            if part == "commands":
+                results[-1] = {"delivered": results[-1]["delivered"], "published": _commands(record)}
+        if part == "connections":
+            return _describe(node.get_name(), record, _POLICIES[:2]) | used
         if part == "setup":
-            return _describe(node.get_name(), record) | {"published early": early} | used
+            return _describe(node.get_name(), record, _POLICIES) | {"published early": early} | used
         return {"steps": results} | used
 
 
@@ -72,13 +80,10 @@ def feed(node_class, part, steps):
 @contextlib.contextmanager
 def _recording(node_class):
     """A class like this one that records: where rclpy is, a RecordingNode between it and rclpy's Node."""
-    kinds = [
-        kind for kind in node_class.__mro__ if (kind.__module__, kind.__name__) == ("rclpy.node", "Node")
-    ]
-    if not kinds:
-        name = node_class.__name__
+    kinds = {(kind.__module__, kind.__name__): kind for kind in node_class.__mro__}
+    ros_node, name = kinds.get(("rclpy.node", "Node")), node_class.__name__
+    if ros_node is None:
         raise NodeError(f"{name} is no node. Let it inherit from Node: class {name}(Node):")
-    ros_node = kinds[0]
     if issubclass(ros_node, RecordingNode):
         yield node_class
         return
@@ -93,7 +98,7 @@ def _recording(node_class):
     # Node.__init__(self, ...) does not look for the class between, as super() does.
     ros_node.__init__ = start_recording
     try:
-        yield type(node_class.__name__, (node_class, between), {})
+        yield type(name, (node_class, between), {})
     finally:
         ros_node.__init__ = start
 
@@ -109,6 +114,8 @@ def _traps(node_class):
                 return function(*arguments, **options)
             if name == "spins":
                 raise NodeError(_SPINS)
+            if name == "clock":
+                return CLOCK.now().nanoseconds / 1e9
             if name == "loggers":
                 refuse("get_logger of rclpy.logging")
             used[name] = True
@@ -137,10 +144,10 @@ def _traps(node_class):
 # ---------------------------------------------------------------- what it does
 
 
-def _describe(name, record):
+def _describe(name, record, policies):
     """What the constructor of a node made, as plain values."""
     subscriptions = [
-        _endpoint(endpoint) | {name: _policy(endpoint, name) for name in _POLICIES}
+        _endpoint(endpoint) | {name: _policy(endpoint, name) for name in policies}
         for endpoint in record.subscriptions
     ]
     return {
@@ -167,7 +174,7 @@ def _take_step(node, record, step):
     log        the level of what was logged of a bad message; of a right one only the text of an error counts
     published  the fields of each message
     """
-    if "topic" not in step:
+    if "get" in step or "set" in step:
         return _ask_parameters(node, step)
     published, logged = len(record.published), len(record.logged)
     delivered, ended = 0, ""
@@ -181,17 +188,23 @@ def _take_step(node, record, step):
                 if not step.get("bad"):
                     raise
                 ended = type(error).__name__
-    for timer in () if ended else record.timers:
-        if not timer.is_canceled():
-            timer.callback()
+    if not ended:
+        CLOCK.wait(step.get("seconds", 0.1), record.timers)
     level, text = max(record.logged[logged:], key=lambda entry: LEVELS.index(entry[0]), default=("", ""))
     level = "error" if level == "fatal" else level
     return {
         "delivered": delivered,
         "ended": ended,
         "log": level if step.get("bad") else text if level == "error" else "",
-        "published": [_with_pixels(topic, fields) for topic, fields in record.published[published:]],
+        "published": [{"topic": topic} | fields for topic, fields in record.published[published:]],
     }
+
+
+def _commands(record):
+    """The newest message on each topic, sorted; with zeros where nothing is published."""
+    first = {endpoint.topic_name: fields_of(endpoint.msg_type()) for endpoint in record.publishers}
+    newest = first | dict(record.published)
+    return [{"topic": topic} | newest[topic] for topic in sorted(newest)]
 
 
 def _ask_parameters(node, step):
@@ -208,18 +221,9 @@ def _ask_parameters(node, step):
     return {"accepted": accepted}
 
 
-def _with_pixels(topic, fields):
-    """A published message; the bytes of an image as "pixels", in rows."""
-    fields = {"topic": topic} | fields
-    if "data" in fields:
-        data, step = np.frombuffer(fields.pop("data"), np.uint8), fields.pop("step") or 1
-        fields["pixels"] = data.reshape(-1, step) if data.size % step == 0 else data
-    return fields
-
-
 def _is_connected(subscription, step):
-    """Whether ROS connects a subscription with a camera that offers best effort and volatile."""
-    sent = (step["topic"], step.get("message", "Image"))
+    """Whether ROS connects a subscription with a sensor that offers best effort and volatile."""
+    sent = (step.get("topic"), step.get("message", "Image"))
     asks_for_more = {_policy(subscription, "reliability"), _policy(subscription, "durability")}
     is_same = (subscription.topic_name, subscription.msg_type.__name__) == sent
     return is_same and not asks_for_more & {"RELIABLE", "TRANSIENT_LOCAL"}
@@ -228,7 +232,8 @@ def _is_connected(subscription, step):
 def _message(step, kind):
     """The message of a step, of the class `kind`."""
     if "fields" in step:
-        return kind(**step["fields"])
+        fields = step["fields"].items()
+        return kind(**{name: array.array("f", v) if isinstance(v, list) else v for name, v in fields})
     pixels = np.ascontiguousarray(step["image"])
     msg = kind()
     msg.height, msg.width = pixels.shape[:2]

@@ -93,22 +93,12 @@ def _on_pixels(wanted, given, steps):
     if not _is_of_edges(wanted):
         return text
     if _is_of_edges(given):
-        when = " after they changed" if "set" in kinds else ""
-        return f"{text} Compute the edges of the gray image itself, with the values of the parameters{when}."
+        return f"{text} Compute the edges of the gray image itself, with the values of the parameters."
     return "An image of edges has only the values 0 and 255. Yours has more: publish what cv2.Canny returns."
 
 
 def _is_of_edges(image):
     return set(np.unique(image)) == {0, 255}
-
-
-def _on_parameters(wanted, _given, _steps):
-    first, value = next(iter(wanted.items()))
-    names = ", ".join(wanted)
-    return (
-        f"Your node does not have the parameters {names}: __init__ declares each, as in"
-        f' self.declare_parameter("{first}", {value!r}).'
-    )
 
 
 def _is_exchanged(gray, step):
@@ -128,4 +118,4 @@ _TEXT = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
 _PHRASES = read_phrases(_TEXT.replace("STEP", _STEP).replace("IMAGE", _IMAGE))
 _ADVICE = _PHRASES["<advice>"]
 # What makes a sentence of the two values and of the steps up to this one
-_RULES = {f"{_STEP}/parameters": _on_parameters, f"{_IMAGE}/pixels": _on_pixels}
+_RULES = {f"{_IMAGE}/pixels": _on_pixels}

@@ -11,6 +11,8 @@ import importlib
 import inspect
 import re
 
+import numpy as np
+
 from ...running import NodeError, NotGradedError
 
 UNKNOWN_PART = "This check does not know"  # how the messages of NotGradedError begin
@@ -73,30 +75,46 @@ class _Endpoint(_Part):
 
 
 class _Timer(_Part):
-    """A timer; its period has no meaning here."""
+    """A timer: the Clock calls it when it is `due`."""
 
-    def __init__(self, callback, is_on):
+    def __init__(self, seconds, callback, is_on):
         self.callback, self._is_on = callback, is_on
+        self.period = max(round(seconds * 1e9), 10**6)  # nanoseconds
+        self.due = CLOCK.nanoseconds + self.period
 
     def cancel(self):
         self._is_on = False
 
     def reset(self):
         self._is_on = True
+        self.due = CLOCK.nanoseconds + self.period
 
     def is_canceled(self):
         return not self._is_on
 
 
-class _Clock(_Part):
-    """It goes on by a millisecond with each call: no answer depends on the machine."""
+class Clock(_Part):
+    """It goes on by a millisecond with each call, and with `wait`: no answer depends on the machine."""
 
     def __init__(self):
-        self._nanoseconds = 0
+        self.nanoseconds = 0
 
     def now(self):
-        self._nanoseconds += 10**6
-        return _Time(self._nanoseconds)
+        self.nanoseconds += 10**6
+        return _Time(self.nanoseconds)
+
+    def wait(self, seconds, timers):
+        """Let time pass, and call the timers that are due."""
+        end = self.nanoseconds + round(seconds * 1e9)
+        while due := [timer for timer in timers if not timer.is_canceled() and timer.due <= end]:
+            timer = min(due, key=lambda timer: timer.due)
+            self.nanoseconds = max(self.nanoseconds, timer.due)
+            timer.due += timer.period
+            timer.callback()
+        self.nanoseconds = max(self.nanoseconds, end)
+
+
+CLOCK = Clock()  # of all nodes, as on a computer
 
 
 class _Time(_Part):
@@ -114,13 +132,13 @@ class _Time(_Part):
 
 
 def fields_of(msg):
-    """What a message holds now, as plain values; of an Image what is compared."""
+    """What a message holds now, as plain values; of an Image what is compared, its bytes in rows."""
     if type_text(type(msg)) != "sensor_msgs/msg/Image":
         return {"type": type_text(type(msg)), "fields": _plain(msg)}
-    values = {name: getattr(msg, name) for name in ("encoding", "height", "width", "step")}
-    stamp = msg.header.stamp
-    header = {"stamp": (stamp.sec, stamp.nanosec), "frame_id": msg.header.frame_id}
-    return values | header | {"data": bytes(msg.data)}
+    values = {name: getattr(msg, name) for name in ("encoding", "height", "width")}
+    stamp, data, step = msg.header.stamp, np.frombuffer(bytes(msg.data), np.uint8), msg.step or 1
+    values |= {"stamp": (stamp.sec, stamp.nanosec), "frame_id": msg.header.frame_id}
+    return values | {"pixels": data.reshape(-1, step) if data.size % step == 0 else data}
 
 
 def _plain(value):
@@ -162,11 +180,11 @@ class RecordingNode:
         if not re.fullmatch(r"[A-Za-z_]\w*", str(node_name), re.ASCII):
             raise NodeError(f"The name of a node has letters, digits and _, and yours is {node_name!r}.")
         self._node_record = NodeRecord()
-        self._node_name, self._clock = node_name, _Clock()
+        self._node_name = node_name
         self._declared, self._set_callbacks = {}, []
 
     def __getattr__(self, name):
-        if name in ("_node_record", "_node_name", "_clock", "_declared", "_set_callbacks"):
+        if name in ("_node_record", "_node_name", "_declared", "_set_callbacks"):
             text = "__init__ of your class must begin with super().__init__(...), and the node's name."
             raise NodeError(text)
         if OF_ROS.fullmatch(name):
@@ -180,7 +198,7 @@ class RecordingNode:
         return _Logger(self._node_record.logged)
 
     def get_clock(self):
-        return self._clock
+        return CLOCK
 
     def create_publisher(self, msg_type, topic, qos_profile, **_options):
         return self._create(self._node_record.publishers, msg_type, topic, qos_profile)
@@ -194,15 +212,13 @@ class RecordingNode:
 
     def _create(self, endpoints, msg_type, topic, qos_profile, callback=None):
         if not isinstance(msg_type, type):
-            text = "The first argument of create_publisher and create_subscription"
-            raise NodeError(f"{text} is the class of the messages: Image.")
+            raise NodeError("The first argument here is the class of the messages: Image.")
         if not isinstance(topic, str) or not _TOPIC.fullmatch(topic):
             raise NodeError(f"A topic name has letters, digits, _ and /, as ~/gray; yours is {topic!r}.")
         if isinstance(qos_profile, int):
             qos_profile = ros_name("rclpy.qos", "QoSProfile")(depth=qos_profile)
         if not hasattr(qos_profile, "depth"):
-            text = "The last argument of create_publisher and create_subscription"
-            raise NodeError(f"{text} is a QoSProfile, or the number of messages that wait.")
+            raise NodeError("The last argument here is a QoSProfile, or the number of messages that wait.")
         if topic.startswith("~"):
             topic = f"/{self._node_name}{topic[1:]}"
         topic = topic if topic.startswith("/") else f"/{topic}"
@@ -210,8 +226,9 @@ class RecordingNode:
         return endpoints[-1]
 
     def create_timer(self, timer_period_sec, callback, *_arguments, autostart=True, **_options):
-        self._node_record.timers.append(_Timer(callback, is_on=autostart))
-        return self._node_record.timers[-1]
+        timer = _Timer(timer_period_sec, callback, is_on=autostart)
+        self._node_record.timers.append(timer)
+        return timer
 
     def destroy_node(self):
         pass
