@@ -54,7 +54,7 @@ STILLS = {
     "ros2_packages-44": EDGES,
     "ros2_packages-53": GRAY,
     "drive_the_robot-10": STEER,
-    "drive_the_robot-57": STEER,
+    "drive_the_robot-54": STEER,
     "the_errand-101": SIGN,
 }
 # Pages that stand beside what they describe.

@@ -1,48 +1,4 @@
 # %% [markdown]
-# # drive-wheels
-
-# %% role="mistake" name="the whole distance, left and right exchanged" says="Two things are wrong: use half the distance (distance / 2), and subtract for the left wheel, because a positive angular velocity turns to the left."
-def wheel_speeds(linear, angular, distance):
-    return solution(linear, angular, 2 * distance)[::-1]
-
-# %% role="mistake" name="angular velocity without the distance" says="You added the angular velocity itself. It is in radians per second, not in metres per second: multiply it by the radius, distance / 2."
-def wheel_speeds(linear, angular, distance):
-    return linear - angular, linear + angular
-
-# %% role="mistake" name="half the angular velocity" says="You added half the angular velocity, without the distance between the wheels. Multiply it by the distance too: angular * distance / 2."
-def wheel_speeds(linear, angular, distance):
-    return linear - angular / 2, linear + angular / 2
-
-# %% role="mistake" name="divided by the whole distance" says="You divided by the distance between the wheels. Multiply: a wheel that is further away from the centre has a longer way, so it is faster: angular * distance / 2."
-def wheel_speeds(linear, angular, distance):
-    return linear - angular / distance, linear + angular / distance
-
-# %% role="mistake" name="the turn on one wheel only" says="Your left wheel drives with the linear velocity alone. The turn is shared by both wheels: the left one loses angular * distance / 2, and the right one gains as much."
-def wheel_speeds(linear, angular, distance):
-    return linear, linear + angular * distance
-
-# %% role="mistake" name="no turn" says="Both wheels get the linear velocity, so the robot would never turn. Use angular and distance too."
-def wheel_speeds(linear, angular, distance):
-    return linear, linear
-
-# %% role="mistake" name="degrees" says="You converted the angular velocity with math.radians. It is in radians per second already: use it as it is."
-def wheel_speeds(linear, angular, distance):
-    return solution(linear, math.radians(angular), distance)
-
-# %% role="mistake" name="the turn times the linear velocity" says="You multiplied the turn by the linear velocity, so a robot that turns on the spot would not turn its wheels. The speed of the turn is angular * distance / 2 alone."
-def wheel_speeds(linear, angular, distance):
-    turn = linear * angular * distance / 2
-    return linear - turn, linear + turn
-
-# %% role="mistake" name="a fixed distance" says="You typed 0.20 m, or 0.10 m, the distance of this robot. Use the argument distance, so that the function works for other robots too."
-def wheel_speeds(linear, angular, distance):
-    return solution(linear, angular, 0.2)
-
-# %% role="mistake" name="the other way round" says="Your function computes the motion of the robot from two wheel speeds. Here it is the other way round: linear and angular are given, and the wheel speeds are wanted."
-def wheel_speeds(linear, angular, distance):
-    return (linear + angular) / 2, (angular - linear) / distance
-
-# %% [markdown]
 # # drive-pose
 
 # %%

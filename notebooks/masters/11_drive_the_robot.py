@@ -17,7 +17,7 @@
 #
 # **Time** [[minutes]]. **You need** [[grayscale_node]] and [[ros2_packages]]. The cells that talk to ROS do nothing on a computer without ROS 2; everything else works there too.
 
-# %% role="given" exercise=["drive-wheels", "drive-pose", "drive-stop"]
+# %% role="given" exercise=["drive-pose", "drive-stop"]
 import math
 
 # %%
@@ -119,7 +119,7 @@ assert not ros_available() or view.error is None
 # - the **[[term:linear velocity]]** *v*, in metres per second: how fast the robot drives forward (negative: backward);
 # - the **[[term:angular velocity]]** *ω* (omega), in radians per second: how fast it turns. Positive means to the **left**.
 #
-# A *[[term:radian]]* is an angle: half a turn is π = 3.14 radians, so one radian is about 57 degrees. In ROS, all angles are in radians.
+# A *[[term:radian]]* is an angle: half a turn is π = 3.14 radians, so one radian is about 57 degrees. ROS has a rule for units and axes, *REP 103*: metres, seconds and radians. On a robot, x points forward, y to the left and z up, and a positive angle turns to the left.
 #
 # The robot has two wheels, on the left and on the right. They are 0.20 m apart, and each has its own motor. (This is called a *[[term:differential drive]]*.) If both wheels have the same speed, the robot drives straight ahead. If the right wheel is faster, the robot turns to the left.
 #
@@ -140,68 +140,6 @@ compare_guess(guess_right, round(right, 2), "m/s")
 # Check: the numbers in this section
 assert (round(left, 9), round(right, 9)) == (0.15, 0.25) and round(math.degrees(1)) == 57
 assert round(math.pi, 2) == 3.14
-
-# %% [markdown]
-# ### Your turn: the speeds of the wheels
-#
-# Write `wheel_speeds(linear, angular, distance)` for a robot whose wheels are `distance` apart. Python's library `math` is imported for you; you do not need it here.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `linear`: float, m/s; `angular`: float, rad/s; `distance`: float, metres between the two wheels | two floats: the speed of the left wheel and the speed of the right wheel, in m/s | `wheel_speeds(0.2, 0.5, 0.2)` returns `0.15, 0.25` |
-
-# %% role="exercise"
-exercise(
-    "drive-wheels",
-    title="The speeds of the wheels",
-    function="wheel_speeds",
-    tolerance=1e-6,
-    hint="Each wheel has the linear velocity, minus (left) or plus (right) the angular velocity times half the distance.",
-    hints=(
-        "How far is each wheel from the centre of the robot? And which wheel is the faster one if the robot turns to"
-        " the left?",
-        "1. Compute half the distance between the wheels.\n"
-        "2. Multiply it by the angular velocity: this is the speed that the turn adds.\n"
-        "3. Subtract it from the linear velocity for the left wheel, and add it for the right wheel.\n"
-        "4. Return both, the left one first.",
-        "turn = angular * distance / ...\nreturn linear - ..., linear + ...",
-    ),
-    explanation="The turn moves each wheel on a circle around the centre of the robot. Its radius is half the distance"
-    " between the wheels, so the speed on it is angular * distance / 2. A positive angular velocity is a turn to the"
-    " left: the right wheel goes forward and the left wheel backward, beside what both drive straight ahead.",
-    another_way="You can also write linear + angular * np.array([-distance / 2, distance / 2]) and return its two values.",
-)
-
-# %% role="answer"
-def wheel_speeds(linear, angular, distance):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def wheel_speeds(linear, angular, distance):
-    turn = angular * distance / 2
-    return linear - turn, linear + turn
-
-
-# %% role="check"
-check("drive-wheels", wheel_speeds)
-
-# %% role="case" title="a turn to the left" points=1
-def inputs(rng):
-    return [(0.2, 0.5, 0.2), (round(rng.uniform(0.1, 0.3), 2), round(rng.uniform(0.3, 1.5), 2), 0.3)]
-
-
-# %% role="case" title="a turn to the right, and backward" points=1 hint="A negative angular velocity turns to the right. The same formula holds: do not change the sign yourself."
-def inputs(rng):
-    return [
-        (round(rng.uniform(0.1, 0.3), 2), round(rng.uniform(-1.5, -0.3), 2), 0.25),
-        (round(rng.uniform(-0.3, -0.1), 2), round(rng.uniform(0.3, 1.5), 2), 0.4),
-    ]
-
-
-# %% role="hidden" title="any velocities and any robot" points=1 hint="Do you use all three arguments, and half of the distance?"
-def inputs(rng):
-    return [tuple(float(value) for value in rng.uniform((-0.3, -1.5, 0.1), (0.3, 1.5, 0.6)).round(3)) for _ in range(4)]
-
 
 # %% [markdown]
 # ## 3 · Where the robot is after a step ([[minutes]])
@@ -340,7 +278,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 4 · The messages of a moving robot ([[minutes]])
 #
-# In ROS, a command is a message of the type `geometry_msgs/Twist`. It has six numbers, because it can also describe a drone. A robot on the floor uses two of them: `linear.x` is v, and `angular.z` is ω (a turn about the axis z, which points upward).
+# In ROS, a command is a message of the type `geometry_msgs/Twist`. It has six numbers, because it can also describe a drone. A robot on the floor uses two of them: `linear.x` is v, and `angular.z` is ω, a turn about the axis z.
 
 # %%
 if ros_available():
@@ -467,7 +405,7 @@ assert round(math.degrees(wrong_yaw)) == 20
 # %% [markdown]
 # The robot is 15 cm away from its start, and its direction is wrong by 20 degrees. The odometry notices nothing: the wheels are not exactly as large as the robot believes, and they slip a little. Each error stays and is added to the next one. This is called *[[term:drift]]*. So a robot also needs something outside itself: a camera, a laser scanner, a map.
 #
-# ROS has a name for each of these views, a *[[term:coordinate frame]]* (not a frame of the camera): in `odom`, the robot's place is what the odometry says; in `world` (on many robots `map`), it is where the robot really is in the room; and `base_footprint` moves with the robot: its x axis points ahead.
+# ROS has a name for each of these views, a *[[term:coordinate frame]]* (not a frame of the camera): in `odom`, the robot's place is what the odometry says; in `world` (on many robots `map`), it is where the robot really is in the room; and `base_footprint` moves with the robot.
 #
 # Now the same class drives the robot in ROS. Each odometry message calls it, and its answer is published as a `Twist`. If no odometry arrives, the node sends no command.
 
@@ -713,7 +651,7 @@ assert not ros_available() or my_drive.frame(0).shape == (360, 640, 3)
 # %% [markdown]
 # ## Recap
 #
-# Two numbers move a robot: v and ω. Odometry adds up small steps and drifts, so a robot must also look at the room. Before it stands still, it drives for the time of one frame and the latency, and then it brakes. A node that drives publishes again and again, because an old command stops the robot.
+# Two numbers move a robot: v and ω. Odometry adds up small steps and drifts, so a robot also needs to see the room. Before it stands still, it drives for the time of one frame and the latency, and then it brakes. A node that drives publishes again and again, because an old command stops the robot.
 #
 # | stage | type | fields | unit |
 # |---|---|---|---|
