@@ -37,6 +37,7 @@ OPTIONS: dict[str, Any] = {
     "balls": [],
     "goal": None,
     "answer": None,
+    "uneven": 0.0,
 }
 START_CLEARANCE = 0.45  # metres around the body at a start that is drawn
 KEPT_ROOMS = 2  # so many rooms stay ready for the next drive: up to 220 MB each, if images are drawn
@@ -88,6 +89,8 @@ class RoomEnv(gymnasium.Env):
     - "balls": at most three (x, y, dx, dy), as a Simulation has them; the first one is judged
     - "goal": (x, y, radius)
     - "answer": degrees to the left of the sign: there the robot is to look at the end
+    - "uneven": one wheel is by this share larger than its odometry assumes, the other one smaller; else the
+      sizes of both are wrong by about 1 %
 
     `path` has the true (x, y, yaw) at the start and after each step, `bump_places` (step, (x, y, yaw)) of the
     bumps.
@@ -212,7 +215,7 @@ class RoomEnv(gymnasium.Env):
     def _begin(self, scenario):
         seed = int(self.np_random.integers(1 << 31))
         size, depth_size = self._image_size, self._depth_size
-        options = {name: scenario[name] for name in ("start", "movers", "balls", "time", "lighting")}
+        options = {name: scenario[name] for name in ("start", "movers", "balls", "time", "lighting", "uneven")}
         if options["start"] is None:
             options["start"] = self._draw_start(scenario)
         return Simulation(seed, room=self._scene, size=size, depth_size=depth_size, **options)

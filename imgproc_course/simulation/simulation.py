@@ -48,6 +48,7 @@ class Simulation:
     balls : at most three (x, y, dx, dy): each begins at (x, y) in the map, and rolls along (dx, dy), 0.88 of
         it in all; the first one is "ball"; if omitted, the room's own
     start : (x, y, yaw) of the axle's center in the map, metres and radians; if omitted, the room's own
+    uneven : one wheel is by this share larger than its odometry assumes, the other one smaller
     time : seconds after the recorded drive's start, for person, car and ball
     size : (width, height) of the image, of shape 16:9
     depth_size : (width, height) of depth and labels, of shape 16:9; if omitted, as `depth` says
@@ -77,6 +78,7 @@ class Simulation:
         movers: bool | Collection[str] = True,
         balls: Sequence[Sequence[float]] = (),
         start: Sequence[float] | None = None,
+        uneven: float = 0.0,
         time: float = 0.0,
         size: tuple[int, int] = (640, 360),
         depth_size: tuple[int, int] | None = None,
@@ -107,7 +109,7 @@ class Simulation:
                 )
         self._held: tuple[Any, float, frozenset[float]] = self._wheels.place, 0.0, frozenset()  # _note_held
         self._pinned = self._held
-        self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
+        self._odometry = WheelOdometry(np.random.default_rng([seed, 1]), uneven)
         self._sensor = Sensor(self.camera, seed, lighting) if sensor else None
         self._look: Pose | None = None
         self._drawn: dict[str, Any] = {}  # of a depth camera: what `_numbers` keeps

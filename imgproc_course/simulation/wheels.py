@@ -92,13 +92,17 @@ class WheelOdometry:
     """Counts the wheels' turns: each wheel's size is a little wrong, and the wheels slip, more on the rug.
 
     The sizes are wrong by 1 % (standard deviation); the slip grows with the root of the way, 2 mm on a metre.
+    If they are `uneven`, one wheel is by this share larger than written down, the other one smaller.
     """
 
     SIZE_ERROR, SLIP, SLIP_ON_RUG = 0.01, 0.002, 0.005
 
-    def __init__(self, random):
+    def __init__(self, random, uneven=0.0):
         self._random = random
         self._scale = [1 + self.SIZE_ERROR * e for e in random.standard_normal(2).tolist()]
+        if uneven:
+            error = random.choice([-uneven, uneven])
+            self._scale = [1 + error, 1 - error]
         self.state = Odometry(0.0, 0.0, 0.0, 0.0, 0.0)
 
     def step(self, linear, angular, dt, on_rug):

@@ -218,6 +218,16 @@ def test_odometry_drifts_by_its_seed():
     assert ends[0] == ends[1] != ends[2]
 
 
+def test_uneven_wheels_count_a_turn_on_a_straight_way():
+    turns = []
+    for seed in range(5):
+        with Simulation(seed, start=FREE, uneven=0.025) as room:
+            room.step(0.3, 0.0, 1.0)
+            way = math.dist(FREE[:2], place(room)[:2])
+            turns.append(round(room.odometry().yaw / way, 1))
+    assert {abs(turn) for turn in turns} <= {0.2, 0.3} and len({turn > 0 for turn in turns}) == 2
+
+
 def test_rays_are_cast_exactly():
     wall = np.array([[(1, -1, 0), (1, 1, 0), (1, 1, 1)], [(1, -1, 0), (1, 1, 1), (1, -1, 1)]], float)
     segments = cut(wall, 0.5)

@@ -135,11 +135,10 @@ def test_environments_side_by_side_do_not_disturb_each_other(env):
 
 
 def test_it_sees_what_a_simulation_of_its_own_sees(env):
-    observation, _ = env.reset(seed=8, options={"start": FREE, "balls": [BALL]})
+    observation, _ = env.reset(seed=8, options={"start": FREE, "balls": [BALL], "uneven": 0.02})
     seed = int(np.random.default_rng(8).integers(1 << 31))
-    with Simulation(
-        seed, start=FREE, movers=[], balls=[BALL], size=(320, 180), depth_size=(160, 90)
-    ) as plain:
+    options = {"movers": [], "balls": [BALL], "uneven": 0.02, "size": (320, 180), "depth_size": (160, 90)}
+    with Simulation(seed, start=FREE, **options) as plain:
         for _ in range(3):
             assert (observation["depth"] == plain.depth()).all()
             assert (observation["image"] == plain.frame()).all()

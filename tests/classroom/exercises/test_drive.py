@@ -218,6 +218,7 @@ def test_a_scenario_becomes_plain_data():
         ({"start": [1, 2]}, r"Expected `array` of length 3, got 2 - at `\$.start`"),
         ({"duration": 0}, r"Expected `float` >= 0.1 - at `\$.duration`"),
         ({"duration": 200}, r"Expected `float` <= 120.0 - at `\$.duration`"),
+        ({"uneven": 0.2}, r"Expected `float` <= 0.1 - at `\$.uneven`"),
         ({"lighting": "night"}, r"Invalid enum value 'night' - at `\$.lighting`"),
         ({"movers": ["cat"]}, r"Invalid enum value 'cat' - at `\$.movers\[0\]`"),
         ({"title": " "}, r"Expected `str` matching regex .* - at `\$.title`"),

@@ -29,6 +29,7 @@ class _Scenario(msgspec.Struct, forbid_unknown_fields=True):
     balls: list[tuple[float, float, float, float]] = []
     goal: tuple[float, float, float] | None = None
     answer: float | None = None
+    uneven: Annotated[float, Meta(gt=0, le=0.1)] | msgspec.UnsetType = msgspec.UNSET
 
 
 def read_scenario(value):
