@@ -106,14 +106,17 @@ def test_the_first_metric_that_is_missed_asks_a_question_but_not_after_a_bump():
     questions = {}
     for name, value in missed.items():
         operator, limit = metrics.get(name, [">=", 10])
-        record = {"ended": "", "steps": 30, "bumps": [], "missed": [[name, value, operator, limit]]}
+        missing = [[name, value, operator, limit]]
+        record = {"ended": "", "steps": 30, "bumps": [], "missed": missing, "actions": [[0.01, -0.05]]}
+        over = question_of(record | {"actions": [[0.3, 0.0], [0.0, -0.4]]})
+        assert over.startswith("The time was over") == (name in ("answer_error", "home"))
         questions[name] = sentences_of(record, SCENARIO)[1:]
         assert questions[name] == [question_of(record)] * bool(question_of(record))
         assert question_of(record | {"bumps": [[3, 0.1, 0.0]]}) == ""
     assert questions == {
         "goal_time": ["Does it steer to the goal, also after a way round something?"],
         "answer_error": [
-            "Is the answer turned to the left where it is positive, and are its degrees made radians?"
+            "Is the answer counted from where the sign is now, to the left, and are its degrees made radians?"
         ],
         "home": ["Does it drive back to (0, 0) of its odometry?"],
         "places": [],

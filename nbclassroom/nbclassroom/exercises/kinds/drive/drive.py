@@ -24,6 +24,7 @@ _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _REPR = reprlib.Repr()
 _REPR.maxother = 80  # characters: an address is not cut
 COUNTS = {"<=": ("≤", "at most"), ">=": ("≥", "at least")}
+_MOVING = 0.02, 0.1  # m/s, rad/s: a robot with less of both has come to its end
 _EXPECTED = "expected two numbers, (linear, angular)"
 
 
@@ -60,7 +61,7 @@ METRICS = {
         "error of the answer",
         "{:.0f}°",
         "At the end, the robot looked {} beside the right answer",
-        "Is the answer turned to the left where it is positive, and are its degrees made radians?",
+        "Is the answer counted from where the sign is now, to the left, and are its degrees made radians?",
     ),
     "ball_gap": _Metric(
         "error of the distance",
@@ -236,8 +237,11 @@ def sentences_of(record, scenario):
 
 
 def question_of(record):
-    """A question about the first metric that a drive missed, if the metric has one; after a bump, none."""
+    """A question about the first metric that a drive missed, if there is one; after a bump, none."""
     name = record["missed"][0][0] if record["missed"] and not record["bumps"] else "bumps"
+    moves = any(abs(speed) > least for speed, least in zip(record["actions"][-1], _MOVING, strict=True))
+    if name in ("reach", "home", "answer_error") and moves:
+        return "The time was over while it still drove or turned: what did it search, or wait for?"
     return METRICS[name].question
 
 
