@@ -76,13 +76,19 @@ def stop(process):
 # %% [markdown]
 # ## 1 · What is in a package ([[minutes]])
 #
-# If ROS 2 is fully installed, one command creates the files of a new package:
+# If you have the command `ros2`, it creates the files of a new package. It prints, among other lines:
 #
 # ```
-# ros2 pkg create image_gray_processor --build-type ament_python --node-name image_gray_processor --dependencies rclpy sensor_msgs cv_bridge
+# $ ros2 pkg create image_gray_processor --build-type ament_python --node-name image_gray_processor --dependencies rclpy sensor_msgs cv_bridge
+# creating ./image_gray_processor/setup.py
+# creating ./image_gray_processor/setup.cfg
+# creating folder ./image_gray_processor/resource
+# creating ./image_gray_processor/resource/image_gray_processor
+# creating ./image_gray_processor/image_gray_processor/__init__.py
+# creating ./image_gray_processor/image_gray_processor/image_gray_processor.py
 # ```
 #
-# The course does not have the command `ros2`; it contains both packages with all their files. A *workspace* is a folder with packages in its folder `src` (*source code* is the code that you write). The next cell copies the packages into a workspace, `ros2_ws`, beside this notebook. These are the files of the first one:
+# The course does not need it: it contains both packages with all their files. A *workspace* is a folder with packages in its folder `src` (*source code* is the code that you write). The next cell copies the packages into a workspace, `ros2_ws`, beside this notebook. These are the files of the first one:
 #
 # | file | what it is for |
 # |---|---|
