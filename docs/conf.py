@@ -1,5 +1,6 @@
 """Sphinx's settings of the course's site; environment/site builds it."""
 
+import json
 import re
 import sys
 from pathlib import Path
@@ -8,13 +9,13 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "_ext"))
 
 project = "Image processing in ROS 2"
-author = "the authors of the course"
+author = "The imgproc-course contributors"
 language = "en"
 smartquotes = False  # what stands between quotes is typed by learners
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "docstrings", "mathml"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.githubpages", "docstrings", "mathml"]
 exclude_patterns = ["_static", "extra", "README.md", "lessons/table.md", "lessons/routes.md"]
-templates_path = []
+templates_path = ["_templates"]
 
 nb_execution_mode = "off"
 nb_ipywidgets_js = {}  # otherwise every page asks a server for the widgets' JavaScript
@@ -32,7 +33,10 @@ add_module_names = False
 html_theme = "furo"
 html_title = project
 html_static_path = ["_static"]
-html_extra_path = ["extra"]
+html_extra_path = ["extra", "404.html"]
+html_favicon = "_static/favicon.svg"
+html_js_files = ["printing.js"]
+html_context = json.loads((HERE / "checkout.json").read_text("utf-8"))  # written by _ext/lessons.py
 html_css_files = ["course.css"]
 html_search_scorer = str(HERE / "_static/ranking.js")
 html_copy_source = False
@@ -56,6 +60,7 @@ def accessible(app, exception):
             '<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="Site">'
         )
         text = text.replace('<aside class="toc-drawer', '<aside aria-label="This page" class="toc-drawer')
+        text = text.replace('<div id="search-results">', '<h1>Search</h1>\n<div id="search-results">')
         page.write_text(text, "utf-8")
 
 

@@ -1,4 +1,4 @@
-"""Looks at the built site: every link has a target, no page loads from another host, the size.
+"""Looks at the built site: every link has a target, no page loads from another host, headers, the size.
 
 python check.py build/site/html
 """
@@ -20,10 +20,13 @@ class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
         self.links, self.loaded, self.anchors, self.without_text = [], [], set(), []
+        self.empty_headers, self._in_header = 0, None
         self.feed(path.read_text("utf-8"))
 
     def handle_starttag(self, tag, attributes):
         values = dict(attributes)
+        if tag == "th":
+            self._in_header = ""
         if "id" in values:
             self.anchors.add(values["id"])
         if tag == "img" and "alt" not in values:
@@ -33,6 +36,15 @@ class Page(HTMLParser):
                 self.links.append(values[name])
                 if (tag, name) in LOADED and values.get("rel") not in ("canonical", "license"):
                     self.loaded.append(values[name])
+
+    def handle_data(self, data):
+        if self._in_header is not None:
+            self._in_header += data.strip()
+
+    def handle_endtag(self, tag):
+        if tag == "th":
+            self.empty_headers += not self._in_header
+            self._in_header = None
 
 
 def findings(folder):
@@ -53,6 +65,8 @@ def findings(folder):
                 yield f"{place} links to {link}, which does not exist"
             elif url.fragment and target in pages and unquote(url.fragment) not in pages[target].anchors:
                 yield f"{place} links to {link}, which has no such anchor"
+        if page.empty_headers:
+            yield f"{place} has an empty header of a table"
         yield from (f"{place} has an image without alt: {source[:80]}" for source in page.without_text)
     for path in folder.rglob("*.css"):
         for address in re.findall(r"url\(['\"]?(https?:[^)'\"]*)", path.read_text("utf-8")):

@@ -17,6 +17,7 @@ import shutil
 import sys
 from pathlib import Path
 
+from checkout import facts, with_address
 from PIL import Image
 from teach import fill_in, read_masters, write_teach
 
@@ -65,7 +66,12 @@ PAGES = {
     "environment/ros2_ws/README.md": "robot/workspace.md",
     "CONTRIBUTING.md": "about/contributing.md",
     "CHANGELOG.md": "about/changes.md",
+    ".github/SUPPORT.md": "about/support.md",
+    ".github/CODE_OF_CONDUCT.md": "about/conduct.md",
+    ".github/SECURITY.md": "about/security.md",
 }
+# Pages that name lessons as [[arrays]], and the folder of the lessons from there.
+WITH_LINKS = {"index.md": "lessons", "learn/start.md": "../lessons", "robot/index.md": "../lessons"}
 OPEN = """
 <div class="course-open">
 
@@ -383,8 +389,11 @@ def write_routes(path):
 def main(source):
     masters = read_masters()
     write_teach(source / "teach", masters)
-    for page, folder in ((source / "index.md", "lessons"), (source / "learn/start.md", "../lessons")):
-        page.write_text(fill_in(page.read_text("utf-8"), masters, folder), "utf-8")
+    about = facts()
+    (source / "checkout.json").write_text(json.dumps(about), "utf-8")
+    for name, folder in WITH_LINKS.items():
+        text = with_address((source / name).read_text("utf-8"), about["course_address"])
+        (source / name).write_text(fill_in(text, masters, folder), "utf-8")
     write_lessons(source / "lessons", Figures(source / "_static" / "figures"))
     write_table(source / "lessons" / "table.md")
     write_routes(source / "lessons" / "routes.md")
@@ -393,7 +402,7 @@ def main(source):
         shutil.copy(ROOT / original, source / page)
     (source / "extra").mkdir()
     write_cheat_sheet(source / "extra" / "cheat_sheet.html")
-    shutil.copy(ROOT / "environment" / "lesson.jpg", source / "_static")
+    shutil.copy(ROOT / "environment" / "lesson.webp", source / "_static")
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ def lesson_facts(master):
 
 def write_instructor_pages(folder, masters):
     """Puts the facts under the title of each page, and all pages into the index of the folder."""
-    rows = ["| | lesson | minutes: core | whole | points |", "|---|---|---|---|---|"]
+    rows = ["| no. | lesson | minutes: core | whole | points |", "|---|---|---|---|---|"]
     for master in masters:
         page = folder / f"{master.name}.md"
         title, text = page.read_text("utf-8").removeprefix("# ").split("\n", 1)

@@ -1,7 +1,7 @@
-// Sphinx's scores of search results, with the pages of learners before those of teachers.
+// Sphinx's scores of search results, with the pages of learners before those of teachers, and the set-up first.
 var Scorer = {
   score: ([page, , , , score]) =>
-    score + (/^(lessons|learn)\//.test(page) ? 10 : /^(teach|about)\//.test(page) ? -10 : 0),
+    score + (/^learn\//.test(page) ? 15 : /^lessons\//.test(page) ? 10 : /^(teach|about)\//.test(page) ? -10 : 0),
   objNameMatch: 11,
   objPartialMatch: 6,
   objPrio: { 0: 15, 1: 5, 2: -5 },

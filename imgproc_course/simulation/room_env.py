@@ -215,7 +215,9 @@ class RoomEnv(gymnasium.Env):
     def _begin(self, scenario):
         seed = int(self.np_random.integers(1 << 31))
         size, depth_size = self._image_size, self._depth_size
-        options = {name: scenario[name] for name in ("start", "movers", "balls", "time", "lighting", "uneven")}
+        options = {
+            name: scenario[name] for name in ("start", "movers", "balls", "time", "lighting", "uneven")
+        }
         if options["start"] is None:
             options["start"] = self._draw_start(scenario)
         return Simulation(seed, room=self._scene, size=size, depth_size=depth_size, **options)

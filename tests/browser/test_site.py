@@ -1,6 +1,8 @@
 """The site from its files, in a browser: for everybody, in both themes, on a phone, without a network."""
 
 import sys
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
 
 import pytest
 from jupyter_page import ROOT, SCREENSHOTS
@@ -19,6 +21,8 @@ PAGES = (
     "lessons/11_drive_the_robot.html",
     "reference/imaging.html",
     "about/measured.html",
+    "search.html",
+    "404.html",
 )
 # The tags of boxes that are narrower than what they hold, and whether they scroll.
 SCROLLED_BY = """() => {
@@ -101,10 +105,46 @@ def test_the_search_works_from_files_and_ranks_lessons_first(site):
     assert addresses[0].startswith("lessons/") and of_teachers[0] > 3, addresses
 
 
-@pytest.mark.parametrize("word", ["install", "mac"])
-def test_the_search_finds_the_set_up_first(site, word):
+@pytest.mark.parametrize(
+    ("word", "found"),
+    [
+        *((word, "learn/start.html") for word in ("install", "mac", "macOS", "Windows", "Docker")),
+        ("tf", "robot/index.html"),
+    ],
+)
+def test_the_search_finds_the_set_up_and_tf_first(site, word, found):
     page = site[0](f"search.html?q={word}")
-    page.locator("#search-results li:first-child a[href^='learn/start.html']").wait_for()
+    page.locator(f"#search-results li:first-child a[href^='{found}']").wait_for()
+
+
+@pytest.mark.parametrize(("width", "height"), [(390, 600), (768, 900), (1280, 650)])
+def test_the_first_page_shows_where_to_begin(site, width, height):
+    button = site[0]("index.html", width=width).get_by_role("link", name="Begin", exact=True)
+    box = button.bounding_box()
+    assert box["height"] >= 24 and box["y"] + box["height"] <= height
+    button.click()
+    assert button.page.url.endswith("learn/start.html")
+
+
+def test_the_first_page_loads_at_most_a_megabyte(site):
+    open_page, asked = site
+    before = len(asked)
+    page = open_page("index.html")
+    assert page.evaluate(BROKEN_IMAGES) == []
+    files = {Path(unquote(urlsplit(address).path)) for address in asked[before:]}
+    assert len(files) > 10 and sum(path.stat().st_size for path in files) <= 1_000_000
+
+
+def test_on_paper_results_are_open_and_the_skip_link_is_left_out(site):
+    page = site[0]("lessons/06_noise_removal.html")
+    closed = page.locator("details:not([open])")
+    count = closed.count()
+    page.evaluate("addEventListener('beforeprint', () => { window.printed = document.body.innerText; })")
+    page.pdf()
+    assert "One wrong pixel became three" in page.evaluate("window.printed")
+    assert closed.count() == count > 10  # as before
+    page.emulate_media(media="print")
+    assert not page.locator(".skip-to-content").is_visible()
 
 
 @pytest.mark.parametrize(("name", "tag"), [("lessons/04_grayscale.html", "pre"), ("teach/plans.html", "div")])

@@ -1,14 +1,18 @@
 """The site as it is built: without a warning or a network, and what its lessons show, fold and leave out."""
 
+import datetime as dt
 import json
 import re
+import shutil
 import subprocess
 import sys
 from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+import release
 from all_masters import all_exercises, all_masters
+from checkout import PLACEHOLDER, address_of, facts, with_address
 from handed_out import HandedOut
 from lessons import AGAIN, TEACHING
 
@@ -148,7 +152,60 @@ def test_the_first_page_and_the_set_up_name_the_lessons_as_they_are(built):
         master = all_masters()[lesson]
         link = f'<a href="{folder}/{master.path.stem}.html">{master.number} {master.title}</a>'
         assert link in html and "[[" not in html, name
-        assert "For <code" in html and "write the address of the repository" in html
+        assert facts()["course_address"] or "write the address of the repository" in html
+
+
+def test_each_page_names_version_date_contributors_and_licences(built):
+    about = facts()
+    pages = sorted(set(built[1].rglob("*.html")) - {built[1] / "404.html", built[1] / "cheat_sheet.html"})
+    assert len(pages) > 80 and (built[1] / ".nojekyll").exists()
+    for page in pages:
+        footer = page.read_text("utf-8").partition('<p class="course-source">')[2].partition("</p>")[0]
+        assert f"Version {about['course_version']}, {about['course_date']} " in footer, page
+        for words in ("the imgproc-course contributors", "CC BY 4.0", "Apache-2.0", ">Ask and report<"):
+            assert words in footer, (page, words)
+
+
+def test_the_address_of_the_repository_is_that_of_git():
+    for remote, address in {
+        "https://github.com/someone/course.git": "https://github.com/someone/course",
+        "https://name:secret@example.org/a/b/course/": "https://example.org/a/b/course",
+        "git@github.com:someone/course.git": "https://github.com/someone/course",
+        "ssh://git@example.org:2222/someone/course": "https://example.org/someone/course",
+        "/home/me/course": None,
+        "../course": None,
+        "file:///srv/course.git": None,
+        "": None,
+    }.items():
+        assert address_of(remote) == address, remote
+    page = f"git clone {PLACEHOLDER} course\n\nFor `{PLACEHOLDER}`, write it.\n\nYou need Linux.\n"
+    assert with_address(page, None) == page
+    assert with_address(page, "https://a.b/c") == "git clone https://a.b/c course\n\nYou need Linux.\n"
+
+
+def test_a_release_names_all_that_it_lacks(tmp_path):
+    texts = [*release.PAGES, *release.ADDRESSED, "CITATION.cff", "CHANGELOG.md", "nbclassroom/LICENSE"]
+    for name in texts:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        text = (ROOT / name).read_text("utf-8")
+        (tmp_path / name).write_text(text.replace(PLACEHOLDER, "https://a.b/c"), "utf-8")
+    shutil.copytree(ROOT / ".github/ISSUE_TEMPLATE", tmp_path / ".github/ISSUE_TEMPLATE")
+    released = dt.date.fromisoformat(re.search(r"released: (.*)", (tmp_path / "CITATION.cff").read_text())[1])
+    assert list(release.missing(tmp_path, released)) == []
+    (tmp_path / ".github/SUPPORT.md").unlink()
+    (tmp_path / "nbclassroom/LICENSE").write_text("other")
+    (tmp_path / "CHANGELOG.md").write_text("# Changes\n\n## Unreleased\n")
+    (tmp_path / "README.md").write_text(PLACEHOLDER)
+    lines = "\n".join(release.missing(tmp_path, dt.date(2027, 1, 2)))
+    for words in (
+        ".github/SUPPORT.md does not exist",
+        "nbclassroom/LICENSE is not LICENSE",
+        "date-released in CITATION.cff: '",
+        "expected '2027-01-02'",
+        "the first heading of CHANGELOG.md: '## Unreleased', expected '## 0.1.0, 2 January 2027'",
+        f'sed -i "s|{PLACEHOLDER}|ADDRESS|" README.md',
+    ):
+        assert words in lines, lines
 
 
 def test_the_cheat_sheet_and_the_glossary_lead_on(built):
@@ -224,6 +281,7 @@ def test_the_check_finds_a_dead_link_another_host_and_an_image_without_a_text(tm
         '<a href="/other.html#top">x</a>': "links to /other.html#top, which does not exist",
         '<script src="https://cdn.example.org/a.js"></script>': "loads https://cdn.example.org/a.js",
         '<img alt="x" src="//example.org/a.png">': "loads //example.org/a.png",
+        "<table><tr><th>x</th><th> </th></tr></table>": "has an empty header of a table",
         '<img src="data:,x">': "has an image without alt: data:,x",
     }
     for number, html in enumerate(faults):
@@ -233,5 +291,5 @@ def test_the_check_finds_a_dead_link_another_host_and_an_image_without_a_text(tm
     command = [sys.executable, ROOT / "docs/_ext/check.py", tmp_path]
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     expected = [f"{number}.html {text}" for number, text in enumerate(faults.values())]
-    expected += ["style.css loads https://example.org/b.png", "7 pages, 0.0 MB, 7 findings"]
+    expected += ["style.css loads https://example.org/b.png", "8 pages, 0.0 MB, 8 findings"]
     assert (ended.returncode, ended.stdout.splitlines()) == (1, expected)
