@@ -364,8 +364,52 @@ EDGE_ANSWERS = (
         "does not take a new value for the parameter low",
     ),
 )
+BRAKE = """import math
+import time
+import numpy as np
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data as qos
+from sensor_msgs.msg import LaserScan
+
+class BrakeNode(Node):
+    def __init__(self):
+        super().__init__("brake")
+        self.commands = self.create_publisher(Twist, "/kachaka/manual_control/cmd_vel", qos)
+        self.create_subscription(LaserScan, "/kachaka/lidar/scan", self.on_scan, qos)
+        self.timer = self.create_timer(0.5, self.stop)
+
+    def on_scan(self, msg):
+        self.timer.reset()
+        command = Twist()
+        command.linear.x = 0.2
+        for number, r in enumerate(msg.ranges):
+            angle = msg.angle_min + number * msg.angle_increment + math.pi / 2
+            if msg.range_min <= r <= msg.range_max and abs(r * math.sin(angle)) <= 0.2:
+                if 0 < r * math.cos(angle) <= 0.4:
+                    command.linear.x = 0.0
+        self.commands.publish(command)
+
+    def stop(self):
+        self.commands.publish(Twist())
+"""
+RESET, STOP = "        self.timer.reset()\n", "        self.commands.publish(Twist())\n"
+
+
+def brakes(*changes):
+    return changed(*changes, source=BRAKE)
+
+
+BRAKE_ANSWERS = (
+    ("a timer that is reset", BRAKE, "1234h"),
+    ("a flag", brakes((RESET, "        self.is_new = True\n"), ("        self.timer =", "        self.is_new = False\n        self.timer ="), (STOP, f"        if not self.is_new:\n    {STOP}        self.is_new = False\n")), "1234h"),
+    ("the time of the computer", brakes((RESET, "        self.last = time.monotonic()\n"), ("        self.timer = self.create_timer(0.5", "        self.last = time.monotonic()\n        self.timer = self.create_timer(0.1"), (STOP, f"        if time.monotonic() > self.last + 0.5:\n    {STOP}")), "1234h"),
+    ("looks behind", brakes(("+ math.pi / 2", "- math.pi / 2")), "14", "looks behind the robot"),
+    ("no timer", brakes(("        self.timer = self.create_timer(0.5, self.stop)\n", ""), (RESET, "")), "123", "drives on without seeing"),
+)  # fmt: skip
 ANSWERS = (
     *(NodeAnswer(name, source) for name, source in RIGHT),
     *(NodeAnswer(*answer) for answer in WRONG),
     *(NodeAnswer(*answer, exercise="edges-class") for answer in EDGE_ANSWERS),
+    *(NodeAnswer(*answer, exercise="obstacles-brake") for answer in BRAKE_ANSWERS),
 )

@@ -250,27 +250,62 @@ def nearest_obstacle(forward, left, height, width):
     return float(forward[mask].min())
 
 # %% [markdown]
-# # obstacles-ttc
+# # obstacles-brake
 
 # %%
-def unless_it_grows(value, before, now, time):
-    return time if now > before else value
+def with_scans(change):
+    """The right node, which gets changed scans."""
 
-# %% role="mistake" name="the ratio" says="You used the ratio of the widths as it is. The robot has come nearer by the growth: divide by now - before."
-def time_to_collision(before, now, dt):
-    return math.inf if now <= before else dt * before / now
+    def on_scan(node, msg):
+        change(msg)
+        solution.on_scan(node, msg)
 
-# %% role="mistake" name="divides by zero" says="If both widths are equal, the function divides by 0. Return math.inf before you divide, if now <= before."
-def time_to_collision(before, now, dt):
-    return dt * before / (now - before)
+    return type("BrakeNode", (solution,), {"on_scan": on_scan})
 
-# %% role="mistake" name="-1 without growth" says="You return -1 if the object does not grow, and a robot would take it for a very short time. Return math.inf."
-def time_to_collision(before, now, dt):
-    return unless_it_grows(-1.0, before, now, solution(before, now, dt))
+def turn(angle):
+    return lambda msg: setattr(msg, "angle_min", msg.angle_min + angle)
 
-# %% role="mistake" name="infinity as a text" says="You return a text if the object does not grow. The number infinity is math.inf, without quotes."
-def time_to_collision(before, now, dt):
-    return unless_it_grows("inf", before, now, solution(before, now, dt))
+def nothing_near(msg):
+    msg.ranges = [math.inf] * len(msg.ranges)
+
+def nan_is_near(msg):
+    msg.ranges = [0.1 if math.isnan(value) else value for value in msg.ranges]
+
+# %% role="mistake" name="never stops" says="Your robot drives whatever the scan shows. Compare forward and left of each range with the limits of the corridor, and publish 0.0 if one is inside."
+BrakeNode = with_scans(nothing_near)
+
+# %% role="mistake" name="the angle of the scan itself" says="Your node takes angle 0 of the scan for straight ahead, and that is to the left of the robot: laser_frame is turned by 90 degrees. Add math.pi / 2 to each angle."
+BrakeNode = with_scans(turn(-math.pi / 2))
+
+# %% role="mistake" name="looks behind" says="Your node looks behind the robot: the sign of the turn is wrong. laser_frame is turned to the left, so add math.pi / 2 to each angle of the scan."
+BrakeNode = with_scans(turn(math.pi))
+
+# %% role="mistake" name="drives backward" says="Your robot drives backward: by REP 103, x points forward, so linear.x is 0.2."
+class BrakeNode(solution):
+    def on_scan(self, msg):
+        self.commands, commands = self, self.commands
+        super().on_scan(msg)
+        self.commands = commands
+
+    def publish(self, command):
+        command.linear.x = -command.linear.x
+
+# %% role="mistake" name="nan is near" says="nan stops your robot: a minimum with nan is nan, and each comparison with it is False. Leave out first what is not between range_min and range_max."
+BrakeNode = with_scans(nan_is_near)
+
+# %% role="mistake" name="what is below range_min counts" says="Ranges below range_min stop your robot. They are no measurements: the scanner sees itself. Leave them out: ranges >= msg.range_min."
+BrakeNode = with_scans(lambda msg: setattr(msg, "range_min", 0.0))
+
+# %% role="mistake" name="drives on without scans" says="When no scan comes any more, your newest command stays 0.2, and the robot drives on without seeing. A timer must publish Twist() then, and each scan must reset it."
+class BrakeNode(solution):
+    def stop(self):
+        pass
+
+# %% role="mistake" name="the timer is never reset" says="Your timer stops the robot also while scans come: it is 0.5 s after the last stop, not after the last scan. Call self.timer.reset() in on_scan."
+class BrakeNode(solution):
+    def __init__(self):
+        super().__init__()
+        self.timer, self.other = self.create_timer(9.0, self.stop), self.timer
 
 # %% [markdown]
 # # obstacles-drive

@@ -20,7 +20,7 @@ from node_answers import ANSWERS, STARTED, changed
 MASTERS = Path(__file__).parents[3] / "notebooks/masters"
 EXERCISES = {
     exercise.id: exercise
-    for lesson in ("05_grayscale_node", "09_edge_detection_node")
+    for lesson in ("05_grayscale_node", "09_edge_detection_node", "12_obstacles_ahead")
     for exercise in read_exercises(MASTERS / f"{lesson}.py")
 }
 WITHOUT_ROS = """
