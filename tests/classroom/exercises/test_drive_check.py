@@ -458,3 +458,14 @@ def test_the_simulators_end_with_a_kernel_that_is_killed():
         assert select.select([handle], [], [], 60)[0], "a simulator runs on"
         os.close(handle)
     assert ended.returncode == -signal.SIGKILL and len(ended.stdout.split()) == 2
+
+
+def test_what_interrupts_the_end_of_simulators_leaves_none_for_the_next_drive(monkeypatch):
+    class Interrupted:
+        def close(self):
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(simulators, "_simulators", [Interrupted(), Interrupted()])
+    with pytest.raises(KeyboardInterrupt):
+        simulators.close_simulators()
+    assert simulators._simulators == []

@@ -84,8 +84,9 @@ _simulators: list[_Simulator] = []  # of this process
 @atexit.register
 def close_simulators():
     """End the simulators of this process; the next drive starts others."""
-    while _simulators:
-        _simulators.pop().close()
+    running, _simulators[:] = list(_simulators), []  # at once: a reply that waits is never read
+    for simulator in running:
+        simulator.close()
 
 
 @contextlib.contextmanager
