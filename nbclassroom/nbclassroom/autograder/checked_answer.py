@@ -81,8 +81,11 @@ def checked_answer(exercise, cases, runs, mistake, message):
     remarks = tuple(filter(None, (_sentence(cause), _advice(cases, message)))) if is_said else ()
     if is_said and shown and not remarks:  # an exception: does the public call say what it means?
         is_said = bool(exercise.kind.advice_on_error(exercise, shown.result))
+    # Of a hidden one its hint is told only if the input can be the reason.
+    hints = ["" if is_said or not one.case.hint else f"\nHint: {one.case.hint}" for one in hidden.results]
     told = tuple(
-        replace(one, failed_call=None, reason=_told_of_hidden(one, is_said)) for one in hidden.results
+        replace(one, failed_call=None, reason=one.reason + hint)
+        for one, hint in zip(hidden.results, hints, strict=True)
     )
     return CheckedAnswer(remarks, public, replace(hidden, mistake=None), told)
 
@@ -133,11 +136,6 @@ def _sentence(text):
     first = text.split(" ", 1)[0]
     end = "" if text.endswith((".", "?", ")")) or not text else "."
     return (text[:1].upper() + text[1:] if first.rstrip(":,").isalpha() else text) + end
-
-
-def _told_of_hidden(one, is_said):
-    """What a learner is told of a hidden case that fails: a hint only if the input can be the reason."""
-    return one.reason if is_said or not one.case.hint else f"{one.reason}\nHint: {one.case.hint}"
 
 
 def _note(case):

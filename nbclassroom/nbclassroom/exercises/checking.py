@@ -69,7 +69,7 @@ def check(exercise_id: str, function: Callable) -> CheckResult | Help:
     return with_last_resort(
         exercise_id,
         lambda: _check_in_notebook(exercise, function),
-        lambda fault: _bare_result(exercise, function, fault),
+        lambda fault: judge(exercise, exercise.kind.run_cases(exercise, function), remarks=(fault,)),
     )
 
 
@@ -84,11 +84,6 @@ def _check_in_notebook(exercise, function):
         raise CheckInterrupted from None
     _note(result, function)
     return result
-
-
-def _bare_result(exercise, function, fault):
-    """The CheckResult of an answer as it stands, without explanations; what stopped them is a remark."""
-    return judge(exercise, exercise.kind.run_cases(exercise, function), remarks=(fault,))
 
 
 def _note(result, function):

@@ -51,7 +51,7 @@ class UnreadableError(ValueError):
 
 
 def read_notebook(data):
-    """Read the bytes of a notebook as plain data; UnreadableError: they are none of format 4 or 3.
+    """Read the bytes of a notebook as plain data; UnreadableError: they are none of format 4.
 
     lesson, version, kernel, python  str, or None if the notebook does not name them
     deeper  list, with the ids of the exercises that can be left out
@@ -66,12 +66,12 @@ def read_notebook(data):
     nbformat = notebook.get("nbformat")
     if isinstance(nbformat, bool) or not isinstance(nbformat, int):
         raise UnreadableError(f"it does not say which notebook format it has; {_SAVE}")
-    if nbformat not in (3, 4):
+    if nbformat != 4:
         raise UnreadableError(
-            f"it has notebook format {str(nbformat)[:20]}, and only the formats 4 and 3 can be read; open the"
-            " lesson in JupyterLab and copy your answers there"
+            f"it has notebook format {str(nbformat)[:20]}, and only format 4 can be read; open the lesson in"
+            " JupyterLab and copy your answers there"
         )
-    cells = notebook.get("cells") if nbformat == 4 else _cells_of_format_3(notebook)
+    cells = notebook.get("cells")
     if not isinstance(cells, list):
         raise UnreadableError(f"it has no list of cells; {_SAVE}")
     if len(cells) > MOST_CELLS:
@@ -105,13 +105,6 @@ def _parsed(data):
     if not isinstance(notebook, dict):
         raise UnreadableError("it is not a notebook: its JSON holds something else")
     return notebook
-
-
-def _cells_of_format_3(notebook):
-    """The cells of all worksheets; None without any list of cells."""
-    parts = [_at(part, list, "cells") for part in _at(notebook, list, "worksheets") or ()]
-    parts = [cells for cells in parts if cells is not None]
-    return [cell for cells in parts for cell in cells] if parts else None
 
 
 def _at(value, kind, *names):
@@ -152,7 +145,7 @@ def _cell(cell, number, code_left):
         "exercise": _text(cell, "metadata", _COURSE, "exercise") or "",
         "functions": {},
     }
-    source = _joined(cell.get("source", cell.get("input")))  # format 3 has the code as "input"
+    source = _joined(cell.get("source"))
     if source is not None:
         source = source[: MOST_CHARACTERS + 1]
     is_answer = content["id"].startswith("answer-") or bool(content["exercise"])

@@ -77,7 +77,7 @@ def runs_of(key, source, kind_of_kernels=sandbox_kernels, id="attacked-double"):
         return [(run.ended, run.check.error, run.check.answers, run.verdict) for run in runs]
 
 
-# Those in which the kernel has a part; bench_both_kernels.py compares all samples.
+# Those in which the kernel has a part.
 @pytest.mark.parametrize(
     "source",
     [RIGHT["attacked-double"], "1 / 0", "import cv2\ndef double(pixels):\n    return cv2.add(pixels)"],

@@ -168,7 +168,7 @@ def test_a_lesson_without_metadata_is_recognized_by_its_cells_or_its_name(lesson
         (b"\x89PNG\r\n", "it is not UTF-8 text (byte 0); save it again in JupyterLab"),
         (
             b'{"nbformat": 2, "worksheets": []}',
-            "it has notebook format 2, and only the formats 4 and 3 can be read; open the lesson in",
+            "it has notebook format 2, and only format 4 can be read; open the lesson in",
         ),
     ],
 )

@@ -263,24 +263,6 @@ def saved_as_utf_16_big_endian(made):
     return codecs.BOM_UTF16_BE + with_a_word_in_another_script(made).encode("utf-16-be")
 
 
-def in_format_3(made):
-    return nbformat.v3.writes_json(nbformat.convert(nbformat.from_dict(copy.deepcopy(made)), 3))
-
-
-@case()
-def saved_in_nbformat_3(made):
-    return in_format_3(made).encode()
-
-
-@case(double=USES_WIDE)
-def saved_in_nbformat_3_with_two_worksheets(made):
-    insert(made, 1, new_cell(WIDE))
-    made = json.loads(in_format_3(made))
-    cells = made["worksheets"][0]["cells"]
-    made["worksheets"] = [{"cells": cells[:3], "metadata": {}}, {"cells": cells[3:], "metadata": {}}]
-    return json.dumps(made).encode()
-
-
 @case(finding="unknown version", name="my light (1).ipynb")
 def no_metadata_but_the_name(made):
     without_ids_and_metadata(made)

@@ -398,11 +398,7 @@ MALFORMED = {  # name: (the file's bytes, the reason)
     "format true": (b'{"nbformat": true, "cells": []}', "which notebook format"),
     "format 2": (b'{"nbformat": 2, "worksheets": []}', "notebook format 2"),
     "format huge": (b'{"nbformat": 1' + b"0" * 400 + b', "cells": []}', "notebook format 1000"),
-    "no cells in a worksheet": (b'{"nbformat": 3, "worksheets": [3, {"cells": {}}]}', "no list of cells"),
-    "too many worksheets": (
-        b'{"nbformat": 3, "worksheets": [' + b'{"cells": [1, 1]},' * 3_000 + b'{"cells": [1]}]}',
-        "6001 cells",
-    ),
+    "too many cells": (b'{"nbformat": 4, "cells": [' + b"1," * 6_000 + b"1]}", "6001 cells"),
     "cells a dict": (b'{"nbformat": 4, "cells": {}}', "no list of cells"),
     "deep metadata": (b'{"nbformat": 4, "metadata": ' + b"[" * DEEP, "nested too deep"),
     "deep dicts": (b'{"a":' * DEEP + b"1" + b"}" * DEEP, "nested too deep"),

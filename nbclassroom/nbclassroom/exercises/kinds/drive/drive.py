@@ -82,10 +82,9 @@ def metric_text(name, value, limit=None):
     """A metric with its unit; with more digits where it would look like a limit, and is not."""
     if value is None:
         return "–"
-    for more in range(4):
-        shape = re.sub(r"\d", lambda digits, more=more: str(int(digits[0]) + more), METRICS[name].format)
-        if limit in (None, value) or shape.format(value) != shape.format(limit):
-            break
+    shape = METRICS[name].format
+    while limit not in (None, value) and shape.format(value) == shape.format(limit):
+        shape = re.sub(r"\d+", lambda digits: str(int(digits[0]) + 1), shape)
     return shape.format(value)
 
 
