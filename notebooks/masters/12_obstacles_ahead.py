@@ -963,30 +963,31 @@ def inputs(rng):
 def inputs(rng):
     near = [(0, 0.3), (25, 0.35), (-30, 0.3)]  # in the corridor
     elsewhere = [(90, 0.3), (-90, 0.3), (180, 0.3), (60, 0.35), (-60, 0.35), (0, 0.6)]
-    scans = [scan(rng, thing) for thing in (*near, *elsewhere)]
+    scans = [scan(rng, thing) for thing in 2 * (near + elsewhere)]
     return ("commands", shuffled(rng, [*scans, scan(rng, (0, 0.25), rays=120)]))
 
 
 # %% role="case" title="step 3: use only measurements" points=1 hint="Do nan, inf and ranges below range_min stop your robot? Or do they hide an obstacle?"
 def inputs(rng):
     no_measurements = [(5, math.nan), (0, math.inf), (-5, math.nan), (10, 0.02), (-10, 9.5)]
-    scans = [scan(rng, *no_measurements, *thing) for thing in ([], [], [(15, 0.3)], [(-15, 0.3)], [(20, 0.35)])]
+    scans = [scan(rng, *no_measurements, *thing) for thing in 3 * ([], [], [(15, 0.3)], [(-15, 0.3)], [(20, 0.35)])]
     return ("commands", shuffled(rng, [*scans, scan(rng, (0, 0.15), lowest=0.2)]))
 
 
 # %% role="case" title="step 4: stop when the data stop" points=1 hint="A timer must publish 0.0 when no scan has come for 0.5 s, and each scan must begin its time again."
 def inputs(rng):
     scans = [scan(rng) for _ in range(4)]
-    mixed = shuffled(rng, [*scans, scan(rng, (0, 0.3)), scan(rng, (10, 0.3))])
-    return ("commands", [{"seconds": 0.6}, *scans, scan(rng, seconds=0.3), *mixed, scan(rng), {"seconds": 1.2}, *mixed])
+    mixed = [*scans, *(scan(rng, (degrees, 0.3)) for degrees in (0, 10, -10, 5))]
+    first, then = shuffled(rng, mixed), shuffled(rng, mixed)
+    return ("commands", [{"seconds": 0.6}, *scans, scan(rng, seconds=0.3), *first, scan(rng), {"seconds": 1.2}, *then])
 
 
 # %% role="hidden" title="other scans" points=1 hint="Does your node use angle_min, angle_increment, range_min and range_max of each scan?"
 def inputs(rng):
     free, near = scan(rng, rays=90), scan(rng, (int(rng.integers(-20, 21)), round(rng.uniform(0.2, 0.35), 2)), rays=90)
     other = scan(rng, (0, round(rng.uniform(0.1, 0.25), 2)), (180, 0.2), rays=60, lowest=0.3)
-    mixed = shuffled(rng, [free, free, near, near, other])
-    return ("commands", [*mixed, free, {"seconds": 1.2}, *mixed])
+    mixed = [free, near, near, other] * 3
+    return ("commands", [*shuffled(rng, mixed), free, {"seconds": 1.2}, *shuffled(rng, mixed)])
 
 
 # %% [markdown]

@@ -108,7 +108,7 @@ def test_strange_objects_give_only_the_name_of_their_type():
     assert canonical(Liar()) == {"type": f"{__name__}.Liar", "opaque": True}
     assert canonical(np.zeros(3).view(Loud))["opaque"]
     assert canonical(Number(3))["opaque"]
-    assert canonical(np.ma.masked_array([1, 2]))["opaque"]
+    assert canonical(np.ma.masked_array([1, 2], mask=[0, 1]))["opaque"]
     full_of_liars = np.empty(1, dtype=object)
     full_of_liars[0] = Liar()
     form = canonical(full_of_liars)
