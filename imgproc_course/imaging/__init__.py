@@ -5,7 +5,7 @@ from .canny import CannyStages, canny_stages, double_threshold, hysteresis, smoo
 from .canny_fast import canny
 from .filters import bilateral_filter, box_blur, gaussian_blur, gaussian_kernel, median_blur
 from .gradients import direction, gradient_angle, magnitude, sobel
-from .grayscale import average_gray, lightness_gray, to_gray
+from .grayscale import average_gray, lightness_gray, linear_light_gray, to_gray
 from .noise import add_gaussian_noise, add_salt_and_pepper
 from .quality import psnr, ssim
 
@@ -26,6 +26,7 @@ __all__ = [
     "gradient_angle",
     "hysteresis",
     "lightness_gray",
+    "linear_light_gray",
     "magnitude",
     "median_blur",
     "otsu_threshold",

@@ -97,3 +97,21 @@ def lightness_gray(bgr: Bgr) -> Gray:
     largest = np.maximum(np.maximum(blue, green), red).astype(np.uint16)
     smallest = np.minimum(np.minimum(blue, green), red)
     return ((largest + smallest + 1) >> 1).astype(np.uint8)
+
+
+def linear_light_gray(bgr: Bgr) -> Gray:
+    """Gray of the same luminance as the colour: the weights apply to light, not to the stored levels.
+
+    `bgr` is (H, W, 3) uint8, encoded as sRGB; the result is (H, W) uint8, rounded to the nearest. Pure red
+    becomes 127, and its luma is 76. ValueError: any other shape or dtype.
+
+    Source: luminance Y of ITU-R BT.709 on light decoded by IEC 61966-2-1 (sRGB).
+
+    >>> print(linear_light_gray(np.array([[[0, 0, 255]]], np.uint8)))
+    [[127]]
+    """
+    encoded = np.arange(256) / 255
+    light = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
+    luminance = light[check_bgr(bgr)] @ np.array([0.0722, 0.7152, 0.2126])
+    levels = np.where(luminance <= 0.0031308, luminance * 12.92, 1.055 * luminance ** (1 / 2.4) - 0.055)
+    return np.rint(255 * levels).astype(np.uint8)

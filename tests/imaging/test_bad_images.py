@@ -17,6 +17,7 @@ from imgproc_course.imaging import (
     gaussian_blur,
     gaussian_kernel,
     lightness_gray,
+    linear_light_gray,
     median_blur,
     otsu_threshold,
     psnr,
@@ -43,6 +44,7 @@ ON_BGR = {
     "to_gray": to_gray,
     "average_gray": average_gray,
     "lightness_gray": lightness_gray,
+    "linear_light_gray": linear_light_gray,
 }
 ON_BOTH = {
     "box_blur": box_blur,

@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 
-from imgproc_course.imaging import average_gray, lightness_gray, to_gray
+from imgproc_course.imaging import average_gray, lightness_gray, linear_light_gray, to_gray
 
 
 def every_colour():
@@ -47,9 +47,17 @@ def test_lightness_is_the_mean_of_the_extremes_rounded_half_up():
 
 def test_the_other_grays_do_not_change_their_input(colours):
     for name, frame in colours.items():
-        for convert in (average_gray, lightness_gray):
+        for convert in (average_gray, lightness_gray, linear_light_gray):
             before = frame.copy()
             gray = convert(frame)
             assert gray.dtype == np.uint8 and gray.shape == frame.shape[:2], name
             assert np.array_equal(frame, before), name
             assert np.array_equal(gray, convert(before)), name
+
+
+def test_gamma_makes_luma_of_saturated_colours_too_dark():
+    gray = np.repeat(np.arange(256, dtype=np.uint8)[None, :, None], 3, axis=2)
+    assert np.array_equal(linear_light_gray(gray), to_gray(gray))
+    red, green, blue = ([[[0, 0, 255]]], [[[0, 255, 0]]], [[[255, 0, 0]]])
+    assert [int(linear_light_gray(np.uint8(colour))[0, 0]) for colour in (red, green, blue)] == [127, 220, 76]
+    assert [int(to_gray(np.uint8(colour))[0, 0]) for colour in (red, green, blue)] == [76, 150, 29]
