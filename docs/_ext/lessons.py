@@ -44,6 +44,7 @@ SIGN = (
     "../films/reads",
     "A white sign with the words KITCHEN and ROOM 204 on the wall, beside a bookshelf and a marker.",
 )
+BRAKES = ("../films/brakes", "Cardboard boxes and a toy car on a wooden floor, which come nearer and stay.")
 STILLS = {
     "start_here-19": DARK,
     "what_is_image_processing-60": EDGES,
@@ -56,6 +57,7 @@ STILLS = {
     "ros2_packages-53": GRAY,
     "drive_the_robot-10": STEER,
     "drive_the_robot-54": STEER,
+    "obstacles_ahead-93": BRAKES,
     "the_errand-101": SIGN,
 }
 # Pages that stand beside what they describe.
