@@ -47,7 +47,7 @@ class CheckedAnswer:
 
     def for_learner(self):
         """The checks as HTML: of a hidden one only its title, how it ended, and its hint."""
-        told = replace(self.hidden, results=self.hidden_for_learner, calls=(), mistake=None)
+        told = replace(self.hidden, results=self.hidden_for_learner, calls=())
         return self._html(self.public, told)
 
     def for_teacher(self):
@@ -72,22 +72,20 @@ class CheckedAnswer:
 def checked_answer(exercise, cases, runs, mistake, message):
     """The CheckedAnswer of GradedCases and of {id of a case: CaseRun}; `message` is about the cell."""
     graded, is_said = {case.id: case for case in cases}, _ended_alike(cases)
-    public, hidden = (
-        _result(replace(exercise, cases=own), graded, runs, mistake, is_said=is_said)
-        for own in (exercise.public, exercise.hidden)
-    )
+    public = _result(replace(exercise, cases=exercise.public), graded, runs, mistake, is_said=is_said)
     shown = public.shown
     cause = "" if message or shown else cases[0].message
     remarks = tuple(filter(None, (_sentence(cause), _advice(cases, message)))) if is_said else ()
     if is_said and shown and not remarks:  # an exception: does the public call say what it means?
         is_said = bool(exercise.kind.advice_on_error(exercise, shown.result))
+    hidden = _result(replace(exercise, cases=exercise.hidden), graded, runs, None, is_said=is_said)
     # Of a hidden one its hint is told only if the input can be the reason.
     hints = ["" if is_said or not one.case.hint else f"\nHint: {one.case.hint}" for one in hidden.results]
     told = tuple(
         replace(one, failed_call=None, reason=one.reason + hint)
         for one, hint in zip(hidden.results, hints, strict=True)
     )
-    return CheckedAnswer(remarks, public, replace(hidden, mistake=None), told)
+    return CheckedAnswer(remarks, public, hidden, told)
 
 
 def _ended_alike(cases):
@@ -110,6 +108,7 @@ def _result(exercise, graded, runs, mistake, *, is_said):
         replace(one, passed=case.passed, reason=_ending(case, is_said=is_said), note=_note(case))
         for one, case in zip(result.results, cases, strict=True)
     ]
+    results = [replace(one, is_open=graded[one.case.id].outcome == Outcome.NOT_ATTEMPTED) for one in results]
     return replace(result, results=tuple(results))
 
 

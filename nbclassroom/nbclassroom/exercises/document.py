@@ -26,7 +26,7 @@ _STYLES = {
     "paragraph": "margin-top: 4px; white-space: pre-wrap",
     "code": "background: var(--jp-cell-editor-background, transparent); border: 1px solid"
     " var(--jp-border-color1, #9e9e9e); padding: 6px 10px; overflow-x: auto",
-    **{mark: f"color: {COLOURS[mark]}" for mark in ("passed", "failed")},
+    **{mark: f"color: {COLOURS[mark]}" for mark in ("passed", "failed", "open")},
     "details": "margin: 0 0 6px 18px",
     "scroll": "overflow-x: auto",
     "values": "border-collapse: collapse; margin: 2px 0 4px",
@@ -100,6 +100,7 @@ class Check:
     passed: bool
     blocks: tuple = ()
     note: str = ""
+    is_open: bool = False  # neither right nor wrong
 
     def plain(self):
         blocks = "\n".join(filter(None, (block.plain() for block in self.blocks)))
@@ -107,7 +108,7 @@ class Check:
         return "\n".join([f"{'✓' if self.passed else '✗'} {self.title}{self.note}", *indented])
 
     def html(self, out):
-        mark, look = ("✓", "passed") if self.passed else ("✗", "failed")
+        mark, look = ("✓", "passed") if self.passed else ("○", "open") if self.is_open else ("✗", "failed")
         title = out.text(f"{self.title}{self.note}")
         line = f"<div><span {out.look(look)}>{mark}</span> {title}</div>"
         blocks = "".join(block.html(out) for block in self.blocks)

@@ -163,7 +163,8 @@ def blocks_of(result, *, graded=False):
     yield from _table_of_all(result.exercise.kind, result.calls, graded)
     for one, explanation, call in _cases(result):
         details = _details(result, call, graded) if call else ()
-        yield Check(one.case.title, one.passed, (Text(explanation), *details), one.note)
+        blocks = (Text(explanation), *details)
+        yield Check(one.case.title, one.passed, blocks, one.note, one.is_open)
 
 
 def _table_of_all(kind, calls, graded):

@@ -28,6 +28,7 @@ class CaseResult:
     failed_call: CaseCall | None
     reason: str = "not run, because the call above did not finish"
     note: str = ""
+    is_open: bool = False  # not attempted
 
 
 @dataclass(frozen=True)
