@@ -404,7 +404,7 @@ BRAKE_ANSWERS = (
     ("a timer that is reset", BRAKE, "1234h"),
     ("a flag", brakes((RESET, "        self.is_new = True\n"), ("        self.timer =", "        self.is_new = False\n        self.timer ="), (STOP, f"        if not self.is_new:\n    {STOP}        self.is_new = False\n")), "1234h"),
     ("the time of the computer", brakes((RESET, "        self.last = time.monotonic()\n"), ("        self.timer = self.create_timer(0.5", "        self.last = time.monotonic()\n        self.timer = self.create_timer(0.1"), (STOP, f"        if time.monotonic() > self.last + 0.5:\n    {STOP}")), "1234h"),
-    ("looks behind", brakes(("+ math.pi / 2", "- math.pi / 2")), "14", "looks behind the robot"),
+    ("looks behind", brakes(("+ math.pi / 2", "- math.pi / 2")), "1", "looks behind the robot"),
     ("no timer", brakes(("        self.timer = self.create_timer(0.5, self.stop)\n", ""), (RESET, "")), "123", "drives on without seeing"),
 )  # fmt: skip
 ANSWERS = (
