@@ -63,6 +63,16 @@ def case(points=6, finding="", name="20_light.ipynb", **sources):
     return add
 
 
+def named(name, change=lambda made: None):
+    """A function of a case with this name, which is the name of the submission."""
+
+    def of_this_name(made):
+        return change(made)
+
+    of_this_name.__name__ = name
+    return of_this_name
+
+
 @case()
 def as_it_was_handed_out_and_solved(made):
     pass
@@ -455,8 +465,7 @@ def written_in_a_text_with_words_around_it(made):
 TYPES = ("from typing_extensions import TypeAlias as A", "from cv2.typing import MatLike as A")
 TYPES += ("from PIL import Image\nA = Image.Image", "import torch\nA = torch.Tensor[int]")
 for number, line in enumerate(TYPES):
-    change = lambda made: None  # noqa: E731 - its name is the case's
-    change.__name__ = f"annotations_of_other_libraries_{number}"
+    change = named(f"annotations_of_other_libraries_{number}")
     case(double=f"{line}\ndef double(pixels: A) -> A:\n{BODY}")(change)
 
 
@@ -490,8 +499,7 @@ FORMS = (
     f"if True:\n    def double(pixels):\n    {BODY}",
 )
 for number, source in enumerate(FORMS):
-    change = lambda made: without_marks(made)  # noqa: E731 - its name is the case's
-    change.__name__ = f"a_definition_of_another_form_{number}"
+    change = named(f"a_definition_of_another_form_{number}", without_marks)
     case(double=source, finding="graded from another cell")(change)
 
 
@@ -576,8 +584,7 @@ def a_masked_array_of_long_numbers(made):
 
 NUMBERS = ("np.longdouble", "__import__('decimal').Decimal", "__import__('fractions').Fraction")
 for number, kind in enumerate(NUMBERS):
-    change = lambda made: None  # noqa: E731 - its name is the case's
-    change.__name__ = f"a_number_of_another_type_{number}"
+    change = named(f"a_number_of_another_type_{number}")
     case(points=4, mean=f"def mean(values):\n    return {kind}(float(np.mean(values)))")(change)
 
 
