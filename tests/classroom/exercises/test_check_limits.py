@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from nbclassroom.exercises import check, checking, feedback, help_steps, one_change
+from nbclassroom.exercises import check, checking, feedback, help_steps, judging, one_change
 from nbclassroom.exercises.check_files import find_check_file
 from nbclassroom.exercises.limited_fork import text_within
 from nbclassroom.exercises.running import attempt
@@ -146,7 +146,7 @@ def left_out(*_arguments, **_options):
 
 @pytest.mark.parametrize("name", ["remarks_on_source", "diagnose", "_explanation", "sentence_on_change"])
 def test_a_remark_that_cannot_be_computed_is_left_out(name, monkeypatch):
-    monkeypatch.setattr(checking, name, left_out)
+    monkeypatch.setattr(judging if name == "diagnose" else checking, name, left_out)
     text = shown("def luma(bgr):\n    return bgr[..., 0]")
     assert text.startswith(f"{ID}: 0 of 3 checks pass.") and FAULT not in text
     assert "expected: an array of shape (4, 5), uint8" in text
