@@ -57,16 +57,19 @@ def test_a_guess_comes_before_the_result(working_copy, open_notebook):
     assert page.prompts() == ["[ ]:"] * 3  # a folded cell has no prompt
     assert page.page.locator(".jp-OutputArea-output").count() == 0
     placeholders = page.page.locator(".jp-CodeCell .jp-InputPlaceholder")
+    placeholders.nth(len(FOLDED) - 1).wait_for()
     assert [text.strip() for text in placeholders.all_text_contents()] == FOLDED
     assert not page.page.get_by_text("assert total").count()
 
     page.run_all()
+    page.page.get_by_text("No guess yet").wait_for()
     assert page.page.locator(".jp-RenderedHTML").all_text_contents() == ["No guess yet. The result is 5."]
     page.page.locator(".jp-CodeCell .cm-content").nth(1).click()
     page.page.keyboard.press("Control+A")
     page.page.keyboard.type("guess_sum = 5")
     page.run_all()
     assert page.errors() == []
+    page.page.get_by_text("Your guess: 5").wait_for()
     assert page.page.locator(".jp-RenderedHTML").all_text_contents() == [
         "Your guess: 5. The result: 5. Right!"
     ]
