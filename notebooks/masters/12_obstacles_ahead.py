@@ -881,7 +881,7 @@ exercise(
 )
 
 
-def scan(rng, *things, rays=72, lowest=0.05, **more):
+def scan(rng, *things, rays=60, lowest=0.05, **more):
     """A step of a drive: a scan of walls, and of things: (degrees to the left of straight ahead, range)."""
     ranges = rng.uniform(2.0, 4.0, rays).round(2)
     for degrees, value in things:
@@ -963,14 +963,14 @@ def inputs(rng):
 def inputs(rng):
     near = [(0, 0.3), (25, 0.35), (-30, 0.3)]  # in the corridor
     elsewhere = [(90, 0.3), (-90, 0.3), (180, 0.3), (60, 0.35), (-60, 0.35), (0, 0.6)]
-    scans = [scan(rng, thing) for thing in 2 * (near + elsewhere)]
+    scans = [scan(rng, thing) for thing in (*near, *near, *elsewhere)]
     return ("commands", shuffled(rng, [*scans, scan(rng, (0, 0.25), rays=120)]))
 
 
 # %% role="case" title="step 3: use only measurements" points=1 hint="Do nan, inf and ranges below range_min stop your robot? Or do they hide an obstacle?"
 def inputs(rng):
     no_measurements = [(5, math.nan), (0, math.inf), (-5, math.nan), (10, 0.02), (-10, 9.5)]
-    scans = [scan(rng, *no_measurements, *thing) for thing in 3 * ([], [], [(15, 0.3)], [(-15, 0.3)], [(20, 0.35)])]
+    scans = [scan(rng, *no_measurements, *thing) for thing in 2 * ([], [], [], [(15, 0.3)], [(-15, 0.3)], [(20, 0.35)])]
     return ("commands", shuffled(rng, [*scans, scan(rng, (0, 0.15), lowest=0.2)]))
 
 
