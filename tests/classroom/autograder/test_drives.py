@@ -71,8 +71,9 @@ def test_a_controller_that_misses_a_threshold_gets_nothing_and_a_sentence(drive)
     exercise = drive("def control(observation, memory):\n    return 0.1, 0.0")
     assert exercise.points == 0
     assert {case.message for case in exercise.cases} == {
-        "The robot got 0.40 m away from its start; the task asks for at least 0.80 m. The time was over"
-        " while it still drove or turned: what did it search, or wait for? (bumps 0, clearance 1.40 m, reach 0.40 m)"
+        "The robot got 0.40 m away from its start; the task asks for at least 0.80 m."
+        " The time was over while it still drove or turned: what did it search, or wait for?"
+        " (bumps 0, clearance 1.40 m, reach 0.40 m)"
     }
 
 
