@@ -8,10 +8,12 @@ from importlib.machinery import PathFinder
 from importlib.util import module_from_spec
 from pathlib import Path
 
+__all__ = ["CvBridge", "CvBridgeError", "cvtColorForDisplay", "getCvType"]
+
 _folder = Path(__file__).resolve().parents[1]
 _installed = PathFinder.find_spec(__name__, [entry for entry in sys.path if Path(entry).resolve() != _folder])
 if _installed is None or _installed.loader is None:
-    from imgproc_course.messages.cv_bridge import *  # noqa: F403
+    from imgproc_course.messages.cv_bridge import CvBridge, CvBridgeError, cvtColorForDisplay, getCvType
 else:
     sys.modules[__name__] = module_from_spec(_installed)
     _installed.loader.exec_module(sys.modules[__name__])

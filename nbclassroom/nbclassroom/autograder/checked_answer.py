@@ -80,10 +80,10 @@ def checked_answer(exercise, cases, runs, mistake, message):
         is_said = bool(exercise.kind.advice_on_error(exercise, shown.result))
     hidden = _result(replace(exercise, cases=exercise.hidden), graded, runs, None, is_said=is_said)
     # Of a hidden one its hint is told only if the input can be the reason.
-    hints = ["" if is_said or not one.case.hint else f"\nHint: {one.case.hint}" for one in hidden.results]
+    hints = ["" if is_said or not case.hint else f"\nHint: {case.hint}" for case in exercise.hidden]
     told = tuple(
-        replace(one, failed_call=None, reason=one.reason + hint)
-        for one, hint in zip(hidden.results, hints, strict=True)
+        replace(result, failed_call=None, reason=result.reason + hint)
+        for result, hint in zip(hidden.results, hints, strict=True)
     )
     return CheckedAnswer(remarks, public, hidden, told)
 
@@ -103,12 +103,17 @@ def _result(exercise, graded, runs, mistake, *, is_said):
     ]
     calls = [_readable(call) for case in by_call for call in runs[case.id].verdict.case_calls(exercise, case)]
     result = judge(exercise, calls, mistake)
-    cases = [graded[one.case.id] for one in result.results]
+    cases = [graded[case.id] for case in exercise.cases]
     results = [
-        replace(one, passed=case.passed, reason=_ending(case, is_said=is_said), note=_note(case))
-        for one, case in zip(result.results, cases, strict=True)
+        replace(
+            case_result,
+            passed=case.passed,
+            reason=_ending(case, is_said=is_said),
+            note=_note(case),
+            is_open=case.outcome == Outcome.NOT_ATTEMPTED,
+        )
+        for case_result, case in zip(result.results, cases, strict=True)
     ]
-    results = [replace(one, is_open=graded[one.case.id].outcome == Outcome.NOT_ATTEMPTED) for one in results]
     return replace(result, results=tuple(results))
 
 
