@@ -20,6 +20,7 @@ pytestmark = pytest.mark.browser
 
 LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 HAS_WIDGETS = re.compile(r"(?<![.\w`])(?<!# )(live_view|tune|drive)\(")  # not in prose, nor switched off
+STOPS_ITS_VIEW = re.compile(r"^ *view\.stop\(\)", re.MULTILINE)
 SHOWS_A_VIEW = re.compile(r"(?<![.\w`])(?<!# )live_view\(")
 
 
@@ -33,15 +34,22 @@ def changes(page, number):
     return page.images_per_second(1, number=number)["changes"] > 1
 
 
+def cell_sources(lesson):
+    cells = nbformat.read(lesson, as_version=4).cells
+    return [cell.source for cell in cells if cell.cell_type == "code"]
+
+
 def cells_of_widgets(lesson):
     """Numbers of the code cells that make widgets, or use them, and of those that these need."""
-    cells = [cell.source for cell in nbformat.read(lesson, as_version=4).cells if cell.cell_type == "code"]
+    cells = cell_sources(lesson)
     names = [names_of(source) for source in cells]
     modules = set().union(*map(names_imported, cells))
     changes = [names_changed(source) - modules for source in cells]
     making = {number for number, source in enumerate(cells) if HAS_WIDGETS.search(source)}
     widgets = set().union({"open_camera"}, *(names[number][1] for number in making))
-    chosen = making | {number for number, (read, _) in enumerate(names) if read & widgets}
+    using = {number for number, (read, _) in enumerate(names) if read & widgets}
+    stopping = {number for number, cell in enumerate(cells) if STOPS_ITS_VIEW.search(cell)}
+    chosen = making | using | stopping
     return needed_cells(names, chosen, changes)
 
 
@@ -59,7 +67,7 @@ def test_everybody_can_read_a_lesson_and_its_widgets_work(lesson: Path, lab, ope
     else:
         page.page.set_viewport_size({"width": 1400, "height": 30_000})  # axe-core reads what is in the window
     views = page.page.locator(VIEW)
-    if re.search(r'" *view\.stop\(\)', source):  # the lesson stops its view, which keeps the last image
+    if any(map(STOPS_ITS_VIEW.search, cell_sources(lesson))):  # then the view keeps the last image
         page.wait_until(lambda: page.images_per_second(1)["changes"] <= 1)
     elif SHOWS_A_VIEW.search(source) and "live_seconds = 0" not in source:  # there a learner switches it on
         page.wait_until(lambda: any(changes(page, number) for number in range(views.count())))
