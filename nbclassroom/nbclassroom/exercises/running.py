@@ -18,6 +18,7 @@ import math
 import operator
 import re
 import signal
+import sys
 import textwrap
 import threading
 import time
@@ -221,6 +222,8 @@ def _with_alarm(function, seconds):
         if armed and (has_computed or rings > _PATIENCE * seconds / _REPEAT):
             raise TimeUp
 
+    # Python drops what is raised in a finalizer or the collector's hooks; the next alarm ends the function.
+    tell, sys.unraisablehook = sys.unraisablehook, lambda dropped: dropped.exc_type is TimeUp or tell(dropped)
     started, computed_before = _monotonic(), _thread_time()
     handler = set_handler(signal.SIGALRM, ring)
     # Another program may be using the alarm (pytest-timeout does): it gets the rest of its time back.
@@ -233,6 +236,7 @@ def _with_alarm(function, seconds):
     finally:
         set_timer(signal.ITIMER_REAL, 0)
         set_handler(signal.SIGALRM, handler)
+        sys.unraisablehook = tell
         if seconds_left:
             seconds_left = max(seconds_left - (_monotonic() - started), 0.001)
             set_timer(signal.ITIMER_REAL, seconds_left, interval)

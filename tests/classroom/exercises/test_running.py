@@ -47,6 +47,20 @@ def test_a_function_that_waits_for_ever_is_stopped():
     assert run(time.sleep, 600, seconds=0.1).timed_out
 
 
+def test_the_alarm_may_ring_in_a_finalizer():
+    class Slow:
+        def __del__(self):
+            while True:
+                pass
+
+    def function():
+        Slow()  # here the first TimeUp is dropped, in silence
+        while True:
+            pass
+
+    assert call(function, (), (), 0.1).timed_out
+
+
 @pytest.mark.parametrize("function", [endless, endless_and_catching])
 def test_an_endless_loop_is_stopped_outside_the_main_thread(function):
     results = []
