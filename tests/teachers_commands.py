@@ -51,4 +51,4 @@ def test_submissions_get_their_points(tmp_path):
 
 def test_the_site_is_built():
     assert "Open build/site/html/index.html" in run("environment/site")
-    assert (ROOT / "build/site/html/lessons/17_reading_text.html").exists()
+    assert (ROOT / "build/site/html/lessons/16_reading_text.html").exists()

@@ -1,4 +1,4 @@
-"""The baseline of the lesson on unknown rooms: it drives until something is near, and turns."""
+"""The baseline of the league: it drives until something is near, and turns."""
 
 import numpy as np
 

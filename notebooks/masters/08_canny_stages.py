@@ -359,7 +359,7 @@ assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
 # %% [markdown]
 # ## 6 · Non-maximum suppression: keep only the top of the ridge ([[minutes]])
 #
-# **This is a good place for a pause.** Afterwards, choose **Run → Run All Above Selected Cell**.
+# **This is a good place for a pause.** After it, choose **Run → Run All Above Selected Cell**.
 #
 # An edge should be one pixel wide. But if the intensity changes over a few pixels, the magnitudes form a *[[term:ridge]]*. So Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps it only if its magnitude is a *local maximum* (a peak). This is **[[term:non-maximum suppression]]**. A pixel has only eight neighbours, so the direction is rounded to one of four *sectors*:
 #
@@ -597,7 +597,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 9 · Edge tracking by hysteresis ([[minutes]])
 #
-# **This is a good place for a second pause.** Afterwards, choose **Run → Run All Above Selected Cell**.
+# **This is a good place for a second pause.** After it, choose **Run → Run All Above Selected Cell**.
 #
 # A weak pixel becomes an edge if one of its eight neighbours, corners included, is an edge: this is *8-connectivity*. So edges grow from the strong pixels along the weak pixels, until nothing changes. This is **[[term:hysteresis|edge tracking by hysteresis]]**: an edge needs the high threshold to start, but only the low one to continue. In other words: if one pixel of a **[[term:connected component]]** of weak and strong pixels is strong, the whole component is an edge.
 #

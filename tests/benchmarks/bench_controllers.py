@@ -1,6 +1,6 @@
 """Do the driving exercises ask for their deed? Honest and cheap controllers in unseen scenarios.
 
-.venv/bin/python tests/benchmarks/bench_controllers.py [-n 20] [--seed 91] [--lesson NAME] [--only NAME]
+.venv/bin/python tests/benchmarks/bench_controllers.py [-n 20] [--seed 91] [--exercise ID] [--only NAME]
 
 Required of 20: the solution passes 18, an honest controller of another style 15, a cheap one 4; the exit code
 is 1 otherwise. Stub, known mistakes and a replay of the solution are driven with --mistakes.
@@ -130,15 +130,67 @@ def mean_size_and_nearest(observation, memory):
     return linear, memory["turn"]
 
 
+# ---------------------------------------------------------------- the_errand: a word, and its direction
+
+
+def errand(observation, memory, *, goes_near=True, keeps_first=False):
+    """As the solution, but the answer is counted from a direction that it remembers."""
+    x, y, yaw = observation["odometry"]
+    if "word" not in memory:
+        word, angle, _ = given.find_sign(observation["image"]) or (None, None, None)
+        if angle is None:
+            return 0.0, 0.7
+        if not (keeps_first and "direction" in memory):
+            memory["direction"] = yaw + angle
+        if word:
+            memory["word"] = word
+        return (0.25 if abs(angle) < 0.3 and goes_near else 0.0), 1.5 * angle
+    turn = math.remainder(math.atan2(-y, -x) - yaw, 2 * math.pi)
+    if math.hypot(x, y) > 0.08 and "home" not in memory:
+        return (0.25 if abs(turn) < 0.3 else 0.0), min(max(2 * turn, -1.0), 1.0)
+    memory["home"] = True
+    rest = math.remainder(
+        memory["direction"] + math.radians(given.ANSWERS[memory["word"]]) - yaw, 2 * math.pi
+    )
+    return 0.0, min(max(2 * rest, -1.0), 1.0)
+
+
+def one_look(observation, memory):
+    """The word as it is read from the start, without coming nearer."""
+    return errand(observation, memory, goes_near=False)
+
+
+def no_second_look(observation, memory):
+    """The direction in which the sign was when its word was read."""
+    return errand(observation, memory)
+
+
+def direction_from_the_start(observation, memory):
+    """The direction in which the sign was when it was seen first."""
+    return errand(observation, memory, keeps_first=True)
+
+
+def bounce(observation, memory):
+    """Straight on, else a turn to the side that is freer; no memory of places."""
+    points = given.obstacles(observation)
+    if given.way_before(points, 0.0) > 0.35:
+        memory.clear()
+        return 0.3, 0.0
+    ways = {side: given.way_before(points, 0.8 * side) for side in (-1, 1)}
+    return 0.0, 1.2 * memory.setdefault("side", max(ways, key=ways.get))
+
+
 # ---------------------------------------------------------------- the tables
 
-# Of each lesson: honest controllers, which use its idea in another way, and cheap ones, which leave it out.
+# Of each exercise: honest controllers, which use its idea in another way, and cheap ones, which leave it out.
 TABLES: dict[str, tuple] = {
-    "obstacles_ahead": ((), ()),
-    "object_tracking": (
+    "obstacles-drive": ((), ()),
+    "tracking-drive": (
         (kalman_filter, mean_size_and_nearest),
         (largest_spot, second_largest_spot, spot_nearest_to_the_middle, spot_nearest_to_the_last),
     ),
+    "errand-drive": ((), (one_look, no_second_look, direction_from_the_start)),
+    "errand-explore": ((bounce,), ()),  # it visits as many places without a memory, as the lesson says
 }
 
 
@@ -172,7 +224,7 @@ def replay_of(env, control, scenario):
     return replay
 
 
-def controllers_of(lesson, exercise, with_mistakes):
+def controllers_of(exercise, with_mistakes):
     """(kind, name, control) of all controllers of an exercise."""
 
     def prepared(name, source):
@@ -181,7 +233,7 @@ def controllers_of(lesson, exercise, with_mistakes):
     solution = prepared("solution", exercise.solution)
     vars(given).update(solution.__globals__)
     yield "solution", "solution", solution
-    for kind, controls in zip(("honest", "cheap"), TABLES[lesson], strict=True):
+    for kind, controls in zip(("honest", "cheap"), TABLES[exercise.id], strict=True):
         for control in controls:
             yield kind, control.__name__, control
     if with_mistakes:
@@ -202,21 +254,20 @@ def problem_of(kind, share):
 def main():
     cv2.setNumThreads(1)
     parser = argparse.ArgumentParser()
-    parser.add_argument("--lesson", choices=TABLES, action="append")
+    parser.add_argument("--exercise", choices=TABLES, action="append")
     parser.add_argument("--seed", type=int, default=91)
     parser.add_argument("-n", type=int, default=20)
     parser.add_argument("--only", action="append")
     parser.add_argument("--mistakes", action="store_true")
     options = parser.parse_args()
     problems = []
-    for lesson in options.lesson or TABLES:
-        (exercise,) = (
-            e for e in read_exercises(next(MASTERS.glob(f"*_{lesson}.py"))) if e.subject == "drive"
-        )
+    masters = [path for path in sorted(MASTERS.glob("[0-9]*.py")) if ".mistakes" not in path.name]
+    exercises = {exercise.id: exercise for path in masters for exercise in read_exercises(path)}
+    for exercise in map(exercises.get, options.exercise or TABLES):
         case, env = exercise.hidden[0], RoomEnv(exercise.sensors)
         scenarios = [exercise.arguments(case, 1000 * options.seed + k)[0][0] for k in range(options.n)]
         print(f"{exercise.id}, {options.n} scenarios of seed {options.seed}", flush=True)
-        for kind, name, control in controllers_of(lesson, exercise, options.mistakes):
+        for kind, name, control in controllers_of(exercise, options.mistakes):
             if options.only and name not in options.only:
                 continue
             drives = [drive(env, control, scenario) for scenario in scenarios]

@@ -17,8 +17,6 @@ from imgproc_course.imaging import to_gray
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 ENTRIES = read_questions(NOTEBOOKS / "masters" / QUESTIONS)
 ASKING = [path.stem[3:] for path in PATHS if path.stem >= "02"]
-# The lesson on unknown rooms may follow the route of the driving robot.
-ADDED_TO_ROUTE = ["unknown_rooms"]
 
 
 def routes():
@@ -26,7 +24,7 @@ def routes():
     index = (NOTEBOOKS / "masters" / "index.py").read_text("utf-8")
     original, driving, _ = re.findall(r"^# - \*\*.* \(about \d+ hours\): .*$", index, re.M)
     first, more = (re.findall(r"\[\[(\w+)\]\]", text) for text in (original, driving))
-    return [first, [*first, *more, *ADDED_TO_ROUTE], list(all_masters())]
+    return [first, [*first, *more], list(all_masters())]
 
 
 def earlier_lessons(lesson):

@@ -22,7 +22,7 @@ from imgproc_course.simulation.wheels import gap
 sys.path.append(str(Path(__file__).parents[2] / "notebooks"))
 import the_errand
 
-MASTER = Path(the_errand.__file__).parent / "masters" / "21_the_errand.py"
+MASTER = Path(the_errand.__file__).parent / "masters" / "20_the_errand.py"
 SIGNS = ("KITCHEN", "BATHROOM", "OFFICE")
 
 

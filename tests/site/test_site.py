@@ -101,7 +101,7 @@ def test_the_text_that_states_a_result_is_behind_the_same_click(pages):
         "05_grayscale_node": "ROS called the function about twenty times",
         "06_noise_removal": "Between 50 and 200 there are now 101 and 146",
         "08_canny_stages": "grad_row, grad_col = sobel(step)",
-        "15_where_am_i": "without: -1",
+        "14_where_am_i": "without: -1",
     }.items():
         assert sentence in pages[name].text("details.course-reveal"), name
         assert pages[name].text("details.course-reveal").count(sentence) == pages[name].text().count(sentence)
@@ -123,7 +123,7 @@ def test_a_text_that_states_no_result_is_not_folded(pages):
     for name, sentence in {
         "04_grayscale": "A television standard (ITU-R BT.601) defines three weights",
         "05_grayscale_node": "waits for messages and calls the callbacks, again and again",
-        "18_recognising_objects": "Nine bins of 20 degrees",
+        "17_recognising_objects": "Nine bins of 20 degrees",
     }.items():
         page = pages[name]
         assert sentence in page.text() and sentence not in page.text("details.course-reveal"), name

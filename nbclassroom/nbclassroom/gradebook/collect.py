@@ -19,7 +19,7 @@ from ..autograder.sanitize import sanitize_line
 from .archives import MOST_MEMBERS, Archives, CollectError, member_time
 from .layouts import MOST_LISTED, FolderLayout, doubt
 
-MOST_NOTEBOOKS = 100  # of one learner; the course has 22 lessons
+MOST_NOTEBOOKS = 100  # of one learner
 _LATEST = 253_402_128_000  # seconds since 1970, in the year 9999; some file systems store later times
 _TOOLS_FOLDERS = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
 _LEFT_OUT = _TOOLS_FOLDERS | {"venv", "env", "site-packages", "node_modules"}  # and hidden folders

@@ -409,3 +409,43 @@ def control(observation, memory):
 # %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use find_sign and the odometry."
 def control(observation, memory):
     return 0.25, 0.3
+
+# %% [markdown]
+# # errand-explore
+
+# %% role="mistake" name="it turns without an end" says="Your robot turns on the spot and drives hardly at all. Drive on while way_before ahead is long enough."
+def control(observation, memory):
+    return 0.03, 0.6
+
+# %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use the observation."
+def control(observation, memory):
+    return 0.25, 0.3
+
+# %% role="mistake" name="the laser scanner alone" says="Your robot drives into something low. Use the points of the camera, too: obstacles(observation) has both. And remember them: what is low and near is below the image."
+def control(observation, memory):
+    return solution(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
+
+# %% role="mistake" name="it only brakes" says="Your robot stops in time, but then it stands. Choose another direction, and drive on."
+def control(observation, memory):
+    if way_before(obstacles(observation), 0.0) < 0.45:
+        return 0.0, 0.0
+    return 0.3, 0.0
+
+# %% role="mistake" name="it takes the longest way" says="Your robot takes the longest free way, and drives to and fro over the same cells. Keep a set of the visited cells in memory, and choose the way with the most new ones."
+def control(observation, memory):
+    x, y, yaw = observation["odometry"]
+    c, s = math.cos(yaw), math.sin(yaw)
+    to_room = np.array([[c, s], [-s, c]])
+    looks = memory.setdefault("looks", [])
+    looks.append(obstacles(observation) @ to_room + (x, y))
+    del looks[:-40]
+    points = (np.concatenate(looks) - (x, y)) @ to_room.T
+    error = math.remainder(memory.setdefault("heading", yaw) - yaw, 2 * math.pi)
+    if abs(error) > 0.1:
+        return 0.0, min(max(2.5 * error, -1.0), 1.0)
+    if way_before(points, error, 0.64) > 0.45:
+        return 0.3, 1.5 * error
+    directions = np.radians(np.arange(-165, 181, 15))
+    ways = [min(way_before(points, direction, 0.64), 3.0) - 0.1 * abs(direction) for direction in directions]
+    memory["heading"] = yaw + float(directions[np.argmax(ways)])
+    return 0.0, 0.0

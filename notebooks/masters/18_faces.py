@@ -554,7 +554,7 @@ assert not HAS_HAAR or [len(alarms[k]) for k in (0, 30, 66)] == [0, 1, 1]
 # - **How long, and who can see it?** Say when it is deleted. Keep it on the robot, not on somebody's server.
 # - **Is it really anonymous?** A voice, clothes, the room and the time also tell who it is.
 #
-# In the European Union, a face in an image is *personal data*. Numbers that serve to recognise a person, such as a description of the face, are *[[term:biometric data]]*: the General Data Protection Regulation (Article 9) forbids their use, with few exceptions such as explicit consent. It does not cover purely private use at home, but the four questions do. Other countries have other laws.
+# In the European Union, a face in an image is *personal data*. Numbers that serve to recognise a person, such as a description of the face, are *[[term:biometric data]]*: the General Data Protection Regulation (Article 9) forbids their use, with few exceptions such as explicit consent. It does not cover purely private use at home, but the four questions do. The EU's AI Act (Regulation 2024/1689) adds rules for programs that recognise people, and forbids some of them. Other countries have other laws.
 #
 # So hide faces **before** anything is stored or sent, not afterwards. A usual way is a *mosaic*: the box of the face is divided into blocks, and each block gets one colour, the mean of its pixels. In an image with one channel, with blocks of 2 × 2 pixels:
 

@@ -381,7 +381,7 @@ print("sum of products:", products, "  sums of squares, multiplied:", squares)
 compare_guess(guess_ncc, products / squares ** 0.5)
 
 # %% [markdown]
-# The NCC is 1 for images that differ only in brightness and contrast, 0 for images that have nothing in common, and −1 for an image and its negative.
+# The NCC is 1 for images that differ only in brightness and contrast, 0 if no straight line relates the values of one to those of the other, and −1 for an image and its negative.
 
 # %%
 # Check: the numbers in this section
