@@ -166,20 +166,20 @@ def test_the_readings_of_the_lesson_are_those_of_the_network(solutions):
 
 @pytest.fixture(scope="module")
 def errand_drive():
-    (exercise,) = (exercise for exercise in read_exercises(MASTER) if exercise.subject == "drive")
+    (exercise,) = (exercise for exercise in read_exercises(MASTER) if exercise.id == "errand-drive")
     return exercise
 
 
 def test_a_drive_begins_and_is_judged_as_the_lesson_says(errand_drive):
     answers = errand_drive.namespace()["ANSWERS"]
-    limits = {"bumps": ["<=", 0], "reach": [">=", 0.5], "home": ["<=", 0.4], "answer_error": ["<=", 15]}
+    limits = {"bumps": ["<=", 0], "reach": [">=", 0.7], "home": ["<=", 0.5], "answer_error": ["<=", 5]}
     for case, seconds in (errand_drive.cases[0], 35.0), (errand_drive.hidden[0], 40.0):
-        for seed in range(4):
+        for seed in range(2):  # each scenario is drawn with a look at the room
             ((scenario,),) = errand_drive.arguments(case, seed)
             room, (x, y, yaw) = furnished(scenario["room"]), scenario["start"]
             sign_x, sign_y = room.poses["sign"][:2]
             way, direction = math.dist((x, y), (sign_x, sign_y)), math.atan2(sign_y - y, sign_x - x)
-            assert 2.699 < way < 3.401
+            assert 2.849 < way < 3.501 and scenario["uneven"] == 0.025
             # half of the camera's field of view and of the sign
             assert abs(math.remainder(direction - yaw, 2 * math.pi)) > math.atan(160 / 176.25) + 0.3 / way
             for driven in np.arange(0.0, way - 1.2, 0.02).tolist():

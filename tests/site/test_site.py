@@ -116,7 +116,7 @@ def test_the_answer_to_a_question_from_an_earlier_lesson_is_behind_a_click(pages
             answer = str(question["answer"])
             assert f"{answer} · {question['replies'][answer]}" in page.text("details.course-reveal")
         assert "No answer yet" not in page.text()
-    assert sum(len(master.questions) for master in all_masters().values()) == 40
+    assert sum(len(master.questions) for master in all_masters().values()) == 38
 
 
 def test_a_text_that_states_no_result_is_not_folded(pages):
