@@ -163,11 +163,8 @@ def test_an_attack_gains_nothing_sees_nothing_and_leaves_the_next_drive_alone(at
     assert drive(GOOD).points == 5
 
 
-def test_all_processes_of_a_step_share_its_time(drive, factory):
-    # Where this user cannot make control groups, each process has the limit for itself.
-    is_counted = factory._group.cpu_seconds() is not None
-    outcomes = {case.outcome.value for case in drive(BESIDE).cases}
-    assert outcomes == {"time" if is_counted else "wrong"}
+def test_all_processes_of_a_step_share_its_time(drive):
+    assert {case.outcome.value for case in drive(BESIDE).cases} == {"time"}
 
 
 def test_each_drive_has_a_kernel_of_its_own(drive):

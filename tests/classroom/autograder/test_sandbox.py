@@ -10,10 +10,10 @@ from pathlib import Path
 
 import psutil
 import pytest
-from nbclassroom.autograder.sandbox import bubblewrap, cgroups
+from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
-from nbclassroom.autograder.sandbox.cgroups import ProcessGroup
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.usage import used_under
 
 pytestmark = pytest.mark.sandbox
 
@@ -122,26 +122,17 @@ def test_on_another_system_the_error_says_where_to_grade(monkeypatch):
 # ---------------------------------------------------------------- all processes together
 
 
-def test_without_control_groups_the_sizes_are_added_up(monkeypatch):
-    monkeypatch.setattr(cgroups, "_ROOT", Path("/nowhere"))
-    group = ProcessGroup(1 << 40, 64)
-    assert group.folders == [] and not group.ran_out_of_memory(os.getpid())
-    group.remove()
-    nothing = ProcessGroup(-cgroups._OWN_MEMORY, 64)
-    assert nothing.ran_out_of_memory(os.getpid())
-    assert not nothing.ran_out_of_memory(2**22 + 1)  # there is no such process
-
-
 def test_pages_that_processes_share_are_counted_once():
     code = "import os, time\nheld = bytearray(b'x' * (200 << 20))\n"
     code += "[os.fork() or time.sleep(60) for _ in range(3)]\nprint(flush=True)\ntime.sleep(60)"
     top = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE)
     top.stdout.readline()
-    apart, once = (cgroups._memory_under(top.pid, enough) for enough in (1 << 40, 0))
+    (apart, _), (once, _) = (used_under(top.pid, enough) for enough in (1 << 40, 0))
     for process in [*psutil.Process(top.pid).children(), top]:
         process.kill()
     top.communicate()
     assert apart > 4 * (200 << 20) and 200 << 20 < once < 300 << 20
+    assert used_under(top.pid, 0) == (0, 0.0)  # it has ended
 
 
 BOMB = """
@@ -154,18 +145,14 @@ time.sleep(600)
 """
 
 
-@pytest.mark.parametrize("root", [cgroups._ROOT, "/nowhere"])
-def test_all_processes_of_a_kernel_together_keep_to_its_memory(root, monkeypatch):
-    monkeypatch.setattr(
-        cgroups, "_ROOT", Path(root)
-    )  # without control groups, or without the right to make them
+def test_all_processes_of_a_kernel_together_keep_to_its_memory():
     most = 0
     with KernelFactory(limits=Limits(memory=1 << 30, wall_grace=15)) as kernel_factory:
         kernel = kernel_factory.start((), 5)
         with ThreadPoolExecutor(1) as beside:
             ended = beside.submit(kernel.run, BOMB)
             while not ended.done():
-                most = max(most, cgroups._memory_under(kernel_factory._fork_server._process.pid, 0))
+                most = max(most, used_under(kernel_factory._fork_server._process.pid, 0)[0])
                 time.sleep(0.2)
         assert ended.result().ended == "memory"
         assert most < 2 << 30  # it tries to use 2.4 GB
@@ -222,6 +209,7 @@ for path in {line.split()[1] for line in open("/proc/self/mounts")}:
 """
 UNPRIVILEGED = f"""
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.usage import used_under
 with KernelFactory() as kernel_factory:
     kernel = kernel_factory.start(("scipy",), 30)
     print(kernel.run("import os, scipy; print(os.getuid(), scipy.__name__)").printed)

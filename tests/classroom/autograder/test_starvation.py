@@ -1,4 +1,4 @@
-"""What is out of time is run again alone before it counts; a submission and its processes have limits."""
+"""What is out of time is run again alone before it counts; a submission has limits."""
 
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
@@ -8,8 +8,6 @@ from attacks import LESSON
 from nbclassroom.autograder.nbval_process import stop_nbval_processes
 from nbclassroom.autograder.outcomes import BUDGET_MESSAGE, Outcome
 from nbclassroom.autograder.pool import Limits, autograde
-from nbclassroom.autograder.sandbox import cgroups
-from nbclassroom.autograder.sandbox.cgroups import ProcessGroup
 
 pytestmark = pytest.mark.sandbox
 
@@ -111,23 +109,3 @@ def test_a_worker_that_dies_twice_is_reported_and_the_others_are_graded(key, rig
     assert results["unlucky"].exercises_with(Outcome.NOT_GRADED) == {"attacked-double", "attacked-mean"}
     message = results["unlucky"].exercises[0].message
     assert message == "the autograder failed: RuntimeError: the workers are gone"
-
-
-def test_all_processes_of_a_worker_have_one_share_of_the_processor(tmp_path, monkeypatch):
-    """Written to a folder of our own: not every user may make control groups."""
-    monkeypatch.setattr(cgroups, "_parent_folders", lambda controller: [tmp_path / controller])
-    monkeypatch.setattr(cgroups, "_numbers", iter([7]))
-    for name in ("memory.max", "pids.max", "cpu.weight", "cpu.shares"):
-        folder = tmp_path / name.partition(".")[0] / f"{cgroups._PREFIX}7-{cgroups.os.getpid()}"
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / name).touch()
-    group = ProcessGroup(1 << 30, 24)
-    written = {path.name: path.read_text() for path in tmp_path.glob("*/*/*")}
-    group._guard.kill()
-    group._guard.communicate()
-    assert written == {
-        "memory.max": str((1 << 30) + cgroups._OWN_MEMORY),
-        "pids.max": "72",
-        "cpu.weight": "100",
-        "cpu.shares": "1024",
-    }

@@ -11,7 +11,6 @@ from pathlib import Path
 import psutil
 from submissions import answers_of, notebook, write
 
-GROUPS = Path("/sys/fs/cgroup")
 FORK_SERVER = "fork_server.main"
 
 
@@ -42,11 +41,7 @@ def _is_reader(process):
     return "submission_reader.py" in _command_line(process)
 
 
-def _is_guard(process):
-    return process.name() == "sh"
-
-
-COMMAND, GUARD = "the command itself", "the guard of the control groups"
+COMMAND = "the command itself"
 KINDS = {  # every process that a run starts, in that order
     COMMAND: None,
     "the reader of notebooks": _is_reader,
@@ -54,7 +49,6 @@ KINDS = {  # every process that a run starts, in that order
     "bubblewrap": _is_bubblewrap,
     "the fork server": _is_fork_server,
     "a kernel": _is_kernel,
-    GUARD: _is_guard,
 }
 ANSWERS = ("right", "raising", "untouched", 0, 1)
 
@@ -118,7 +112,7 @@ class Run:
         return self.process.returncode, text
 
     def survivors(self, seconds):
-        """What is left of it after so many seconds at most: processes and control groups, as texts."""
+        """Its processes that are left after so many seconds at most, as texts."""
         end = time.monotonic() + seconds
         while (left := self._left()) and time.monotonic() < end:
             time.sleep(0.1)
@@ -130,9 +124,7 @@ class Run:
             with contextlib.suppress(psutil.Error):
                 if process.is_running() and process.status() != psutil.STATUS_ZOMBIE:
                     left.append(f"{process.pid} {_command_line(process)[:60]}")
-        folders = [folder for folder, *_ in os.walk(GROUPS)]  # rglob fails if a group vanishes meanwhile
-        groups = [folder for folder in folders if Path(folder).name.startswith("nbclassroom-")]
-        return left + [group for group in groups if int(group.rpartition("-")[2]) in self._seen]
+        return left
 
 
 def run_with_kills(run, kind, count, pause, rng):

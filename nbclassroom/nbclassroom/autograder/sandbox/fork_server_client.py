@@ -16,10 +16,12 @@ from contextlib import suppress
 
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.cell_run import CellRun
+from nbclassroom.autograder.sandbox.usage import used_under
 from nbclassroom.autograder.temporary_folder import TemporaryFolder
 
 _LOOK_SECONDS = 0.05  # between two looks at what all processes together use
-_OWN_SECONDS = 0.5  # of processor time, that the fork server and a waiting kernel use beside a check, at most
+# What the fork server and a waiting kernel use beside a check, at most: bytes, and seconds of processor time.
+_OWN_MEMORY, _OWN_SECONDS = 256 << 20, 0.5
 _STARTS = 3  # of a fork server that ends before it forks
 _STATEMENT_SECONDS = 20  # of wall time, after which a statement of a page cannot be stopped from inside
 _NOT_CONFINED = 70  # exit code of a fork that could not be confined, see `inside.fork_server`
@@ -34,10 +36,12 @@ class Connection:
     """The socket to a process that runs cells, and the limits on what comes out of it."""
 
     def __init__(self, fork_server, limits):
-        self._fork_server, self._group, self._limits = fork_server, fork_server.group, limits
+        self._fork_server, self._limits = fork_server, limits
         self._lines: deque[bytes] = deque()
         self._buffer, self._is_confined = b"", True
-        self._next_look, self._most_cpu = 0.0, math.inf
+        self._next_look = 0.0
+        # Processor time of all processes together: what they may use from a look on, and where it ends.
+        self._cpu_most, self._cpu_ends = {}, {}
         self._deadline = self._statement_ends = math.inf
         self._socket, self._other_end = socket.socketpair()
 
@@ -57,14 +61,14 @@ class Connection:
         The system limits the processor time of each process, and this limits that of all together: a slow
         answer could compute in one process after another.
         """
-        cpu_before, began = self._group.cpu_seconds(), time.monotonic()
-        run = self._request({"case": {"calls": inputs, "seconds": seconds}, "code": code})
-        most = seconds * len(inputs) + self._limits.grace
-        if run.ended or cpu_before is None or time.monotonic() - began <= most:
-            return run
-        if (self._group.cpu_seconds() or 0.0) - cpu_before > most + _OWN_SECONDS:
-            run.ended = "time"
-        return run
+        self._limit_cpu(check=seconds * len(inputs) + self._limits.grace)
+        return self._request({"case": {"calls": inputs, "seconds": seconds}, "code": code})
+
+    def _limit_cpu(self, **seconds):
+        """Limit the processor time of all processes together, for each of these names, from now on."""
+        self._cpu_most |= {name: most + _OWN_SECONDS for name, most in seconds.items()}
+        for name in seconds:
+            self._cpu_ends.pop(name, None)
 
     def run_with(self, code, partner):
         """Run a check cell that asks a partner again and again, such as a GradedDrive; returns its CellRun.
@@ -72,17 +76,16 @@ class Connection:
         The processor time of all its processes together is limited for each call, and for all. The time that
         the partner takes is its own: the deadline leaves it out.
         """
-        run, group, seconds = CellRun(), self._group, partner.cpu_seconds
+        run, seconds = CellRun(), partner.cpu_seconds
         case = {"layout": partner.layout, "seconds": partner.call_seconds}
         data = _line_of({"case": case, "code": code})
-        cpu_end = (group.cpu_seconds() or 0.0) + seconds + self._limits.grace
+        self._limit_cpu(check=seconds + self._limits.grace)
         # The page's time is not the drive's: a controller that sends and never reads waits for its end.
         deadline = time.monotonic() + self._limits.deadline(seconds)
         self._deadline = min(self._deadline, deadline) + partner.seconds
         self._bytes_left = self._limits.output
         while (action := self._run_until_action(run, data)) is not None:
-            self._most_cpu = min(cpu_end, (group.cpu_seconds() or 0.0) + partner.call_seconds)
-            self._most_cpu += _OWN_SECONDS
+            self._limit_cpu(call=partner.call_seconds)
             seconds_before = partner.seconds
             data = partner.answer(action)
             self._deadline += partner.seconds - seconds_before
@@ -97,7 +100,7 @@ class Connection:
         self._bytes_left = self._limits.output
         if self._run_until_action(run, _line_of(request)) is not None:
             run.ended = "hostile"
-        self._statement_ends = math.inf
+        self._statement_ends, self._cpu_most, self._cpu_ends = math.inf, {}, {}
         return run
 
     def _run_until_action(self, run, data):
@@ -156,13 +159,16 @@ class Connection:
                 raise KernelEnded(self._how_it_ended()) from error
 
     def _check_use(self):
-        """End the kernel if it and all that it started use too much memory together, or time in a drive."""
+        """End the kernel if it and all that it started use too much memory or time together."""
         if time.monotonic() < self._next_look:
             return
-        if self._fork_server.ran_out_of_memory():
+        memory, seconds = self._fork_server.used()
+        if memory > self._limits.memory + _OWN_MEMORY:
             raise KernelEnded("memory")
-        if self._most_cpu < math.inf and (self._group.cpu_seconds() or 0.0) > self._most_cpu:
+        ends = {name: seconds + most for name, most in self._cpu_most.items()} | self._cpu_ends
+        if any(seconds > end for end in ends.values()):
             raise KernelEnded("time")
+        self._cpu_ends = ends
         self._next_look = time.monotonic() + _LOOK_SECONDS
 
     def _how_it_ended(self):
@@ -174,7 +180,7 @@ class Connection:
         # The system's limit is in whole seconds.
         if status["signal"] in _TIME_SIGNALS and status["cpu"] > self._cpu_limit - 0.9:
             return "time"
-        return "memory" if self._fork_server.ran_out_of_memory() else "crashed"
+        return "crashed"
 
 
 class ForkedKernel(Connection):
@@ -189,7 +195,6 @@ class ForkedKernel(Connection):
     def begin(self, allowed, seconds):
         """Start the clock; `KernelFactory.start` explains the arguments."""
         self._fork_server.await_ends()  # nothing of the kernel before is left now, and counts for this one
-        self._fork_server.group.reset()
         self._begin(seconds)
         with suppress(KernelEnded):  # its first cell will find out
             self._send(_line_of({"allowed": list(allowed), "cpu": self._cpu_limit}))
@@ -277,9 +282,8 @@ def _line_of(request):
 class ForkServer:
     """The process that forks kernels, seen from outside; it is started again if it has ended."""
 
-    def __init__(self, group, limits, *, confined):
+    def __init__(self, limits, *, confined):
         self._limits, self.confined = limits, confined
-        self.group = group  # ProcessGroup of all its processes
         self._process = None
         self._control: socket.socket  # to the process, as long as there is one
         self._folder = None if confined else TemporaryFolder()
@@ -312,7 +316,6 @@ class ForkServer:
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             pass_fds=[control.fileno()],
-            preexec_fn=self.group.enter,
             start_new_session=True,
         )
 
@@ -359,9 +362,9 @@ class ForkServer:
                 self.stop()
         return status
 
-    def ran_out_of_memory(self):
-        """Whether the processes of all its kernels together use more memory than they may."""
-        return self._process is not None and self.group.ran_out_of_memory(self._process.pid)
+    def used(self):
+        """(bytes, seconds of processor time) that it and all its kernels use."""
+        return used_under(self._process.pid, self._limits.memory) if self._process else (0, 0.0)
 
     def close(self):
         """End the process for good."""

@@ -3,7 +3,6 @@
 import contextlib
 
 from nbclassroom.autograder.sandbox import bubblewrap
-from nbclassroom.autograder.sandbox.cgroups import ProcessGroup
 from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel, ForkServer
 
 
@@ -12,8 +11,7 @@ class KernelFactory(contextlib.AbstractContextManager):
 
     def __init__(self, *, unsafe=False, limits=None):
         self.limits = limits or bubblewrap.Limits()
-        self._group = ProcessGroup(self.limits.memory, self.limits.processes, use_cgroups=not unsafe)
-        self._fork_server = ForkServer(self._group, self.limits, confined=not unsafe)
+        self._fork_server = ForkServer(self.limits, confined=not unsafe)
         self._fork_server.start()
         self._spare = None  # a kernel that waits: to fork and confine one takes ten milliseconds
 
@@ -39,4 +37,3 @@ class KernelFactory(contextlib.AbstractContextManager):
         """End all kernels and the fork server."""
         self._drop_spare()
         self._fork_server.close()
-        self._group.remove()
