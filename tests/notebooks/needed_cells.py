@@ -3,7 +3,7 @@
 import ast
 
 from IPython.core.inputtransformer2 import TransformerManager
-from nbclassroom.authoring.names_used import names_used
+from nbclassroom.exercises.cell_syntax import names_used
 
 
 def tree_of(source):

@@ -15,7 +15,7 @@ from nbclassroom.authoring.execute import execute, normalize, output_texts
 from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.authoring.minutes import read_sections
-from nbclassroom.authoring.names_used import names_used
+from nbclassroom.exercises.cell_syntax import names_used
 from nbclassroom.exercises.percent_script import read_script
 from needed_cells import names_of
 

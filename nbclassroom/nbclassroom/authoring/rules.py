@@ -5,8 +5,7 @@ import re
 from collections import Counter
 
 from .. import course
-from ..exercises.cell_syntax import bound_names, top_level
-from .names_used import names_used
+from ..exercises.cell_syntax import bound_names, names_used, top_level
 
 VARYING_TAG = "nbval-ignore-output"
 RAISING_TAGS = ("nbval-raises-exception", "raises-exception")

@@ -10,7 +10,7 @@ import sys
 from dataclasses import dataclass
 
 from .. import course
-from .cell_syntax import bound_names, cached_if_short, plain_python, program_lines
+from .cell_syntax import cached_if_short, names_used, plain_python, program_lines
 from .error_advice import advice_on
 from .guesses import read_bare_guess
 from .running import code_of, source_of
@@ -44,9 +44,13 @@ class CellRun:
             text = f"Python cannot read it: {kind}, {error.msg}, in line {error.lineno}. {advice}"
             self.error = text.rstrip()
 
-    def names(self):
-        """The names that the cell binds at its top level, as far as it came to its end."""
-        return _names_bound(plain_python(self.source)) if self.is_read else set()
+    def statements(self):
+        """The NamesUsed of its statements, which it has bound as far as it came to its end."""
+        return _names_used(plain_python(self.source)) if self.is_read else []
+
+    def binds(self, name):
+        """Whether it binds a name at its top level."""
+        return any(name in names.binds for names in self.statements())
 
     def definitions(self):
         """The functions and classes that the cell defines at its top level, also if it does not parse."""
@@ -81,13 +85,14 @@ class CellRuns:
         if error is not None and self._runs:
             self._runs[-1].fail(error)
 
-    def source_that_binds(self, name):
-        """The source of the last run that bound a name at its top level, "" if none is known."""
-        return next((run.source for run in reversed(self._runs) if name in run.names()), "")
+    def binding(self, name):
+        """The NamesUsed of the statements of the last run that bound a name, [] if none is known."""
+        run = next((run for run in reversed(self._runs) if run.binds(name)), None)
+        return [names for names in run.statements() if name in names.binds] if run else []
 
     def end_of(self, name):
         """What has happened to the cell that bound a name last: "changed", "deleted", or "" for nothing."""
-        binding = [number for number, run in enumerate(self._runs) if name in run.names()]
+        binding = [number for number, run in enumerate(self._runs) if run.binds(name)]
         cell_id = self._runs[binding[-1]].cell_id if binding else ""
         later = [run for run in self._runs[binding[-1] + 1 :] if run.cell_id == cell_id] if cell_id else []
         if later:  # it has run again, and does not bind the name any more
@@ -140,7 +145,7 @@ def _explain_name(run, name, kind):
     return SAYS["another name"].format(defined=defined, kind=kind, name=f"{name}{marks}", start=start)
 
 
-_names_bound = cached_if_short(bound_names)
+_names_used = cached_if_short(names_used)
 RUNS = CellRuns()
 
 

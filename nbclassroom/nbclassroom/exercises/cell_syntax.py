@@ -6,16 +6,20 @@ notebooks loads this file alone (see `gradebook.submission_reader`).
 
 import ast
 import contextlib
-import hashlib
+import dis
+import inspect
 import re
 from functools import lru_cache
+from types import CodeType
+from typing import NamedTuple
 
 _MOST_CACHED = 5_000  # characters: most cells are the lesson's, in every notebook; a long one costs memory
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
 _CALLABLE_VALUES = (ast.Lambda, ast.Name, ast.Attribute, ast.Call, ast.Subscript)
-_EXPRESSIONS_WITH_NAMES = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+_LOADS = ("LOAD_NAME", "LOAD_GLOBAL", "LOAD_FROM_DICT_OR_GLOBALS")
+_STORES = ("STORE_NAME", "STORE_GLOBAL")
 _MAGIC = re.compile(
     r"""^(?P<indent>[ \t]*)(?![ \t])
     (?: %time[ \t]+(?=[A-Za-z_(])            # %time y = f(): only the magic goes
@@ -68,9 +72,20 @@ def _without_magic(match):
     return f"{match['indent']}{match['target']} None" if match["target"] else f"{match['indent']}pass"
 
 
+class NamesUsed(NamedTuple):
+    """The names that a statement binds, and reads before; a function reads what its body reads.
+
+    Modules that functions import are apart; `*` stands for an import of everything.
+    """
+
+    binds: set
+    reads: set
+    imports: set
+
+
 def bound_names(source):
-    """The names that a source binds at its top level, `*` for an import of everything; a set."""
-    return {name for statement in top_level(source) for name in names_bound_by(statement)}
+    """The names that a source binds at its top level; a set."""
+    return set().union(*(names.binds for names in names_used(source)))
 
 
 def top_level(source):
@@ -81,35 +96,50 @@ def top_level(source):
         return []
 
 
-def names_bound_by(statement):
-    """The names that a statement binds where it stands, not inside its functions and classes; a set."""
-    names, nodes = set(), [statement]
-    while nodes:
-        node = nodes.pop()
-        if isinstance(node, _DEFINITIONS):
-            names.add(node.name)
-            continue
-        if isinstance(node, (ast.Import, ast.ImportFrom)):
-            names |= {(alias.asname or alias.name).split(".")[0] for alias in node.names}
-        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            names.add(node.id)
-        if not isinstance(node, _EXPRESSIONS_WITH_NAMES):
-            nodes.extend(ast.iter_child_nodes(node))
+def names_used(source):
+    """The NamesUsed of each statement of a source."""
+    return list(map(names_of, top_level(source)))
+
+
+def names_of(statement):
+    """The NamesUsed of a statement; none if Python does not compile it."""
+    try:
+        module = ast.Module([statement], [])
+        return names_in(compile(module, "cell", "exec", ast.PyCF_ALLOW_TOP_LEVEL_AWAIT, dont_inherit=True))
+    except UNPARSABLE:
+        return NamesUsed(set(), set(), set())
+
+
+def names_in(code):
+    """The NamesUsed of a code object, in the order of its instructions: the compiler knows the scopes."""
+    names = NamesUsed(set(), set(), set())
+    for step in dis.get_instructions(code):
+        if isinstance(step.argval, CodeType):
+            inner = names_in(step.argval)
+            names.reads.update(inner.reads - names.binds)
+            names.imports.update(inner.imports)
+        elif step.opname in _STORES:
+            names.binds.add(step.argval)
+        elif step.opname in _LOADS and step.argval not in names.binds and not step.argval.startswith("__"):
+            names.reads.add(step.argval)
+        elif step.opname == "IMPORT_NAME" and code.co_flags & inspect.CO_OPTIMIZED:
+            names.imports.add(step.argval)
+        elif "IMPORT_STAR" in f"{step.opname} {step.argrepr}":
+            names.binds.add("*")
     return names
 
 
-def function_definitions(source):
-    """What a source defines at its top level that may be called: functions, classes, `f = np.vectorize(g)`.
+def definitions(source):
+    """{name: statement} of what may be called: functions, classes, `f = np.vectorize(g)`.
 
-    {name: BLANK for a stub, else a digest of its body without docstring, or "" if it is long}; of two of one
-    name the last that is no stub.
+    Of two of one name the last that is no stub.
     """
-    definitions = {}
+    found = {}
     for statement in (part for whole in top_level(source) for part in _parts_to_name(whole, is_main=True)):
-        name, digest = callable_name(statement), _body_digest(statement)
-        if name and (name not in definitions or digest != BLANK):
-            definitions[name] = digest
-    return definitions
+        name = callable_name(statement)
+        if name and (name not in found or not is_blank(statement)):
+            found[name] = statement
+    return found
 
 
 def callable_name(statement):
@@ -122,29 +152,19 @@ def callable_name(statement):
     return ""
 
 
-_LONGEST_DIGESTED = 6  # statements; a digest tells whether a body is still the stub as handed out
-BLANK = "blank"
+def is_as_handed_out(statement, stub, name):
+    """Whether the body of a definition is that of the one with this name in a stub, a source."""
+    with contextlib.suppress(RecursionError, MemoryError):
+        return isinstance(statement, _DEFINITIONS) and _dump(statement) == _dump(definitions(stub).get(name))
+    return False
 
 
-def _body_digest(statement):
-    """BLANK for a stub (see `_is_blank`), a digest of another short body, or ""."""
-    if is_blank(statement):
-        return BLANK
-    body = _body(statement)
-    if not 0 < len(body) <= _LONGEST_DIGESTED:
-        return ""
-    try:
-        text = "\n".join(map(_dump, body))
-    except (RecursionError, MemoryError):
-        return ""
-    return hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
-
-
-def _dump(statement):
-    """A statement as text; of a function or class the name and the body."""
-    if isinstance(statement, _DEFINITIONS):
-        return "\n".join([statement.name, *map(_dump, _body(statement))])
-    return ast.dump(statement)
+def _dump(definition):
+    """The body of a function or class as texts, without the arguments and docstrings in it."""
+    return [
+        (part.name, _dump(part)) if isinstance(part, _DEFINITIONS) else ast.dump(part)
+        for part in _body(definition)
+    ]
 
 
 def _body(statement):
@@ -171,15 +191,9 @@ def is_blank(statement):
     return _is_not_implemented(body[0]) or any(map(_is_not_implemented, _initialization(statement)))
 
 
-def functions_with_stub_line(tree):
-    """Names of functions that go on after the stub's NotImplementedError, of classes with it in __init__."""
-    definitions = [statement for statement in tree.body if isinstance(statement, _DEFINITIONS)]
-    return [
-        definition.name
-        for definition in definitions
-        if any(map(_is_not_implemented, _initialization(definition)))
-        or (len(_body(definition)) > 1 and _is_not_implemented(_body(definition)[0]))
-    ]
+def has_stub_line(statement):
+    """Whether a function goes on after the stub's NotImplementedError, or a class has it in __init__."""
+    return any(map(_is_not_implemented, [*_body(statement)[:-1][:1], *_initialization(statement)]))
 
 
 def _is_not_implemented(statement):

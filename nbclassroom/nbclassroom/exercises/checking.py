@@ -1,15 +1,13 @@
 """`check`: run an answer's public cases in the learner's notebook."""
 
-import inspect
 import linecache
 import re
-import types
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from itertools import product
 
 from .cell_runs import RUNS
-from .cell_syntax import function_definitions, plain_python, program_lines
+from .cell_syntax import definitions, is_as_handed_out, plain_python, program_lines
 from .check_files import UnknownExerciseError, find_check_file
 from .expected_results import check_data_of
 from .help_steps import Help
@@ -19,7 +17,7 @@ from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake
 from .mistakes import has_right_values
 from .names_read import NamesRead
 from .one_change import sentence_on_change
-from .progress import ExerciseProgress, content_of, digest_of, note_progress, progress_of
+from .progress import ExerciseProgress, digest_of, note_progress, progress_of
 from .running import attempt, codes_of, globals_of, source_of
 from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
@@ -146,7 +144,7 @@ def _remark_on_name(exercise, function):
     """What to do about an answer that has another name than its task."""
     own_name = getattr(function, "__name__", "")
     is_known = globals_of(function).get(exercise.function) is function
-    if is_known or own_name == exercise.function or not RUNS.source_that_binds(own_name):
+    if is_known or own_name == exercise.function or not RUNS.binding(own_name):
         return ()
     return (SAYS["another try"].format(name=exercise.answer_name, other=own_name),)
 
@@ -175,12 +173,10 @@ def _one_change(result, function, calls):
     return sentence_on_change(function, passes)
 
 
-def _are_same(codes, other_codes):
-    """Whether the code objects of two answers do the same; None if those of one are not known."""
-    if not codes or not other_codes:
-        return None
-    contents = [{name: content_of(code) for name, code in own.items()} for own in (codes, other_codes)]
-    return contents[0] == contents[1]
+def _is_stub(exercise, function):
+    """Whether an answer is still the stub; False if its source is not known."""
+    definition = definitions(source_of(function)).get(getattr(function, "__name__", ""))
+    return is_as_handed_out(definition, exercise.stub, exercise.function)
 
 
 def _end_of(call):
@@ -192,7 +188,7 @@ def _end_of(call):
 def _judge_calls(exercise, function, calls):
     """The CheckResult of the calls of a function."""
     errors = set(map(_end_of, calls))
-    is_stub = _are_same(codes_of(function), _codes_in(exercise.stub, exercise.function))
+    is_stub = _is_stub(exercise, function)
     if "NotImplementedError" in errors or (is_stub and exercise.kind.expects_values):
         of_class = () if is_stub else (STUB_LINE,)
         remarks = of_class if isinstance(function, type) else tuple(remarks_on_source(function))
@@ -203,9 +199,6 @@ def _judge_calls(exercise, function, calls):
         () if has_passed else attempt(lambda: remarks_on_source(function, errors, exercise.unheeded), ())
     )
     remarks = tuple(text for text in remarks if len(text) < _LONGEST_REMARK)  # it may quote a table
-    if is_stub and _has_other_lines(exercise, function):
-        never_run = SAYS["lines that never run"].format(name=exercise.answer_name)
-        is_stub, remarks = False, (never_run, *remarks)
     return judge(exercise, calls, mistake, remarks, attempted=not is_stub)
 
 
@@ -219,23 +212,3 @@ def _has_another_reason(mistake, function, calls):
     overflows = any("overflow" in call.result.warning for call in calls)
     says_so = re.search(r"overflow|int|25[56]", mistake.says)
     return (overflows and not says_so) or has_done(source_of(function), mistake.says)
-
-
-def _has_other_lines(exercise, function):
-    """Whether the source of a function is known, and is not that of the stub."""
-    own, stub = (function_definitions(source) for source in (source_of(function), exercise.stub))
-    return bool(own) and own.get(exercise.function) != stub.get(exercise.function)
-
-
-def _codes_in(source, name):
-    """As `codes_of` an answer that a source defines, found without running the source."""
-    parts = _named_codes(compile(source, "<stub>", "exec", dont_inherit=True))
-    if name not in parts:
-        return {}
-    is_function = parts[name].co_flags & inspect.CO_OPTIMIZED
-    return {"": parts[name]} if is_function else _named_codes(parts[name])
-
-
-def _named_codes(code):
-    """{name: code object} of the functions and classes that a code object defines."""
-    return {part.co_name: part for part in code.co_consts if isinstance(part, types.CodeType)}

@@ -3,10 +3,8 @@
 The kernel has every module, and every value that a cell has ever made; grading has what the page makes.
 """
 
-import ast
 import builtins
 import copy
-import dis
 import functools
 import importlib.util
 import linecache
@@ -15,13 +13,12 @@ import types
 
 from .. import course
 from .cell_runs import CellRuns
-from .cell_syntax import bound_names, names_bound_by, plain_python, top_level
+from .cell_syntax import names_in, names_used, plain_python
 from .running import attempt, codes_of, functions_of, globals_of
 
 # What every answer may use: NumPy, and what shows something. Inside the sandbox nothing else exists.
 _FOR_ALL = ("numpy", "matplotlib", "IPython", "__main__", "nbclassroom")
 _FOR_ALL += (*course.always_allowed, *course.display_only)
-_LOADS = ("LOAD_GLOBAL", "LOAD_NAME")
 
 
 def refused_module(module, allowed):
@@ -46,46 +43,36 @@ class NamesRead:
     def __init__(self, answer, runs=None):
         self._namespace, self._runs = globals_of(answer), runs or CellRuns()
         self.names, self.modules = {}, {}
-        self._seen: set[types.CodeType] = set()
         files = {code.co_filename for code in codes_of(answer).values()}
-        self._sources = ["".join(linecache.getlines(file)) for file in files]
-        self._own = set().union(*(bound_names(plain_python(source)) for source in self._sources))
-        waiting = [*functions_of(answer).values(), *self._read_at_once(getattr(answer, "__name__", ""))]
+        sources = ("".join(linecache.getlines(file)) for file in files)
+        self._own = [names for source in sources for names in names_used(plain_python(source))]
+        waiting = [*self._in_code_of(answer), *self._in_statements(getattr(answer, "__name__", ""))]
         while waiting:
-            function = waiting.pop()
-            if function.__code__ not in self._seen:
-                inside = [cell.cell_contents for cell in function.__closure__ or () if _is_function(cell)]
-                waiting += [*inside, *self._read_code(function.__code__)]
+            names = waiting.pop()
+            self.modules |= {module: module for module in names.imports}
+            for name in sorted(names.reads - self.names.keys()):
+                waiting += self._read(name)
 
-    def _read_code(self, code):
-        """Note what a code object reads; yields the functions of the notebook among it."""
-        self._seen.add(code)
-        for step in dis.get_instructions(code):
-            if step.opname in _LOADS:
-                yield from self._read_name(step.argval)
-            elif step.opname == "IMPORT_NAME":
-                self.modules.setdefault(step.argval, step.argval)
-            elif isinstance(step.argval, types.CodeType):
-                yield from self._read_code(step.argval)
-
-    def _read_name(self, name):
-        if name not in self._namespace and not hasattr(builtins, name) and importlib.util.find_spec(name):
-            self.modules.setdefault(name, name)  # it raises NameError, and an import would not help
-        if name in self.names or name not in self._namespace:
-            return
+    def _read(self, name):
+        """Note a name; the NamesUsed by which it got its value, and by what is called with it."""
+        if name not in self._namespace:
+            if not hasattr(builtins, name) and importlib.util.find_spec(name):
+                self.modules.setdefault(name, name)  # it raises NameError, and an import would not help
+            return []
         value = self.names[name] = self._namespace[name]
-        yield from (one for one in functions_of(value).values() if one.__globals__ is self._namespace)
-        yield from self._read_at_once(name)
+        return [*self._in_code_of(value), *self._in_statements(name)]
 
-    def _read_at_once(self, name):
-        """Read what the statements that bind a name read where they stand, not in the bodies of functions."""
-        for source in [self._runs.source_that_binds(name), *self._sources]:
-            nodes = [node for node in top_level(plain_python(source)) if name in names_bound_by(node)]
-            for node in nodes:
-                for other in _names_at_once(node):
-                    yield from self._read_name(other)
-            if nodes:
-                return
+    def _in_code_of(self, value):
+        """The NamesUsed in functions of the notebook: the value, or its methods, and what these hold."""
+        for function in functions_of(value).values():
+            if function.__globals__ is self._namespace:
+                yield names_in(function.__code__)
+                inner = [cell.cell_contents for cell in function.__closure__ or () if _is_function(cell)]
+                yield from (names_in(one.__code__) for one in inner)
+
+    def _in_statements(self, name):
+        """The NamesUsed of the statements that bound a name last."""
+        return self._runs.binding(name) or [names for names in self._own if name in names.binds]
 
     def refused(self, allowed, given=frozenset()):
         """{module that an exercise does not allow: the name by which the answer uses it}."""
@@ -101,7 +88,7 @@ class NamesRead:
         """The names of values of other cells, sorted; a wrong answer may take them for its arguments."""
         kinds = (types.ModuleType, types.FunctionType, types.BuiltinFunctionType, type)
         values = {name for name, value in self.names.items() if not isinstance(value, kinds)}
-        return sorted(values - given - self._own)
+        return sorted(values.difference(given, *(names.binds for names in self._own)))
 
     def gone(self):
         """{name: "changed" or "deleted"}, what has happened to the cell that made it."""
@@ -141,17 +128,3 @@ def _module_of(value):
     kinds = (types.FunctionType, types.BuiltinFunctionType, type)
     module = getattr(value, "__module__", None) if isinstance(value, kinds) else None
     return module if isinstance(module, str) and module != "builtins" else None
-
-
-def _names_at_once(node):
-    """The names that a statement reads where it stands: of a function, in its decorators and defaults."""
-    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
-        yield node.id
-    parts = list(ast.iter_child_nodes(node))
-    if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)):
-        defaults = [part for part in (*node.args.defaults, *node.args.kw_defaults) if part]
-        parts = [*getattr(node, "decorator_list", ()), *defaults]
-    scopes = node.body if isinstance(node, ast.ClassDef) else getattr(node, "generators", ())
-    own = set().union(*map(names_bound_by, scopes))  # of a class or a comprehension
-    for part in parts:
-        yield from (name for name in _names_at_once(part) if name not in own)

@@ -58,7 +58,7 @@ def page_of_notebook(cells, lesson_cells, exercises):
     ----------
     cells : list of dict, as `submission_reader.read_notebook` describes them
     lesson_cells : {cell id: source of a check or given cell, None for the others}, as handed out
-    exercises : list of [id, function, its digest in the stub (see `cell_syntax.function_definitions`)]
+    exercises : list of [id, function, source of the stub]
     """
     functions = {id: function for id, function, _ in exercises}
     counted, checks = _counted_cells(cells, lesson_cells, functions)
@@ -90,7 +90,7 @@ def _counted_cells(cells, lesson_cells, functions):
     absent = [id for id in lesson_cells if id.startswith("given-") and lesson_cells[id] and id not in present]
     counted, checks = [(_counted("given", lesson_cells[id]), None) for id in absent], {}
     for cell in cells:
-        if cell["type"] == "code" or in_text & cell["functions"].keys():
+        if cell["type"] == "code" or in_text & {*cell["functions"]}:
             own = [*_parts(cell, lesson_cells.get(cell["id"]), cell["id"] in lesson_cells, functions)]
             counted += own
             for id in functions if cell["type"] == "code" else ():
@@ -121,8 +121,9 @@ def _is_answer(cell, exercise, function, stub):
     A marked cell may define it in any way, or so that reading does not find out.
     """
     if function in cell["functions"]:
-        digest = cell["functions"][function]
-        return digest != cell_syntax.BLANK and (not digest or digest != stub)
+        definition = cell_syntax.definitions(cell_syntax.plain_python(cell["source"]))[function]
+        is_handed_out = cell_syntax.is_as_handed_out(definition, stub, function)
+        return not is_handed_out and not cell_syntax.is_blank(definition)
     if "answer" not in cell or cell["type"] != "code" or not is_marked(cell, exercise):
         return False
     names = cell["answer"]["names"]

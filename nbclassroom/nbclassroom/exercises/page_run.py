@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import running
-from .cell_syntax import UNPARSABLE, names_bound_by
+from .cell_syntax import UNPARSABLE, names_of
 
 STATEMENT_SECONDS = 5.0  # that one statement may take
 # Of all cells of a kind together.
@@ -197,7 +197,7 @@ class PageRun:
         name = running.error_name(error)
         text = running.attempt(lambda: str(error), "")[:2_000]
         self.errors.append(StatementError(number, name, text))
-        for bound in names_bound_by(node):
+        for bound in names_of(node).binds:
             if bound == "*" or bound in self._names or hasattr(builtins, bound):
                 continue
             if name not in _KNOWN:

@@ -7,15 +7,13 @@ read-only, progress lasts as long as the process.
 
 import ast
 import contextlib
-import dis
 import hashlib
 import itertools
 import json
 import linecache
+import marshal
 import os
-import re
 import sys
-import types
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Literal
@@ -27,7 +25,6 @@ PROGRESS, LOCK = ".progress.json", ".progress.lock"
 LEARNERS_FOLDER = ".course.json"  # a folder with this file is a learner's
 _DAMAGED = (ValueError, RecursionError)
 _MOST_TRIES = 50
-_JUMPS = {*dis.hasjrel, *dis.hasjabs}  # their operands depend on where the code stands
 _LAB_VARIABLE = "JPY_SESSION_NAME"  # Jupyter's server sets it for the kernel of a notebook
 TEST_VARIABLE = "PYTEST_CURRENT_TEST"  # pytest sets it, so nbval and our builds have it
 
@@ -139,29 +136,7 @@ def digest_of(answer):
     files = dict.fromkeys(code.co_filename for code in codes.values())
     source = "\n".join("".join(linecache.getlines(file)) for file in files)
     with contextlib.suppress(SyntaxError, ValueError, RecursionError):
-        source = ast.dump(ast.parse(source))
-    content = "\n".join([source, *(f"{name} {content_of(code)}" for name, code in codes.items())])
-    return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:16]
-
-
-def content_of(code):
-    """What a code object does, as text, wherever it stands; of another constant its repr.
-
-    Python compiles cv2.add(a, b) in two ways: it depends on whether the import stands in the same cell.
-    """
-    if not isinstance(code, types.CodeType):
-        try:
-            return repr(code)
-        except ValueError:  # an integer of more digits than Python writes
-            return str(hash(code))
-    steps = (step for step in dis.get_instructions(code) if step.opname not in ("PUSH_NULL", "EXTENDED_ARG"))
-    parts = (part for step in steps for part in _parts_of(step))
-    return repr([(name.replace("LOAD_METHOD", "LOAD_ATTR"), operand) for name, operand in parts])
-
-
-def _parts_of(step):
-    """(name, operand) of an instruction; of one that Python 3.13 makes of two that are on one line, both."""
-    names = re.findall("LOAD_FAST|STORE_FAST", step.opname)
-    if len(names) == 2:
-        return [*zip(names, map(content_of, step.argval), strict=True)]
-    return [(step.opname, "" if step.opcode in _JUMPS else content_of(step.argval))]
+        source = source and ast.dump(ast.parse(source))
+    names = [code.co_qualname for code in codes.values()]
+    content = source.encode("utf-8", "surrogatepass") or b"".join(map(marshal.dumps, codes.values()))
+    return hashlib.sha256(repr(names).encode() + content).hexdigest()[:16]

@@ -11,11 +11,6 @@ from .running import source_of
 STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
 # What is said of an answer, and not of the errors of its calls
 SAYS = read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8"))
-# Calls that give a value and change nothing
-_PURE = re.compile(
-    r"math\.\w+|np\.(abs|clip|round|sort|reshape|where|astype|sqrt)|\w+\.(astype|clip|copy|reshape|round)"
-)
-_IN_PLACE = ("sort", "append", "extend", "reverse", "insert", "shuffle")
 
 
 def remarks_on_source(function, errors=(), unheeded=()):
@@ -24,20 +19,16 @@ def remarks_on_source(function, errors=(), unheeded=()):
     `errors` are the types that its calls raised, "None" if one of them returned None, "TimeUp" if one did not
     end in time. `unheeded` are the forms of remarks that the right answer does not heed: they are not made.
     """
-    source = source_of(function)
-    tree = next(iter(_body(source)), None)
-    remarks = [] if tree is None else _remarks(tree, source, errors, _helpers(function))
+    tree = next(iter(_body(source_of(function))), None)
+    remarks = [] if tree is None else _remarks(tree, errors, _helpers(function))
     return [text for text in remarks if _form_of(text, tree) not in unheeded]
 
 
 def unheeded_remarks(source, name):
     """The forms of what would be said of a right answer, the function or class of this name in a source."""
-    parts = [ast.get_source_segment(source, tree) for tree in _body(source) if hasattr(tree, "body")]
-    trees = [(tree, part) for part in parts for tree in _body(part) if getattr(tree, "name", "") == name]
-    errors = ("None", "IndexError")
-    return tuple(
-        {_form_of(text, tree): 0 for tree, part in trees for text in _remarks(tree, part, errors, ())}
-    )
+    trees = [tree for tree in _body(source) if getattr(tree, "name", "") == name]
+    remarks = [(tree, text) for tree in trees for text in _remarks(tree, ("None", "IndexError"))]
+    return tuple({_form_of(text, tree): 0 for tree, text in remarks})
 
 
 def _form_of(remark, tree):
@@ -46,12 +37,8 @@ def _form_of(remark, tree):
     return re.sub(r"[^\W\d]\w*", lambda match: "_" if match[0] in names else match[0], remark)
 
 
-def _remarks(tree, source, errors, helpers):
-    parts = [(tree, source), *helpers]
-    remarks = [text for part, _ in parts for text in _ended_loops(part)]
-    for node, own_source in ((node, own_source) for part, own_source in parts for node in ast.walk(part)):
-        for rule in (rule for kind, rule in _RULES if isinstance(node, kind)):
-            remarks += rule(node, own_source)
+def _remarks(tree, errors, helpers=()):
+    remarks = [text for part in (tree, *helpers) for text in _ended_loops(part)]
     functions = tree.body if isinstance(tree, ast.ClassDef) else [tree]
     for part in functions:
         remarks += _remarks_on_function(part) if isinstance(part, ast.FunctionDef) else []
@@ -75,14 +62,13 @@ def has_done(source, sentence):
 
 
 def _helpers(function):
-    """(tree, source) of the functions that a function calls by name, and that stand in its file."""
+    """The trees of the functions that a function calls by name, and that stand in its file."""
     code = getattr(function, "__code__", None)
     names, file = (code.co_names, code.co_filename) if code else ((), "")
     for name in names:
         helper = function.__globals__.get(name)
         if isinstance(helper, types.FunctionType) and helper.__code__.co_filename == file:
-            source = source_of(helper)
-            yield from ((tree, source) for tree in _body(source)[:1] if isinstance(tree, ast.FunctionDef))
+            yield from (tree for tree in _body(source_of(helper))[:1] if isinstance(tree, ast.FunctionDef))
 
 
 def _body(source):
@@ -113,25 +99,16 @@ def _end_of(body):
 
 
 def _why_none(tree):
-    """Where None can come from: a path without return, or a method that works in place."""
+    """Where None can come from: a path without return."""
     if not any(isinstance(node, ast.Return) and node.value for node in ast.walk(tree)):
         yield f"{tree.name}() has no return with a value. Did you forget return?"
     elif _reaches_end(tree.body):
         yield SAYS["way without return"].format(name=tree.name)
-    for node in ast.walk(tree):
-        call = None if isinstance(node, ast.Expr) else getattr(node, "value", None)
-        if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Attribute):
-            continue
-        owner = ast.unparse(call.func.value)
-        if call.func.attr in _IN_PLACE and owner != "np":
-            yield SAYS["method in place"].format(call=ast.unparse(call), value=owner)
 
 
 def _why_endless(tree):
     if any(isinstance(node, ast.While) for node in ast.walk(tree)):
         yield SAYS["endless while"]
-    elif tree.name in _names(tree):
-        yield SAYS["endless calls"].format(name=tree.name)
 
 
 def _unused(tree):
@@ -139,12 +116,6 @@ def _unused(tree):
     for argument in tree.args.args:
         if argument.arg not in read:
             yield f"{tree.name}() does not use what it gets: {argument.arg}."
-        uses = (part for part in tree.body if re.search(rf"\b{argument.arg}\b", ast.unparse(part)))
-        first = next(uses, None)
-        if not isinstance(first, ast.Assign) or argument.arg in _names(first.value):
-            continue
-        if argument.arg in map(ast.unparse, first.targets):
-            yield SAYS["argument lost"].format(name=argument.arg, line=ast.unparse(first))
 
 
 def _names(tree):
@@ -160,76 +131,16 @@ def _reaches_end(body):
     return not isinstance(last, ast.Return | ast.Raise | ast.While | ast.Try | ast.Match)
 
 
-def _always_true(node, _source):
-    if not isinstance(node.op, ast.Or) or not isinstance(node.values[0], ast.Compare):
-        return
-    constants = [value for value in node.values[1:] if isinstance(value, ast.Constant) and value.value]
-    if constants:
-        parts = {"test": ast.unparse(node), "part": ast.unparse(constants[0])}
-        yield SAYS["always true"].format(**parts)
-
-
-def _fixed_size(node, _source):
-    """np.zeros((20, 20)): an image of one size, whatever the input is."""
-    call = ast.unparse(node)
-    if re.match(r"np\.(zeros|ones|full|empty)\(\(\d{2,}, \d{2,}\)", call):
-        yield SAYS["fixed size"].format(call=call)
-
-
-def _remarks_on_comparison(node, source):
-    if len(node.ops) == 1 and ast.dump(node.left) == ast.dump(node.comparators[0]):
-        yield f"{ast.unparse(node)} compares a value with itself."
-    line = source.split("\n")[node.lineno - 1].encode()
-    for part in (node.left, *node.comparators):
-        is_mask = isinstance(part, ast.BinOp) and isinstance(part.op, ast.BitAnd | ast.BitOr)
-        if is_mask and line[part.col_offset - 1 : part.col_offset] != b"(" and part.lineno == node.lineno:
-            yield SAYS["mask in a comparison"].format(part=ast.unparse(part))
-
-
-def _without_effect(node, _source):
-    """A statement that only compares, or whose result is lost; Python allows both."""
-    value = node.value
-    function = value.func if isinstance(value, ast.Call) and not value.keywords else None
-    if isinstance(function, ast.Attribute) and _PURE.fullmatch(ast.unparse(function)):
-        owner = function.value
-        changed = next(iter(value.args), owner) if ast.unparse(owner) in ("np", "math") else owner
-        yield SAYS["result not kept"].format(call=ast.unparse(value), name=ast.unparse(changed))
-    if isinstance(node.value, ast.Compare) and isinstance(node.value.ops[0], ast.Eq):
-        yield f"{ast.unparse(node)} only compares, and changes nothing. To give a value, write = for ==."
-
-
-def _columns_first(node, _source):
-    """width, height = image.shape exchanges the two names."""
-    names = r"\(?((?:w|width|cols|columns), (?:h|height|rows))((?:, \w+)?)\)? = (\w+\.shape)((?:\[:2\])?)"
-    match = re.fullmatch(names, ast.unparse(node), re.IGNORECASE)
-    if match:
-        columns, rows = match[1].split(", ")
-        yield f"{match[3]} has the rows first. Write {rows}, {columns}{match[2]} = {match[3]}{match[4]}."
-
-
 def _is_store(node):
     return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-
-
-# (kind of node, rule)
-_RULES = (
-    (ast.BoolOp, _always_true),
-    (ast.Compare, _remarks_on_comparison),
-    (ast.Expr, _without_effect),
-    (ast.Assign, _columns_first),
-    (ast.Call, _fixed_size),
-)
 
 
 def _remarks_on_function(tree):
     errors = [ast.unparse(statement) for statement in tree.body[:-1] if isinstance(statement, ast.Raise)]
     if any("NotImplementedError" in error for error in errors):
         yield STUB_LINE
-    parameters = {argument.arg for argument in tree.args.args}
-    for node in ast.walk(tree):
-        target = getattr(node, "target", None) if isinstance(node, ast.For) else None
-        if isinstance(target, ast.Name) and target.id in parameters:
-            yield SAYS["loop over an argument"].format(name=target.id)
+    if any(isinstance(statement, ast.Return) for statement in tree.body[:-1]):
+        yield SAYS["lines that never run"].format(name=f"{tree.name}()")
 
 
 def _values_as_indices(node):

@@ -13,7 +13,7 @@ from enum import StrEnum
 
 from ..authoring.lesson_names import lesson_name, lessons_named
 from ..autograder.sanitize import sanitize_line
-from ..exercises.cell_syntax import function_definitions, plain_python, program_lines
+from ..exercises.cell_syntax import plain_python, program_lines
 from ..exercises.error_advice import advice_on
 from ..exercises.page import is_marked
 from ..exercises.source_remarks import SAYS, STUB_LINE
@@ -136,8 +136,7 @@ class AnswerCells:
 
 def _answer_cells(cells, lesson, reader, content):
     """{exercise id: its AnswerCells}; takes the page."""
-    stubs = {exercise.id: function_definitions(exercise.stub) for exercise in lesson.exercises}
-    asked = [[one.id, one.function, stubs[one.id].get(one.function)] for one in lesson.exercises]
+    asked = [[one.id, one.function, one.stub] for one in lesson.exercises]
     page, places = reader.page(lesson.cells, asked)
     if page is None:
         content.add("finding out what is graded takes too much time or memory", kind="odd")

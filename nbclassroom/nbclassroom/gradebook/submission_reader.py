@@ -56,7 +56,7 @@ def read_notebook(data):
     lesson, version, kernel, python  str, or None if the notebook does not name them
     deeper  list, with the ids of the exercises that can be left out
     cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
-           `exercise` (the id in its metadata, or "") and `functions` (see `cell_syntax.function_definitions`;
+           `exercise` (the id in its metadata, or "") and `functions` (names, see `cell_syntax.definitions`;
            of a cell that is no code only if its text is). A code cell and a cell of the course have `source`
            (str, at most one character more than MOST_CHARACTERS; None if it is not text, or after MOST_CODE).
            A cell of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`), a
@@ -143,7 +143,7 @@ def _cell(cell, number, code_left):
         "id": _text(cell, "id") or "",
         "type": _text(cell, "cell_type") or "",
         "exercise": _text(cell, "metadata", _COURSE, "exercise") or "",
-        "functions": {},
+        "functions": [],
     }
     source = _joined(cell.get("source"))
     if source is not None:
@@ -174,8 +174,8 @@ def _code_in(text):
 
 @cell_syntax.cached_if_short
 def _functions(source):
-    functions = cell_syntax.function_definitions(cell_syntax.plain_python(source))
-    return {name[:_MOST_NAME]: digest for name, digest in list(functions.items())[:_MOST_FUNCTIONS]}
+    names = cell_syntax.definitions(cell_syntax.plain_python(source))
+    return [name for name in names if len(name) <= _MOST_NAME][:_MOST_FUNCTIONS]
 
 
 def _grader_tags(cell):
@@ -207,13 +207,13 @@ def _parsed_answer(source):
     return {
         **_UNKNOWN_SYNTAX,
         "names": _bound_names(tree),
-        "stub_lines": cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS],
+        "stub_lines": [part.name for part in tree.body if cell_syntax.has_stub_line(part)][:_MOST_FUNCTIONS],
     }
 
 
 def _bound_names(tree):
     """The names that a module binds at its top level, sorted; None if `import *` hides them."""
-    names = set().union(*map(cell_syntax.names_bound_by, tree.body))
+    names = set().union(*(cell_syntax.names_of(part).binds for part in tree.body))
     return None if "*" in names else sorted(names)
 
 

@@ -300,7 +300,7 @@ def test_lines_below_the_return_of_the_stub_are_a_try_that_is_explained(data):
     linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
     result = checked(data, source)
     assert result.attempted
-    assert "control() does the same as you got it: your lines are never run." in repr(result)
+    assert "The last lines of control() are never run." in repr(result)
 
 
 def test_check_in_a_notebook_drives_and_notes_a_try(master, tmp_path, monkeypatch):

@@ -21,29 +21,8 @@ def remarks(source, errors=()):
 @pytest.mark.parametrize(
     ("line", "start"),
     [
-        ("if m == 'a' or 'b': return 1", "m == 'a' or 'b' is always true, because 'b' alone counts as True."),
-        ("return a.sum() == a.sum()", "a.sum() == a.sum() compares a value with itself."),
-        ("return a > b & ~c", "Python computes b & ~c first, before the comparison."),
-        ("a[b] == 1", "a[b] == 1 only compares, and changes nothing."),
-        ("math.remainder(a, 2)", "math.remainder(a, 2) gives a new value, which is not kept, and changes"),
-        (
-            "np.clip(b, 0, 255)",
-            "np.clip(b, 0, 255) gives a new value, which is not kept, and changes nothing.",
-        ),
-        (
-            "a.astype(int)",
-            "a.astype(int) gives a new value, which is not kept, and changes nothing. Write a = ",
-        ),
-        ("width, height = a.shape", "a.shape has the rows first. Write height, width = a.shape."),
-        ("W, H = a.shape", "a.shape has the rows first. Write H, W = a.shape."),
-        ("w, h, n = a.shape", "a.shape has the rows first. Write h, w, n = a.shape."),
-        ("cols, rows = a.shape[:2]", "a.shape has the rows first. Write rows, cols = a.shape[:2]."),
-        ("b = np.zeros((20, 20), bool)", "np.zeros((20, 20), bool) has the same size for every input. Does"),
-        ("for a in range(3): pass", "The loop for a in ... writes over the argument a."),
-        (
-            "raise NotImplementedError('x')\n    return a",
-            "The line with raise NotImplementedError is still there",
-        ),
+        ("raise NotImplementedError('x')\n    return a", "The line with raise NotImplementedError is still"),
+        ("return a\n    return b", "The last lines of f() are never run. What stands below a return is not"),
     ],
 )
 def test_a_certain_mistake_is_named(line, start):
@@ -51,20 +30,7 @@ def test_a_certain_mistake_is_named(line, start):
     assert remark.startswith(start)
 
 
-@pytest.mark.parametrize(
-    "line",
-    [
-        "return a > (b & 1)",
-        "return (a > b) & (a < c)",
-        "for row in range(3): pass",
-        "return a == b",
-        "width, height = a.size",
-        "width, height = a.T.shape",
-        "raise NotImplementedError('x')",
-        "height, width = a.shape",
-        "t = 0\n    while t <= 255: t += 1",
-    ],
-)
+@pytest.mark.parametrize("line", ["for row in range(3): pass", "raise NotImplementedError('x')", "return a"])
 def test_of_other_lines_nothing_is_said(line):
     assert remarks(f"def f(a, b):\n    {line}\n") == []
 
@@ -122,15 +88,6 @@ def test_why_a_none_was_returned():
     assert remarks(source.replace("return a", "a += 1"), {"None"}) == [
         "f() has no return with a value. Did you forget return?"
     ]
-    (remark,) = remarks("def f(a):\n    return a.sort()\n", {"None"})
-    assert (
-        remark == "a.sort() works in place and gives None. Write it on a line of its own, and use a after it."
-    )
-    assert remarks("def f(a):\n    a.sort()\n    return None or a\n", {"None"}) == []
-
-
-def test_a_product_of_matrices_gets_no_remark():
-    assert remarks("def f(a, b):\n    return np.dot(a, b) @ b\n") == []
 
 
 @pytest.mark.parametrize(
@@ -156,42 +113,12 @@ def test_an_argument_that_a_wrong_answer_does_not_use_is_named():
     assert remarks(source) == []
 
 
-@pytest.mark.parametrize(
-    ("line", "is_lost"),
-    [
-        ("b = 0.1", True),
-        ("b = b + 0.1", False),
-        ("b = a * 2", True),
-        ("c = b\n    b = 0.1", False),
-        ("b[0] = 1", False),
-        ("if b is None:\n        b = 1", False),
-    ],
-)
-def test_an_argument_that_gets_another_value_before_it_is_read_is_named(line, is_lost):
-    start = "b comes as an argument, and " + line.splitlines()[0] + " gives it another value before"
-    found = remarks(f"def f(a, b):\n    {line}\n    return a + b\n", {""})
-    assert [remark.startswith(start) for remark in found] == [True] * is_lost
-
-
-@pytest.mark.parametrize(
-    "helper",
-    [
-        "def g(values):\n    best = 0\n    for value in values:\n        if value > best: pass\n",
-        "def g(values):\n    text = '\f'\n    low = 1\n    return low <= values & 1 < 3\n",
-        "g = (\n    lambda values: values > 0\n)\n",
-        "def g(values): return [\n    values > 1 | 2,\n]\n",
-    ],
-)
-def test_a_helper_may_be_longer_than_the_function(helper):
-    assert isinstance(remarks(f"{helper}def f(a):\n    return g(a)\n"), list)
-
-
 def test_what_the_right_answer_does_not_heed_is_not_said():
     solution = "def f(rows, first, last):\n    for row in rows:\n        last = rows[row]\n    return last\n"
     own = solution.replace("row ", "one ").replace("[row]", "[one]")
     unused = "f() does not use what it gets: first."
     assert remarks(own, {"IndexError"}) == [unused, remarks(own, {"IndexError"})[1]]
-    above = "import numpy as np\n\n\ndef g(a):\n    return (a & 1) == a\n\n\n"
+    above = "import numpy as np\n\n\ndef g(a):\n    return a\n\n\n"
     assert unheeded_remarks(f"{above}{solution}", "g") == ()
     unheeded = unheeded_remarks(f"{above}{solution}", "f")
     assert remarks_on_source(function_of(own), {"IndexError"}, unheeded) == []
@@ -206,9 +133,7 @@ def test_what_the_right_answer_does_not_heed_is_not_said():
 
 def test_a_function_that_does_not_end_hears_of_its_own_loop():
     loop = "def f(a):\n    while a:\n        print(a)\n    return a\n"
-    calls = "def f(a):\n    return [f(part) for part in [a, a]]\n"
     assert remarks(loop, {"TimeUp"}) == [
         "A while loop may be endless: does each step change what the loop tests?"
     ]
-    assert remarks(calls, {"TimeUp"})[0].startswith("f() calls itself. Does each call get a smaller task")
     assert remarks("def f(a):\n    return [b for b in range(a)]\n", {"TimeUp"}) == []

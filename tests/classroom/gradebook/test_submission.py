@@ -16,7 +16,7 @@ from submissions import answers_of, cell_of, notebook
 pytestmark = pytest.mark.sandbox  # the key is made in one
 
 DOUBLE = "answer-light-double"
-ASKED = [["light-double", "double", None]]
+ASKED = [["light-double", "double", ""]]
 
 
 @pytest.fixture(scope="module")
