@@ -66,21 +66,7 @@ def _ambiguous(_match, source):
         return "An array is neither True nor False. To ask whether it has any values, write array.size > 0."
     if parts:
         return _ADVICE["<and, or>"]
-    if ast.Not in map(type, nodes):
-        return "`not` needs a single True or False, and an array has many. For an array write ~ before it."
-    if re.search(r"(?<![\w.])(?:max|min)\(", source):
-        return "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
     return _ADVICE["<if, while>"]
-
-
-def _unhashable(match, source):
-    nouns = {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}
-    noun, kinds = nouns.get(match[1], match[1]), set(map(type, _nodes(source)))
-    if ast.Set in kinds:
-        return _ADVICE["<curly brackets>"].format(noun)
-    if re.search(r"(?<![\w.])set\(", source):
-        return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
-    return f"A set or the key of a dictionary cannot hold {noun}. A key is mostly a text, in quotes."
 
 
 def _broadcast(match, source):
@@ -169,14 +155,6 @@ def _zero_division(_match, source):
     return f"{divisors[0] if is_named else 'The divisor'} is 0 for this input. Test for 0 before you divide."
 
 
-def _not_in_numpy(match, _source):
-    name = match[1]
-    for home in ("linalg", "random"):
-        if hasattr(getattr(np, home), name):
-            return f"{name} is a function of np.{home}: write np.{home}.{name}."
-    return f"NumPy has no {name}."
-
-
 def _does_not_fit(match, source):
     number, dtype = match[1], match[2]
     limits = np.iinfo(dtype)
@@ -209,12 +187,10 @@ _RULES = {
     r"IndexError: .*index -?\d+ is out of bounds for axis (\d) with size (\d+)": _index_outside,
     "ValueError: (.*could not (?:be )?broadcast.*)": _broadcast,
     r"ValueError: cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)": _reshape,
-    r"AttributeError: module 'numpy' has no attribute '(\w+)'": _not_in_numpy,
     "ZeroDivisionError": _zero_division,
     r"NameError: name '(\w+)' is not defined": _unknown,
     r"OverflowError: .*Python integer (-?\d+) out of bounds for (u?int\d+)": _does_not_fit,
     r"SyntaxError: invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)": _typographic,
-    r"TypeError: .*(?:unhashable type|use): '([\w.]+)'": _unhashable,
 }
 
 

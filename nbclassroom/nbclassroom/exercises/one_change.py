@@ -11,7 +11,6 @@ import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from itertools import groupby, pairwise
 
 from .limited_fork import limit_memory, text_within
@@ -25,8 +24,6 @@ _LIMIT = "is the limit itself included?"
 _DIRECTION = "is it the right way round?"
 _FIRST = "which of them comes first?"
 _NUMBER = "is this number right?"
-_ROUNDS = "should this happen in each round of the loop, or once?"
-_ROWS = "in compares the single numbers of an array, not its rows. Is that meant?"
 _TYPE = "your numbers do not fit into the dtype of {name}. Use int for them."
 _TRANSPOSED = "should it be transposed?"
 _DTYPE = "does every value fit into this dtype?"
@@ -35,7 +32,6 @@ _QUESTIONS = {"abs": "is its sign needed?", "radians": _UNIT, "degrees": _UNIT, 
 _QUESTIONS |= dict.fromkeys(("int", "round", "float", "floor"), "should it be cut or rounded here?")
 _OTHER_END = ({"lower": None, "upper": ast.Constant(-1)}, {"lower": ast.Constant(1), "upper": None})
 _AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "prod", "cumsum", "norm")
-_METHODS = ("upper", "lower", "strip", "copy", "tolist", "items", "keys", "values", *_AXES)
 _ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
 _ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
 _COMPARISONS: dict[type[ast.cmpop], tuple[tuple[type[ast.cmpop], str], ...]] = {
@@ -204,9 +200,6 @@ def _compare(node, _tree):
             for comparison, question in _COMPARISONS.get(type(operator), ()):
                 ops = [*node.ops[:number], comparison(), *node.ops[number + 1 :]]
                 yield question, _setting(node, ops=ops)
-        if isinstance(node.ops[0], ast.In | ast.NotIn):
-            rows = _parsed("list(map(tuple, array.tolist()))", array=node.comparators[0])
-            yield _ROWS, _setting(node, left=_parsed("tuple(row)", row=node.left), comparators=[rows])
     if isinstance(node, ast.BoolOp):
         opposite = ast.And if isinstance(node.op, ast.Or) else ast.Or
         yield "must both be true, or is one enough?", _setting(node, op=opposite())
@@ -223,9 +216,7 @@ def _order(node, _tree):
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub | ast.Div | ast.MatMult | ast.Pow):
         yield _FIRST, _setting(node, left=node.right, right=node.left)
     if isinstance(node, ast.BinOp) and isinstance(node.left, ast.BinOp):
-        left, inner = node.left, ast.BinOp(node.left.right, node.op, node.right)
-        yield "what does Python compute first?", _setting(node, left=left.left, op=left.op, right=inner)
-        left = ast.BinOp(left.left, node.op, node.right)
+        left = ast.BinOp(node.left.left, node.op, node.right)
         yield _FIRST, _setting(node, left=left, op=node.left.op, right=node.left.right)
     if isinstance(node, ast.Call) and len(node.args) == 2:
         yield _FIRST, _setting(node, args=node.args[::-1])
@@ -244,9 +235,6 @@ def _operator(node, _tree):
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         yield "is the second part needed?", _replacing(node, "left", left=node.left)
     if isinstance(node, ast.BinOp):
-        for side in ("left", "right"):
-            column = _parsed("side[:, None]", side=getattr(node, side))
-            yield "which shape has each of the two?", _setting(node, **{side: column})
         call = getattr(node.left, "right", node.left)
         if isinstance(call, ast.Call) and len(call.args) == 1:
             inner = [ast.BinOp(call.args[0], node.op, node.right)]
@@ -277,15 +265,12 @@ def _call(node, _tree):
     for alike in next((group.split() for group in _ALIKE.split(", ") if name in group.split()), ()):
         function = ast.parse(f"{owner}{dot}{alike}", mode="eval").body
         yield "is it the right function?", _setting(node, func=function)
-    for argument in node.args:
-        if isinstance(argument, ast.Name):
-            yield _TRANSPOSED, _replacing(argument, "node.T")
     inner = getattr(node.func, "value", None)
     if isinstance(inner, ast.BinOp):
         first = ast.Call(ast.Attribute(inner.left, name, ast.Load()), node.args, node.keywords)
         added = ast.BinOp(first, inner.op, inner.right)
         yield "what does it add up?", lambda: _become(node, added)
-    for rule in (_conversions, _reductions, _dtypes, _counts):
+    for rule in (_conversions, _reductions, _dtypes):
         yield from rule(node, name)
 
 
@@ -303,8 +288,6 @@ def _reductions(node, name):
         for axis in (0, 1, -1):
             keyword = ast.keyword("axis", ast.Constant(axis))
             yield "of the whole array, or along an axis?", _setting(node, keywords=[keyword])
-    if name in ("min", "max", "hypot", "sum"):
-        yield "can these be negative?", _setting(node, args=[_parsed("abs(a)", a=part) for part in node.args])
 
 
 def _dtypes(node, name):
@@ -315,85 +298,14 @@ def _dtypes(node, name):
         yield _DTYPE, _setting(node, keywords=[ast.keyword("dtype", _parsed("float"))])
 
 
-def _counts(node, name):
-    if name == "enumerate" and len(node.args) == 1 and not node.keywords:
-        yield "where does it begin?", _setting(node, args=[*node.args, ast.Constant(1)])
-    if name == "range" and len(node.args) < 3:
-        for change in ("stop - 1", "stop + 1"):
-            stop = _parsed(change, stop=node.args[-1])
-            yield "where does it end?", _setting(node, args=[*node.args[:-1], stop])
-        for start in ([], [ast.Constant(1)]):
-            yield "where does it begin?", _setting(node, args=[*start, node.args[-1]])
-
-
 def _statement(node, tree):
-    if isinstance(node, ast.AugAssign) and isinstance(node.op, ast.Add):
-        new = ast.Assign([node.target], node.value)
-        yield "does it add up, or begin again?", lambda: _become(node, new)
     if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name | ast.Subscript):
         added = ast.AugAssign(node.targets[0], ast.Add(), node.value)
         yield "does it begin again, or add up?", lambda: _become(node, added)
-    if isinstance(node, ast.Break | ast.Continue):
-        yield "should the loop end here?", lambda: _become(node, ast.Pass())
-        yield "should the loop end here?", lambda: _become(node, ast.Continue())
     arguments = {argument.arg for argument in tree.args.args}
     is_rewritten = isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in arguments
     if is_rewritten or isinstance(node, ast.If | ast.AugAssign | ast.Expr):
         yield "is it needed?", lambda: _become(node, ast.Pass())
-    if isinstance(node, ast.stmt):
-        yield from _moved(node, tree)
-    is_called = any(isinstance(part, ast.Call) and part.func is node for part in ast.walk(tree))
-    if isinstance(node, ast.Attribute) and node.attr in _METHODS and not is_called:
-        yield "a method works only if it is called, with ().", _replacing(node, "node()")
-
-
-def _moved(node, tree):
-    """A statement moved into a loop after or before it, or behind its own loop."""
-    outer, block = _block_of(node, tree)
-    position, loop = block.index(node), ast.For | ast.While
-    if isinstance(outer, loop) and isinstance(node, ast.Assign) and not position:
-        _, around = _block_of(outer, tree)
-        yield _ROUNDS, lambda: (block.remove(node), around.insert(around.index(outer), node))
-    later = next((part for part in block[position + 1 :] if isinstance(part, loop)), None)
-    inside = [part for part in ast.walk(later) if isinstance(part, loop)] if later else ()
-    for inner in inside if isinstance(node, ast.Assign) else ():
-        yield _ROUNDS, lambda inner=inner: (block.remove(node), inner.body.insert(0, node))
-    before = block[position - 1] if position else None
-    if isinstance(before, loop) and not isinstance(node, ast.Return):
-        yield _ROUNDS, lambda: before.body.append(block.pop(position))
-    while isinstance(outer, loop) and node is block[-1] and len(block) > 1:
-        inner, (outer, around) = outer, _block_of(outer, tree)
-        yield _ROUNDS, partial(_move_behind, node, block, inner, around)
-    yield from _later(node, block[position + 1 :], block)
-
-
-def _later(node, rest, block):
-    """An assignment before the last statement; or joined with the next, which then sees the old value."""
-    if isinstance(node, ast.Assign) and len(rest) > 1:
-        question = "does a later line change what it uses?"
-        yield question, lambda: (block.remove(node), block.insert(len(block) - 1, node))
-    pair = (node, *rest[:1])
-    second = pair[-1]
-    is_named = [isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Name) for part in pair]
-    if rest and all(is_named):
-        names, values = [part.targets[0] for part in pair], [part.value for part in pair]
-        joined = ast.Assign([ast.Tuple(names, ast.Store())], ast.Tuple(values, ast.Load()))
-        question = f"the next line uses the new {names[0].id}. Is the old one meant?"
-        yield question, lambda: (block.remove(second), _become(node, joined))
-
-
-def _move_behind(node, block, loop, around):
-    block.remove(node)
-    around.insert(around.index(loop) + 1, node)
-
-
-def _block_of(statement, tree):
-    """(the node around a statement, the list of statements with it)."""
-    for outer in ast.walk(tree):
-        for block in (getattr(outer, "body", None), getattr(outer, "orelse", None)):
-            if isinstance(block, list) and statement in block:
-                return outer, block
-    return None, [statement]
 
 
 def _constant(node, _tree):
@@ -405,17 +317,6 @@ def _constant(node, _tree):
         for number in (value + 1, value - 1, -value, math.inf):
             if value or number > 0:
                 yield _NUMBER, _setting(node, value=number)
-
-
-def _square(node, _tree):
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div):
-        for side in ("left", "right"):
-            squared = _parsed("base ** 2", base=getattr(node, side))
-            yield "is something to be squared?", _setting(node, **{side: squared})
-    inner = getattr(getattr(node, "func", None), "value", None)
-    if isinstance(node, ast.Call) and isinstance(inner, ast.BinOp) and isinstance(inner.op, ast.Div):
-        sums = _replacing(node, "a.sum() / b.sum()", a=inner.left, b=inner.right)
-        yield "is each value divided, or one sum by the other?", sums
 
 
 def _argument(node, tree):
@@ -433,4 +334,4 @@ def _name(node, tree):
 
 
 # The first change that helps counts.
-_RULES = (_compare, _order, _operator, _call, _statement, _constant, _square, _argument, _name)
+_RULES = (_compare, _order, _operator, _call, _statement, _constant, _argument, _name)

@@ -1,6 +1,5 @@
 """What `check` says of wrong types, shapes, dtypes and values."""
 
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -15,10 +14,6 @@ LABELS = np.repeat(np.array([[0, 1, 0, 2, 3]]), 3, axis=0)
 COLOUR = RNG.integers(20, 200, (4, 5, 3), dtype=np.uint8)
 SIGNED = RNG.integers(-300, 300, (5, 6), dtype=np.int32)
 MASK = RNG.random((5, 6)) > 0.5
-
-
-async def coroutine():
-    """What a learner gets who writes async def."""
 
 
 def call_of(expected, actual, argument=GRAY, tolerance=0.0):
@@ -44,16 +39,12 @@ def changed(array, where, value=7):
 
 
 TYPES = [
-    (80, 80.0, "The value is right; only its type is not: / makes a float. Divide with //, or use int()."),
-    (80, 81.5, "The task asks for a whole number (int)."),
     (80, "80", "return it without quotes, not an f-string"),
     (80, (5, 16), "You return 2 values (a tuple), and the task asks for one number alone."),
     (80, GRAY, "You return an array, and the task asks for a number: is a sum or a mean missing"),
-    ("a/b", Path("a/b"), "You return a Path, and the task asks for a text: return str(path)."),
     ("a", len, "You return a function itself, and the task asks for a text, such as its name."),
     ("a", {"b"}, "You return a set, and the task asks for a single text."),
     (GRAY, np.sum, "You return a function itself, and the task asks for an array."),
-    (GRAY, coroutine(), "begins with async def does not compute when it is called. Write def."),
     (GRAY, reversed(GRAY), "reversed() gives no array. A slice with the step -1 goes backwards: ::-1."),
     (GRAY, range(3), "You return a value of type range, and the task asks for an array."),
     ("a", ["a", "b"], "You return 2 values (a list), and the task asks for a single text."),
@@ -66,12 +57,8 @@ TYPES = [
         np.stack([GRAY, GRAY]),
         "You return one array, and the task asks for 2: return both, with a comma",
     ),
-    ((GRAY, MASK), [GRAY, MASK], "only the list around them is not: write them without square brackets"),
     ((GRAY, MASK), {"a": GRAY, "b": MASK}, "You return a dict, and the task asks for 2 values (a tuple)."),
     ((GRAY, MASK), (GRAY, MASK, 3), "You return 3 values (a tuple), and the task asks for 2."),
-    ({"gray": GRAY}, GRAY, 'You return an array, and the task asks for a dict: {"gray": ...}.'),
-    ({"gray": GRAY}, {"grey": GRAY}, "The key 'gray' is missing; you wrote 'grey'."),
-    ({"gray": GRAY}, {"gray": GRAY, "frame": 1}, "Leave the other key out: 'frame'."),
 ]
 DTYPES = [
     (
@@ -129,7 +116,6 @@ VALUES = [
     (0.5, 1.0, "Your number is twice the expected number, in every check."),
     (81, 80, "Your number is one too small, in every check."),
     (0.25, 25.0, "100 times the expected number (is it in percent?)"),
-    ("Gray", "gray", "Only capital and small letters differ."),
     ("a b", "ab ", "Only the spaces or line ends differ."),
     (GRAY, GRAY * 0, "Every value of your result is 0: where do they become 0?"),
     (SIGNED, -SIGNED, "All signs are exchanged"),
@@ -145,18 +131,8 @@ VALUES = [
     (SIGNED, SIGNED - MASK, "Some values are one too small"),
 ]
 PLACES = [
-    (
-        GRAY,
-        changed(GRAY, np.s_[1:], 0),
-        "Only the first row is right; all others are 0.",
-    ),
     (GRAY, changed(GRAY, np.s_[:, -1]), "All wrong values lie in the last column."),
     (GRAY, changed(GRAY, np.s_[0]), "All wrong values lie in the first row."),
-    (
-        COLOUR,
-        changed(COLOUR, np.s_[..., 1]),
-        "All wrong values lie in channel 1; the other channels are right.",
-    ),
     (GRAY, changed(changed(GRAY, 0), np.s_[:, 0]), "Only values on the border of the image are wrong."),
     (GRAY, np.pad(GRAY[1:-1, 1:-1], 1), "and there your result is 0: is the border never computed?"),
 ]
@@ -239,7 +215,6 @@ def test_a_fixed_number_is_named():
 
 def test_numpy_scalars_count_as_numbers():
     assert say(0.5, np.float64(1.0)).text == "Your number is twice the expected number, in every check."
-    assert say(80, np.float64(80)).text.startswith("The value is right; only its type is not")
 
 
 TOO_LARGE = [(3, 10**400), (0.5, -(10**400)), (3, 2**5000), ("abc", "a" * 20_000), ((1, 2), [1] * 30_000)]
@@ -252,10 +227,8 @@ def test_of_a_value_that_is_too_large_nothing_is_said(expected, actual):
 
 
 def test_a_value_that_cannot_be_compared_is_not_called_fixed():
-    calls = [call_of("a/b", Path("a/b")), call_of("c/d", Path("c/d"))]
-    assert (
-        diagnose(calls, calls[0]).text == "You return a Path, and the task asks for a text: return str(path)."
-    )
+    calls = [call_of("a/b", {"a/b"}), call_of("c/d", {"a/b"})]
+    assert diagnose(calls, calls[0]).text == "You return a set, and the task asks for a single text."
 
 
 def test_axis_0_of_a_gray_image():
