@@ -12,6 +12,7 @@ import atexit
 import contextlib
 import json
 import os
+import shutil
 import socket
 import subprocess
 import sys
@@ -21,7 +22,7 @@ from dataclasses import asdict
 from .. import course
 from .sandbox import bubblewrap
 from .sandbox.bubblewrap import Limits, SandboxError
-from .temporary_folder import TemporaryFolder
+from .temporary_folder import make_temporary_folder
 
 _START_SECONDS = 120
 _BLOCKED_PLUGINS = (
@@ -83,8 +84,8 @@ class NbvalProcess:
     def __init__(self, unsafe, limits):
         self.options = (unsafe, limits)
         self._limits = limits or Limits()
-        self._folder = TemporaryFolder()
-        self._errors = (self._folder.path / "errors").open("w+b")
+        self._folder = make_temporary_folder()
+        self._errors = (self._folder / "errors").open("w+b")
         self._socket, process_end = socket.socketpair()
         self._lines = self._socket.makefile("r", 1 << 20, encoding="ascii")
         with process_end:
@@ -106,7 +107,7 @@ class NbvalProcess:
             raise
 
     def _start(self, connection):
-        folder = self._folder.path
+        folder = self._folder
         (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
         (folder / "work").mkdir()
         settings = {
@@ -201,5 +202,5 @@ class NbvalProcess:
         errors = self._errors.read().decode(errors="replace").strip().splitlines()
         self._last_errors = " | ".join(errors[-3:])[:500]
         self._errors.close()
-        self._folder.remove()
+        shutil.rmtree(self._folder, ignore_errors=True)
         return code

@@ -7,6 +7,7 @@ extends, and all of it may be forged.
 import json
 import math
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -17,7 +18,7 @@ from contextlib import suppress
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.cell_run import CellRun
 from nbclassroom.autograder.sandbox.usage import used_under
-from nbclassroom.autograder.temporary_folder import TemporaryFolder
+from nbclassroom.autograder.temporary_folder import make_temporary_folder
 
 _LOOK_SECONDS = 0.05  # between two looks at what all processes together use
 # What the fork server and a waiting kernel use beside a check, at most: bytes, and seconds of processor time.
@@ -286,7 +287,7 @@ class ForkServer:
         self._limits, self.confined = limits, confined
         self._process = None
         self._control: socket.socket  # to the process, as long as there is one
-        self._folder = None if confined else TemporaryFolder()
+        self._folder = None if confined else make_temporary_folder()
         self._fork_count = 0
 
     def start(self):
@@ -311,7 +312,7 @@ class ForkServer:
         return subprocess.Popen(
             [*bubblewrap.sandbox_command(confined), "-c", code + "fork_server.main()", json.dumps(settings)],
             env={} if confined else bubblewrap.environment(confined=False),
-            cwd=self._folder.path if self._folder else None,  # where cells write files
+            cwd=self._folder,  # where cells write files
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
@@ -370,7 +371,7 @@ class ForkServer:
         """End the process for good."""
         self.stop()
         if self._folder is not None:
-            self._folder.remove()
+            shutil.rmtree(self._folder, ignore_errors=True)
 
     def stop(self):
         """End the process and every kernel; returns what it said last. The next fork starts another one."""
