@@ -4,7 +4,6 @@ A cell that does not run leaves the function of an earlier run behind, and so do
 name. In a kernel the runs are recorded from the import of this package on; elsewhere nothing is recorded.
 """
 
-import difflib
 import re
 import sys
 from dataclasses import dataclass
@@ -13,11 +12,10 @@ from .. import course
 from .cell_syntax import cached_if_short, names_used, plain_python, program_lines
 from .error_advice import advice_on
 from .guesses import read_bare_guess
-from .running import code_of, source_of
+from .running import source_of
 from .source_remarks import SAYS
 
 _MOST_RUNS = 500
-_SIMILAR = 0.8
 _FAILED = (
     "The last run of your cell failed. {error}\nPython still has the older {name}, not the one on the"
     " screen. Repair the cell, run it, then run this one."
@@ -30,7 +28,7 @@ class CellRun:
 
     source: str
     cell_id: str = ""  # may be missing
-    exercise: str = ""  # in JupyterLab's metadata of the cell
+    exercise: str = ""  # that it answers, by the id of the cell, or in JupyterLab's metadata of it
     error: str = ""  # a sentence, "" if it came to its end
     is_read: bool = True  # whether Python could read it
 
@@ -52,6 +50,10 @@ class CellRun:
         """Whether it binds a name at its top level."""
         return any(name in names.binds for names in self.statements())
 
+    def defines(self, name):
+        """Whether it defines a function or class of this name."""
+        return name in self.definitions()
+
     def definitions(self):
         """The functions and classes that the cell defines at its top level, also if it does not parse."""
         return re.findall(r"^(?:(?:async\s+)?def|class)\s+(\w+)", self.source, re.MULTILINE)
@@ -65,7 +67,9 @@ class CellRuns:
 
     def start(self, source, cell_id="", exercise=""):
         """Record that a cell begins to run; returns the CellRun."""
-        self._runs = [*self._runs[1 - _MOST_RUNS :], CellRun(source, cell_id or "", exercise)]
+        cell_id = cell_id or ""
+        by_id = cell_id.removeprefix("answer-") if cell_id.startswith("answer-") else ""
+        self._runs = [*self._runs[1 - _MOST_RUNS :], CellRun(source, cell_id, exercise or by_id)]
         return self._runs[-1]
 
     def begin(self, info):
@@ -101,7 +105,8 @@ class CellRuns:
 
     def why_older(self, exercise_id, name, function):
         """Why a function is older than the learner's cell of this name, and what to do; "" if it is not."""
-        run = next((run for run in reversed(self._runs) if _is_about(run, exercise_id, name, function)), None)
+        runs = (run for run in reversed(self._runs) if run.exercise == exercise_id or run.defines(name))
+        run = next(runs, None)
         if run is None:
             return ""
         if run.error:
@@ -121,25 +126,8 @@ def _metadata_of_request():
     return request.get("metadata", {})
 
 
-def _is_about(run, exercise_id, name, function):
-    """Whether a cell is the learner's cell of an exercise: by its id, or by the function that it defines."""
-    if run.cell_id == f"answer-{exercise_id}" or name in run.definitions():
-        return True
-    if run.cell_id.startswith("answer-"):
-        return False
-    similar = _similar(run, name)
-    return bool(similar) and similar not in getattr(code_of(function), "co_names", ())
-
-
-def _similar(run, name):
-    """A function of the cell whose name looks like a misspelling of another; "" if there is none."""
-    numbers_in = re.compile(r"\d+").findall
-    names = [defined for defined in run.definitions() if numbers_in(defined) == numbers_in(name)]
-    return next(iter(difflib.get_close_matches(name, names, n=1, cutoff=_SIMILAR)), "")
-
-
 def _explain_name(run, name, kind):
-    defined_name = _similar(run, name) or next(iter(run.definitions()), "")
+    defined_name = next(iter(run.definitions()), "")
     marks, start = ("()", f"def {name}(...):") if kind == "function" else ("", f"class {name}(...):")
     defined = f"defines {defined_name}{marks}" if defined_name else f"defines no {kind}"
     return SAYS["another name"].format(defined=defined, kind=kind, name=f"{name}{marks}", start=start)

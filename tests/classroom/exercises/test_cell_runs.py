@@ -30,18 +30,15 @@ def test_a_cell_that_ran_leaves_no_older_function():
     assert why_older(RIGHT) == why_older() == why_older("x = 1") == ""
 
 
-def test_a_misspelled_name_is_found_with_and_without_the_id_of_the_cell():
-    for cell_id in ("", "answer-start-count"):
-        text = why_older(RIGHT, RIGHT.replace("count_pixels", "countpixels"), cell_id=cell_id)
-        assert (
-            "Your cell defines countpixels(), and this exercise needs a function with the name count_pix"
-            in text
-        )
+def test_another_name_in_the_answer_cell_is_named():
+    text = why_older(RIGHT, RIGHT.replace("count_pixels", "countpixels"), cell_id="answer-start-count")
+    assert (
+        "Your cell defines countpixels(), and this exercise needs a function with the name count_pix" in text
+    )
 
 
-def test_another_function_is_no_misspelling():
+def test_another_cell_may_define_another_function():
     assert why_older(RIGHT, OTHER) == ""
-    assert why_older(RIGHT, RIGHT.replace("count_pixels", "count_pixels2")) == ""
     assert why_older(RIGHT, RIGHT.replace("count_pixels", "count_pixel"), cell_id="answer-other") == ""
 
 
@@ -130,11 +127,6 @@ def test_in_a_kernel_an_error_above_the_function_leaves_an_older_one(checked):
 
 def test_in_a_kernel_an_error_below_the_function_is_no_older_function(checked):
     assert "both checks pass" in checked(RIGHT + "\ncount_pixels(3)")
-
-
-def test_in_a_kernel_a_new_name_leaves_an_older_function(checked):
-    text = checked(RIGHT.replace("count_pixels", "countpixels"))
-    assert "Your cell defines countpixels()" in text and "checks pass" not in text
 
 
 def run_cell(kernel, source, cell_id):
