@@ -25,8 +25,6 @@ from ..exercises.check_files import (
 )
 from ..exercises.lesson import Exercise, Lesson
 
-_FORMAT_4 = "key.json"  # only a key of an earlier version of the course has it
-
 
 class KeyFolderError(ValueError):
     """A key cannot be read or written; the message is one line with the remedy."""
@@ -69,10 +67,6 @@ def load_key(path: Path | str) -> Key:
     """Read the Key in a folder; KeyFolderError: there is none that grading can use."""
     path = Path(path).resolve()
     paths, command = sorted((path / CHECKS).glob("*.json")), f"{course.command} key --out {path.name}"
-    if (path / _FORMAT_4).exists():
-        raise KeyFolderError(
-            f"{path}: a key of an earlier version of the course; make it again: {command} --replace"
-        )
     if not paths:
         raise KeyFolderError(f"{path}: there is no key; make one: {command}")
     digest, lessons = hashlib.sha256(), []

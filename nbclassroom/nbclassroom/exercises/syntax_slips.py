@@ -4,6 +4,7 @@ Only the standard library is imported: the process that reads notebooks loads th
 """
 
 import ast
+import difflib
 import itertools
 import keyword
 import re
@@ -89,16 +90,5 @@ def _mended_lines(line, error):
 def _lines_with_keyword(line):
     """The line with one word made a keyword, which it nearly is: `retrun`."""
     for word in re.finditer(r"[A-Za-z]+", line):
-        for name in keyword.kwlist:
-            if _is_one_slip(word[0], name):
-                yield line[: word.start()] + name + line[word.end() :]
-
-
-def _is_one_slip(word, name):
-    """Whether a letter is missing, too many or another one, or two neighbours are exchanged."""
-    differ = [place for place, pair in enumerate(zip(word, name, strict=False)) if len(set(pair)) > 1]
-    if not differ:
-        return abs(len(word) - len(name)) == 1 and min(len(word), len(name)) > 1
-    word, name = word[differ[0] :], name[differ[0] :]
-    exchanged = word[:2] == name[1::-1] and word[2:] == name[2:]
-    return exchanged or word[1:] == name[1:] or word[1:] == name or word == name[1:]
+        for name in difflib.get_close_matches(word[0], keyword.kwlist, n=2):
+            yield line[: word.start()] + name + line[word.end() :]

@@ -162,12 +162,6 @@ def test_a_folder_without_a_readable_key_is_reported(tmp_path, copy):
     path.write_text("{")
     with pytest.raises(KeyFolderError, match=r"checks/attacked.json cannot be read .*; make the key again$"):
         load_key(copy)
-    path.write_text(text)
-    (copy / "key.json").write_text('{"format": 4}')
-    with pytest.raises(
-        KeyFolderError, match=r"a key of an earlier version.*: imgproc-course key --out copy -"
-    ):
-        load_key(copy)
 
 
 def change(path, edit):
