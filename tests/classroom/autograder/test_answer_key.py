@@ -158,7 +158,6 @@ def test_a_folder_without_a_readable_key_is_reported(tmp_path, copy):
     with pytest.raises(KeyFolderError, match="there is no key; make one: imgproc-course key --out nowhere"):
         load_key(tmp_path / "nowhere")
     path = copy / "checks" / "attacked.json"
-    text = path.read_text()
     path.write_text("{")
     with pytest.raises(KeyFolderError, match=r"checks/attacked.json cannot be read .*; make the key again$"):
         load_key(copy)
