@@ -50,9 +50,9 @@ def find_bag(path):
 
 
 def _storage_suffix(path):
-    """ ".mcap" or ".db3", also if the file is compressed as a whole; None for any other file."""
-    suffix = PurePath(path.name.removesuffix(".zstd")).suffix
-    return suffix if suffix in FILE_CLASSES else None
+    """ ".mcap" or ".db3", also if the file is compressed as a whole; None for others, as macOS's ._a.mcap."""
+    suffix = PurePath(path.name.removesuffix(".zstd")).suffix.lower()
+    return suffix if suffix in FILE_CLASSES and not path.name.startswith("._") else None
 
 
 def _stated(folder):

@@ -70,7 +70,7 @@ class McapFile:
     def __init__(self, path, name, stack):
         self.name, self.problem, self.missing = name, "", 0
         self.channels: dict[int, Channel] = {}
-        self._schemas: dict[int, tuple[str, ...]] = {0: ("", "", "")}  # name, language, definition
+        self._schemas: dict[int, tuple[str, ...]] = {0: ("type not stated", "", "")}  # name, language, text
         self._blocks: list[Block] = []
         self._loaded: tuple[Block | None, memoryview] = None, memoryview(b"")
         self._file = stack.enter_context(path.open("rb"))

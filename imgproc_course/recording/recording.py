@@ -259,10 +259,10 @@ class Recording:
                 f"{self.name} holds no images on {requested}, but on: {', '.join(counts) or 'no topic'}"
             )
         if not counts:
-            unreadable = [f"{topic} ({reason})" for topic, reason in reasons.items()]
-            topics = ", ".join(unreadable or self.topics) or "nothing"
+            topics = [f"{topic} ({reason})" for topic, reason in (reasons or self.topics).items()]
+            listed = ", ".join(topics) or "nothing"
             raise RecordingError(
-                f"{self.name} holds no camera topic, only {topics}; record one: ros2 bag record TOPIC"
+                f"{self.name} holds no camera topic, only {listed}; record one: ros2 bag record TOPIC"
             )
         candidates = [topic for topic in counts if counts[topic]]
         camera = requested or min(candidates, key=self._likeness, default=None)
