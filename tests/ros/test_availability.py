@@ -60,9 +60,3 @@ def test_a_middleware_that_is_not_installed_does_not_end_the_kernel(run_python):
     )
     assert (code, err) == (0, "")
     assert out.startswith("False RMW_IMPLEMENTATION=rmw_none_such_cpp is set, but that middleware is not")
-
-
-@pytest.mark.ros
-def test_ros_is_available_if_it_is_installed(run_python):
-    code, out, err = run_python("import imgproc_course.ros as r; print(r.ros_available(), r.ros_problem())")
-    assert (code, out, err) == (0, "True None\n", "")

@@ -34,14 +34,11 @@ def ros_threads():
     return [thread.name for thread in threading.enumerate() if "ROS session" in thread.name]
 
 
-def test_starting_twice_is_starting_once(session):
+def test_starting_and_stopping_twice_is_doing_it_once(session):
     node = session.node
     assert RosSession.current() is session and RosSession() is session and session.start() is session
     assert session.node is node
     assert ros_threads() == ["imgproc_course ROS session"]
-
-
-def test_stopping_twice_is_stopping_once(session):
     session.stop()
     session.stop()
     assert (session.running, session.node, session.context, ros_threads()) == (False, None, None, [])
@@ -88,9 +85,6 @@ def test_run_calls_in_the_spinning_thread_and_returns_the_result(session):
     with pytest.raises(ZeroDivisionError):
         session.run(lambda: 1 / 0)
     assert session.run(lambda: session.run(lambda: 42)) == 42
-
-
-def test_run_on_a_stopped_session_says_how_to_start_it(session):
     session.stop()
     with pytest.raises(RuntimeError, match=r"RosSession\.current\(\) starts it"):
         session.run(lambda: None)
