@@ -101,12 +101,12 @@ def draw_map(path, bumps=(), *, room=None, goal=None, balls=(), mark=None):
 
 
 @contextlib.contextmanager
-def driving_on_a_plane():
+def driving_on_a_plane(environment="plane_env:PlaneEnv"):
     """Exercises that drive use this environment."""
     import pytest  # here, because simulators import this module
     from nbclassroom.exercises.kinds.drive import simulators
 
-    with pytest.MonkeyPatch.context() as patch, course_on_a_plane() as variables:
+    with pytest.MonkeyPatch.context() as patch, course_on_a_plane(environment) as variables:
         for name, value in variables.items():
             patch.setenv(name, value)
         simulators.close_simulators()

@@ -167,7 +167,7 @@ class ExerciseRun:
         """Run a check that talks to a partner. What fails in the partner is raised: no answer causes it."""
         run.check = process.run_with(source, partner)
         run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
-        self._drives_too_long = run.check.ended == "time"
+        self._drives_too_long = run.check.ended == "time" or partner.is_slow
         self.stop_at += partner.seconds
         run.verdict, run.is_measured = partner.verdict(), True
 

@@ -210,8 +210,8 @@ def _outcome_of_verdict(exercise, case, verdict):
         return Outcome.NOT_GRADED, "it is right, but nbval did not let it pass: look at it by hand"
     call = verdict.call
     if call and call.timed_out:
-        text = f"{exercise.kind.limit_text(exercise)} s of processor time"
-        return Outcome.TIME, _at(text, verdict)
+        text = f"{exercise.answer_name} used more than {exercise.time_limit:g} s of processor time"
+        return Outcome.TIME, _at(call.message or text, verdict)
     if call and call.error:
         outcome, message = _outcome_of_exception(exercise, call)
         return outcome, _at(message, verdict) if outcome == Outcome.RAISED else message

@@ -15,7 +15,6 @@ from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.outcomes import Outcome
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.results import checked_exercise
-from nbclassroom.autograder.sandbox.bubblewrap import Limits
 from nbclassroom.autograder.sandbox.inside import confine
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 from nbclassroom.autograder.verdict import CaseRun
@@ -28,8 +27,6 @@ from nbclassroom.exercises.page import page_of
 FUNCTION = "control"
 _CASE = "room"
 _CHECK = f"from nbclassroom.autograder.sandbox.inside.drive_cell import explore\n\nexplore({FUNCTION})"
-# A controller that sleeps holds up a whole class: a drive has twice its processor time, not four times.
-_LIMITS = Limits(wall_factor=2.0)
 _factories: list[KernelFactory] = []  # this process's KernelFactory
 
 
@@ -53,7 +50,7 @@ def start(unsafe):
     """Get this process ready for `explore`; it ends with the one that started it."""
     confine.die_with_parent()
     signal.signal(signal.SIGINT, lambda *_: os._exit(1))  # Ctrl-C: no drive is waited for
-    _factories.append(KernelFactory(unsafe=unsafe, limits=_LIMITS))
+    _factories.append(KernelFactory(unsafe=unsafe))
     atexit.register(_factories[0].__exit__)
 
 

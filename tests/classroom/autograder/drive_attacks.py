@@ -55,11 +55,6 @@ attack("two functions instead of two numbers", "def control(o, m): return (lambd
 attack("it changes the observation", "def control(o, m):\n    o.clear(); return 0.0, 0.0")
 attack("SystemExit", "import sys\ndef control(o, m):\n    sys.exit(0)", "raised")
 attack(
-    "it is slow in each look",
-    "import time\ndef control(o, m):\n    e = time.process_time() + 0.3\n    while time.process_time() < e: pass\n    return 0.1, 0.0",
-    "time",
-)
-attack(
     "a look with a timer and a handler of its own",
     in_control(
         """

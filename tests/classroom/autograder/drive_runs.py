@@ -1,12 +1,10 @@
 """Drives in the sandbox, on the plane of `plane_env`, without nbval: for tests and benchmarks."""
 
-import os
 import time
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
-from unittest.mock import patch
 
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.page_kernels import PageKernels
@@ -14,7 +12,7 @@ from nbclassroom.autograder.results import graded_exercise
 from nbclassroom.exercises.kinds.drive.graded import environment
 from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
 from nbclassroom.exercises.page import page_of
-from plane_env import PlaneEnv, course_on_a_plane
+from plane_env import PlaneEnv, driving_on_a_plane
 
 MASTERS = Path(__file__).parent / "driving/masters"
 SCENARIO = {
@@ -50,7 +48,7 @@ class SlowEnv(PlaneEnv):
 def on_the_plane(kind="plane_env:PlaneEnv"):
     """Drives inside of this process are in this environment."""
     environment.cache_clear()
-    with course_on_a_plane(kind) as variables, patch.dict(os.environ, variables):
+    with driving_on_a_plane(kind):
         yield
     environment.cache_clear()
 

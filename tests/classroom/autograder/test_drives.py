@@ -15,6 +15,7 @@ from nbclassroom.autograder.sandbox.bubblewrap import Limits
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 from nbclassroom.exercises.declaration import MasterError
 from nbclassroom.exercises.kinds.drive.draw_scenarios import MARGIN, with_margin
+from nbclassroom.exercises.kinds.drive.drive import LARGE, SLOW
 from nbclassroom.exercises.kinds.drive.kind import scenario_of
 
 pytestmark = pytest.mark.sandbox
@@ -115,13 +116,19 @@ def test_what_ends_a_drive_is_one_sentence_with_line_and_time(drive):
     assert public.message == "one step took more than 0.5 s of processor time, 0.0 s after the start"
 
 
-def test_after_a_drive_that_takes_too_long_no_other_one_begins():
-    """It sleeps, so that only the time of the whole drive ends it."""
-    with KernelFactory(limits=Limits(wall_factor=0, wall_grace=3.0)) as factory, on_the_plane():
-        _, exercise = run_drives(factory, f"import time\n{GOOD}".replace("return", "time.sleep(0.4); return"))
-    public, hidden = exercise.cases
-    assert (public.outcome, hidden.outcome) == ("time", "time")
-    assert public.message.startswith("it did not finish in time, ") and hidden.message == BUDGET_MESSAGE
+@pytest.mark.parametrize(
+    ("line", "outcome", "public", "hidden"),
+    [
+        ("time.sleep(0.08)", "time", f"control() {SLOW}, 1.9 s after the start", BUDGET_MESSAGE),
+        ("m[o['time']] = np.ones(10**8, 'u1')", "memory", f"MemoryError: control() {LARGE}", "MemoryError"),
+        ("time.sleep(600)", "time", "it did not finish in time, 0.0 s after the start", BUDGET_MESSAGE),
+    ],
+)
+def test_a_controller_that_costs_too_much_ends_early_as_in_check(line, outcome, public, hidden):
+    source = f"import time\ndef control(o, m):\n    {line}\n    return 0.25, 0.0"
+    with KernelFactory(limits=Limits(wall_factor=1, wall_grace=1.0)) as factory, on_the_plane():
+        _, exercise = run_drives(factory, source, scenario={"duration": 4000.0})
+    assert [(case.outcome, case.message) for case in exercise.cases] == [(outcome, public), (outcome, hidden)]
 
 
 def test_a_stub_and_an_answer_without_the_function(drive):

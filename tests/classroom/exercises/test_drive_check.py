@@ -222,7 +222,6 @@ def test_what_ends_a_drive_is_said(data, body, sentence, advice):
     ("line", "sentence", "most"),
     [
         ("while time.thread_time() < end: pass", "0.05 s for a step on average: do less in each call", 24),
-        ("time.sleep(0.08)", "0.05 s for a step on average: do less in each call, do not sleep", 24),
         ("if memory['n'] % 2: time.sleep(0.2)", "0.05 s for a step on average", 48),
         ("memory[end] = np.ones(35_000_000, np.uint8)", "takes more than 1 GB of memory: keep only what", 34),
     ],

@@ -74,8 +74,8 @@ class Connection:
     def run_with(self, code, partner):
         """Run a check cell that asks a partner again and again, such as a GradedDrive; returns its CellRun.
 
-        The processor time of all its processes together is limited for each call, and for all. The time that
-        the partner takes is its own: the deadline leaves it out.
+        The time of all its processes together is limited for each call, and for all. The time that the
+        partner takes is its own: the deadlines leave it out.
         """
         run, seconds = CellRun(), partner.cpu_seconds
         case = {"layout": partner.layout, "seconds": partner.call_seconds}
@@ -90,6 +90,7 @@ class Connection:
             seconds_before = partner.seconds
             data = partner.answer(action)
             self._deadline += partner.seconds - seconds_before
+            self._statement_ends = time.monotonic() + self._limits.deadline(partner.call_seconds)
         return run
 
     def run_below(self, name):

@@ -57,10 +57,6 @@ class Kind:
         """Processor time of a case in grading, seconds."""
         return exercise.time_limit * len(case.calls)
 
-    def limit_text(self, exercise):
-        """What an answer did that used too much time, before "s of processor time"."""
-        return f"{exercise.answer_name} used more than {exercise.time_limit:g}"
-
     def simulated_seconds(self, exercise):
         """How long a robot drives in all cases."""
         return 0.0

@@ -16,7 +16,7 @@ import numpy as np
 from nbclassroom.autograder.sandbox.inside import check_cell, shell
 from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
 from nbclassroom.exercises import running
-from nbclassroom.exercises.kinds.drive.drive import speeds_of
+from nbclassroom.exercises.kinds.drive.drive import Cost, speeds_of
 
 
 def drive(control):
@@ -24,6 +24,7 @@ def drive(control):
     case = check_cell.delivered()
     memory: dict = {}
     reply: dict = {}
+    cost = Cost()
     running.set_handler(signal.SIGPROF, check_cell.raise_time_up)
     while True:
         shell.flush()
@@ -31,7 +32,10 @@ def drive(control):
         data = _read(struct.unpack("<I", _read(4))[0])
         if not data:
             return memory
-        reply = _look(control, _observation(data, case["layout"]), memory, case["seconds"])
+        with cost.of_call():
+            reply = _look(control, _observation(data, case["layout"]), memory, case["seconds"])
+        if "speeds" in reply and (excess := cost.excess()):
+            reply = {"excess": excess}
 
 
 def explore(control):

@@ -1,14 +1,18 @@
 """A drive: a scenario in which a learner's `control` drives the robot, and what the robot did, as plain data.
 
-`check` and grading use it. It runs where the environment is, never where the learner's code is. A scenario is
-a dict, see `scenario`; what a drive gives is the dict of `Drive.record`.
+`check` and grading use it: `Drive` where the environment is, `Cost` where the learner's code is. A scenario
+is a dict, see `scenario`; what a drive gives is the dict of `Drive.record`.
 """
 
+import contextlib
 import math
 import numbers
+import os
 import re
 import reprlib
+import time
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -17,6 +21,11 @@ from nbclassroom import course
 STEP = 0.1  # seconds from one observation to the next
 STEP_SECONDS = 0.5  # how long one call of `control` may take
 MEAN_STEP_SECONDS = 0.05  # of processor time, how long it may take on average of a whole drive
+_MOST_SLOW = 20  # steps that take longer than they may while the drive does so on average
+_MOST_MEMORY = 1_000_000_000  # bytes by which this process may grow
+SLOW = f"takes longer than {MEAN_STEP_SECONDS} s for a step on average: do less in each call, do not sleep"
+SLOW += ", or keep results in memory"
+LARGE = "takes more than 1 GB of memory: keep only what later steps need"
 PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
 SENSORS = ("scan", "depth", "image", "odometry")
 DURATION = 40.0  # seconds, of a scenario that does not say it
@@ -172,6 +181,45 @@ class Drive:
         self.observation: dict = course.load(course.drive_observation)(observation)
 
 
+class Cost:
+    """What the calls of a controller have cost in one drive; it is made before the first drive."""
+
+    def __init__(self):
+        self._memory, self._calls, self._seconds, self._slow_calls = _memory(), 0, 0.0, 0
+
+    @contextlib.contextmanager
+    def of_call(self):
+        """Add the call that is made meanwhile, if it returns."""
+        began = _own_seconds()
+        yield
+        seconds = _own_seconds() - began
+        self._calls += 1
+        self._seconds += seconds
+        self._slow_calls += seconds > MEAN_STEP_SECONDS < self._seconds / self._calls
+
+    def excess(self, most_seconds=math.inf):
+        """Why no further call is made, LARGE or SLOW; "" if one is."""
+        if _memory() - self._memory > _MOST_MEMORY:
+            return LARGE
+        return SLOW if self._slow_calls >= _MOST_SLOW or self._seconds > most_seconds else ""
+
+
+def _own_seconds():
+    """A clock that stands still while this thread waits for a processor; seconds."""
+    try:
+        return time.monotonic() - int(Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
+    except (OSError, IndexError):
+        return time.thread_time()
+
+
+def _memory():
+    """The memory of this process, bytes; 0 if the system does not say it."""
+    try:
+        return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    except OSError:
+        return 0
+
+
 def decisive_moment(record):
     """What texts call the moment of a drive that is shown: "the bump", "the nearest place" or "the end"."""
     missed = {name for name, *_ in record["missed"]}
@@ -188,6 +236,12 @@ def steps_of(scenario):
 def seconds_of(scenario):
     """Processor time that a controller has for a whole drive, seconds."""
     return MEAN_STEP_SECONDS * steps_of(scenario)
+
+
+def metrics(record, scenario):
+    """The metrics of a drive that have a threshold, with their units."""
+    values, names = record["metrics"], scenario["thresholds"]
+    return ", ".join(f"{METRICS[name].title} {metric_text(name, values[name])}" for name in names)
 
 
 def passes(record, scenario):

@@ -15,7 +15,7 @@ from .... import course
 from ...case_call import CaseCall
 from ...comparison import Difference
 from ...running import CallResult
-from .drive import METRICS, STEP, STEP_SECONDS, Drive, metric_text, passes, seconds_of, sentences_of, steps_of
+from .drive import LARGE, SLOW, STEP, STEP_SECONDS, Drive, metrics, passes, seconds_of, sentences_of, steps_of
 from .simulators import form_of
 
 _LONGEST = 2_000  # characters of a text from a kernel
@@ -30,13 +30,14 @@ def environment(sensors):
 class GradedDrive:
     """A drive through a scenario that a kernel controls by its messages."""
 
-    def __init__(self, sensors, scenario):
+    def __init__(self, exercise, scenario):
         began = time.monotonic()
-        self._drive, self._scenario = Drive(environment(tuple(sensors)), scenario), scenario
+        self._drive, self._scenario = Drive(environment(tuple(exercise.sensors)), scenario), scenario
         self.layout = self._drive.layout  # (name, dtype, shape) of each array of an observation
         self.cpu_seconds, self.call_seconds = seconds_of(scenario), STEP_SECONDS  # for all its calls, for one
         self.seconds = time.monotonic() - began  # that the robot took
-        self._ending, self._has_begun = None, False
+        self._name, self._ending, self._has_begun = exercise.answer_name, None, False
+        self.is_slow = False  # then other drives are not worth their time
 
     def answer(self, action):
         """The bytes for the kernel after the content of its message "action"; the first one has no speeds."""
@@ -50,17 +51,24 @@ class GradedDrive:
 
     def _act(self, action):
         if "timed_out" in action:
-            self._ending = CallResult(timed_out=True)
-            self._drive.stop(f"one step took more than {STEP_SECONDS:g} s of processor time")
+            self._end(f"one step took more than {STEP_SECONDS:g} s of processor time", timed_out=True)
+        elif action.get("excess") == LARGE:
+            self._end(f"{self._name} {LARGE}", error="MemoryError")
+        elif "excess" in action:
+            self.is_slow = True
+            self._end(f"{self._name} {SLOW}", timed_out=True)
         elif "error" in action:
             texts: dict = {key: str(action.get(key, ""))[:_LONGEST] for key in ("error", "message", "line")}
-            self._ending = call = CallResult(**texts)
-            reason = ": ".join(filter(None, (call.error, call.message)))
-            self._drive.stop(f"{reason} ({call.line})" if call.line else reason)
+            reason = ": ".join(filter(None, (texts["error"], texts["message"])))
+            self._end(f"{reason} ({texts['line']})" if texts["line"] else reason, **texts)
         elif "refused" in action:
             self._drive.stop(str(action["refused"])[:_LONGEST])
         else:
             self._drive.act(action.get("speeds"))
+
+    def _end(self, reason, **fields):
+        self._ending = CallResult(**{"message": reason} | fields)
+        self._drive.stop(reason)
 
     def _observation(self):
         observation = self._drive.observation
@@ -108,12 +116,16 @@ class DriveVerdict:
 
     @property
     def measured(self):
-        """The metrics that have a threshold, with their units."""
-        metrics, thresholds = self.record["metrics"], self.scenario["thresholds"] if self.is_whole else ()
-        return ", ".join(f"{METRICS[name].title} {metric_text(name, metrics[name])}" for name in thresholds)
+        return metrics(self.record, self.scenario) if self.is_whole else ""
 
     def case_calls(self, exercise, case):
-        (expected,) = case.calls
-        result = self.call or CallResult(value=form_of(self.record))
-        difference = None if self.passed else Difference("drive", "", self.sentence)
-        return [CaseCall(case, expected.arguments, expected.result, result, difference, self.record)]
+        return [case_call(case, self.record, self.call or CallResult(value=form_of(self.record)))]
+
+
+def case_call(case, record, result):
+    """The CaseCall of the one drive of a case: its record, and the CallResult of the controller."""
+    (expected,) = case.calls
+    (scenario,) = expected.arguments
+    is_wrong = result.finished and not passes(record, scenario)
+    difference = Difference("drive", "", " ".join(sentences_of(record, scenario))) if is_wrong else None
+    return CaseCall(case, expected.arguments, expected.result, result, difference, record)

@@ -12,10 +12,9 @@ from .drive import (
     METRICS,
     PATH_TOLERANCE,
     SENSORS,
+    SLOW,
     STEP,
-    STEP_SECONDS,
     metric_text,
-    passes,
     question_of,
     seconds_of,
     sentences_of,
@@ -59,9 +58,6 @@ class Kind(AnyKind):
     def seconds_of(self, exercise, case):
         return seconds_of(scenario_of(case))
 
-    def limit_text(self, exercise):
-        return f"one step took more than {STEP_SECONDS:g}"
-
     def simulated_seconds(self, exercise):
         return STEP * sum(steps_of(scenario_of(case)) for case in exercise.cases)
 
@@ -73,7 +69,7 @@ class Kind(AnyKind):
     def partner(self, exercise, case):
         from .graded import GradedDrive
 
-        return GradedDrive(exercise.sensors, scenario_of(case))
+        return GradedDrive(exercise, scenario_of(case))
 
     def progress(self, exercise):
         from ...progress_bar import progress_bar
@@ -171,17 +167,9 @@ def scenario_of(case):
 
 def _judged(exercise, drives):
     """Drives (record, CallResult), one for each case, as a list of CaseCall."""
-    from ...case_call import CaseCall
-    from ...comparison import Difference
+    from .graded import case_call
 
-    calls = []
-    for case, (record, result) in zip(exercise.cases, drives, strict=True):
-        scenario, difference = scenario_of(case), None
-        if result.finished and not passes(record, scenario):
-            difference = Difference("drive", "", " ".join(sentences_of(record, scenario)))
-        (expected,) = case.calls
-        calls.append(CaseCall(case, expected.arguments, expected.result, result, difference, record))
-    return calls
+    return [case_call(case, *drive) for case, drive in zip(exercise.cases, drives, strict=True)]
 
 
 def _drives_of_mistake(exercise, mistake, cases):
@@ -193,7 +181,7 @@ def _drives_of_mistake(exercise, mistake, cases):
 @lru_cache(maxsize=1024)
 def _drive_mistake(exercise, mistake, scenarios):
     from ...percent_script import MasterError
-    from .simulators import SLOW, drive_scenarios
+    from .simulators import drive_scenarios
 
     drives = drive_scenarios(exercise, json.loads(scenarios), lambda: exercise.function_of_mistake(mistake))
     if any(SLOW in record["ended"] or result.timed_out for record, result in drives):

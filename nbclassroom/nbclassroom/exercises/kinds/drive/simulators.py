@@ -6,30 +6,22 @@ They live as long as it. While one computes its next observation, `control` answ
 import atexit
 import contextlib
 import math
-import os
 import pickle
 import select
 import subprocess
 import sys
-import time
 import warnings
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ...canonical import array_of, canonical
 from ...running import CallResult, LimitedOutput, call_within, failure_fields
-from .drive import MEAN_STEP_SECONDS, PATH_TOLERANCE, STEP, STEP_SECONDS, seconds_of, speeds_of, steps_of
+from .drive import PATH_TOLERANCE, STEP, STEP_SECONDS, Cost, seconds_of, speeds_of, steps_of
 
 _SIMULATORS = 2
 _SHOWN_STEPS = 20  # between two states of the progress bar
-_MOST_SLOW = 20  # steps that take longer than they may while the drive does so on average
-_MOST_MEMORY = 1_000_000_000  # bytes by which this process may grow
-SLOW = f"takes longer than {MEAN_STEP_SECONDS} s for a step on average: do less in each call, do not sleep"
-SLOW += ", or keep results in memory"
-_LARGE = "takes more than 1 GB of memory: keep only what later steps need"
 _KEPT_LINES = 13  # of what a drive prints: one more than is shown
 _PLACE_PERIOD = 5  # steps between two places of a path that is stored or compared
 
@@ -101,40 +93,15 @@ def _all_simulators():
         raise
 
 
-def _own_seconds():
-    """A clock that stands still while this thread waits for a processor; seconds."""
-    try:
-        return time.monotonic() - int(Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
-    except (OSError, IndexError):
-        return time.thread_time()
-
-
-def _memory():
-    """The memory of this process, bytes; 0 if the system does not say it."""
-    try:
-        return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
-    except OSError:
-        return 0
-
-
-@dataclass
-class _Burden:
-    """What all drives of a check cost; `excess` says why none of them goes on, "" if they do."""
-
-    memory: int = field(default_factory=_memory)  # before
-    excess: str = ""
-
-
 @dataclass
 class _Run:
     """One drive of a `control`: what it was told, what it printed, and why it failed."""
 
     control: Any  # the function; None after all drives cost too much
     scenario: dict
-    burden: _Burden
+    excess: list  # why no drive of this check goes on; empty if they do
     memory: dict = field(default_factory=dict)
-    seconds: float = 0.0  # of all its calls
-    slow_steps: int = 0
+    cost: Cost = field(default_factory=Cost)
     prints: list = field(default_factory=list)  # (seconds after the start, LimitedOutput) of each call
     warning: str = ""
     failure: dict = field(default_factory=dict)
@@ -142,7 +109,7 @@ class _Run:
 
     def answer(self, observation, name):
         """The request to the simulator after an observation."""
-        if self.burden.excess:
+        if self.excess:
             return self._end()
         try:
             speeds = self._call(observation)
@@ -151,11 +118,8 @@ class _Run:
         except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
             self.failure = failure_fields(error, self.control)
             return "stop", _reason(self.failure, name)
-        if _memory() - self.burden.memory > _MOST_MEMORY:
-            self.burden.excess = f"{name} {_LARGE}"
-        elif self.slow_steps >= _MOST_SLOW or self.seconds > seconds_of(self.scenario):
-            self.burden.excess = f"{name} {SLOW}"
-        if self.burden.excess:
+        if excess := self.cost.excess(seconds_of(self.scenario)):
+            self.excess.append(f"{name} {excess}")
             return self._end()
         try:
             return "act", *speeds_of(speeds)
@@ -165,18 +129,15 @@ class _Run:
     def _end(self):
         """The last request, because the drives of this check cost too much; frees what it keeps."""
         self.control, self.memory = None, {}
-        return "stop", self.burden.excess
+        return "stop", self.excess[0]
 
     def _call(self, observation):
-        began, output = _own_seconds(), LimitedOutput()
+        output = LimitedOutput()
         self.prints.append((observation["time"], output))
         with warnings.catch_warnings(record=True) as caught_warnings:
             warnings.simplefilter("always")
-            with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
+            with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output), self.cost.of_call():
                 speeds = call_within(lambda: self.control(observation, self.memory), STEP_SECONDS)
-        seconds = _own_seconds() - began
-        self.seconds += seconds
-        self.slow_steps += seconds > MEAN_STEP_SECONDS < self.seconds / len(self.prints)
         self.warning = self.warning or (str(caught_warnings[0].message) if caught_warnings else "")
         return speeds
 
@@ -213,8 +174,8 @@ def drive_scenarios(exercise, scenarios, make_control, progress=None):
     `make_control` gives a `control` for each: its globals are its own. `progress` takes the share that was
     driven, 0 to 1, now and then.
     """
-    burden = _Burden()
-    runs = [_Run(make_control(), scenario, burden) for scenario in scenarios]
+    excess: list[str] = []
+    runs = [_Run(make_control(), scenario, excess) for scenario in scenarios]
     waiting, steps = list(runs), 0
     driving: dict[_Simulator, _Run] = {}
     total = sum(map(steps_of, scenarios))
