@@ -2,11 +2,10 @@
 
 import contextlib
 import math
-import os
 import re
-import signal
 import textwrap
 
+import psutil
 import pytest
 from jupyter_page import NotebookPage, write_notebook
 from playwright.sync_api import Error
@@ -212,13 +211,22 @@ def test_without_its_page_or_its_kernel_the_robot_stops_and_the_notebook_goes_on
 
         hold_a_key(page)
         (kernel,) = (user for user in camera.other_users if "drive.ipynb" in user)
-        os.kill(int(re.search(r"pid (\d+)", kernel)[1]), signal.SIGKILL)
+        process = psutil.Process(int(re.search(r"pid (\d+)", kernel)[1]))
+        command = process.cmdline()  # it names the kernel's connection file
+        process.kill()
         page.wait_until(stands_still, timeout=60)
         page.page.keyboard.up("ArrowLeft")
 
-        page.page.locator(
-            ".jp-Dialog button", has_text="Ok"
-        ).click()  # JupyterLab has started the kernel again
+        def is_started_again():
+            others = (other for other in psutil.process_iter(["cmdline"]) if other.pid != process.pid)
+            return any(other.info["cmdline"] == command for other in others)
+
+        # JupyterLab says so in a dialog, but not if the page was not connected at that moment.
+        button = page.page.locator(".jp-Dialog button", has_text="Ok")
+        page.page.add_locator_handler(button, button.click)
+        page.wait_until(is_started_again, timeout=60)
+        page.page.evaluate("window.jupyterapp.commands.execute('kernelmenu:reconnect-to-kernel')")
+        page.page.locator(".jp-StatusBar-Left", has_text="| Idle").wait_for()
         page.run_cell(0)
         hold_a_key(page)
         page.page.keyboard.up("ArrowLeft")
