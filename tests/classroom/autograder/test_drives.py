@@ -284,6 +284,11 @@ def test_a_key_names_the_case_that_no_draw_fits(key_of):
         key_of(hidden=FIXED.replace("30", "16"), mistake=right)
     with pytest.raises(MasterError, match=r"none of 20 drawn .*the stub passes\. Change"):
         key_of(hidden=FIXED.replace("30", "16"), stub='(observation["scan"][0] > 0.6) / 4, 0.0')
+    slow = MISTAKE.replace("return", "__import__('time').sleep(0.08)\n    return")
+    with pytest.raises(
+        MasterError, match=r"plane-drive: mistake 'it is blind': control\(\) takes longer than"
+    ):
+        key_of(mistake=slow)
     near = DRAWN.replace("5, 30", "4, 9")
     with pytest.raises(
         MasterError,

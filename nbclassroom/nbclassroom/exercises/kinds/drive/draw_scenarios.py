@@ -11,7 +11,7 @@ from dataclasses import replace
 from tqdm import tqdm
 
 from nbclassroom.exercises.declaration import MasterError
-from nbclassroom.exercises.kinds.drive.drive import SLOW, passes, sentences_of
+from nbclassroom.exercises.kinds.drive.drive import LARGE, SLOW, passes, sentences_of
 from nbclassroom.exercises.kinds.drive.graded import GradedDrive
 from nbclassroom.exercises.kinds.drive.simulators import drive_scenarios
 from nbclassroom.exercises.lesson import ExpectedCall
@@ -88,14 +88,15 @@ def is_passed_by_repeating(exercise, drives, scenario):
 
 
 def drive_wrong_answers(exercise, case, scenario):
-    """{mistake, "" for the stub: (record, CallResult)} in a case. MasterError: one is too slow."""
+    """{mistake, "" for the stub: (record, CallResult)} in a case. MasterError: one costs too much."""
     controls = {"": exercise.function_of(exercise.stub, "stub")} if case.hidden else {}
     controls |= {mistake.name: exercise.function_of_mistake(mistake) for mistake in exercise.mistakes}
     waiting = iter(controls.values())
     drives = drive_scenarios(exercise, [scenario] * len(controls), lambda: next(waiting))
     for name, (record, result) in zip(controls, drives, strict=True):
-        if SLOW in record["ended"] or result.timed_out:
-            raise MasterError(f"{exercise.id}: {name or 'the stub'} was too slow; use an idle machine")
+        if result.timed_out or record["ended"].endswith((SLOW, LARGE)):
+            name = f"mistake {name!r}" if name else "the stub"
+            raise MasterError(f"{exercise.id}: {name}: {record['ended']}; make the key on an idle machine")
     return dict(zip(controls, drives, strict=True))
 
 
