@@ -19,4 +19,4 @@ def names_of_answer(exercise, source):
     run.run_to([len(page["cells"]), 0])
     for name in [name for name, value in names.items() if is_missing(value)]:
         del names[name]
-    return names, next((f"{error.name}: {error.text}" for error in run.errors), "")
+    return names, next((f"{name}: {text}" for _, name, text in run.errors), "")

@@ -8,7 +8,7 @@ HTML: what the notebook's `check` would show.
 """
 
 import builtins
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, is_dataclass, replace
 from itertools import chain
 
 import msgspec
@@ -101,7 +101,12 @@ class GradedSubmission:
 
 def to_json(result):
     """A GradedSubmission, or a part of one, as data for json.dumps."""
-    return msgspec.json.decode(msgspec.json.encode(result))
+    # dataclasses.asdict would copy every value too, which takes much longer; msgspec keeps tuples.
+    if isinstance(result, tuple):
+        return [to_json(part) for part in result]
+    if is_dataclass(result):
+        return {name: to_json(value) for name, value in vars(result).items()}
+    return result
 
 
 def from_json(data):

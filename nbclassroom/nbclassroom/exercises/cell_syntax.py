@@ -35,11 +35,12 @@ _PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
 _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
 _INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]+)(?=\S)")  # of a whole cell: Jupyter drops it
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
-# Whether a call belongs to a program which runs by itself.
-_IN_PROGRAMS = re.compile(
-    r"\.?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)|main|input|(plt|pyplot)\.show"
-    r"|(cv2\.)?(imshow|waitKey\w{0,9})"
-).fullmatch
+# Calls that belong to a program which runs by itself: those that never come to an end, or come once in a
+# process, and those that wait for a person.
+_ENDLESS_CALLS = re.compile(r"\.?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)")
+_WAITING_CALLS = re.compile(
+    rf"{_ENDLESS_CALLS.pattern}|main|input|(plt|pyplot)\.show|(cv2\.)?(imshow|waitKey\w{{0,9}})"
+)
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
@@ -209,7 +210,7 @@ def program_lines(source, *, is_main=True):
     """
     try:
         body = [part for statement in top_level(source) for part in _parts_to_name(statement, is_main)]
-        statements = _statements_of_program(body)
+        statements = _statements_that_call(body, _WAITING_CALLS)
         return [[statement.lineno, ast.unparse(statement).split("\n")[0]] for statement in statements]
     except UNPARSABLE:
         return []
@@ -225,7 +226,7 @@ def _parts_to_name(statement, is_main):
     return [statement]
 
 
-def _statements_of_program(statements):
+def _statements_that_call(statements, calls):
     """The statements that loop without an end or make such calls, directly or through what they define."""
     nodes = [node for statement in statements for node in ast.walk(statement)]
     called = {node: _names_called(node) for node in nodes if isinstance(node, _DEFINITIONS)}
@@ -233,7 +234,7 @@ def _statements_of_program(statements):
     names, count = {"while"}, -1
     while len(names) > count:
         count = len(names)
-        meant = {node for node, own in called.items() if own & names or any(map(_IN_PROGRAMS, own))}
+        meant = {node for node, own in called.items() if own & names or any(map(calls.fullmatch, own))}
         own_names = {node.name for node in meant if isinstance(node, _DEFINITIONS)}
         names |= own_names | {f".{name}" for name in own_names}
     return [node for node in statements if node in meant and not isinstance(node, _DEFINITIONS)]
@@ -250,6 +251,14 @@ def _names_called(node):
             ends = (ast.Break, ast.Return, ast.Raise, ast.Yield)
             names |= set() if any(isinstance(inner, ends) for inner in ast.walk(part)) else {"while"}
     return names
+
+
+def endless_statements(statements):
+    """The numbers of those of a cell's statements that never come to an end."""
+    with contextlib.suppress(*UNPARSABLE):
+        endless = _statements_that_call(statements, _ENDLESS_CALLS)
+        return [number for number, statement in enumerate(statements) if statement in endless]
+    return []
 
 
 def cached_if_short(function):

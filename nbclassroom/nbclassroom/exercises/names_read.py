@@ -42,7 +42,8 @@ class NamesRead:
 
     def __init__(self, answer, runs=None):
         self._namespace, self._runs = globals_of(answer), runs or CellRuns()
-        self.names, self.modules = {}, {}
+        self.names: dict = {}
+        self.modules: dict[str, str] = {}
         files = {code.co_filename for code in codes_of(answer).values()}
         sources = ("".join(linecache.getlines(file)) for file in files)
         self._own = [names for source in sources for names in names_used(plain_python(source))]

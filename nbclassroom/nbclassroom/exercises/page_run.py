@@ -13,7 +13,6 @@ import linecache
 import os
 import sys
 import time
-from dataclasses import dataclass
 from pathlib import Path
 
 from . import running
@@ -59,15 +58,6 @@ for _name in _OPERATORS.split():
     setattr(Missing, _name, Missing._refuse)
 
 
-@dataclass(frozen=True)
-class StatementError:
-    """A statement that failed: the number of its cell, the type and text of the exception."""
-
-    cell: int
-    name: str
-    text: str
-
-
 class PageRun:
     """A page that runs in a namespace.
 
@@ -83,7 +73,7 @@ class PageRun:
         self._cells, self._names, self._tell = page["cells"], names, tell
         self._left_out = {tuple(place) for place in page["left_out"]}
         self._skip = {tuple(place) for place in skip}
-        self.errors = []  # StatementErrors
+        self.errors = []  # of statements: (number of the cell, type and text of the exception)
         self._seconds = dict.fromkeys(TOGETHER_SECONDS, 0.0)
         self._place, self._flags, self._process = [0, 0], ast.PyCF_ALLOW_TOP_LEVEL_AWAIT, _process()
         self._statements = [self._read(number, cell) for number, cell in enumerate(self._cells)]
@@ -100,7 +90,7 @@ class PageRun:
         try:
             return ast.parse(source, file).body
         except UNPARSABLE as error:
-            self.errors.append(StatementError(number, type(error).__name__, str(error)))
+            self.errors.append((number, type(error).__name__, str(error)))
             return []
 
     def adopt_process(self):
@@ -196,7 +186,7 @@ class PageRun:
     def _note(self, node, number, error):
         name = running.error_name(error)
         text = running.attempt(lambda: str(error), "")[:2_000]
-        self.errors.append(StatementError(number, name, text))
+        self.errors.append((number, name, text))
         for bound in names_of(node).binds:
             if bound == "*" or bound in self._names or hasattr(builtins, bound):
                 continue

@@ -2,7 +2,6 @@
 
 import ast
 import re
-import types
 from pathlib import Path
 
 from .error_advice import read_phrases
@@ -20,7 +19,7 @@ def remarks_on_source(function, errors=(), unheeded=()):
     end in time. `unheeded` are the forms of remarks that the right answer does not heed: they are not made.
     """
     tree = next(iter(_body(source_of(function))), None)
-    remarks = [] if tree is None else _remarks(tree, errors, _helpers(function))
+    remarks = [] if tree is None else _remarks(tree, errors)
     return [text for text in remarks if _form_of(text, tree) not in unheeded]
 
 
@@ -33,19 +32,20 @@ def unheeded_remarks(source, name):
 
 def _form_of(remark, tree):
     """A remark without the names that an answer chose itself: those that it stores."""
-    names = {ast.unparse(node) for node in ast.walk(tree) if _is_store(node)}
+    nodes = (node for node in ast.walk(tree) if isinstance(node, ast.Name))
+    names = {node.id for node in nodes if isinstance(node.ctx, ast.Store)}
     return re.sub(r"[^\W\d]\w*", lambda match: "_" if match[0] in names else match[0], remark)
 
 
-def _remarks(tree, errors, helpers=()):
-    remarks = [text for part in (tree, *helpers) for text in _ended_loops(part)]
-    functions = tree.body if isinstance(tree, ast.ClassDef) else [tree]
-    for part in functions:
-        remarks += _remarks_on_function(part) if isinstance(part, ast.FunctionDef) else []
+def _remarks(tree, errors):
+    parts = tree.body if isinstance(tree, ast.ClassDef) else [tree]
+    functions = [part for part in parts if isinstance(part, ast.FunctionDef)]
+    remarks = [text for function in functions for text in _remarks_on_function(function)]
     if isinstance(tree, ast.FunctionDef):
         remarks += _why_none(tree) if "None" in errors else []
         remarks += _unused(tree) if errors else []
-        remarks += _why_endless(tree) if "TimeUp" in errors else []
+        has_loop = any(isinstance(node, ast.While) for node in ast.walk(tree))
+        remarks += [SAYS["endless while"]] if "TimeUp" in errors and has_loop else []
     if "IndexError" in errors:
         remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
     return list(dict.fromkeys(remarks))
@@ -61,41 +61,12 @@ def has_done(source, sentence):
     return bool(advised) and all(code in source for code in advised)
 
 
-def _helpers(function):
-    """The trees of the functions that a function calls by name, and that stand in its file."""
-    code = getattr(function, "__code__", None)
-    names, file = (code.co_names, code.co_filename) if code else ((), "")
-    for name in names:
-        helper = function.__globals__.get(name)
-        if isinstance(helper, types.FunctionType) and helper.__code__.co_filename == file:
-            yield from (tree for tree in _body(source_of(helper))[:1] if isinstance(tree, ast.FunctionDef))
-
-
 def _body(source):
     """The statements of a source; [] if it does not parse by itself, such as a part of a line."""
     try:
         return ast.parse(source).body
     except (SyntaxError, ValueError):
         return []
-
-
-def _ended_loops(tree):
-    """Loops that end in their first round."""
-    for loop in ast.walk(tree):
-        if not isinstance(loop, ast.For):
-            continue
-        line = ast.unparse(loop).splitlines()[0].removesuffix(":")
-        end = _end_of(loop.body)
-        if end and not any(isinstance(node, ast.Continue) for node in ast.walk(loop)):
-            yield SAYS["end inside a loop"].format(line=line, end=end)
-
-
-def _end_of(body):
-    """ "return" or "break" if each way through a block ends with it; else "" """
-    last = body[-1]
-    if isinstance(last, ast.If) and last.orelse:
-        return _end_of(last.body) and _end_of(last.orelse)
-    return {ast.Return: "return", ast.Break: "break"}.get(type(last), "")
 
 
 def _why_none(tree):
@@ -106,20 +77,12 @@ def _why_none(tree):
         yield SAYS["way without return"].format(name=tree.name)
 
 
-def _why_endless(tree):
-    if any(isinstance(node, ast.While) for node in ast.walk(tree)):
-        yield SAYS["endless while"]
-
-
 def _unused(tree):
-    read = _names(tree) | {"memory"}  # of a controller, which needs none
+    read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    read |= {"memory"}  # of a controller, which needs none
     for argument in tree.args.args:
         if argument.arg not in read:
             yield f"{tree.name}() does not use what it gets: {argument.arg}."
-
-
-def _names(tree):
-    return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
 
 
 def _reaches_end(body):
@@ -129,10 +92,6 @@ def _reaches_end(body):
     if isinstance(last, ast.With):
         return _reaches_end(last.body)
     return not isinstance(last, ast.Return | ast.Raise | ast.While | ast.Try | ast.Match)
-
-
-def _is_store(node):
-    return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
 
 
 def _remarks_on_function(tree):

@@ -48,37 +48,6 @@ def test_a_source_that_is_not_known_gives_no_remark():
     assert remarks_on_source(len) == []
 
 
-@pytest.mark.parametrize(
-    ("body", "loop", "end"),
-    [
-        ("for t in a:\n        b += t\n        return b", "for t in a", "return"),
-        ("for t in a:\n        if t: return b\n        else: return t", "for t in a", "return"),
-        ("for t in a:\n        for s in t:\n            b += s\n            break", "for s in t", "break"),
-    ],
-)
-def test_a_loop_that_ends_in_its_first_round(body, loop, end):
-    (remark,) = remarks(f"def f(a, b):\n    {body}\n    return b\n")
-    assert remark.startswith(f"The loop {loop} ends in its first round, because {end} stands inside it.")
-
-
-@pytest.mark.parametrize(
-    "body",
-    [
-        "for t in a:\n        if t: return t",
-        "for t in a:\n        if not t: continue\n        return t",
-        "while a:\n        return b",
-    ],
-)
-def test_a_loop_that_may_go_on_gets_no_remark(body):
-    assert remarks(f"def f(a, b):\n    {body}\n    return b\n") == []
-
-
-def test_a_loop_in_another_function_of_the_cell_gets_the_remark():
-    helper = "def g(a):\n    for t in a:\n        return t\n"
-    (remark,) = remarks(f"{helper}def f(a):\n    return g(a)\n")
-    assert remark.startswith("The loop for t in a ends in its first round")
-
-
 def test_why_a_none_was_returned():
     source = "def f(a):\n    if a > 3:\n        return a\n"
     (remark,) = remarks(source, {"None"})

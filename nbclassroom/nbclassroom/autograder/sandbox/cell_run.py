@@ -18,7 +18,7 @@ class CellRun:
     answers: list = field(default_factory=list)  # what check cells showed: the data of our MIME type
     error: tuple = ("", "")  # type and text of the exception that ended the cell
     printed: str = ""  # the first part of it
-    errors: list = field(default_factory=list)  # of a page: [number of a cell, type, text] of a statement
+    errors: list = field(default_factory=list)  # of a page: (number of a cell, type, text) of a statement
     place: tuple = ()  # of a page: the statement that ran last
     status: dict = field(default_factory=dict)  # of a process that was forked: how it ended
 
@@ -36,9 +36,7 @@ class CellRun:
         elif kind == "at":
             self.place = tuple(map(int, content["place"]))
         elif kind == "errors":
-            self.errors = [
-                (int(one["cell"]), _text(one["name"]), _text(one["text"])) for one in content["errors"]
-            ]
+            self.errors = [(int(cell), _text(name), _text(text)) for cell, name, text in content["errors"]]
         elif kind == "ended":
             self.status = {name: float(content[name]) for name in ("signal", "code", "cpu")}
         else:

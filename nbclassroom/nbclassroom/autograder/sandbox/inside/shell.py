@@ -218,9 +218,8 @@ class _Server:
             self._page_run.run_to(request["to"])
         else:
             self._find_below(request["below"])
-        errors = [vars(error) for error in self._page_run.errors]
         flush()
-        WRITER.send("errors", errors=errors[:_MOST_ERRORS])
+        WRITER.send("errors", errors=self._page_run.errors[:_MOST_ERRORS])
         self._finish()
 
     def _find_below(self, name):
