@@ -124,9 +124,8 @@ def test_keys_buttons_and_gamepad_drive_while_they_are_held(page):
     wait_for(page, lambda x, y, yaw, v, w: math.dist(start, (x, y)) > 0.4)
     page.page.evaluate(GAMEPAD, [0.0, 0.0])
     wait_for_stop(page)
-    assert (
-        abs((numbers(page)[2] - heading + 180) % 360 - 180) < 12
-    )  # degrees; without a dead zone it turns by 26
+    turned = (numbers(page)[2] - heading + 180) % 360 - 180
+    assert abs(turned) < 12  # degrees; without a dead zone it turns by 26
 
 
 def test_a_bump_is_said_and_restart_begins_again(page):
