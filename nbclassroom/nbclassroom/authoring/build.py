@@ -163,7 +163,7 @@ def lesson_notebook(master, *, solved=False):
         if cell.kind == "code":
             cells.append(new_code_cell(source, id=cell.id, metadata=_cell_metadata(cell)))
         else:
-            cells.append(new_markdown_cell(source, id=cell.id))
+            cells.append(new_markdown_cell(source, id=cell.id, metadata=_cell_metadata(cell)))
     lesson_metadata = {
         "lesson": master.name,
         "title": master.title,

@@ -6,7 +6,7 @@ texts/<lesson>.json holds {name of a figure: its "caption" and "alt"}, and its q
 
 import hashlib
 import json
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 from .. import course
 from ..exercises.canonical import array_of, canonical
@@ -28,7 +28,7 @@ from .learner_files import TEXTS
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 # Fields of an Exercise that no checks file has as they are, and those that only some have.
 _LEFT_OUT = ("id", "mistakes", "master", "preparation", "solution", "explanation", "helpers")
-_FOR_SOME = {"subject": "function", "sensors": (), "unheeded": ()}
+_FOR_SOME = {"function": "", "subject": "function", "sensors": (), "unheeded": (), "rubric": ()}
 
 
 def lesson_files(master):
@@ -39,7 +39,9 @@ def lesson_files(master):
         texts = {name: {"caption": caption, "alt": alt} for name, (caption, alt) in master.texts.items()}
         files[f"{TEXTS}/{master.name}.json"] = _text_of(texts | master.questions)
     if master.exercises:
-        stored = {exercise.id: stored_exercise(check_data_of(exercise)) for exercise in master.exercises}
+        # Rubrics are with the solutions: learners compare their answers with both.
+        as_learners_get = [replace(check_data_of(exercise), rubric=()) for exercise in master.exercises]
+        stored = {exercise.id: stored_exercise(exercise) for exercise in as_learners_get}
         files |= exercise_files(master, stored)
     return files
 
@@ -61,6 +63,7 @@ def exercise_files(master, stored, **about):
     checks = "{\n" + ",\n".join(f"{_dumps(name)}: {text}" for name, text in parts.items()) + "\n}\n"
     solutions = {
         exercise.id: {"code": exercise.solution, "explanation": exercise.explanation}
+        | ({"rubric": exercise.rubric} if exercise.rubric else {})
         for exercise in master.exercises
     }
     solutions_text = _text_of({"format": FORMAT, "lesson": master.name, "solutions": solutions})

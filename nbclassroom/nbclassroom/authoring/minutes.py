@@ -88,7 +88,7 @@ def read_sections(cells):
     section = core = Section()
     sections, deeper, deeper_level, stub = [section], [], 0, ""
     for cell in cells:
-        for part in _PART.split(cell.source) if cell.kind == "markdown" else ():
+        for part in _PART.split(cell.source) if cell.kind == "markdown" and cell.role != "solution" else ():
             heading = _HEADING.match(part)
             if heading and len(heading[1]) <= deeper_level:
                 section, deeper_level = core, 0
@@ -103,7 +103,7 @@ def read_sections(cells):
                 _code_lines(block).total() for block in _TERMINAL.findall(part)
             )
         stub = cell.source if cell.role == "answer" else stub
-        section.counts.update(_counts_of_code(cell, stub) if cell.kind == "code" else {})
+        section.counts.update(_counts_of_code(cell, stub) if cell.kind == "code" or cell.role else {})
         deeper.append(section.deeper)
     return sections, deeper
 
@@ -114,7 +114,7 @@ def _counts_of_code(cell, stub):
         return {"predictions": 1}
     if cell.role == "answer":
         return {"exercises": 1}
-    if cell.role == "solution":
+    if cell.role == "solution" and cell.kind == "code":
         return {"solution lines": (_code_lines(cell.source) - _code_lines(stub)).total()}
     if cell.role not in ("", "given") or cell.source.startswith(CHECK_LINE):
         return {}

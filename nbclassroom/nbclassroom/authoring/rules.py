@@ -36,6 +36,9 @@ def master_problems(master):
 
 def _exercise_rules(exercise):
     """(whether an exercise breaks the rule, the problem) of each rule."""
+    if exercise.kind.graded_by_person:
+        yield not exercise.solution.strip(), 'needs a model answer, in its role="solution" cell'
+        return
     hints = exercise.hints
     yield not exercise.public, 'has no role="case"; without one, `check` has nothing to run'
     yield not exercise.hidden, 'has no role="hidden"; an answer could copy the public values'

@@ -33,17 +33,20 @@ class CheckInterrupted(KeyboardInterrupt):
         return ["The check was interrupted. Run its cell again: it drives from the start."]
 
 
-def check(exercise_id: str, function: Callable) -> CheckResult | Help:
+def check(exercise_id: str, function: Callable | None = None) -> CheckResult | Help:
     """Check an answer: show what is right, what is wrong, and where to look.
+
+    Of a written answer, which a person grades, it shows what to compare it with.
 
     Parameters
     ----------
     exercise_id : str, as the lesson names it: "grayscale-luma"
-    function : the learner's function or class itself, `luma`, not a call of it
+    function : the learner's function or class itself, `luma`, not a call of it; none for a written answer
 
     Returns
     -------
-    CheckResult, which a notebook shows; programs use `.passed` and `.results`. Help: the exercise is gone
+    CheckResult, which a notebook shows; programs use `.passed` and `.results`. Help: the exercise is gone, or
+    its answer is written
 
     Raises
     ------
@@ -56,6 +59,8 @@ def check(exercise_id: str, function: Callable) -> CheckResult | Help:
         if progress_of(exercise_id) == ExerciseProgress():
             raise
         return Help(f"{exercise_id} is no longer in the course. Your answer and your progress are kept.")
+    if exercise.kind.graded_by_person:
+        return with_last_resort(exercise_id, lambda: exercise.kind.look_at(exercise), Help)
     if not exercise.kind.can_be_answer(function):
         noun = exercise.kind.noun
         raise TypeError(

@@ -16,7 +16,7 @@ _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
 def exercise(
     id: str,
     *,
-    function: str,
+    function: str = "",
     subject: str = "function",
     sensors: tuple[str, ...] = (),
     title: str = "",
@@ -30,6 +30,8 @@ def exercise(
     hints: tuple[str, ...] = (),
     explanation: str = "",
     another_way: str = "",
+    points: int = 0,
+    rubric: tuple[tuple[str, int], ...] = (),
 ) -> dict:
     """Declare an exercise, in a master's `role="exercise"` cell.
 
@@ -45,7 +47,8 @@ def exercise(
     subject : str, what the answer is: "function", or "node", the class of a ROS 2 node, which is driven as
         each case says with its arguments (part, steps), see `node.feed`, or "package", a function that
         returns the files of a ROS 2 package, see `package.feed`, or "drive", a function
-        control(observation, memory) that returns two speeds; each case gives one scenario, see `drive`
+        control(observation, memory) that returns two speeds; each case gives one scenario, see `drive`, or
+        "written": text, or a figure, which a person grades; it has no function and no case
     sensors : tuple of str, what `control` observes: some of `drive.SENSORS`
     time_limit : float, seconds, for one call of the function; for that of a controller, see `drive`
     allowed : tuple of str, modules that the answer may use beside NumPy and the standard library ("scipy",
@@ -60,6 +63,9 @@ def exercise(
     hints : tuple of str, the steps of `hint(id)`, from a question to nearly the code
     explanation : str, what `solution(id)` says below the code: why it is written in this way
     another_way : str, one sentence: how a right answer could be written differently
+    points : int > 0, of a written answer
+    rubric : tuple of (text, points), of a written answer: what to look for. A line with points < 0 takes
+        them away; those with points > 0 give `points` or more
 
     Returns
     -------
@@ -85,6 +91,7 @@ def exercise(
         "exact_type": bool(exact_type),
         "practice": bool(practice),
         "hints": tuple(hints),
+        "rubric": tuple(map(tuple, rubric)),
     }
 
 
@@ -94,11 +101,12 @@ def _is_module(name):
     return package.isidentifier() and (inner.isidentifier() if package == course.package else not inner)
 
 
-def _declaration_rules(function, subject, sensors, time_limit, tolerance, allowed, hints, **_others):
+def _declaration_rules(
+    function, subject, sensors, time_limit, tolerance, allowed, hints, points, rubric, **_others
+):
     """(whether an argument is wrong, what is wrong with it) of each rule."""
-    is_name = isinstance(function, str) and function.isidentifier()
-    yield not is_name, f"function={function!r}, expected the name of a function"
     yield subject not in NAMES, f"subject={subject!r}, expected {' or '.join(map(repr, NAMES))}"
+    yield from kind_of(subject).declaration_rules(function, points, rubric)
     known = kind_of(subject).sensors
     are_sensors = not isinstance(sensors, str) and {*sensors} <= {*known}
     expected = f"a tuple with some of {', '.join(known)}" if known else "none"
@@ -202,12 +210,21 @@ def _assemble(path, heading, cells):
         if len(cells_by_role[role]) != 1:
             place = f"{path.name}: exercise {heading['id']}"
             raise MasterError(f'{place} needs one role="{role}" cell, found {len(cells_by_role[role])}')
+    kind = kind_of(heading["subject"])
+    for cell in cells_by_role["answer"] + cells_by_role["solution"]:
+        if cell.kind not in kind.cell_kinds:
+            text = f"a {cell.role} cell is a {cell.kind} cell; here a role needs a {kind.cell_kinds[0]} cell"
+            raise MasterError(f"{cell.place}: {text}")
     cases, hidden = (
         [_case(heading, cell, number) for number, cell in enumerate(cells_by_role[role], 1)]
         for role in ("case", "hidden")
     )
+    if kind.graded_by_person:
+        points = 0 if heading["practice"] else heading["points"]
+        cases = [Case(f"case-{heading['id']}-1", "graded by a person", points, "", 0.0)]
+    left_out = ("hint", "tolerance", "points")
     return Exercise(
-        **{name: value for name, value in heading.items() if name not in ("hint", "tolerance")},
+        **{name: value for name, value in heading.items() if name not in left_out},
         master=path,
         given=tuple(cell.source for cell in cells_by_role["given"]),
         stub=cells_by_role["answer"][0].source,

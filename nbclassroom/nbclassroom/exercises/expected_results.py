@@ -32,6 +32,8 @@ def with_results(exercise, cases, solve, results_of):
     `solve(exercise, case)` gives ExpectedCalls; `results_of(exercise, mistake, cases)`, of cases that have
     them, gives {id of a case: CallResults}. MasterError: the solution or a case fails.
     """
+    if exercise.kind.graded_by_person:
+        return replace(exercise, cases=cases)
     solution = exercise.function_of(exercise.solution, "solution")
     names, provided = exercise.kind.argument_names(solution), sorted(exercise.namespace())
     unheeded = unheeded_remarks(exercise.solution, exercise.function)

@@ -65,7 +65,7 @@ class Exercise:
 
     id: str
     title: str = ""
-    function: str
+    function: str = ""
     subject: str = "function"
     sensors: tuple[str, ...] = ()
     names: tuple[str, ...] = ()
@@ -82,6 +82,7 @@ class Exercise:
     hints: tuple[str, ...] = ()
     another_way: str = ""
     exact_type: bool = False
+    rubric: tuple[tuple[str, int], ...] = ()  # (what to look for, points), where a person grades
     cases: tuple[Case, ...] = ()
     mistakes: tuple[Mistake, ...] = ()
     master: Any = None  # the Path of the file that it was read from

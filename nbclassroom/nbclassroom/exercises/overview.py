@@ -10,6 +10,7 @@ from pathlib import Path
 
 from .. import course
 from .check_files import DAMAGED, CheckFileError, checks_folders, read_check_file
+from .kinds import kind_of
 from .progress import read_progress
 
 _LESSON_FILE = re.compile(r"(\d\d)_[a-z0-9_]+\.ipynb")
@@ -33,6 +34,7 @@ class LessonProgress:
     passed: tuple[str, ...]
     points: int = 0  # of those that have passed, without hidden checks
     is_counted: bool = True  # in the hours: it is in the course, and not optional
+    written: tuple[bool, ...] = ()  # of each written answer, whether its learner has compared it
 
     @property
     def number(self):
@@ -90,6 +92,8 @@ class Overview:
         whole = _time(sum(lesson.minutes for lesson in counted))
         core = _time(sum(lesson.core_minutes for lesson in counted))
         passed = f"{self.passed} of {self.exercises} exercises passed"
+        if written := [is_compared for lesson in self.lessons for is_compared in lesson.written]:
+            passed += f", {sum(written)} of {len(written)} written answers compared"
         return f"{passed} · all lessons: {whole}; their cores: {core}"
 
     def __repr__(self):
@@ -174,24 +178,35 @@ def _lesson(path, progress):
     if exercises is None:  # a copy of a lesson that the course no longer has: its points are not known
         answers = re.findall(r'"answer-([a-z0-9-]+)"', text_of_file)
         exercises, title = dict.fromkeys(answers, 0), f"{title} (no longer in the course)"
+    by_person = [id for id, points in exercises.items() if points is None]
+    written = tuple(id in progress and progress[id].ticks is not None for id in by_person)
+    exercises = {id: points for id, points in exercises.items() if points is not None}
     passed = tuple(id for id in exercises if id in progress and progress[id].passed)
     numbers = tuple(dict.fromkeys(_LINKED_NUMBER.findall(needs[1]))) if needs else ()
     deeper = tuple(id for id in exercises if id in deeper)
     points = sum(exercises[id] for id in passed)
-    parts = tuple(exercises), deeper, passed, points, is_counted
+    parts = tuple(exercises), deeper, passed, points, is_counted, written
     return LessonProgress(path.name, title, whole, core, numbers, *parts)
 
 
 def _exercises_of(lesson, folder):
-    """{exercise id: points of its checks}; None if other lessons have checks, and it has none."""
+    """{exercise id: points of its checks, None if a person grades it}.
+
+    None if other lessons have checks, and it has none.
+    """
     paths = [checks / f"{lesson}.json" for checks in checks_folders(folder)]
     path = next(filter(Path.is_file, paths), None)
     if paths and not path:
         return None
     with contextlib.suppress(CheckFileError):
         entries = read_check_file(path).entries if path else {}
-        return {id: sum(case["points"] for case in entry["cases"]) for id, entry in entries.items()}
+        return {id: _points_of_checks(entry) for id, entry in entries.items()}
     return {}
+
+
+def _points_of_checks(entry):
+    is_by_person = kind_of(entry.get("subject", "function")).graded_by_person
+    return None if is_by_person else sum(case["points"] for case in entry["cases"])
 
 
 class Certificate:

@@ -12,6 +12,7 @@ from pathlib import Path
 from .. import course
 
 ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake", "predict", "texts")
+IN_WORDS = ("answer", "solution")  # roles whose cells may be Markdown, for answers that a person grades
 DROPPED_ROLES = ("exercise", "solution", "case", "hidden", "mistake", "texts")  # what a learner does not get
 MISTAKES_SUFFIX = ".mistakes.py"  # of the file beside a master that holds its known mistakes
 
@@ -92,7 +93,7 @@ def _refuse_header(path, lines, header):
 def _check_header(cell):
     if cell.role and cell.role not in ROLES:
         raise MasterError(f"{cell.place}: role={cell.role!r}, expected one of {', '.join(ROLES)}")
-    if cell.role and cell.kind != "code":
+    if cell.role and cell.role not in IN_WORDS and cell.kind != "code":
         raise MasterError(f"{cell.place}: a {cell.role} cell is a {cell.kind} cell; a role needs a code cell")
     for key, value in cell.options.items():
         if value is None and cell.role:

@@ -25,21 +25,26 @@ PROGRESS, LOCK = ".progress.json", ".progress.lock"
 LEARNERS_FOLDER = ".course.json"  # a folder with this file is a learner's
 _DAMAGED = (ValueError, RecursionError)
 _MOST_TRIES = 50
-_LAB_VARIABLE = "JPY_SESSION_NAME"  # Jupyter's server sets it for the kernel of a notebook
+LAB_VARIABLE = "JPY_SESSION_NAME"  # Jupyter's server sets it for the kernel of a notebook
 TEST_VARIABLE = "PYTEST_CURRENT_TEST"  # pytest sets it, so nbval and our builds have it
 
 
 @dataclass(frozen=True)
 class ExerciseProgress:
-    """What a learner did in one exercise: digests of the wrong `tries`, the highest step of `hint`."""
+    """What a learner did in one exercise: digests of the wrong `tries`, the highest step of `hint`.
+
+    `ticks` are the lines of a rubric that the learner sees in a written answer, from 1; None: not compared.
+    """
 
     passed: bool = False
     tries: tuple[str, ...] = ()
     hints: int = 0
+    ticks: tuple[int, ...] | None = None
 
     def __or__(self, other):
         tries = tuple(dict.fromkeys((*self.tries, *other.tries)))[:_MOST_TRIES]
-        return ExerciseProgress(self.passed or other.passed, tries, max(self.hints, other.hints))
+        ticks = self.ticks if other.ticks is None else other.ticks
+        return ExerciseProgress(self.passed or other.passed, tries, max(self.hints, other.hints), ticks)
 
 
 @dataclass(frozen=True)
@@ -53,7 +58,7 @@ _of_this_process: dict[str, ExerciseProgress] = {}  # by the ids of the exercise
 
 def learners_folder():
     """The folder in which this process keeps progress, or None."""
-    is_learners_run = _LAB_VARIABLE in os.environ and TEST_VARIABLE not in os.environ
+    is_learners_run = LAB_VARIABLE in os.environ and TEST_VARIABLE not in os.environ
     folder = Path.cwd()
     return folder if is_learners_run and (folder / LEARNERS_FOLDER).is_file() else None
 

@@ -136,7 +136,7 @@ def test_a_fault_in_the_file_of_known_mistakes_is_named(write_master, old, new, 
         ),
         (
             {"exercise": '# %% role="exercise"\nexercise("test-double")'},
-            "missing 1 required keyword-only argument",
+            "function='', expected the name of a function",
         ),
         ({"exercise": '# %% role="exercise"\nexercise(NAME, function="f")'}, "literals only"),
         ({"exercise": '# %% role="exercise"\nSIDE = 3'}, "expected one call of exercise(...), found 0"),

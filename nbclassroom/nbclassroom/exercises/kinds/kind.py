@@ -23,8 +23,16 @@ class Kind:
     refuses_parts = False  # whether its check does not know all that an answer may use
     shows_last_prints = False  # of what an answer printed, not the first ones
     not_attempted = "not attempted yet"
+    graded_by_person = False  # by the lines of a rubric: nothing is run, and no case is declared
+    cell_kinds: tuple[str, ...] = ("code",)  # of the cells with the stub and with the solution
 
     # ---------------------------------------------------------------- declaration
+
+    def declaration_rules(self, function, points, rubric):
+        """(whether an argument of a declaration is wrong, what is wrong with it) of each rule."""
+        is_name = isinstance(function, str) and function.isidentifier()
+        yield not is_name, f"function={function!r}, expected the name of a function"
+        yield bool(points or rubric), "points and rubric are declared for subject='written' only"
 
     def name_of(self, function):
         """How texts name an answer, such as double()."""
@@ -105,6 +113,10 @@ class Kind:
     def seconds_for_key(self, exercise):
         """About how long a key needs for an exercise on two quiet cores, beside its runs."""
         return 0.0
+
+    def look_at(self, exercise):
+        """What `check` shows of an answer that a person grades, and its learner too."""
+        raise NotImplementedError
 
     # ---------------------------------------------------------------- judging and explaining
 

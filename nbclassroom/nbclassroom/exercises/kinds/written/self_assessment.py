@@ -1,0 +1,90 @@
+"""Without a teacher: a learner compares a written answer with a model answer, and ticks what it has."""
+
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from .... import course
+from ...check_files import DAMAGED, SOLUTIONS, read_lesson_file, reading
+from ...help_steps import Help
+from ...progress import LAB_VARIABLE, TEST_VARIABLE, ExerciseProgress, note_progress, progress_of
+
+_NOTHING_YET = (
+    "Write your answer into its cell, save the notebook (Ctrl+S), and run this cell again: then you see an"
+    " answer to compare yours with, and what to look for."
+)
+
+
+@dataclass(frozen=True)
+class SelfAssessment(Help):
+    """A model answer, and the lines of a rubric as boxes to tick; `print` gives the same as plain text."""
+
+    id: str = ""
+    lines: tuple = ()
+
+    def __repr__(self):
+        ticks = progress_of(self.id).ticks or ()
+        boxes = (f"{'☑' if k in ticks else '☐'} {line}" for k, line in enumerate(self.lines, 1))
+        return "\n".join([super().__repr__(), *boxes])
+
+    def _ipython_display_(self):
+        from IPython.display import HTML, display  # only here: the processes that grade import this package
+
+        display(HTML(self._repr_html_()), self.boxes())
+
+    def boxes(self):
+        """The boxes; each tick is kept at once."""
+        import ipywidgets as widgets
+
+        ticks, layout = progress_of(self.id).ticks or (), widgets.Layout(width="auto")
+        boxes = [
+            widgets.Checkbox(k in ticks, description=line, indent=False, layout=layout)
+            for k, line in enumerate(self.lines, 1)
+        ]
+
+        def keep(_change):
+            ticks = tuple(k for k, box in enumerate(boxes, 1) if box.value)
+            note_progress(self.id, ExerciseProgress(ticks=ticks))
+
+        for box in boxes:
+            box.observe(keep, "value")
+        return widgets.VBox(boxes)
+
+
+def self_assessment(exercise):
+    """What `check` shows of a written answer: a SelfAssessment once there is one, else Help."""
+    path = exercise.master.parents[1] / SOLUTIONS / exercise.master.name
+    if not _is_written(exercise):
+        return Help(f"{exercise.id}: nothing written yet", _NOTHING_YET)
+    if not path.is_file():
+        return Help(f"{exercise.id}: your teacher has not released the answer to compare with yet.")
+    with reading(path):
+        entry = read_lesson_file(path)["solutions"][exercise.id]
+        model, lines = str(entry["code"]).strip(), [_line(*line) for line in entry["rubric"]]
+    if progress_of(exercise.id).ticks is None:
+        note_progress(exercise.id, ExerciseProgress(ticks=()))
+    heading = f"{exercise.id}: one good answer"
+    more = f"{exercise.another_way}\nWhat of this does your answer have? Tick it. Ticks give no points."
+    return SelfAssessment(heading, model, more=more.strip(), id=exercise.id, lines=tuple(lines))
+
+
+def _line(text, worth):
+    return text if worth > 0 else f"{text} (a mistake)"
+
+
+def _is_written(exercise):
+    """Whether the answer cell, as the notebook was saved last, holds more than it was handed out with."""
+    path = Path.cwd() / Path(os.environ.get(LAB_VARIABLE, "")).name
+    if TEST_VARIABLE in os.environ or not path.is_file():
+        return False
+    try:
+        cells = json.loads(path.read_bytes())["cells"]
+        texts = ["".join(cell["source"]).strip() for cell in cells if _is_answer(cell, exercise.id)]
+    except (OSError, *DAMAGED):
+        return False
+    return any(text and text != exercise.stub.strip() for text in texts)
+
+
+def _is_answer(cell, id):
+    return cell.get("id") == f"answer-{id}" or cell["metadata"].get(course.name, {}).get("exercise") == id
