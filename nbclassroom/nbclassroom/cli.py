@@ -263,6 +263,7 @@ def _would_be_committed(path):
     type=_FILE,
     help="CSV of your decisions by hand.  [default: decisions.csv in the folder of grades]",
 )
+@option("--open-as-zero", is_flag=True, help="Export answers that nobody has graded yet as 0 points.")
 @option("--anonymous", is_flag=True, help="Show an id instead of the name on every page.")
 @_unsafe_option
 @option("--fresh", is_flag=True, help="Grade again what was graded before.")

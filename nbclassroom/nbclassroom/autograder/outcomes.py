@@ -20,6 +20,7 @@ class Outcome(StrEnum):
     OUTPUT = "output"
     CRASHED = "crashed"  # the kernel's process ended
     HOSTILE = "hostile"  # the kernel sent something that our check cells cannot have shown
+    OPEN = "open"  # a person grades it, and has not yet
     NOT_GRADED = "not graded"  # the autograder itself failed: a teacher must look
 
 
@@ -82,5 +83,6 @@ TEXTS = {
         "sent something that no answer sends",
         message="it sent something that is not a message of a notebook's kernel",
     ),
+    Outcome.OPEN: OutcomeTexts("your teacher has not graded it yet"),
     Outcome.NOT_GRADED: OutcomeTexts("could not be graded; your teacher will look at it"),
 }

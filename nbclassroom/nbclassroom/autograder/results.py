@@ -8,6 +8,7 @@ HTML: what the notebook's `check` would show.
 """
 
 import builtins
+import hashlib
 from dataclasses import dataclass, is_dataclass, replace
 from itertools import chain
 
@@ -17,6 +18,7 @@ from ..exercises.kinds.node.recording_node import UNKNOWN_PART
 from ..exercises.running import attempt
 from .checked_answer import checked_answer
 from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
+from .rendered_text import rendered_text
 from .sanitize import reproducible_text
 from .verdict import CaseRun, Verdict
 
@@ -63,6 +65,8 @@ class GradedExercise:
     message: str = ""
     body: str = ""  # the checks as HTML, for the learner
     review: str = ""  # and for the teacher, with the values of hidden ones
+    rubric: tuple[tuple[str, int], ...] = ()  # (what to look for, points), where a person grades
+    mark: str = ""  # of the answer and the texts of the rubric: a person's decision is on these
 
     @property
     def points(self):
@@ -121,6 +125,18 @@ def ungraded_exercise(exercise, outcome, message):
     """The GradedExercise of an exercise that was not run: the outcome of all its cases, and why."""
     cases = tuple(_graded_case(case, outcome) for case in exercise.cases)
     return _with_pages(*_checked(exercise, cases, {}, None, message))
+
+
+def open_exercise(exercise, source):
+    """The GradedExercise of an answer that a person grades: nothing of it is run."""
+    cases = tuple(_graded_case(case, Outcome.OPEN) for case in exercise.cases)
+    about = repr([source, [text for text, _ in exercise.rubric]])
+    return GradedExercise(
+        *(exercise.id, exercise.title, exercise.points, cases),
+        **dict.fromkeys(("body", "review"), attempt(lambda: rendered_text(source), NO_DETAILS, 10)),
+        rubric=exercise.rubric,
+        mark=hashlib.sha256(about.encode("utf-8", "surrogatepass")).hexdigest()[:8],
+    )
 
 
 def graded_exercise(exercise, exercise_run):

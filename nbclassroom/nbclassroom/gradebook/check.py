@@ -140,7 +140,9 @@ def run_answers(lesson_check):
     with KernelFactory(unsafe=True) as kernel_factory:
         kernels = PageKernels(lesson_check.content.page, kernel_factory)
         for entry in lesson_check.exercises:
-            if entry.state is AnswerState.ANSWERED:
+            if entry.exercise.kind.graded_by_person:
+                entry.notes.append("a person grades it")
+            elif entry.state is AnswerState.ANSWERED:
                 _run_answer(entry, kernels)
         kernels.close()
 

@@ -16,7 +16,7 @@ from .collect import Collection
 from .copies import find_copies, report_copies
 from .csv_table import TableError
 from .grades_folder import LearnerPages, write_grades
-from .grades_json import count_not_graded, faults_of, grades_of
+from .grades_json import count_not_graded, count_open, faults_of, grades_of
 from .learners import read_all
 from .lms_import import fill_table, read_tables
 from .report import count_of, prepare_templates
@@ -42,6 +42,7 @@ def grade_submissions(
     extensions=None,
     decisions=None,
     anonymous=False,
+    open_as_zero=False,
     fresh=False,
     scheduler=None,
     platform_tables=(),
@@ -98,6 +99,7 @@ def grade_submissions(
             collection=collection,
             roster=roster_report(roster, learners) if roster is not None else None,
             anonymous=anonymous,
+            open_as_zero=open_as_zero,
         )
         changes = write_grades(out, grades, pages)
         table_lines = _fill_tables(platform_tables, grades, out)
@@ -176,6 +178,8 @@ def _summary(grades, graded_now, out, changes, table_lines, failed_pages):
     if len(lines) > _MAX_LINES:
         lines[_MAX_LINES - 1 :] = [f"  and {len(lines) - _MAX_LINES + 1} more"]
     lines += [f"The page of {name} is incomplete ({reason})." for name, reason in failed_pages.items()]
+    if waiting := count_open(grades):
+        lines.append(f"{count_of(waiting, 'answer')} still to be graded by a person: --review.")
     if not grades["sandbox"]:
         lines.append("Graded without a sandbox; grades.json records it.")
     lines += changes + table_lines

@@ -12,7 +12,7 @@ from ..autograder.sanitize import sanitize_line
 from .anonymity import learner_without_name, without_names
 from .grades_json import FORMAT, grades_text, learner_entry
 from .lms_export import checks_csv, feedback_zips, grades_csv
-from .report import count_of, learner_page
+from .report import count_of, learner_page, points_text
 from .result_store import write_grades_file
 from .review import FOLDER, AnswerParts, review_pages
 from .summary import summary_page
@@ -28,12 +28,13 @@ class LearnerPages:
     entries  {learner's name: entry in grades.json}
     failed   {learner's name as pages show it: why their page lacks its details}
     parts    the AnswerParts for the teacher's pages
+    solutions  gives {exercise: solution} of a lesson
     """
 
     def __init__(self, out, learners, answer_keys, store, rules, *, anonymous=False):
         self.entries, self.failed, self.parts = {}, {}, AnswerParts(out)
         self._out, self._learners, self._answer_keys, self._store = out, learners, answer_keys, store
-        self._rules, self._anonymous = rules, anonymous
+        self._rules, self._anonymous, self.solutions = rules, anonymous, answer_keys.solutions
         self._missing = {learner.name: set(learner.digests.values()) for learner in learners}
 
     def result_stored(self, digest):
@@ -90,7 +91,7 @@ def write_grades(out, grades, pages):
     names = {shown_entry["name"]: entry["name"] for shown_entry, entry in entries}
     if before is not None and grades_text(before) != text:
         write_grades_file(out / PREVIOUS, grades_text(before))
-    _write_review(out, page_grades, pages.parts, names)
+    _write_review(out, page_grades, pages.parts, names, pages.solutions)
     files = feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         write_grades_file(out / "exports" / name, data)
@@ -100,9 +101,9 @@ def write_grades(out, grades, pages):
     return changed_points(before, grades) if before else []
 
 
-def _write_review(out, page_grades, parts, names):
+def _write_review(out, *about):
     written = set()
-    for name, page in review_pages(page_grades, parts, names):
+    for name, page in review_pages(*about):
         written.add(Path(name).name)
         write_grades_file(out / name, page)
     _remove_others(out / FOLDER, "*.html", written)
@@ -151,7 +152,7 @@ def _points(lesson):
         return f"not graded: {lesson['reason']}"
     if lesson.get("decision") and lesson["decision"]["excused"]:
         return "excused"
-    text = f"{lesson['points']} of {lesson['max_points']}"
+    text = points_text(lesson)
     if lesson.get("late_deduction"):
         text += f", {lesson['late_deduction']} deducted because late"
     decided = f", decided by hand; the autograder gives {lesson.get('autograded_points')}"

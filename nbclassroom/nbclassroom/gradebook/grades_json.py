@@ -15,10 +15,10 @@ from .learners import Submission
 from .submission import Finding, SubmissionContent
 from .teacher_tables import plain_number
 
-FORMAT = 6
+FORMAT = 7
 
 
-def grades_of(entries, answer_keys, *, sandbox, rules, collection, roster, anonymous):
+def grades_of(entries, answer_keys, *, sandbox, rules, collection, roster, anonymous, open_as_zero):
     """The content of grades.json; `entries` are from `learner_entry`, `roster` from `roster_report`."""
     return {
         "format": FORMAT,
@@ -27,6 +27,7 @@ def grades_of(entries, answer_keys, *, sandbox, rules, collection, roster, anony
         "deadline": rules.deadline.isoformat() if rules.deadline else None,
         "late_policy": rules.policy.text if rules.policy else None,
         "anonymous_pages": anonymous,
+        "open_as_zero": open_as_zero,
         "keys": [_key_entry(key) for key in answer_keys.keys],
         "learners": entries,
         "layout": collection.layout,
@@ -58,6 +59,12 @@ def faults_of(lesson):
                 yield f"{exercise['id']}: {case['message'] or exercise['message']}"
 
 
+def count_open(grades):
+    """How many answers wait for a person who grades them."""
+    lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
+    return sum(exercise["open_points"] > 0 for lesson in lessons for exercise in lesson["exercises"])
+
+
 def lesson_names(grades):
     """The names of the keys' lessons, in the order of the course."""
     numbers = {one["lesson"]: one["number"] for key in reversed(grades["keys"]) for one in key["lessons"]}
@@ -83,7 +90,7 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
         lessons.append(_lesson_entry(learner, _nothing_submitted(name, submissions), *about))
     for lesson in lessons:
         own = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
-        _settle_lesson(lesson, own, rules.policy)
+        _settle_lesson(lesson, own, rules)
     page = anonymous_id(learner.name, answer_keys) if anonymous else page_name(learner.name)
     order = {name: (lesson.number, name) for name, lesson in answer_keys.lessons.items()}
     return {
@@ -91,29 +98,39 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
         "page": f"learners/{page}.html",
         "points": plain_number(sum(lesson["points"] for lesson in lessons)),
         "max_points": sum(lesson["max_points"] for lesson in lessons),
+        "open_points": sum(lesson["open_points"] for lesson in lessons),
         "lessons": sorted(lessons, key=lambda lesson: order.get(lesson["lesson"], ("~", lesson["file"]))),
     }
 
 
-def _settle_lesson(entry, decisions, policy):
+def _settle_lesson(entry, decisions, rules):
     """Set the final points of a lesson's entry, which has those of the autograder.
 
     The teacher's decisions come first, then what lateness costs. A decision on an exercise replaces its
     points; an excused exercise counts neither for nor against. A decision on the whole lesson is final: it
-    replaces its points, and lateness costs nothing more. `policy` is a LatePolicy or None.
+    replaces its points, and lateness costs nothing more. Open points are those that only a person can give,
+    and has not.
     """
+    policy = rules.policy
     by_exercise = {decision.exercise: decision for decision in decisions}
     whole_lesson = by_exercise.pop("", None)
     entry["autograded_points"] = entry["points"]
     for exercise in entry["exercises"]:
         exercise["autograded_points"] = exercise["points"]
+        texts, worths = [text for text, _ in exercise["rubric"]], rules.worths.get(exercise["id"], ())
+        if len(worths) == len(texts):
+            exercise["rubric"] = list(map(list, zip(texts, worths, strict=True)))
         _decide(exercise, by_exercise.get(exercise["id"]))
+        exercise["open_points"] = 0 if _is_decided(exercise) else _open_points(exercise)
     if entry["exercises"]:
         entry["points"] = plain_number(sum(exercise["points"] for exercise in entry["exercises"]))
         entry["max_points"] = sum(exercise["max_points"] for exercise in entry["exercises"])
     entry["late_deduction"] = 0
     _decide(entry, whole_lesson)
-    is_final = whole_lesson and (whole_lesson.excused or whole_lesson.points is not None)
+    is_final = _is_decided(entry)
+    entry["open_points"] = 0 if is_final else sum(one["open_points"] for one in entry["exercises"])
+    for exercise in entry["exercises"] if is_final else ():
+        exercise["open_points"] = 0
     if is_final:
         entry["status"] = "graded"
     elif policy and entry["days_late"]:
@@ -126,11 +143,27 @@ def _decide(entry, decision):
     entry["decision"] = None
     if decision is None:
         return
-    entry["decision"] = {name: getattr(decision, name) for name in ("points", "excused", "comment")}
+    points, lines = decision.points, list(decision.lines)
+    if lines and decision.mark == entry["mark"]:
+        worth = sum(entry["rubric"][line - 1][1] for line in {*lines} - {0})
+        points = min(max(worth, 0), entry["max_points"])
+    entry["decision"] = {"points": points, "excused": decision.excused, "comment": decision.comment}
+    if lines:
+        entry["decision"] |= {"lines": lines, "is_outdated": points is None}
     if decision.excused:
         entry["points"] = entry["max_points"] = 0
-    elif decision.points is not None:
-        entry["points"] = decision.points
+    elif points is not None:
+        entry["points"] = points
+
+
+def _is_decided(entry):
+    """Whether a decision gives the points of an entry, and does not only comment."""
+    decision = entry["decision"]
+    return bool(decision) and (decision["excused"] or decision["points"] is not None)
+
+
+def _open_points(exercise):
+    return sum(case["max_points"] for case in exercise["cases"] if case["outcome"] == Outcome.OPEN)
 
 
 def _nothing_submitted(lesson, submissions):

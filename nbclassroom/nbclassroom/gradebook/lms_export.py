@@ -13,6 +13,7 @@ import csv
 from pathlib import PurePosixPath
 
 from ..authoring.learner_files import zip_bytes
+from ..autograder.outcomes import Outcome
 from ..autograder.sanitize import spreadsheet_text
 from .csv_table import csv_text
 from .grades_json import lesson_names
@@ -22,7 +23,7 @@ from .teacher_tables import plain_number
 COLUMNS = (
     *("learner", "lesson", "points", "max_points", "percent", "late", "submitted_at", "submissions"),
     *("status", "findings", "file", "platform_id", "autograded_points", "days_late", "late_deduction"),
-    *("decisions", "page"),
+    *("decisions", "page", "open_points"),
 )
 CHECK_COLUMNS = (
     *("learner", "lesson", "exercise", "check", "title", "hidden", "points", "max_points"),
@@ -33,8 +34,16 @@ EXCUSED = "EX"  # what Canvas writes
 
 def grades_csv(grades):
     """The text of grades.csv."""
-    rows = [_grades_row(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
-    return _text(COLUMNS, rows)
+    return _text(COLUMNS, [_grades_row(*about) for about in _lessons(grades)])
+
+
+def _lessons(grades):
+    """(learner, lesson) of all; of a lesson that is graded in part, points and percent are ""."""
+    for learner in grades["learners"]:
+        for lesson in learner["lessons"]:
+            percent = round(100 * lesson["points"] / lesson["max_points"], 1) if lesson["max_points"] else 0
+            is_whole = not lesson["open_points"] or grades["open_as_zero"]
+            yield learner, lesson | ({"percent": percent} if is_whole else {"points": "", "percent": ""})
 
 
 def checks_csv(grades):
@@ -42,7 +51,8 @@ def checks_csv(grades):
     rows = [
         (
             *(learner["name"], lesson["lesson"], exercise["id"], case["id"], case["title"]),
-            *("hidden" if case["hidden"] else "", case["points"], case["max_points"]),
+            "hidden" if case["hidden"] else "",
+            *("" if case["outcome"] == Outcome.OPEN else case["points"], case["max_points"]),
             *(case["outcome"], case["message"], exercise["mistake"]),
         )
         for learner in grades["learners"]
@@ -59,7 +69,6 @@ def _grades_row(learner, lesson):
     row = lesson | {
         "learner": learner["name"],
         "lesson": lesson["lesson"] or "(unknown)",
-        "percent": round(100 * lesson["points"] / lesson["max_points"], 1) if lesson["max_points"] else 0,
         "late": "late" if lesson["late"] else "",
         "submitted_at": lesson["submitted_at"] or "",
         "submissions": 1 + len(lesson["earlier"]),

@@ -63,6 +63,7 @@ def fill_table(table, grades):
     if missing:
         names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
         lines.append(f"  graded, but in no row of the table: {names}")
+    lines += _graded_in_part(columns, grades)
     lines += _different_points(table, columns, grades)
     # Numbers, and the dash for no points, are no formulas.
     cells = (
@@ -74,11 +75,24 @@ def fill_table(table, grades):
 
 
 def _graded_lessons(grades):
-    """{learner's name: {lesson: entry}}."""
+    """{learner's name: {lesson: entry}}, without lessons that are graded in part."""
+    any_counts = grades["open_as_zero"]
     return {
-        learner["name"]: {one["lesson"]: one for one in learner["lessons"] if one["status"] == "graded"}
+        learner["name"]: {
+            one["lesson"]: one
+            for one in learner["lessons"]
+            if one["status"] == "graded" and (any_counts or not one["open_points"])
+        }
         for learner in grades["learners"]
     }
+
+
+def _graded_in_part(columns, grades):
+    """The line that says how many lessons are not filled in, because a person has still to grade a part."""
+    lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
+    count = sum(one["open_points"] > 0 and one["lesson"] in columns.values() for one in lessons)
+    text = f"  {count} not filled in: a person has still to grade an answer; --open-as-zero fills them in"
+    return [text] if count and not grades["open_as_zero"] else []
 
 
 def _lesson_columns(table, grades):

@@ -36,7 +36,13 @@ def _environment():
     )
     environment.finalize = _shown
     environment.filters |= {
-        **{"capital": _capital, "count": count_of, "anchor": anchor_of, "submitted": submitted_lessons},
+        **{
+            "capital": _capital,
+            "count": count_of,
+            "points": points_text,
+            "anchor": anchor_of,
+            "submitted": submitted_lessons,
+        },
         "numbered": lambda name: (name, "number"),
         "percent": lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0,
     }
@@ -58,9 +64,21 @@ def count_of(number, noun):
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
+def points_text(entry):
+    """The points of a learner, a lesson or an exercise: "7 of 12", or "7 of 12, 9 graded"."""
+    waiting = entry.get("open_points", 0)
+    graded = f", {entry['max_points'] - waiting} graded" if waiting else ""
+    return f"{entry['points']} of {entry['max_points']}{graded}"
+
+
 def anchor_of(entry):
     """The id of a learner's answer on the teacher's pages of an exercise."""
     return entry["page"].rpartition("/")[2].removesuffix(".html")
+
+
+def safe_html(html):
+    """HTML of ours, which templates do not escape."""
+    return _environment().filters["safe"](html)
 
 
 def prepare_templates():

@@ -9,11 +9,14 @@ import re
 import tempfile
 
 from ..autograder.outcomes import TEXTS, Outcome
+from ..autograder.rendered_text import rendered_text
 from ..autograder.sanitize import sanitize_text, spreadsheet_text
 from .csv_table import csv_text
-from .report import anchor_of, render_page
+from .report import anchor_of, render_page, safe_html
+from .teacher_tables import EVERYBODY
 
 FOLDER = "review"
+_GRADED = ("graded by a person",)
 _MOST_COLOURED = 20_000  # characters of an answer; a longer one takes time
 # What is not closed ends with the line or the text, so no character is looked at for a second try.
 _TOKENS = re.compile(
@@ -58,13 +61,19 @@ def _coloured(source):
     return markupsafe.Markup("").join([*parts, text[end:]])
 
 
-def review_pages(grades, parts, names):
-    """Yields (path, HTML) of each page; `parts` are AnswerParts, `names` {shown name: the learner's}."""
+def review_pages(grades, parts, names, solutions):
+    """Yields (path, HTML) of each page; `parts` are AnswerParts, `names` {shown name: the learner's}.
+
+    `solutions(lesson)` gives {exercise: solution}, of what a person grades a model answer.
+    """
     reviews = _reviews(grades["learners"])
     if reviews:
         yield "review.html", render_page("review.html", reviews=reviews)
     for one, *around in zip(reviews, [None, *reviews], [*reviews[1:], None], strict=False):
-        content = {"review": one, "around": around, "parts": parts, "names": names}
+        content = {"review": one, "around": around, "parts": parts, "names": names, "model": ""}
+        if one["rubric"]:
+            content["model"] = safe_html(rendered_text(solutions(one["lesson"]["lesson"])[one["id"]]))
+            content["line"] = csv_text([(EVERYBODY, one["lesson"]["lesson"], one["id"])], lineterminator="")
         yield one["path"], render_page("answers.html", script="review.js", **content)
 
 
@@ -84,13 +93,24 @@ def _reviews(learners):
                 answers = ways.setdefault(id, {}).setdefault(_way(exercise), [])
                 answers.append(answer | {"anchor": anchor_of(learner)})
     for id, review in reviews.items():
-        review["groups"] = sorted(ways[id].items(), key=lambda item: (item[0] == (), -len(item[1]), item[0]))
-        review["count"] = sum(len(answers) for answers in ways[id].values())
+        review["groups"] = sorted(ways[id].items(), key=_order)
+        exercises = [answer["exercise"] for answers in ways[id].values() for answer in answers]
+        review["count"], review["open"] = len(exercises), sum(one["open_points"] > 0 for one in exercises)
+        review["rubric"] = next((one["rubric"] for one in exercises if one["rubric"]), ())
     return list(reviews.values())
+
+
+def _order(way_and_answers):
+    """What the groups are sorted by: those that wait for a person first, those without a fault last."""
+    way, answers = way_and_answers
+    is_open = any(answer["exercise"]["open_points"] for answer in answers)
+    return not is_open, way in ((), _GRADED), -len(answers), way
 
 
 def _way(exercise):
     """How an answer fails, in words: equal words, the same checks in the same way; () if all pass."""
+    if exercise["rubric"] and not exercise["open_points"]:
+        return _GRADED
     failed = [case for case in exercise["cases"] if case["outcome"] != Outcome.PASSED]
     if exercise["mistake"]:
         titles = ", ".join(case["title"] for case in failed)

@@ -6,9 +6,9 @@ Every address begins with a token, which nobody else on this machine or in anoth
 import contextlib
 import csv
 import io
+import json
 import re
 import secrets
-import threading
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from itertools import chain
@@ -17,13 +17,15 @@ from pathlib import Path
 
 from ..authoring.lesson_names import lesson_name
 from ..autograder.sanitize import spreadsheet_text
+from ..exercises.progress import one_at_a_time
 from .answer_keys import load_keys
-from .csv_table import TableError, csv_text, read_csv
+from .csv_table import TableError, csv_text, is_comment, read_csv
 from .report import count_of
 from .result_store import write_grades_file
 from .teacher_tables import DECISION_COLUMNS, read_decisions
 
 _PAGES = ("*.html", "review/*.html", "learners/*.html")
+_VERSIONED = len(DECISION_COLUMNS) + 2  # cells of a line that also says which points and comment it replaces
 _LENGTH = re.compile(r"\d{1,7}", re.A)  # of decisions saved at once, in bytes
 
 
@@ -35,7 +37,7 @@ class ReviewServer(ThreadingHTTPServer):
     def __init__(self, out, decisions, answer_keys):
         super().__init__(("127.0.0.1", 0), _Handler)
         self.out, self.decisions, self.answer_keys = Path(out), Path(decisions), answer_keys
-        self.token, self.lock = secrets.token_urlsafe(32), threading.Lock()
+        self.token = secrets.token_urlsafe(32)
         self.url = f"http://127.0.0.1:{self.server_port}/{self.token}/review.html"
 
     def read(self, path):
@@ -62,20 +64,26 @@ class _Handler(BaseHTTPRequestHandler):
     timeout = 60  # seconds that a browser may be silent
 
     def do_GET(self):
+        if self._is_for_decisions():
+            saved = json.dumps(saved_decisions(self.server.decisions)).encode()
+            return self._answer(HTTPStatus.OK, saved, "application/json")
         page = self.server.read(self.path.partition("?")[0])
-        self._answer(HTTPStatus.NOT_FOUND if page is None else HTTPStatus.OK, page or b"", "text/html")
+        return self._answer(HTTPStatus.NOT_FOUND if page is None else HTTPStatus.OK, page or b"", "text/html")
+
+    def _is_for_decisions(self):
+        return secrets.compare_digest(self.path.encode(), f"/{self.server.token}/decisions".encode())
 
     def do_POST(self):
-        address = f"/{self.server.token}/decisions"
-        if not secrets.compare_digest(self.path.encode(), address.encode()):
+        if not self._is_for_decisions():
             return self._answer(HTTPStatus.NOT_FOUND)
         length = self.headers.get("Content-Length", "none")
         body = self.rfile.read(int(length)) if _LENGTH.fullmatch(length) else b""
         try:
             if str(len(body)) != length:
                 raise ValueError(f"{len(body)} bytes came with the Content-Length {length[:20]!r}")
-            with self.server.lock:  # another tab of the browser may save now
-                number = save_decisions(self.server.decisions, body.decode(), self.server.answer_keys)
+            number = save_decisions(self.server.decisions, body.decode(), self.server.answer_keys)
+        except ConflictError as error:
+            return self._answer(HTTPStatus.CONFLICT, f"Not saved: {error}".encode())
         except (ValueError, csv.Error) as error:
             return self._answer(HTTPStatus.BAD_REQUEST, f"Not saved: {error}".encode())
         text = f"{count_of(number, 'line')} saved. The points change when you end the command with Ctrl-C."
@@ -93,20 +101,45 @@ class _Handler(BaseHTTPRequestHandler):
         """Print nothing: the terminal shows what the command says."""
 
 
+class ConflictError(TableError):
+    """Somebody else has saved another decision meanwhile; nothing is written."""
+
+
+def saved_decisions(path):
+    """{learner, lesson, exercise as a line of CSV: [points, comment]} of the table of decisions."""
+    table = read_csv(path)
+    records = [table.record(cells) for _, cells in table.rows if not is_comment(cells)]
+    return {_line_of(row): [row.get("points", ""), row.get("comment", "")] for row in records}
+
+
+def _line_of(row):
+    return csv_text([_target(row)], lineterminator="")
+
+
 def save_decisions(path, lines, answer_keys):
     """Put lines (learner, lesson, exercise, points, comment) into the table of decisions; returns how many.
 
-    A line takes the place of the one about the same; without points and comment it only removes that.
+    A line takes the place of the one about the same; without points and comment it only removes that. Two
+    more cells say which points and comment the line is to replace: ConflictError, if there are others.
     TableError: a line has a mistake, and nothing is written.
     """
-    table = read_csv(path)
+    with one_at_a_time(path.with_name(f".{path.name}.lock")):  # another tab, or another run, may save now
+        return _save_decisions(path, lines, answer_keys)
+
+
+def _save_decisions(path, lines, answer_keys):
+    table, saved = read_csv(path), saved_decisions(path)
     if set(DECISION_COLUMNS) - {name.casefold() for name in table.columns}:
         raise TableError(f"{path}: it needs the columns {', '.join(DECISION_COLUMNS)}")
     new = []
     for row in csv.reader(io.StringIO(lines, newline="")):
-        if len(row) != len(DECISION_COLUMNS):
+        if len(row) not in (len(DECISION_COLUMNS), _VERSIONED):
             raise TableError(f"a line has {len(row)} cells; expected {', '.join(DECISION_COLUMNS)}")
-        new.append(dict(zip(DECISION_COLUMNS, row, strict=True)))
+        new.append(dict(zip(DECISION_COLUMNS, row, strict=False)))
+        is_there = saved.get(_line_of(new[-1]), ["", ""])
+        if len(row) == _VERSIONED and is_there != row[-2:]:
+            there = ", ".join(filter(None, is_there)) or "no decision"
+            raise ConflictError(f"{row[0]} has got {there!r} from another page; reload this one")
     text = _without(table, {_target(row) for row in new})
     cells_of = itemgetter(*map(str.casefold, table.columns))
     decided = [cells_of(row) for row in new if row["points"] or row["comment"]]

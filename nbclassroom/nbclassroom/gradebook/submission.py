@@ -230,6 +230,10 @@ def _inspect_answer(exercise, answer, content):
     if cell is None:
         content.add(f"its answer cell (answer-{exercise.id}) is missing", exercise.id)
         return AnswerState.MISSING
+    if exercise.kind.graded_by_person and cell["source"] is not None:
+        is_open = cell["source"].strip() in ("", exercise.stub.strip())
+        content.answers[exercise.id] = exercise.stub if is_open else cell["source"]
+        return AnswerState.NOT_ATTEMPTED if is_open else AnswerState.ANSWERED
     if not answer.is_answer and cell["type"] != "code":
         content.add(f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", exercise.id)
         return AnswerState.BROKEN

@@ -40,6 +40,7 @@ def summary_page(grades, failed_pages=()):
         names=[name for name in lesson_names(grades) if name in submitted],
         submissions=submissions,
         graded=graded,
+        waiting=_waiting(graded),
         bins=_histogram(_percentages(grades["learners"])),
         checks=_check_rows(graded),
         mistakes=_mistake_counts(graded),
@@ -194,11 +195,12 @@ def _line_to_copy(name, learner, lesson, exercise, entry):
 
 
 def _percentages(entries):
-    return [100 * entry["points"] / entry["max_points"] for entry in entries if entry["max_points"]]
+    shares = ((entry["points"], entry["max_points"] - entry["open_points"]) for entry in entries)
+    return [100 * points / graded for points, graded in shares if graded]
 
 
 def _mean_and_median(entries):
-    """In percent; 0 if there are no points."""
+    """In percent of what is graded; 0 if there are no points."""
     percentages = _percentages(entries) or [0]
     return {"mean": round(statistics.fmean(percentages)), "median": round(statistics.median(percentages))}
 
@@ -226,11 +228,11 @@ def _lesson_rows(graded, names):
 
 
 def _check_rows(graded):
-    """One row per check, those that most learners fail first."""
+    """One row per check, those that most learners fail first; none for what a person grades."""
     rows: dict[tuple, dict] = {}
     for lesson in graded:
         for exercise in lesson["exercises"]:
-            for case in exercise["cases"]:
+            for case in () if exercise["rubric"] else exercise["cases"]:
                 row = {"lesson": lesson["lesson"], "exercise": exercise["title"]}
                 row |= {"title": case["title"], "hidden": case["hidden"]}
                 key = (lesson["lesson"], exercise["id"], case["id"])
@@ -241,6 +243,16 @@ def _check_rows(graded):
     for row in rows.values():
         row["share"] = round(100 * row["passed"] / row["count"])
     return sorted(rows.values(), key=lambda row: (row["share"], row["title"]))
+
+
+def _waiting(graded):
+    """{(id, title of an exercise that a person grades): [how many answers, how many of them are graded]}."""
+    counts: dict[tuple, list] = {}
+    for exercise in [one for lesson in graded for one in lesson["exercises"] if one["rubric"]]:
+        count = counts.setdefault((exercise["id"], exercise["title"]), [0, 0])
+        count[0] += 1
+        count[1] += not exercise["open_points"]
+    return counts
 
 
 def _mistake_counts(graded):

@@ -17,6 +17,9 @@ from .csv_table import TableError, is_comment, read_csv
 from .roster import names_in_roster
 
 _POLICY = re.compile(r"(\d{1,3}(?:\.\d{1,2})?) ?% (?:a|per) day(?:, ?(\d{1,4}) days?)?", re.I)
+_LINES = re.compile(r"lines((?: \d{1,2})+) of ([0-9a-f]{8})")  # of a rubric; 0 for none of them
+_WORTHS = re.compile(r"points((?: -?\d{1,3})+)")
+EVERYBODY = "(all)"  # in the place of a learner: other points for the lines of a rubric
 DECISION_COLUMNS = ("learner", "lesson", "exercise", "points", "comment")
 _MOST_SIMILAR = 3  # names that an error offers
 _EXTENSION_COLUMNS = ("learner", "lesson", "deadline")
@@ -29,7 +32,9 @@ DECISIONS_TEMPLATE = f"""\ufeff{",".join(DECISION_COLUMNS)}
 class Decision:
     """A teacher's decision on an exercise, or on a whole lesson (""); the place is that of its row.
 
-    The points are None if it is excused, or if there is only a comment.
+    The points are None if it is excused, or if there is only a comment. With a `mark`, see `GradedExercise`,
+    the `lines` of the rubric give them, as far as that mark is the answer's. On EVERYBODY's, `lines` are the
+    points of all lines of the rubric.
     """
 
     learner: str
@@ -39,6 +44,8 @@ class Decision:
     excused: bool
     comment: str
     place: str
+    lines: tuple = ()
+    mark: str = ""
 
 
 @dataclass(frozen=True)
@@ -57,13 +64,14 @@ def read_decisions(path, answer_keys, text=None):
     for row, place in _rows(read_csv(path, text), DECISION_COLUMNS, ("learner", "lesson", "points")):
         lesson = _lesson(row["lesson"], answer_keys, place)
         exercise = _exercise(row["exercise"], lesson, answer_keys, place)
-        points, excused = _points(row["points"], lesson, exercise, place)
-        if points is None and not excused and not row["comment"]:
+        lines, mark = _lines(row, exercise)
+        points, excused = (None, False) if lines else _points(row["points"], lesson, exercise, place)
+        if points is None and not excused and not lines and not row["comment"]:
             raise TableError(f"{place}: it decides nothing; give points, excused, or a comment")
         target = (row["learner"], lesson.name, exercise.id if exercise else "")
         if target in decisions:
             raise TableError(f"{place}: the same as {decisions[target].place}; remove one of them")
-        decisions[target] = Decision(*target, points, excused, row["comment"], place)
+        decisions[target] = Decision(*target, points, excused, row["comment"], place, lines, mark)
     return list(decisions.values())
 
 
@@ -147,6 +155,16 @@ def _exercise(text, lesson, answer_keys, place):
     raise TableError(f"{place}: {problem}; it has {names or 'none with points'}")
 
 
+def _lines(row, exercise):
+    """(The lines of a rubric that a row names, or the points that it gives to all, the mark); else (), ""."""
+    count = len(exercise.rubric) if exercise else 0
+    pattern = _WORTHS if row["learner"] == EVERYBODY else _LINES
+    if not count or not (match := pattern.fullmatch(row["points"])):
+        return (), ""
+    numbers, mark = tuple(map(int, match[1].split())), match[2] if pattern is _LINES else ""
+    return (numbers, mark) if (max(numbers) <= count if mark else len(numbers) == count) else ((), "")
+
+
 def _points(text, lesson, exercise, place):
     """(points or None, excused)."""
     if text.casefold() == "excused":
@@ -227,6 +245,8 @@ class TeacherRules:
             read_decisions(decisions, answer_keys) if decisions else [],
         )
         self._extensions, self.decisions = {}, {}
+        # {exercise: other points for the lines of its rubric}
+        self.worths = {one.exercise: one.lines for one in self._tables[1] if one.learner == EVERYBODY}
 
     def assign(self, learners, roster=()):
         """Assign extensions and decisions to learners, who are read but not yet graded.
@@ -237,7 +257,9 @@ class TeacherRules:
         names = names_in_roster(roster, learners)
         names |= {anonymous_id(learner.name, self._answer_keys): learner.name for learner in learners}
         names |= {learner.name: learner.name for learner in learners}
-        self._extensions, self.decisions = (_by_learner(rows, names) for rows in self._tables)
+        self._extensions, self.decisions = (
+            _by_learner([row for row in rows if row.learner != EVERYBODY], names) for rows in self._tables
+        )
         for learner in learners:
             for decision in self.decisions.get(learner.name, ()):
                 submission = learner.submissions.get(decision.lesson)

@@ -108,7 +108,7 @@ def test_learners_who_fail_alike_are_one_group_and_follow_each_other(graded):
 
 def test_the_list_of_exercises_names_how_many_pass_and_in_how_many_ways_others_fail(graded):
     row = (graded / "review.html").read_text(encoding="utf-8").partition("light-double</span>")[2]
-    assert re.findall(r'<td class="number">(\d+)</td>', row.partition("</tr>")[0]) == ["6", "1", "4"]
+    assert re.findall(r'<td class="number">(\d+)</td>', row.partition("</tr>")[0]) == ["6", "0", "1", "4"]
     assert 'href="review.html"' in (graded / "summary.html").read_text(encoding="utf-8")
 
 
@@ -234,7 +234,7 @@ def test_a_decision_is_saved_by_the_page_that_is_served(server, page):
     page.locator("article [name=points]").first.fill("2")
     page.get_by_text("1 line saved.").wait_for()  # without a click, one second later
     assert page.locator("#lines").input_value() == ""
-    kept = HEADER + "# mine\nCy,light,,1,\nBob,light,light-double,2,\r\n"
+    kept = HEADER + '# mine\nCy,light,,1,\nBob,light,light-double,2,"two\nlines"\r\n'
     assert server.decisions.read_bytes().decode() == kept
     page.reload()
     assert page.locator("article [name=points]").first.input_value() == "2"
@@ -358,5 +358,5 @@ def test_the_pages_of_answers_go_with_the_last_exercise(tmp_path):
     for name in ("review.html", "review/light-double.html", "summary.html"):
         (tmp_path / name).write_text("of the run before")
     with contextlib.closing(AnswerParts(tmp_path)) as parts:
-        grades_folder._write_review(tmp_path, {"learners": []}, parts, {})
+        grades_folder._write_review(tmp_path, {"learners": []}, parts, {}, dict)
     assert [path.name for path in tmp_path.rglob("*.html")] == ["summary.html"]
