@@ -28,7 +28,14 @@ from .learner_files import TEXTS
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 # Fields of an Exercise that no checks file has as they are, and those that only some have.
 _LEFT_OUT = ("id", "mistakes", "master", "preparation", "solution", "explanation", "helpers")
-_FOR_SOME = {"function": "", "subject": "function", "sensors": (), "unheeded": (), "rubric": ()}
+_FOR_SOME = {
+    "function": "",
+    "subject": "function",
+    "sensors": (),
+    "unheeded": (),
+    "figure": False,
+    "rubric": (),
+}
 
 
 def lesson_files(master):

@@ -20,6 +20,7 @@ import pytest
 
 from ..exercises.cell_syntax import top_level
 from ..exercises.input_encoding import encode
+from .answer_figure import figure_html
 from .exercise_notebook import notebook_of
 from .outcomes import Outcome
 from .page_kernels import PageKernels
@@ -218,7 +219,8 @@ class GradingPlugin:
             source = page["answers"].get(exercise.id)
             reason = _reason_not_to_run(exercise, source)
             if reason is None and exercise.kind.graded_by_person:
-                results[exercise.id] = open_exercise(exercise, source)
+                figure = figure_html(exercise, page, kernels) if exercise.figure else ""
+                results[exercise.id] = open_exercise(exercise, source, figure)
             elif reason is None:
                 exercise_run = ExerciseRun(exercise, kernels, stop_at)
                 results[exercise.id] = self._grade_exercise(exercise, source, exercise_run)

@@ -127,13 +127,13 @@ def ungraded_exercise(exercise, outcome, message):
     return _with_pages(*_checked(exercise, cases, {}, None, message))
 
 
-def open_exercise(exercise, source):
-    """The GradedExercise of an answer that a person grades: nothing of it is run."""
+def open_exercise(exercise, source, figure=""):
+    """The GradedExercise of an answer that a person grades: a text, or the HTML of a figure."""
     cases = tuple(_graded_case(case, Outcome.OPEN) for case in exercise.cases)
     about = repr([source, [text for text, _ in exercise.rubric]])
     return GradedExercise(
         *(exercise.id, exercise.title, exercise.points, cases),
-        **dict.fromkeys(("body", "review"), attempt(lambda: rendered_text(source), NO_DETAILS, 10)),
+        **dict.fromkeys(("body", "review"), figure or attempt(lambda: rendered_text(source), NO_DETAILS, 10)),
         rubric=exercise.rubric,
         mark=hashlib.sha256(about.encode("utf-8", "surrogatepass")).hexdigest()[:8],
     )

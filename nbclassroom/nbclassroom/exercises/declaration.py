@@ -226,6 +226,7 @@ def _assemble(path, heading, cells):
     return Exercise(
         **{name: value for name, value in heading.items() if name not in left_out},
         master=path,
+        figure=kind.graded_by_person and cells_by_role["answer"][0].kind == "code",
         given=tuple(cell.source for cell in cells_by_role["given"]),
         stub=cells_by_role["answer"][0].source,
         solution=cells_by_role["solution"][0].source,

@@ -82,6 +82,7 @@ class Exercise:
     hints: tuple[str, ...] = ()
     another_way: str = ""
     exact_type: bool = False
+    figure: bool = False  # whether a person grades the last figure of a code cell
     rubric: tuple[tuple[str, int], ...] = ()  # (what to look for, points), where a person grades
     cases: tuple[Case, ...] = ()
     mistakes: tuple[Mistake, ...] = ()

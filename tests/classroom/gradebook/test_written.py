@@ -1,6 +1,8 @@
 """Answers that a person grades: from the master to the exports, with an attack in the text."""
 
+import base64
 import csv
+import io
 import json
 import random
 import re
@@ -18,6 +20,7 @@ from nbclassroom.autograder.rendered_text import rendered_text
 from nbclassroom.gradebook.answer_keys import load_keys
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.review_server import ConflictError, ReviewServer, save_decisions
+from PIL import Image
 from submissions import SEED, notebook, write
 from template_master import TEMPLATE
 
@@ -40,6 +43,22 @@ exercise(
 
 # %% role="check"
 check("words-noise")
+"""
+FIGURE = """
+# %% role="exercise"
+exercise("words-plot", subject="written", points=1, rubric=(("labels both axes", 1),))
+
+# %% role="answer"
+figure = None  # your turn
+
+# %% role="solution"
+from matplotlib.figure import Figure
+
+figure = Figure((4, 3))
+figure.add_subplot().plot(range(LIMIT))
+
+# %% role="check"
+check("words-plot")
 """
 MASTER = TEMPLATE.replace("template-double", "words-double") + WRITTEN
 EVIL = "**bold** <script>alert(1)</script> [x](javascript:alert(2)) ![i](http://a/b.png) <b onclick=y>z</b>"
@@ -310,3 +329,46 @@ def test_a_kill_leaves_a_whole_table_with_the_old_or_the_new_decision(words, tmp
             process.kill()
         assert [row["points"] for row in rows(table)] in (["1"], ["1", "2"])
         assert save_decisions(table, "Ada,words,words-noise,1,", load_keys([words / "key"])) == 1
+
+
+# ---------------------------------------------------------------- figures
+
+RED = "figure = Figure((4, 3), facecolor='red')"
+FIGURES = {
+    "own": f"from matplotlib.figure import Figure\nfirst = Figure((9, 9))\n{RED}",
+    "pyplot": "%matplotlib inline\nimport matplotlib.pyplot as plt\n"
+    "plt.figure(figsize=(4, 3), facecolor=colour)\nplt.show()",
+    "huge": "import matplotlib.pyplot as plt\nplt.figure(figsize=(400, 300), facecolor='red')",
+    "none": "figure = 3 / 0",
+    "forged": "import nbclassroom.autograder.sandbox.inside.figure_cell as f\nf._pixels = lambda _: '<b>'\n"
+    f"from matplotlib.figure import Figure\n{RED}",
+    "endless": "while True: pass",
+    "stub": None,
+}
+
+
+def test_a_figure_is_made_in_the_sandbox_from_the_cells_and_never_taken_from_the_output(tmp_path):
+    path = write(tmp_path / "masters" / "22_words.py", MASTER + FIGURE)
+    master = read_master(path)
+    make_key(tmp_path / "masters", SEED, tmp_path / "key")
+    for name, answer in FIGURES.items():
+        made = notebook(master, {"words-plot": answer})
+        (cell,) = [cell for cell in made["cells"] if cell["id"] == "answer-words-plot"]
+        data = {"image/png": "AAAA", "text/html": "<script>x</script>"}
+        cell["outputs"] = [{"output_type": "display_data", "data": data, "metadata": {}}]
+        above = {"id": "mine", "cell_type": "code", "metadata": {}, "source": "colour = 'red'", "outputs": []}
+        made["cells"].insert(1, above)
+        write(tmp_path / "in" / name / "22_words.ipynb", made)
+    grade_submissions(tmp_path / "in", [tmp_path / "key"], tmp_path / "out", workers=1, quiet=True)
+    parts = (tmp_path / "out/review/words-plot.html").read_text("utf-8").split("<article")[1:]
+    pages = {re.search("<bdi>(.*?)</bdi>", part)[1]: part for part in parts}
+    shown = {name: re.search(r'png;base64,([^"]+)" alt="The figure', page) for name, page in pages.items()}
+    images = {name: Image.open(io.BytesIO(base64.b64decode(url[1]))) for name, url in shown.items() if url}
+    assert {name: image.getpixel((9, 9)) for name, image in images.items()} == dict.fromkeys(
+        ("own", "pyplot", "huge"), (255, 0, 0)
+    )
+    assert images["own"].size == images["pyplot"].size == (400, 300) and images["huge"].size == (632, 474)
+    assert "Its cell makes no figure (ZeroDivisionError: division by zero)." in pages["none"]
+    assert "Its cell makes no figure (time)." in pages["endless"]
+    assert "Its cell makes no figure." in pages["forged"]
+    assert "<output>" in pages["none"] and "<output>" not in pages["stub"]
