@@ -514,7 +514,32 @@ assert view.error is None
 # | instead of `cv2.cvtColor`: `gray = frame[..., 2]`, the red channel | Is the red ball brighter or darker than before? | the ball, and the blue things |
 # | in your `QoSProfile`: `ReliabilityPolicy.RELIABLE` | How many images arrive? | the right image; what the check says |
 #
-# At the end, undo your changes: your class is graded as it stands in its cell.
+# At the end, undo your changes: your class is graded as it stands in its cell. Then write down what you saw at each change, and why: one or two sentences each. Save the notebook (Ctrl+S) before you run the check: it shows an answer, and what to look for in yours. In a class, a person grades it.
+
+# %% role="exercise"
+exercise(
+    "node-observe",
+    subject="written",
+    title="Three changes, observed",
+    points=3,
+    rubric=(
+        ("255 - gray: dark and bright change places; 255 minus a small number is a large one", 1),
+        ("red channel: the ball is brighter than in gray, because its red value is high", 1),
+        ("RELIABLE: no image arrives; the camera publishes best effort, and the policies do not fit", 1),
+        ("says that with RELIABLE all images arrive", -1),
+    ),
+)
+
+# %% [markdown] role="answer"
+# *Write your answer here (double-click), in place of this line.*
+
+# %% [markdown] role="solution"
+# 1. The lamps are dark and the shadows are bright: 255 minus a large number is a small one.
+# 2. The ball is brighter than before, because it is red: its red value is high, and luma counts red only with the weight 0.299. Blue things are darker.
+# 3. No image arrives. My subscription asks for a reliable publisher, and the camera publishes best effort: ROS does not connect them. Step 1 of the check says so, too.
+
+# %% role="check"
+check("node-observe")
 
 # %%
 # Check: the ball in the red channel, against luma

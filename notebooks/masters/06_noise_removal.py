@@ -464,7 +464,33 @@ show(results, names, rows=(310, 410), cols=(600, 760), columns=2,
      text="noise_removal/gaussian")
 
 # %% [markdown]
-# There is no best filter for every noise. Against impulse noise the median is better than the others by more than ten decibels. The bilateral filter removes the least: a white pixel is different from all its neighbours, so it keeps its value like the side of a step. Against Gaussian noise the Gaussian filter is the best of the four, with these settings; with others, the bilateral filter can be better. First look at the noise, then choose and measure.
+# **Your turn, in words.** One camera has single black and white pixels, another one has grain everywhere. Which of the four filters do you choose for each, and why? And why does the bilateral filter fail at one of them? Write three or four sentences, and save the notebook (Ctrl+S) before you run the check.
+
+# %% role="exercise"
+exercise(
+    "noise-choice",
+    subject="written",
+    title="Which filter for which noise?",
+    points=3,
+    rubric=(
+        ("impulse noise: the median; an extreme value is sorted to an end, and never comes to the middle", 1),
+        ("Gaussian noise: a weighted mean, Gaussian or bilateral; small errors of many pixels cancel", 1),
+        ("bilateral against impulses: a white pixel differs from its neighbours, so it keeps its value", 1),
+        ("names one filter as the best for every noise", -1),
+    ),
+)
+
+# %% [markdown] role="answer"
+# *Write your answer here (double-click), in place of this line.*
+
+# %% [markdown] role="solution"
+# Against single black and white pixels I choose the median: such a value is at an end of the sorted nine, never in their middle. It is better than the others by more than ten decibels. The bilateral filter removes the least: a white pixel is different from all its neighbours, so it keeps its value like the side of a step. Against grain I choose the Gaussian filter: a mean of many small errors is nearly 0, and it is the best of the four with these settings. With others, the bilateral filter can be better.
+
+# %% role="check"
+check("noise-choice")
+
+# %% [markdown]
+# There is no best filter for every noise. First look at the noise, then choose and measure.
 
 # %%
 # Check: the numbers in this section

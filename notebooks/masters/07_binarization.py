@@ -312,6 +312,43 @@ assert np.abs((block_means - 5)[1:4] - 185).max() < 5
 assert np.abs((block_means - 5)[6:9] - 65).max() < 5
 
 # %% [markdown]
+# ### Your turn: the histogram of the rug ([[minutes]], deeper)
+#
+# Draw why one threshold cannot work: the histogram of `rug`, as in section 2, with Otsu's threshold `t` as a vertical line. The last figure of the cell is your answer. Save the notebook (Ctrl+S) before you run the check.
+
+# %% role="exercise"
+exercise(
+    "binarization-plot",
+    subject="written",
+    title="The histogram of the rug",
+    allowed=("cv2", "imgproc_course.imaging", "imgproc_course.recording"),
+    points=3,
+    rubric=(
+        ("the bars are the counts of the 256 gray levels of the rug", 1),
+        ("a vertical line at Otsu's threshold of the rug", 1),
+        ("both axes are labelled: gray level, and number of pixels", 1),
+        ("the histogram is of the whole frame", -1),
+    ),
+)
+
+# %% role="answer"
+figure = Figure(figsize=(8, 2.6), dpi=100, layout="constrained")
+axes = figure.add_subplot()
+# your turn: draw bars and a line into axes, and label both axes
+show_figure(figure, caption="The histogram of the rug.", alt="A histogram.")
+
+# %% role="solution"
+figure = Figure(figsize=(8, 2.6), dpi=100, layout="constrained")
+axes = figure.add_subplot()
+axes.bar(range(256), np.bincount(rug.ravel(), minlength=256), width=1)
+axes.axvline(t, color="tab:orange")
+axes.set(xlabel="gray level", ylabel="pixels", xlim=(0, 255))
+show_figure(figure, caption="The histogram of the rug.", alt="A histogram.")
+
+# %% role="check"
+check("binarization-plot")
+
+# %% [markdown]
 # ## 5 · Your turn: Otsu from the pixels ([[minutes]])
 #
 # Find the same threshold without a histogram: write `otsu(gray)`, which tries every `t` from 0 to 255 and selects the pixels of the two classes with [[term:mask|masks]], as for the eight pixels.

@@ -398,18 +398,40 @@ check("edges-class", EdgeDetector)
 assert view.running
 
 # %% [markdown]
-# Make one change after the other, each from 50 and 150. Write down your guess first.
+# Make one change after the other, each from 50 and 150. Write down your guess first. (The slider ends at 1020, because a horizontal or vertical step from black to white has the magnitude 4 × 255. Only a corner can have more, up to 1530.)
 #
 # | Change | Guess first | Look at |
 # |---|---|---|
 # | `high` to the right, until no line is left | There are still weak edge pixels. Do they give lines? | which lines stay longest |
 # | `low` to 0 | More lines, or longer lines? | where a line ended before |
 # | `low` up to 150 | Whole lines, or pieces? | the long lines of the furniture |
+#
+# Then write down what you saw at each change, and why: one or two sentences each. Save the notebook (Ctrl+S) before you run the check.
 
-# %% [markdown]
-# 1. Weak edge pixels become edges only if they are connected to a strong one, and now there is none. The slider ends at 1020, because a horizontal or vertical step from black to white has the magnitude 4 × 255. (Only a corner can have more, up to 1530.)
-# 2. `low` decides how far the lines continue: they become longer. They start at the same strong pixels.
-# 3. Now there are no weak edge pixels, and the lines break into pieces.
+# %% role="exercise"
+exercise(
+    "edges-observe",
+    subject="written",
+    title="Three changes of the thresholds, observed",
+    points=3,
+    rubric=(
+        ("high to the right: no line is left; weak pixels need a strong one, and there is none", 1),
+        ("low to 0: lines become longer, because more weak pixels are connected to the strong ones", 1),
+        ("low up to 150: pieces, because no weak pixels are left that connect the strong ones", 1),
+        ("says that low decides which lines there are", -1),
+    ),
+)
+
+# %% [markdown] role="answer"
+# *Write your answer here (double-click), in place of this line.*
+
+# %% [markdown] role="solution"
+# 1. At the end no line is left: weak edge pixels become edges only if they are connected to a strong one, and now there is none. The lines with the largest steps stay longest.
+# 2. The lines become longer: `low` decides how far they continue. They start at the same strong pixels.
+# 3. The lines break into pieces: there are no weak edge pixels any more that connect the strong ones.
+
+# %% role="check"
+check("edges-observe")
 
 # %%
 # Check: what you saw, on one frame

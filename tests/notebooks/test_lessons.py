@@ -185,6 +185,8 @@ def test_the_exercises_are_valid_and_their_stored_checks_say_the_same(path, tmp_
             assert validate_exercise(driven) == []
             continue
         assert validate_exercise(exercise, seeds=50) == []
+        if exercise.kind.graded_by_person:
+            continue
         assert_points(exercise)
         data = read_check_file(tmp_path / "checks" / f"{master.name}.json").exercise(exercise.id)
         answers = {"stub": exercise.stub, "solution": exercise.solution}

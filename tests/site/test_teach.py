@@ -65,7 +65,7 @@ def test_the_points_of_the_plans_add_up():
     text = (TEACH / "plans.md").read_text("utf-8")
     assert f"these are {first[0] + second[0]} of {first[1] + second[1]}." in text
     left_out = points_in_grading(["noise_removal", "binarization"])
-    assert f"{first[0] - 11} points are left, of {first[1] - left_out} in grading" in text
+    assert f"{first[0] - 17} points are left, of {first[1] - left_out} in grading" in text
 
 
 def test_the_plans_name_the_maximum_of_grading_and_what_is_homework():
