@@ -96,7 +96,8 @@ def _reviews(learners):
         review["groups"] = sorted(ways[id].items(), key=_order)
         exercises = [answer["exercise"] for answers in ways[id].values() for answer in answers]
         review["count"], review["open"] = len(exercises), sum(one["open_points"] > 0 for one in exercises)
-        review["rubric"] = next((one["rubric"] for one in exercises if one["rubric"]), ())
+        written = [one["rubric"] for one in exercises if one["rubric"]]  # of who wrote nothing there is none
+        review["written"], review["rubric"] = len(written), [*written, ()][0]
     return list(reviews.values())
 
 

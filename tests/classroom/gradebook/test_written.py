@@ -115,6 +115,7 @@ def test_what_nobody_has_graded_is_open_and_never_zero(grade, tmp_path):
     checks = [row["points"] for row in rows(tmp_path / "out/checks.csv") if row["exercise"] == "words-noise"]
     assert checks == ["", "", "0", "0"]
     assert "3 of 6, 3 graded" in (tmp_path / "out/summary.html").read_text("utf-8")
+    assert "of 2 answers, 0 graded" in (tmp_path / "out/review/words-noise.html").read_text("utf-8")
     grade(open_as_zero=True)
     assert [row["points"] for row in rows(tmp_path / "out/grades.csv")] == ["3"] * 4
 
