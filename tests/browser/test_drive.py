@@ -222,6 +222,7 @@ def test_without_its_page_or_its_kernel_the_robot_stops_and_the_notebook_goes_on
 
         def runs_again():
             """What is sent while the page connects again is lost."""
+            page.page.evaluate("window.jupyterapp.commands.execute('kernelmenu:reconnect-to-kernel')")
             with contextlib.suppress(TimeoutError):
                 page.run_cell(0, timeout=40)
             return "*" not in page.prompts()[0]
@@ -230,7 +231,6 @@ def test_without_its_page_or_its_kernel_the_robot_stops_and_the_notebook_goes_on
         button = page.page.locator(".jp-Dialog button", has_text="Ok")
         page.page.add_locator_handler(button, button.click)
         page.wait_until(is_started_again, timeout=60)
-        page.page.evaluate("window.jupyterapp.commands.execute('kernelmenu:reconnect-to-kernel')")
         page.wait_until(runs_again, timeout=150)
         hold_a_key(page)
         page.page.keyboard.up("ArrowLeft")
