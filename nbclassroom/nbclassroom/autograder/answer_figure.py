@@ -16,11 +16,13 @@ _NO_FIGURE = "<p>Its cell makes no figure{}.</p>"
 
 def figure_html(exercise, page, kernels):
     """The last figure that the cell of an answer makes, as HTML, or a sentence on why there is none."""
-    (source, *_) = [cell["source"] for cell in page["cells"] if cell["exercise"] == exercise.id]
+    sources = [cell["source"] for cell in page["cells"] if cell["exercise"] == exercise.id]
+    if not sources:
+        return _NO_FIGURE.format(" (it is no code cell)")
     process, answer_run = kernels.open_check(exercise, exercise.time_limit)
     run = answer_run
     if not run.ended:
-        run = process.run_check(_SHOW.format(source), [[]], exercise.time_limit)
+        run = process.run_check(_SHOW.format(sources[0]), [[]], exercise.time_limit)
     process.stop()
     why = f" ({html.escape(reproducible_text(': '.join(filter(None, (run.ended, *run.error)))))})"
     pixels = _pixels_of(run.answers)

@@ -54,6 +54,8 @@ def hint(exercise_id: str, step: int | None = None) -> Help:
 def _hint(exercise, step):
     exercise_id, hints = exercise.id, exercise.hints
     quoted_id = json.dumps(exercise_id)
+    if not hints:
+        return Help(f"There are no hints for {exercise_id}.")
     if step is None:
         step = progress_of(exercise_id).hints + 1
         if step > len(hints):

@@ -344,6 +344,7 @@ FIGURES = {
     "forged": "import nbclassroom.autograder.sandbox.inside.figure_cell as f\nf._pixels = lambda _: '<b>'\n"
     f"from matplotlib.figure import Figure\n{RED}",
     "endless": "while True: pass",
+    "text": "I draw it by hand.",
     "stub": None,
 }
 
@@ -355,6 +356,7 @@ def test_a_figure_is_made_in_the_sandbox_from_the_cells_and_never_taken_from_the
     for name, answer in FIGURES.items():
         made = notebook(master, {"words-plot": answer})
         (cell,) = [cell for cell in made["cells"] if cell["id"] == "answer-words-plot"]
+        cell["cell_type"] = "markdown" if name == "text" else "code"
         data = {"image/png": "AAAA", "text/html": "<script>x</script>"}
         cell["outputs"] = [{"output_type": "display_data", "data": data, "metadata": {}}]
         above = {"id": "mine", "cell_type": "code", "metadata": {}, "source": "colour = 'red'", "outputs": []}
@@ -371,5 +373,6 @@ def test_a_figure_is_made_in_the_sandbox_from_the_cells_and_never_taken_from_the
     assert images["own"].size == images["pyplot"].size == (400, 300) and images["huge"].size == (632, 474)
     assert "Its cell makes no figure (ZeroDivisionError: division by zero)." in pages["none"]
     assert "Its cell makes no figure (time)." in pages["endless"]
+    assert "Its cell makes no figure (it is no code cell)." in pages["text"]
     assert "Its cell makes no figure." in pages["forged"]
     assert "<output>" in pages["none"] and "<output>" not in pages["stub"]

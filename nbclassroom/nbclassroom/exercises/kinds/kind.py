@@ -9,7 +9,7 @@ class Kind:
 
     `answer` is a learner's, as the notebook has it; a call is a CaseCall, and `calls` are all of a check.
     Each kind defines `name`, and what raises NotImplementedError here. What none can change: an answer binds
-    the name of its task, and gets its points from checks.
+    the name of its task, and gets its points from checks, unless a person grades it.
     """
 
     name: str  # as `subject` in a declaration
