@@ -84,7 +84,7 @@ def asleep(key, master, count):
     awake = [exercise for exercise in result.exercises if exercise.id not in sleepers]
     lost = [exercise.id for exercise in awake if exercise.points != exercise.max_points]
     longest = max(
-        exercise.time_limit * case.calls
+        exercise.time_limit * len(case.calls)
         for exercise in key.lessons[master.name].exercises
         for case in exercise.cases
     )
