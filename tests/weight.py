@@ -12,9 +12,9 @@ from pathlib import Path
 # Ceilings in lines. A change that needs more takes something away.
 CEILINGS = {
     "imgproc_course": 16_200,
-    "nbclassroom/nbclassroom": 21_120,
-    "notebooks/masters": 25_500,
-    "tests": 48_830,  # with those of nbclassroom
+    "nbclassroom/nbclassroom": 20_480,
+    "notebooks/masters": 24_900,
+    "tests": 48_540,  # with those of nbclassroom
 }
 MOST_COMPLEX = 19
 TEXTS = (".py", ".toml", ".yaml", ".txt", ".json")
