@@ -152,24 +152,23 @@ assert round(np.median(depth) / 1000, 1) == 3.6
 # %% [markdown]
 # ## 3 · Otsu's method ([[minutes]])
 #
-# A histogram with two peaks is called *bimodal*. A person sees the valley between the peaks, but a program needs a rule. **Otsu's method** (1979) tries every threshold. Each threshold splits the pixels into two classes. The method keeps the threshold with the largest **between-class variance**, which measures how much the two classes differ:
+# A histogram with two peaks is *bimodal*. A person sees the valley between them; a program needs a rule. **Otsu's method** (1979) tries every threshold, which splits the pixels into two classes. It keeps the one with the largest **between-class variance**, a measure of how much they differ:
 #
 # $$\sigma_B^2(t) = w_0\, w_1\, (\mu_0 - \mu_1)^2$$
 #
-# - Class 0 contains the pixels at or below the threshold $t$, class 1 the pixels above $t$.
-# - $w_0$ and $w_1$, the weights, say which share of all pixels is in each class.
-# - $\mu_0$ and $\mu_1$ (the Greek letter mu) are the mean gray levels of the two classes.
-# - $\sigma_B^2$ (sigma squared) is the between-class variance.
+# - Class 0 has the pixels at or below the threshold $t$, class 1 those above.
+# - $w_0$ and $w_1$, the weights, are the shares of all pixels in the classes.
+# - $\mu_0$ and $\mu_1$ (Greek mu) are their mean gray levels; $\sigma_B^2$ (sigma squared) is the variance.
 #
-# By hand for eight pixels, 10, 20, 20, 30, 180, 190, 200, 210, and $t = 195$: six of eight pixels are in class 0, and their mean is 75. Two of eight are in class 1, and their mean is 205. So
+# By hand for eight pixels, 10, 20, 20, 30, 180, 190, 200, 210, and $t = 195$: six are in class 0, with the mean 75, and two in class 1, with the mean 205. So
 #
 # $$\sigma_B^2(195) = \tfrac{6}{8} \cdot \tfrac{2}{8} \cdot (75 - 205)^2$$
 #
 # $$= 0.75 \cdot 0.25 \cdot 16900 = 3168.75$$
 #
-# Why multiply by the shares? Their product is largest if both classes have half of the pixels. So a few extreme pixels do not easily become a class of their own.
+# Why multiply by the shares? Their product is largest for two halves, so a few extreme pixels do not easily become a class.
 #
-# **Predict** which of the four thresholds 15, 25, 100 and 195 is the best for the eight pixels.
+# **Predict** which threshold is the best for the eight pixels: 15, 25, 100 or 195.
 
 # %% role="predict"
 guess_t = None  # your guess: 15, 25, 100 or 195?
