@@ -138,7 +138,8 @@ def one_at_a_time(path):
 def digest_of(answer):
     """16 hexadecimal digits of an answer and its cell; comments and spacing make no difference."""
     codes = codes_of(answer)
-    files = dict.fromkeys(code.co_filename for code in codes.values())
+    # From Python 3.13 on, "<string>" has the lines of `python -c`, which are not those of the answer.
+    files = dict.fromkeys(code.co_filename for code in codes.values() if code.co_filename != "<string>")
     source = "\n".join("".join(linecache.getlines(file)) for file in files)
     with contextlib.suppress(SyntaxError, ValueError, RecursionError):
         source = source and ast.dump(ast.parse(source))
