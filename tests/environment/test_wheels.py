@@ -57,7 +57,7 @@ def test_a_wheel_names_its_contributors_and_carries_the_licence(wheels):
 def test_the_classroom_is_one_package_and_needs_nothing_of_images_or_ros(wheels):
     always, _ = requirements(wheels["nbclassroom"])
     assert {"jupyterlab", "nbval", "numpy"} <= always
-    assert not always & {"opencv-python-headless", "scipy", "ipywidgets", "imgproc-course"}
+    assert not always & {"opencv-python-headless", "scipy", "rclpy", "imgproc-course"}
     names = {name.partition("/")[0] for name in wheels["nbclassroom"].namelist()}
     assert {name for name in names if not name.endswith(".dist-info")} == {"nbclassroom"}
 
