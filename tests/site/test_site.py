@@ -271,7 +271,7 @@ def test_each_lesson_names_the_command_that_opens_it(pages):
 
 def test_formulas_are_mathml(built):
     html = (built[1] / "lessons/07_binarization.html").read_text("utf-8")
-    assert html.count("<math") == 11
+    assert html.count("<math") == 10
     assert re.findall(r"<script[^>]* src=\"(?!\.\./_static/)", html) == []
 
 
