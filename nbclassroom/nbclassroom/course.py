@@ -85,7 +85,7 @@ def folder():
 
 
 def learners_folder():
-    """The folder of the working copies of whoever uses this machine."""
+    """The folder of the working copies of the user of this machine."""
     return (folder() / _values()["learners_folder"]).resolve()
 
 

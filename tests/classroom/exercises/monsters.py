@@ -1,4 +1,4 @@
-"""Wrong answers to grayscale-luma that are a burden for whoever looks for their mistake.
+"""Wrong answers to grayscale-luma that are a burden for the search for their mistake.
 
 {name: source}. In the notebook, `frame` is an image of the drive.
 """

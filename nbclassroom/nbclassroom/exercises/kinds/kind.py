@@ -115,7 +115,7 @@ class Kind:
         return 0.0
 
     def look_at(self, exercise):
-        """What `check` shows of an answer that a person grades, and its learner too."""
+        """What `check` shows of an answer that a person grades; only such a kind defines it."""
         raise NotImplementedError
 
     # ---------------------------------------------------------------- judging and explaining
