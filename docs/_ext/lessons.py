@@ -111,7 +111,7 @@ TEACHING = (
     "The mean of a mask is the share of its True",
     "**All pixels at once.**",
     "The field `is_bigendian` gives the order",
-    "The parentheses are important",
+    "Python computes `+` before",
     "One number for the strength of the noise",
     "(`minlength=256` gives one count",
     "This is a **[correlation]",

@@ -13,7 +13,6 @@
 #
 # **You will be able to**
 # - run a lesson cell by cell, and restart it,
-# - check whether your computer is ready for the course,
 # - receive a camera's frames from a ROS 2 topic and watch them live,
 # - do an exercise, check your answer, and get a hint.
 #
@@ -30,7 +29,7 @@ print("hello")
 # %% [markdown]
 # The brackets on the left of a cell are `[ ]` before it runs, `[*]` while it runs or waits, and `[3]` afterwards: it was the third run since the start.
 #
-# Run the cells from top to bottom, because a cell uses results of the cells above it. To begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu. Otherwise you get a `NameError`: Python does not know the names of the cells above.
+# Run the cells from top to bottom, because a cell uses results of the cells above it. To begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu; otherwise you get a `NameError`.
 #
 # The *[[term:notebook kernel|kernel]]* is the Python process that runs the cells.
 #
@@ -48,13 +47,13 @@ print("hello")
 #
 # Sections that are marked *deeper* can be left out. The rest, the *core* of a lesson, never needs them.
 #
-# **Try**, **Look** and **Check** mean: run the cell and compare. Some cells show only their first line, such as `# Check: the numbers in this section`. Their lines with [[term:assert|`assert`]] test that the numbers in the text are right. Run them without reading.
+# **Try**, **Look** and **Check** mean: run the cell and compare. Some cells show only their first line, such as `# Check: the numbers in this section`. They test that the numbers in the text are right ([[term:assert|`assert`]]). Run them without reading.
 #
 # ## 2 · Is your computer ready? ([[minutes]])
 #
-# The *doctor* checks everything that the lessons need. If a line shows ✗, it also says how to fix the problem. You can ignore a line that shows !.
+# The *doctor* checks everything that the lessons need. A line with ✗ says how to fix the problem. You can ignore a line with !.
 #
-# If the cell says *No module named 'imgproc_course'*, the notebook uses another Python than the course. Close it, and open the lessons with `environment/lab`, or choose **Kernel → Change Kernel…** and the Python in the course's folder `.venv`.
+# *No module named 'imgproc_course'* means that the notebook uses another Python. Close it, and open the lessons with `environment/lab`, or choose **Kernel → Change Kernel…** and the Python in the course's folder `.venv`.
 
 # %% tags=["nbval-ignore-output"]
 from imgproc_course.doctor import doctor
@@ -121,7 +120,7 @@ assert round(recording.pose("camera", 0)[2], 2) == 0.2  # metres above the floor
 #
 # `open_camera` starts a camera that publishes the recording on the robot's topic. A robot has one camera: if it runs already, for another notebook, `open_camera` joins it. `ImageSubscriber` subscribes to this topic. `wait` waits for the next frame.
 #
-# Without ROS 2 (macOS, Windows without WSL), this lesson uses the recording. In other lessons, cells that begin with `if ros_available():` then do nothing. Read their code. Their results are on the course's pages, which `environment/site --serve` opens.
+# Without ROS 2 (macOS, Windows without WSL), this lesson uses the recording; in other lessons, cells that begin with `if ros_available():` then do nothing. Their results are on the pages that `environment/site --serve` opens.
 
 # %%
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
@@ -137,9 +136,9 @@ else:
 print("shape:", received.shape, "  dtype:", received.dtype)
 
 # %% [markdown]
-# This frame was converted to a *[[term:message]]* (one unit of data on a topic). The *[[term:middleware]]*, the software that carries messages from one program to another, sent it to this notebook. Here it was converted back to an array.
+# This frame came as a *[[term:message]]* (one unit of data on a topic). The *[[term:middleware]]*, the software that carries messages from one program to another, sent it to this notebook. Here it became an array again.
 #
-# **Look.** Here are the frames live. The view calls the function `darken` for every frame, with the value of the slider. Move the slider while the view runs.
+# **Look.** Here are the frames live. The view calls the function `darken` for every frame, with the value of the slider. Move it.
 #
 # `darken` multiplies every intensity by `percent` and divides it by 100 (`//` divides and rounds down). 255 × 100 = 25,500 is too large for `uint8`. So `astype` first converts the numbers to `uint16`, which holds numbers up to 65,535, and at the end back to `uint8`.
 
@@ -169,13 +168,13 @@ assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 # |---|---|---|
 # | `frame`: a colour image of any size, an array like `frame` above | the number of its pixels: one whole number | for an image of 2 rows and 3 columns, `count_pixels(image)` gives `6` |
 #
-# Replace the line with `raise` by your own code. Then run this cell and the cell below it.
+# Replace the line with `raise` by your own code, and run both cells.
 #
-# - `check("start-count", count_pixels)` runs your function on some images, and says what is right and what to look at.
+# - `check("start-count", count_pixels)` runs your function on some images, and says what to look at.
 # - `hint("start-count")` shows a hint. Run it again for the next one; there are three.
 # - `solution("start-count")` shows and explains a solution, after three honest tries. With `give_up=True` it comes at once.
 #
-# Most exercises give *points*: if you take the course with an instructor, a program *grades* your answers with other inputs. Hints and solutions never change your points. This exercise is practice and gives none.
+# Most exercises give *points*: in a class, a program *grades* your answers with other inputs. Hints and solutions never change your points. This exercise is practice and gives none.
 
 # %% role="exercise"
 exercise(
@@ -224,7 +223,7 @@ def inputs(rng):
     return (rng.integers(0, 256, size=(rows, columns + 30, 3), dtype=np.uint8),)
 
 # %% [markdown]
-# Here is the first hint of this exercise. In other exercises you call `hint` and `solution` in a cell that you add: **Esc**, then `b`.
+# Here is a hint. In other exercises you add a cell for `hint` and `solution`: **Esc**, then `b`.
 
 # %%
 hint("start-count", step=1)

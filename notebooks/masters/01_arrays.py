@@ -89,7 +89,7 @@ assert tiny.shape == (5, 5) and tiny.size == 25 and tiny[0, 0] == 10
 #
 # The *index* of a pixel is its row and its column, in square brackets. Python counts from 0. Negative numbers count from the end: row −1 is the last row.
 #
-# **Predict.** Which number is `tiny[2, 4]`? Write it into the next cell, run that cell, and then the cell after it.
+# **Predict.** Which number is `tiny[2, 4]`? Write it into the next cell, and run both cells.
 
 # %% role="predict"
 guess_pixel = None  # your guess: a number instead of None
@@ -349,8 +349,6 @@ def inputs(rng):
 # %% [markdown]
 # ## 6 · The kind of number: dtype ([[minutes]])
 #
-# **This is a good place for a break.**
-#
 # All numbers of an array have the same kind, its *dtype* (data type):
 #
 # | dtype | numbers | bytes (8 bits each) |
@@ -369,7 +367,7 @@ print(tiny[2] / 4, (tiny[2] / 4).dtype)
 print((tiny[2] / 4).astype(np.uint8), "after astype(np.uint8)")
 
 # %% [markdown]
-# NumPy computes with all numbers at once; you need no loop. The single number 4 is used for each of them: this is called *[[term:broadcasting]]*. `/` gives floats, and `astype(np.uint8)` cuts off the decimals: 22.5 becomes 22.
+# NumPy computes with all numbers at once; you need no loop. The single number 4 is used for each of them: this is called *[[term:broadcasting]]*. `/` gives floats; `astype(np.uint8)` cuts off the decimals: 22.5 becomes 22.
 #
 # **Predict.** A `uint8` holds no negative number. What is 0 − 1 in `uint8`?
 
@@ -641,7 +639,7 @@ for column in range(1, len(row) - 1):
 print(sums)
 
 # %% [markdown]
-# The loop leaves out the two ends, which have only one neighbour. Now without a loop: we take the row three times, each time *shifted* by one column. (`np.stack` puts the three rows one above the other.)
+# The loop leaves out the two ends, which have only one neighbour. Now we take the row three times, each time *shifted* by one column. (`np.stack` puts the three rows one above the other.)
 
 # %%
 left, middle, right = row[:-2], row[1:-1], row[2:]

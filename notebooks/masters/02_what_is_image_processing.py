@@ -7,14 +7,14 @@
 # %% [markdown]
 # # What is image processing?
 #
-# *[[term:image processing|Image processing]]* improves the quality of an image, or extracts information from it. A robot needs both. Its camera gives it 2.8 million numbers, ten times per second. None of them says "floor", "person" or "stop".
+# *[[term:image processing|Image processing]]* improves an image, or extracts information from it. A robot needs both: its camera gives it 2.8 million numbers, ten times per second, and none of them says "floor", "person" or "stop".
 #
 # **You will be able to**
 # - name four uses of images on a home robot,
 # - recognise four basic operations by what they do to the numbers, and write one of them,
 # - name the four steps of a program that processes a robot's images, and its libraries.
 #
-# **Time** [[minutes]]; take a break after section 4. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
+# **Time** [[minutes]]. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
 
 # %%
 import cv2
@@ -83,7 +83,7 @@ assert frame.size == 2_764_800 and recording.rate == 10
 # %% [markdown]
 # ## Part one: what a robot needs to know
 #
-# For each frame, the recording also has two images with the right answers, the *[[term:ground truth]]*: the *[[term:label image]]* says what each pixel shows (1 is floor), the *[[term:depth image]]* says how far away it is. A robot must find the answers itself.
+# For each frame, the recording also has the right answers, the *[[term:ground truth]]*: the *[[term:label image]]* says what each pixel shows (1 is floor), the *[[term:depth image]]* says how far away it is.
 #
 # ### 1 · Environment recognition: where can I drive? ([[minutes]])
 #
@@ -234,11 +234,11 @@ assert recording.label_names[8] == "box" and round(depth[box].min() / 1000, 2) =
 assert np.nonzero(box)[1].min() > 427
 
 # %% [markdown]
-# **Pause.** This is a good place for a break. **You can begin here** after it: run the first code cell of this lesson, then go on below.
+# **Pause?** Afterwards run the first code cell of this lesson, then go on here.
 #
 # ## Part two: four operations
 #
-# Programs for all four uses are built from simple operations. Look at what each operation does to the *numbers*: to the shape of the array, and to how many different values it has (`np.unique` lists them, and `.size` counts them).
+# Programs for all four uses are built from simple operations. Look at what each does to the *numbers*: to the shape of the array, and to how many different values it has (`np.unique` lists them, `.size` counts them).
 #
 # ### 5 · Grayscale: three numbers become one ([[minutes]])
 
@@ -391,7 +391,7 @@ noisy[random_values < 0.025] = 0
 noisy[random_values > 0.975] = 255
 
 # %% [markdown]
-# A *median filter* takes the [[term:median]] of the 3 × 3 pixels around each pixel, in each channel by itself: the value in the middle when you sort the nine. So single wrong values disappear. The image keeps its shape and its colours.
+# A *median filter* takes the [[term:median]] of the 3 × 3 pixels around each pixel, in each channel: the value in the middle when you sort the nine. So single wrong values disappear.
 
 # %%
 cleaned = cv2.medianBlur(noisy, 3)
@@ -407,14 +407,14 @@ assert round(noise.mean() * 100) == 5 and cleaned.shape == noisy.shape
 # %% [markdown]
 # ## 10 · The four steps, live on the robot's topic ([[minutes]])
 #
-# Every program in this course that processes a robot's images has four steps:
+# A program for a robot's images has four steps:
 #
 # 1. **Subscribe** to the camera's topic, to receive its messages: with `rclpy`, ROS 2 in Python.
 # 2. **Convert** each message to an array: with `cv_bridge`.
 # 3. **Process** the array: with OpenCV (`cv2`) and NumPy (`np`).
 # 4. **Display** the result (OpenCV), or **publish** it on a topic of its own.
 #
-# `ImageSubscriber` does the steps 1 and 2, and `live_view` step 4; the next lessons look inside. Here is step 3, edge detection, on the live frames. Move the sliders `low` and `high`, the two thresholds.
+# `ImageSubscriber` does the steps 1 and 2, and `live_view` step 4. Here is step 3, edge detection, on the live frames. Move the sliders `low` and `high`, the two thresholds.
 
 # %%
 def with_edges(frame, low=50, high=150):
@@ -620,7 +620,7 @@ def inputs(rng):
 # | binarization | (720, 1280) | two, in areas | black 0, white 255 |
 # | edges | (720, 1280) | two, in lines | no edge 0, edge 255 |
 #
-# **Next:** [[images_as_messages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
+# **Next:** [[images_as_messages]]. First choose **File → Close and Shut Down Notebook**: it frees the camera.
 
 # %%
 # Check: the table above

@@ -15,7 +15,7 @@
 # - recognise and repair two mistakes: channels in the wrong order, rows cut wrongly,
 # - choose the policies of a [[term:subscription]] to a camera.
 #
-# **Time** [[minutes]], with a break before section 6. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
+# **Time** [[minutes]]. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
 
 # %%
 import cv2
@@ -61,7 +61,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · An image is a message ([[minutes]])
 #
-# We put the first frame of the recorded drive into a message, as the robot does, and look at its fields.
+# We put the first frame of the drive into a message, as the robot does.
 
 # %%
 recording = open_recording("drive")
@@ -102,7 +102,7 @@ assert message.step == message.width * bytes_per_pixel == 3840
 # %% [markdown]
 # ## 2 · Find a pixel by hand ([[minutes]])
 #
-# At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read. Its [[term:encoding]] is `mono8`: one channel, one byte per pixel. The value of such a pixel is its *intensity* or *gray level*: 0 is black and 255 is white.
+# At which position in `data` is the pixel of row 1, column 2? The [[term:encoding]] of this small image is `mono8`: one channel, one byte per pixel. The value of such a pixel is its *intensity* or *gray level*: 0 is black and 255 is white.
 
 # %%
 tiny = np.array([[10, 11, 12, 13, 14],
@@ -153,7 +153,7 @@ assert (decoded == tiny).all()
 # %% [markdown]
 # ## 3 · Planned failure: which channel is red? ([[minutes]])
 #
-# The same lines decode the camera's image, with one more number for `reshape`: three channels per pixel.
+# The same lines decode the camera's image; `reshape` gets one more number: three channels per pixel.
 
 # %%
 flat = np.frombuffer(message.data, dtype=np.uint8)
@@ -183,7 +183,7 @@ show([frame, frame], ["correct: read as rgb8", "wrong: read as bgr8"],
      encoding=["rgb8", "bgr8"], text="images_as_messages/swapped")
 
 # %% [markdown]
-# Python raised no error. **Repair it**: `image_to_array` reads `encoding`. If you ask for another encoding, it reorders the channels.
+# Python raised no error. **Repair it**: `image_to_array` reads `encoding`, and reorders the channels if you ask for another.
 
 # %%
 bgr = image_to_array(message, "bgr8")
@@ -198,7 +198,7 @@ assert (bgr == frame[..., ::-1]).all()
 # %% [markdown]
 # ## 4 · Planned failure: a padded row ([[minutes]])
 #
-# Many cameras start every row at a multiple of, for example, 16 bytes. They fill the rest of the row with bytes that have no meaning: *[[term:padded rows|padding]]*. This image has five columns, but a step of eight: the last three bytes of each row (here 99) are padding.
+# Many cameras start every row at a multiple of, for example, 16 bytes, and fill the rest with bytes without a meaning: *[[term:padded rows|padding]]*. This image has five columns, but a step of eight: the last three bytes of each row (here 99) are padding.
 
 # %%
 padded_rows = np.full((5, 8), 99, dtype=np.uint8)
@@ -466,9 +466,9 @@ def inputs(rng):
 # %% [markdown]
 # ## 6 · Use the library ([[minutes]])
 #
-# **This is a good place for a break.** After it, run the cells above again: **Run → Run All Above Selected Cell**.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
-# ROS 2 has its own converter, `cv_bridge`. The course's `CvBridge` has the same methods and, for correct messages, the same results. On a robot you only change the import. (Do not install `cv_bridge` with pip: that one is for ROS 1.)
+# ROS 2 has its own converter, `cv_bridge`. The course's `CvBridge` has the same methods and, for correct messages, the same results: on a robot you only change the import. (`cv_bridge` from pip is for ROS 1.)
 #
 # **Check** that three ways give the same array. ("passthrough": keep the encoding of the message.)
 
@@ -669,7 +669,7 @@ assert 0 < difference.mean() < 2
 # %% [markdown]
 # ## 10 · A live topic and its QoS ([[minutes]])
 #
-# Now the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor in [[start_here]] says what to install.)
+# Now the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the cells below do nothing.)
 
 # %%
 if ros_available():
@@ -711,7 +711,7 @@ compare_guess(guess_received, reliable_count)
 assert not ros_available() or reliable_count == 0
 
 # %% [markdown]
-# Nothing arrives, and ROS raises no error. The subscription requests more (reliable) than the camera offers (best effort), so ROS does not connect them. The course's subscriber warns on a red background (here or below a later cell), and keeps the reason:
+# Nothing arrives, and ROS raises no error. The subscription requests more (reliable) than the camera offers (best effort), so ROS does not connect them. The course's subscriber warns in red (here or below a later cell), and keeps the reason:
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -723,7 +723,7 @@ if ros_available():
 assert not ros_available() or (reliable.received == 0 and reliable.incompatible_qos)
 
 # %% [markdown]
-# **Repair it**: do not request more than the camera offers. A `QoSProfile` holds the policies. This one is what camera drivers use, and the default of this course's subscriber.
+# **Repair it**: do not request more than the camera offers. This `QoSProfile` is what camera drivers use, and the default of this course's subscriber.
 
 # %%
 if ros_available():
@@ -758,7 +758,7 @@ assert not ros_available() or not repaired.incompatible_qos
 # | rows of `step` bytes | (720, 3840) | uint8 | 0 to 255 | byte |
 # | *frame* | (720, 1280, 3) | uint8 | 0 to 255 | gray level of a channel |
 #
-# **Next:** [[grayscale]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
+# **Next:** [[grayscale]]. First choose **File → Close and Shut Down Notebook**: it frees the camera.
 
 # %%
 # Check: the table above

@@ -14,7 +14,7 @@
 # - calculate with `uint8` pixels without overflow,
 # - compute luma with integers, and get the same result as OpenCV for every pixel.
 #
-# **Time** [[minutes]], with a pause after section 5. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the channels of a frame are in the order blue, green, red.
+# **Time** [[minutes]]. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the channels of a frame are in the order blue, green, red.
 
 # %% role="given" exercise=["grayscale-luma"]
 import numpy as np
@@ -56,7 +56,7 @@ figure_texts = {
 #
 # A pixel has three channels: blue 30, green 60, red 220. How bright is it? The simplest answer is the average.
 #
-# **Predict** the average. Write your guess instead of `None`, run the cell, and then the next one.
+# **Predict** the average. Write your guess instead of `None`.
 
 # %% role="predict"
 guess_average = None  # your guess: which number?
@@ -73,7 +73,7 @@ assert average == 103
 # %% [markdown]
 # ## 2 · Planned failure: a sum of pixels ([[minutes]])
 #
-# Now the same pixel as it is stored in a frame: three numbers of dtype `uint8`. **Predict** the result of the same calculation.
+# Now the same pixel as in a frame: three numbers of dtype `uint8`. **Predict** the result.
 
 # %% role="predict"
 guess_wrapped = None  # your guess: which number?
@@ -165,7 +165,7 @@ patches[:, 2:4, 1] = 255  # two of pure green,
 patches[:, 4:6, 2] = 255  # and two of pure red
 
 # %% [markdown]
-# The cell after your guess draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*.
+# The cell below your guess draws them and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, explained below. **Predict** which colour looks brightest to *you*.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?
@@ -231,7 +231,7 @@ print("exact:", round(total / 2**15, 2))
 compare_guess(guess_both, (total >> 15, (total + 2**14) >> 15))
 
 # %% [markdown]
-# The parentheses are important: Python computes `+` before `>>`.
+# Python computes `+` before `>>`.
 #
 # Now the whole frame. 255 × 19235 = 4,904,925 does not fit into `uint16`, so we widen to `uint32`, which holds numbers up to 4,294,967,295.
 #
@@ -327,7 +327,7 @@ assert (by_slices == to_gray(tiny)).all() and (by_loops == by_slices).all()
 # %% [markdown]
 # ## 6 · Does OpenCV agree? ([[minutes]])
 #
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
 # We compare our rounded sum, the course's `to_gray`, and OpenCV's `cvtColor`. **Check** every pixel of the frame.
 
@@ -349,7 +349,7 @@ assert (gray == opencv).all() and (rounded == opencv).all()
 # %% [markdown]
 # ## 7 · Your turn: luma with integers ([[minutes]])
 #
-# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as `sums` and `rounded` in section 4, or with two loops over the pixels.
+# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Write it with slices, as in section 4, or with two loops over the pixels.
 #
 # | Input | Output | Example call |
 # |---|---|---|

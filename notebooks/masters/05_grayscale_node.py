@@ -7,16 +7,16 @@
 # %% [markdown]
 # # The grayscale node
 #
-# A function converts one frame to gray. A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends, and publishes the results for other nodes.
+# A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends to gray, and publishes the results for other nodes.
 #
 # **You will be able to**
 # - read a Python *class*, and pass a function to it as a *callback*,
 # - write a ROS 2 node that subscribes, converts, processes and publishes, and explain each of its lines,
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted,
 # - change a node, and predict what it publishes then,
-# - deeper: explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2).
+# - deeper: explain what `rclpy.spin` does.
 #
-# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]], and a running ROS 2. Without ROS 2 (macOS, Windows without WSL), the cells that begin with `if ros_available():` do nothing. Their results are on the page that `environment/site --serve` opens, and the exercise can be checked without ROS 2.
+# **Time** [[minutes]]. **You need** [[images_as_messages]] and [[grayscale]], and ROS 2. (The exercises can be checked without it.)
 
 # %%
 import cv2
@@ -127,7 +127,7 @@ assert len({(stamp.sec, stamp.nanosec) for stamp in stamps}) == len(stamps)
 # %% [markdown]
 # ## 2 · A class in ten lines ([[minutes]])
 #
-# In Python, a node is written as a *[[term:class]]*. (If you know classes, go on with section 3.) A class describes objects: which values they have, and what they can do. Here is a bell, without ROS. If you want to know when it rings, you give it a callback.
+# In Python, a node is written as a *[[term:class]]*. (If you know classes, go on with section 3.) A class says which values its objects have, and what they can do. Here is a bell, without ROS. Who wants to know when it rings gives it a callback.
 
 # %%
 class Bell:
@@ -145,11 +145,11 @@ class Bell:
 # %% [markdown]
 # - `class Bell:` begins the class. The functions inside it are its *[[term:method|methods]]*.
 # - `Bell("front door")` will create an object. Python then calls the method `__init__`.
-# - `self` is the object itself. Python passes it as the first argument of every method; you do not write it in the call.
-# - `self.name` is a value that belongs to the object, an *attribute*. Each bell has its own name and its own list of callbacks.
-# - `callback(self.name)` calls a function that somebody else wrote. The bell does not know what the function does.
+# - `self` is the object itself. Python passes it to every method; you do not write it in the call.
+# - `self.name` is a value of this object, an *attribute*. Each bell has its own name and its own callbacks.
+# - `callback(self.name)` calls a function that somebody else wrote.
 #
-# The next cell subscribes the function `on_ring`. It is written *without* parentheses: we pass the function itself, and do not call it. Then the bell rings twice. **Predict** how many names are in the list at the end.
+# The next cell subscribes the function `on_ring`, *without* parentheses: we pass the function itself, and do not call it. Then the bell rings twice. **Predict** how many names are in the list at the end.
 
 # %% role="predict"
 guess_rings = None  # your guess: how many names are in the list?
@@ -174,9 +174,9 @@ compare_guess(guess_rings, len(rung))
 assert rung == ["front door", "front door"]
 
 # %% [markdown]
-# You never called `on_ring`. The bell called it, once for each ring. In the same way, ROS calls your callback once for each message.
+# You never called `on_ring`: the bell did, once for each ring. So ROS calls your callback once for each message.
 #
-# A class can extend another class. `CountingBell(Bell)` *[[term:inherit|inherits]]* from `Bell`: it has everything that `Bell` has, and more. `super().__init__(name)` runs the `__init__` of `Bell` first. A method can be a callback too: `self.on_ring`.
+# A class can extend another class. `CountingBell(Bell)` *[[term:inherit|inherits]]* everything that `Bell` has, and has more. `super().__init__(name)` runs the `__init__` of `Bell` first. A method can be a callback too: `self.on_ring`.
 
 # %%
 class CountingBell(Bell):
@@ -199,22 +199,14 @@ print(back_door.name, "rang", back_door.rings, "times")
 assert (back_door.name, back_door.rings, len(back_door.callbacks)) == ("back door", 3, 1)
 
 # %% [markdown]
-# Remember this form: a class that inherits, an `__init__` that begins with `super().__init__(...)` and subscribes, and a method that is the callback. A node has exactly this form.
+# A node has exactly this form: a class that inherits, an `__init__` that begins with `super().__init__(...)` and subscribes, and a method that is the callback.
 
 # %% [markdown]
 # ## 3 · The node, line by line ([[minutes]])
 #
 # A node that works with images does four things: it **subscribes** to a topic, **converts** each message to an array, **processes** the array, and **publishes** (or displays) the result. It needs `rclpy` (nodes, topics and the log), `sensor_msgs` (the message types of sensors, such as `Image`), a converter between messages and arrays, OpenCV and NumPy.
 #
-# **The steps of the implementation**
-# 1. Choose the QoS policies.
-# 2. Write a class that inherits from `Node`, and give the node a name.
-# 3. Create a publisher for the results, and a subscription to the camera's topic with a callback.
-# 4. In the callback, convert the message to an array, and log an error if this fails.
-# 5. Process the array, convert the result to a message with the same header, and publish it.
-# 6. Create the node and *[[term:spin]]* it: wait for messages and call the callbacks, again and again.
-#
-# Step 1: the *QoS policies* (quality of service) say how messages are delivered. Three matter for a camera:
+# First, choose the *QoS policies* (quality of service): they say how messages are delivered. Three matter for a camera:
 
 # %%
 if ros_available():
@@ -235,13 +227,13 @@ for policy in ("reliability", "durability", "history", "depth"):
     assert not ros_available() or getattr(camera_qos, policy) == getattr(qos_profile_sensor_data, policy)
 
 # %% [markdown]
-# - **reliability: best effort.** A lost image is not sent again, because a late image is useless.
-# - **durability: volatile.** Images that were published before the subscription existed are not delivered.
-# - **depth: 5.** At most five messages wait in a queue until the callback has time for them.
+# - **reliability: best effort.** A lost image is not sent again: a late image is useless.
+# - **durability: volatile.** Images from before the subscription are not delivered.
+# - **depth: 5.** At most five messages wait until the callback has time.
 #
-# `rclpy` has a ready profile with the same policies: `qos_profile_sensor_data`. Older files write `QoSReliabilityPolicy` and `QoSDurabilityPolicy` for the two classes.
+# `qos_profile_sensor_data` is a ready profile with the same policies. Older files write `QoSReliabilityPolicy` and `QoSDurabilityPolicy`.
 #
-# Steps 2 to 5: here is the whole node. The numbers refer to the list below.
+# Here is the whole node. The numbers refer to the list below.
 
 # %% tags=["long"]
 if ros_available():
@@ -275,7 +267,7 @@ if ros_available():
 # 1. `GrayNode` inherits from ROS's class `Node`. `"gray_by_hand"` is the node's name in the *[[term:ROS graph]]*: the network of all running nodes and topics.
 # 2. The node creates a *[[term:publisher]]* for messages of the type `Image` on `~/gray`. ROS replaces `~` by the node's name: `/gray_by_hand/gray`.
 # 3. It creates a *[[term:subscription]]* to the camera's topic. The callback is the method `on_image`, without parentheses.
-# 4. It *[[term:log|logs]]* a line when it starts. A log line has a time, a level (`INFO`, `WARN`, `ERROR`) and the node's name; a line of `print` has none of them.
+# 4. It *[[term:log|logs]]* a line when it starts, with a time, a level (`INFO`, `WARN`, `ERROR`) and the node's name.
 # 5. The message becomes an array with the channels blue, green, red, whatever its encoding is.
 # 6. If this fails, Python goes on at `except`: the node logs the error, and `return` leaves the callback. One bad message must not end the node.
 # 7. Only this line processes the image. It does not use ROS.
@@ -283,9 +275,9 @@ if ros_available():
 # 9. The node publishes the message.
 
 # %% [markdown]
-# **Catch only what a bad message causes.** Many files put `except Exception` around the whole callback. Do not copy it: it also catches your own mistakes. If you misspell a name, such a node logs an error for every image, and you look for the fault in the camera. Put only the conversion inside `try`, and catch only `ConversionError`. In a script, every other error then ends the node, and shows you the line.
+# **Catch only what a bad message causes.** Many files put `except Exception` around the whole callback. Do not copy it: it also catches your own mistakes. If you misspell a name, such a node logs an error for every image, and you look for the fault in the camera. In a script, every other error should end the node, and show you the line.
 #
-# **Step 6.** `RosSession.current()` is the part of the course that runs ROS in this notebook. Its method `add_node` makes a node of your class, and spins it in the background. **Look** at the camera's frame and at what the node publishes:
+# **Look** at the camera's frame and at what the node publishes. `RosSession.current()` is the part of the course that runs ROS in this notebook. Its method `add_node` makes a node of the class, and *[[term:spin|spins]]* it in the background: it waits for messages and calls the callbacks, again and again.
 
 # %% tags=["nbval-ignore-output"]
 def beside(frame):
@@ -305,7 +297,7 @@ else:
 assert view.error is None
 
 # %% [markdown]
-# The line that begins with `[INFO]` is the node's log. A script writes its log to the terminal.
+# The line that begins with `[INFO]` is the node's log.
 #
 # A script has no session. It ends with a function `main`, which spins the node until you press Ctrl-C. Then `rclpy` raises one of the two exceptions, and the node ends without an error:
 #
@@ -327,12 +319,12 @@ assert view.error is None
 #
 # `args` are the arguments of the command line, such as [[term:remapping|remappings]]. You run such a script in [[ros2_packages]].
 #
-# **Pause?** Then choose **Run → Run All Above Selected Cell** when you come back.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 
 # %% [markdown]
 # ## 4 · Your turn: the whole node ([[minutes]])
 #
-# Most tutorials convert with *[[term:cv_bridge]]*. Its class `CvBridge` has two methods: `imgmsg_to_cv2` (message to array) and `cv2_to_imgmsg` (array to message, with the header as its third argument). A message that cannot be converted raises `CvBridgeError`. (If `cv_bridge` is not installed, `offer_modules()` above makes the import work: you get the course's own class.)
+# Most tutorials convert with `CvBridge` of *[[term:cv_bridge]]*. It has two methods: `imgmsg_to_cv2` (message to array) and `cv2_to_imgmsg` (array to message, with the header as its third argument). A message that cannot be converted raises `CvBridgeError`. (If `cv_bridge` is not installed, `offer_modules()` above makes the import work: you get the course's own class.)
 
 # %%
 from cv_bridge import CvBridge, CvBridgeError
@@ -506,7 +498,7 @@ assert view.error is None
 # %% [markdown]
 # ### Change your node, and observe ([[minutes]])
 #
-# Make one change after the other. Write down your guess. Then change your class, run its cell, and run the cell above: the new node replaces the old one. Was your guess right? Does the check see the change?
+# Make one change after the other. Write down your guess, change your class, run its cell, and run the cell above: the new node replaces the old one. Was your guess right? Does the check see the change?
 #
 # | Change | Guess first | Look at |
 # |---|---|---|
@@ -514,7 +506,7 @@ assert view.error is None
 # | instead of `cv2.cvtColor`: `gray = frame[..., 2]`, the red channel | Is the red ball brighter or darker than before? | the ball, and the blue things |
 # | in your `QoSProfile`: `ReliabilityPolicy.RELIABLE` | How many images arrive? | the right image; what the check says |
 #
-# At the end, undo your changes: your class is graded as it stands in its cell. Then write down what you saw at each change, and why: one or two sentences each. Save the notebook (Ctrl+S) before you run the check: it shows an answer, and what to look for in yours. In a class, a person grades it.
+# At the end, undo your changes: your class is graded as it stands. Then write down what you saw at each change, and why: one or two sentences each. Save (Ctrl+S) before you run the check: it shows an answer, and what to look for in yours. In a class, a person grades it.
 
 # %% role="exercise"
 exercise(
@@ -604,7 +596,7 @@ assert list(queue) == [3, 4, 5, 6, 7]
 # %% [markdown]
 # ## Recap
 #
-# A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures.
+# A node subscribes with a callback. It converts the message, processes the frame, publishes the result with the copied header, and logs failures.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
@@ -612,7 +604,7 @@ assert list(queue) == [3, 4, 5, 6, 7]
 # | *frame*, `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
 # | *gray*, published as `mono8` | (720, 1280) | uint8 | 0 to 255 | gray level |
 #
-# **Next:** [[noise_removal]], or [[canny_stages]] if you have one day. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
+# **Next:** [[noise_removal]], or [[canny_stages]] if you have one day. First choose **File → Close and Shut Down Notebook**: it frees the camera.
 
 # %%
 # Check: the numbers in the table

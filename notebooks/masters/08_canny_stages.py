@@ -7,14 +7,14 @@
 # %% [markdown]
 # # The stages of Canny
 #
-# `cv2.Canny(gray, 50, 150)` finds edges with one line, which runs five simple stages. Here you meet them one by one, and write one of them; in the deeper sections you write three more.
+# `cv2.Canny(gray, 50, 150)` runs five simple stages. Here you meet them one by one, and write one of them; in the deeper sections you write three more.
 #
 # **You will be able to**
 # - name the input and the output of each stage, with their units,
 # - explain and apply the two thresholds 50 and 150,
 # - explain why a noisy image must be smoothed before edge detection.
 #
-# **Time** [[minutes]], best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices) and [[grayscale]].
+# **Time** [[minutes]], best on two days. **You need** [[arrays#10]] (shifted slices) and [[grayscale]].
 
 # %% role="given" exercise=["canny-sobel", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np
@@ -114,7 +114,7 @@ print("difference", difference)
 compare_guess(guess_positions, np.flatnonzero(difference))  # where it is not 0
 
 # %% [markdown]
-# This is a **[[term:correlation]]** with the kernel `[-1, 0, 1]`, a small table of weights. It *slides* along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added: the *[[term:filter response]]*. At the step it is the height of the step, 150; from bright to dark it is negative. (A [[term:convolution]] flips the kernel first: see [[noise_removal]].)
+# This is a **[[term:correlation]]** with the kernel `[-1, 0, 1]`, a small table of weights. At each pixel of the row, every weight is multiplied by the gray level under it, and the products are added: the *[[term:filter response]]*. At the step it is the height of the step, 150; from bright to dark it is negative. (A [[term:convolution]] flips the kernel first: see [[noise_removal]].)
 
 # %%
 # Check: the numbers in this section
@@ -165,7 +165,7 @@ show([step, grad_col, grad_row],
      text="canny_stages/sobel")
 
 # %% [markdown]
-# The factor **4** is important: the thresholds below are compared with the Sobel response, not with gray levels. At a vertical or horizontal edge, a threshold of 50 means a step of 12.5 gray levels, and 150 means 37.5.
+# The factor **4** is important: thresholds are compared with the Sobel response, not with gray levels. At a vertical or horizontal edge, 50 means a step of 12.5 gray levels, and 150 means 37.5.
 
 # %%
 # Check: the numbers in this section
@@ -265,7 +265,7 @@ print("L1 norm", l1, "  L2 norm", l2)
 compare_guess(guess_norm, l1)
 
 # %% [markdown]
-# `canny_stages` runs all stages, here with the thresholds 50 and 150, and returns the result of each. Below are the stages of a part of the frame.
+# `canny_stages` runs all stages, and returns the result of each. Here they are for a part of the frame.
 
 # %%
 stages = canny_stages(gray, 50, 150)
@@ -359,9 +359,9 @@ assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
 # %% [markdown]
 # ## 6 · Non-maximum suppression: keep only the top of the ridge ([[minutes]])
 #
-# **This is a good place for a pause.** After it, choose **Run → Run All Above Selected Cell**.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
-# An edge should be one pixel wide. But if the intensity changes over a few pixels, the magnitudes form a *[[term:ridge]]*. So Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps it only if its magnitude is a *local maximum* (a peak). This is **[[term:non-maximum suppression]]**. A pixel has only eight neighbours, so the direction is rounded to one of four *sectors*:
+# If the intensity changes over a few pixels, the magnitudes form a *[[term:ridge]]*. **[[term:non-maximum suppression|Non-maximum suppression]]** compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps it only if its magnitude is a *local maximum* (a peak). A pixel has only eight neighbours, so the direction is rounded to one of four *sectors*:
 #
 # | sector | the gradient points | first neighbour | second neighbour | kept if |
 # |---|---|---|---|---|
@@ -508,7 +508,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 8 · The double threshold ([[minutes]])
 #
-# Which ridges are edges? With a low threshold, the wood pattern of the floor becomes edges. With a high one, outlines get gaps. Canny uses a **[[term:double threshold]]**: a pixel above `high` is a **strong** edge pixel, and always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge.
+# Which ridges are edges? With a low threshold, the wood pattern of the floor becomes edges; with a high one, outlines get gaps. Canny uses a **[[term:double threshold]]**: a pixel above `high` is a **strong** edge pixel, always an edge. A pixel above `low`, but not above `high`, is **weak**: it may be an edge.
 #
 # **Predict**: `low` is 50, `high` is 150. How many of these six magnitudes are weak: 20, 50, 51, 150, 151, 400?
 
@@ -549,7 +549,7 @@ assert not (weak & strong).any()  # no pixel is both
 # |---|---|---|
 # | `thinned`: (height, width) int32; `low`, `high`: two numbers, low < high | `weak, strong`, in this order: two bool arrays of the same shape | `weak, strong = double_threshold(six, 50, 150)` |
 #
-# Both arrays must be bool: a bool array selects pixels, an array of 0 and 1 does not.
+# Both arrays must be bool: only a bool array selects pixels.
 
 # %% role="exercise"
 exercise(
@@ -597,11 +597,11 @@ def inputs(rng):
 # %% [markdown]
 # ## 9 · Edge tracking by hysteresis ([[minutes]])
 #
-# **This is a good place for a second pause.** After it, choose **Run → Run All Above Selected Cell**.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
-# A weak pixel becomes an edge if one of its eight neighbours, corners included, is an edge: this is *8-connectivity*. So edges grow from the strong pixels along the weak pixels, until nothing changes. This is **[[term:hysteresis|edge tracking by hysteresis]]**: an edge needs the high threshold to start, but only the low one to continue. In other words: if one pixel of a **[[term:connected component]]** of weak and strong pixels is strong, the whole component is an edge.
+# A weak pixel becomes an edge if one of its eight neighbours, corners included, is an edge: this is *8-connectivity*. So edges grow from the strong pixels along the weak ones. This is **[[term:hysteresis|edge tracking by hysteresis]]**: an edge needs the high threshold to start, but only the low one to continue. If one pixel of a **[[term:connected component]]** of weak and strong pixels is strong, the whole component is an edge.
 #
-# The next cell defines one step of growth. Each `padded[row : row + height, col : col + width]` is a shifted copy of the image. `near_edge` is True where at least one of the nine copies is.
+# The next cell defines one step of growth. `near_edge` is True where at least one of nine shifted copies of the image is.
 
 # %%
 def grow_once(edges, weak):
@@ -654,7 +654,7 @@ assert small_edges.astype(int).tolist() == [[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 0, 
 assert (grow_steps(letters == "w", letters == "S", 3) == small_edges).all()
 
 # %% [markdown]
-# The w in the middle row touches another edge at a corner. The other three touch none. Now the same on the camera frame. Move the slider, the number of steps, and watch the lines grow.
+# The w in the middle row touches an edge at a corner. The other three touch none. Now the camera frame: move the slider, the number of steps, and watch the lines grow.
 
 # %% tags=["nbval-ignore-output"]
 def growth(frame, steps=0):
@@ -793,7 +793,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 11 · Planned failure: Canny on a noisy frame ([[minutes]])
 #
-# In textbooks, the first stage of Canny is a Gaussian blur: each pixel becomes a weighted mean of its neighbours. `cv2.Canny` does **not** blur. What happens if you forget it? We add Gaussian noise to the frame: a random number for each pixel, with a standard deviation (the usual size) of 15 gray levels.
+# In textbooks, the first stage of Canny is a Gaussian blur: each pixel becomes a weighted mean of its neighbours. `cv2.Canny` does **not** blur. We add Gaussian noise to the frame: a random number for each pixel, with a standard deviation (the usual size) of 15 gray levels.
 #
 # **Predict**: how many times as many edge pixels are there with noise?
 
@@ -858,7 +858,7 @@ assert (cat_edges == cv2.Canny(cat, 50, 150)).all()
 # %% [markdown]
 # ## Recap
 #
-# Canny computes the gradient, thins its ridges, and keeps the strong pixels and the weak ones that are connected to them. `cv2.Canny` does not blur: blur a noisy image first. Each stage has the shape of the frame, (720, 1280).
+# Canny computes the gradient, thins its ridges, and keeps the strong pixels and the weak ones connected to them. It does not blur: blur a noisy image first. Each stage has the shape of the frame, (720, 1280).
 #
 # | stage | dtype | range | unit |
 # |---|---|---|---|

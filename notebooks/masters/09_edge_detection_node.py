@@ -7,15 +7,14 @@
 # %% [markdown]
 # # The edge-detection node
 #
-# Many lessons on edge detection end with "change the thresholds and observe". Here you write a node with thresholds, and change them while it runs. One result looks better than another, but is it really better? In the deeper sections you *measure* it.
+# Here you write a node with two thresholds, and change them while it runs. One result looks better than another, but is it really better? In the deeper sections you *measure* it.
 #
 # **You will be able to**
 # - write a node with parameters, and change them while it runs,
 # - explain the unit of the two thresholds, and what happens if you swap them,
-# - deeper: compare edges with a ground truth, and measure precision, recall and F1,
-# - deeper: tune the parameters on some frames, and evaluate them on other frames.
+# - deeper: measure precision, recall and F1 against a ground truth, and tune the parameters.
 #
-# **Time** [[minutes]]; if you do the deeper sections, take a break before section 7. **You need** [[grayscale_node]] and [[canny_stages]].
+# **Time** [[minutes]]. **You need** [[grayscale_node]] and [[canny_stages]].
 
 # %% role="given" exercise=["edges-near", "edges-f1"]
 import numpy as np
@@ -81,7 +80,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · The edges of one frame ([[minutes]])
 #
-# On a robot, speed is important, so this lesson calls OpenCV. `cv2.Canny` finds the same edges as the stages of [[canny_stages]], on every pixel.
+# This lesson calls OpenCV, which is fast. `cv2.Canny` finds the same edges as the stages of [[canny_stages]], on every pixel.
 
 # %%
 def three_images(frame, low=50, high=150):
@@ -99,11 +98,11 @@ assert (outputs["edges"] == canny(gray, 50, 150)).all()
 assert 50 / 4 == 12.5 and 150 / 4 == 37.5
 
 # %% [markdown]
-# Remember the unit of both thresholds: the L1 magnitude of the Sobel gradient, |grad_row| + |grad_col|. A horizontal or vertical intensity step of h gray levels has the magnitude 4 h. Pixels above `high` are strong; pixels above `low`, but not above `high`, are weak. So with `high` = 150, a step of more than 37.5 gray levels gives strong edge pixels. With `low` = 50, a step of more than 12.5 gray levels gives at least weak ones.
+# Remember the unit of both thresholds: the L1 magnitude of the Sobel gradient, |grad_row| + |grad_col|. A horizontal or vertical step of h gray levels has the magnitude 4 h. So with `high` = 150, a step of more than 37.5 gray levels gives strong edge pixels. With `low` = 50, a step of more than 12.5 gray levels gives at least weak ones.
 #
 # ## 2 · A node with a parameter ([[minutes]])
 #
-# A *[[term:ROS parameter]]* is a named value of a node. Others can read it, and change it while the node runs. This node has one: it publishes white where the gray level is above `level`. The two numbered lines are about it.
+# A *[[term:ROS parameter]]* is a named value of a node. Others can change it while the node runs. This node has one: it publishes white where the gray level is above `level`. The two numbered lines are about it.
 
 # %% tags=["long"]
 if ros_available():
@@ -138,7 +137,7 @@ if ros_available():
             )
 
 # %% [markdown]
-# 1. `__init__` **declares** each parameter, with its name and its first value. The first value also says the type: 100 is an `int`, so this parameter takes whole numbers only.
+# 1. `__init__` **declares** each parameter, with its name and its first value: 100 is an `int`, so this parameter takes whole numbers only.
 # 2. The callback **reads** the parameter for each image. `get_parameter` returns a `Parameter`; its `.value` is the number. If `__init__` read it once, a change would have no effect.
 
 # %% tags=["nbval-ignore-output"]
@@ -193,7 +192,7 @@ assert not ros_available() or not node.set_parameters([Parameter("level", value=
 # 2. **Follow the parameters.** The next image after `ros2 param set /edge_detector low 20` has more edges.
 # 3. **Survive.** A message that cannot be converted is logged as an error, and nothing is published for it.
 #
-# What happens if `low` is above `high` is the question of section 5; here it does not matter.
+# Here `low` is never above `high`; section 5 asks what happens then.
 
 # %% role="exercise"
 exercise(
@@ -368,7 +367,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 4 · Change the thresholds and observe ([[minutes]])
 #
-# The next cell shows what your node publishes, beside the frame. Its slider has two ends: they set the parameters `low` and `high` of your node, with `set_parameters`. Below it, the check says what differs from the task. (Without ROS, or before you have begun, the same slider sets the thresholds of `three_images`.)
+# The next cell shows what your node publishes, beside the frame. The two ends of its slider set the parameters `low` and `high` of your node, with `set_parameters`. Below it, the check says what differs from the task. (Without ROS, or before you have begun, the slider sets the thresholds of `three_images`.)
 
 # %% tags=["nbval-ignore-output", "long"]
 def beside_edges(frame, low=50, high=150):
@@ -398,7 +397,7 @@ check("edges-class", EdgeDetector)
 assert view.running
 
 # %% [markdown]
-# Make one change after the other, each from 50 and 150. Write down your guess first. (The slider ends at 1020, because a horizontal or vertical step from black to white has the magnitude 4 × 255. Only a corner can have more, up to 1530.)
+# Make one change after the other, each from 50 and 150. Write down your guess first. (The slider ends at 1020 = 4 × 255, a straight step from black to white. Only a corner can have more, up to 1530.)
 #
 # | Change | Guess first | Look at |
 # |---|---|---|
@@ -488,7 +487,7 @@ outcome = "the same edges" if different == 0 else "other edges"
 compare_guess(guess_swapped, outcome)
 
 # %% [markdown]
-# OpenCV swaps them back without a warning. This hides a mistake: if you increase `low` above `high`, OpenCV uses your `low` as the high threshold. **Repair it**: in a function, raise an error, as the course's `canny` does. In a node, log it and skip the image.
+# OpenCV swaps them back without a warning. So if you increase `low` above `high`, OpenCV uses your `low` as the high threshold. **Repair it**: in a function, raise an error, as the course's `canny` does. In a node, log it and skip the image.
 
 # %%
 try:
@@ -558,7 +557,7 @@ if ros_available():
     RosSession.current().stop()
 
 # %% [markdown]
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
 # ## 7 · Which edges are right? ([[minutes]], deeper)
 #
@@ -1003,18 +1002,15 @@ assert round(f1_maps.max(), 2) == 0.45
 # %% [markdown]
 # ## Recap
 #
-# Declare a parameter in `__init__`, and read it in the callback. Know the unit of the thresholds, and that OpenCV swaps them if `low` is above `high`. Deeper: to compare two results, measure both against a ground truth, on frames that you did not tune on.
+# Declare a parameter in `__init__`, and read it in the callback. OpenCV swaps the thresholds if `low` is above `high`. Deeper: compare two results with a ground truth, on frames that you did not tune on.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level |
 # | low, high | one number each | int | 0 to 1530 | L1 magnitude of the Sobel gradient (a horizontal or vertical step of h gives 4 h) |
-# | sigma (deeper) | one number | float | 0 to 10 | pixel |
 # | *edges* | (720, 1280) | uint8 | 0 and 255 | no and yes |
-# | outlines (deeper) | (720, 1280) | bool | False, True | no and yes |
-# | precision, recall, F1 (deeper) | one number each | float64 | 0 to 1 | share |
 #
-# **Next:** [[ros2_packages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
+# **Next:** [[ros2_packages]]. First choose **File → Close and Shut Down Notebook**: it frees the camera.
 
 # %%
 # Check: the numbers in the table

@@ -7,13 +7,13 @@
 # %% [markdown]
 # # ROS 2 packages
 #
-# A node in a notebook stops when the notebook stops. On a robot, nodes belong to *[[term:package|packages]]*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run the node of the first one outside this notebook, in a deeper section that of the second one, too.
+# A node in a notebook stops when the notebook stops. On a robot, nodes belong to *[[term:package|packages]]*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run a node outside this notebook.
 #
 # **You will be able to**
 # - explain each file of an `ament_python` package (a ROS 2 package in Python; *[[term:ament]]* is the build system of ROS 2),
 # - write the line by which `ros2 run` finds a node,
 # - build a *[[term:workspace]]* (a folder with packages) with `colcon`, and start its nodes,
-# - deeper: write a package of your own, and explain what changes on the real robot.
+# - deeper: write a package of your own.
 #
 # **Time** [[minutes]]. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab; each command also has a cell that does the same. To run the nodes you need ROS 2.
 
@@ -53,7 +53,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# The next cell holds what later cells need to run commands for you: the folder of the workspace, and functions that start a command, run it to its end, and stop it. You need not write such code.
+# The next cell holds what later cells need to run commands for you: the folder of the workspace, and functions that start, run and stop a command.
 
 # %%
 workspace = Path("ros2_ws").absolute()
@@ -82,22 +82,20 @@ def stop(process):
 # $ ros2 pkg create image_gray_processor --build-type ament_python --node-name image_gray_processor --dependencies rclpy sensor_msgs cv_bridge
 # creating ./image_gray_processor/setup.py
 # creating ./image_gray_processor/setup.cfg
-# creating folder ./image_gray_processor/resource
 # creating ./image_gray_processor/resource/image_gray_processor
-# creating ./image_gray_processor/image_gray_processor/__init__.py
 # creating ./image_gray_processor/image_gray_processor/image_gray_processor.py
 # ```
 #
-# The course does not need it: it contains both packages with all their files. A *workspace* is a folder with packages in its folder `src` (*source code* is the code that you write). The next cell copies the packages into a workspace, `ros2_ws`, beside this notebook. These are the files of the first one:
+# The course contains both packages with all their files. A *workspace* is a folder with packages in its folder `src` (*source code* is the code that you write). The next cell copies the packages into a workspace, `ros2_ws`, beside this notebook. These are the files of the first one:
 #
 # | file | what it is for |
 # |---|---|
 # | `package.xml` | what the package is called, and which other packages it needs |
-# | `setup.py` | which files are installed, and which programs you can start |
+# | `setup.py` | which files are installed, which programs you can start |
 # | `setup.cfg` | installs these programs into `lib/<package>`, where `ros2 run` looks for them |
-# | `resource/…` | an empty file with the name of the package, the *marker* by which ROS finds the package |
+# | `resource/…` | an empty file, the *marker* by which ROS finds the package |
 # | `…/image_gray_processor.py` | the node |
-# | `launch/…launch.py` | the *[[term:launch file]]*: it tells `ros2 launch` which nodes to start, with which topics and parameters |
+# | `launch/…launch.py` | the *[[term:launch file]]*: which nodes `ros2 launch` starts, with which topics and parameters |
 
 # %%
 course = Path(imgproc_course.__file__).parents[1] / "environment" / "ros2_ws"
@@ -116,9 +114,9 @@ assert "image_gray_processor = image_gray_processor.image_gray_processor:main" i
 assert "python3-opencv" in manifest and "<build_type>ament_python</build_type>" in manifest
 
 # %% [markdown]
-# You know this class from [[grayscale_node]]. Now it stands in a file. Its function `main` starts ROS, makes the node, and spins it until Ctrl-C.
+# This is the class of [[grayscale_node]], now in a file. Its function `main` starts ROS, makes the node, and spins it until Ctrl-C.
 #
-# Here is `package.xml`. It names other packages by their *[[term:rosdep|rosdep keys]]*: on a robot, the command `rosdep` installs them. Many tutorials write `opencv-python`. This is pip's name, and rosdep stops with *Cannot locate rosdep definition*.
+# Here is `package.xml`. It names other packages by their *[[term:rosdep|rosdep keys]]*: on a robot, the command `rosdep` installs them. With pip's name `opencv-python`, rosdep stops with *Cannot locate rosdep definition*.
 
 # %%
 print((package / "package.xml").read_text(encoding="utf-8"))
@@ -132,13 +130,13 @@ print((package / "setup.py").read_text(encoding="utf-8"))
 # %% [markdown]
 # ## 2 · Your turn: the line that ros2 run needs ([[minutes]])
 #
-# `ros2 run PACKAGE EXECUTABLE` starts an *[[term:executable]]*: a program that the build makes. Each line of `console_scripts` makes one. If the line is missing, the package builds, but `ros2 run` says *No executable found*. The line reads
+# `ros2 run PACKAGE EXECUTABLE` starts an *[[term:executable]]*: a program that the build makes. Each line of `console_scripts` makes one. Without the line, the package builds, but `ros2 run` says *No executable found*. The line reads
 #
 # ```
 # EXECUTABLE = PACKAGE.FILE:FUNCTION
 # ```
 #
-# It means: the executable imports the file from the folder of the package, and calls the function. The file is named without `.py`.
+# It means: the executable imports the file (written without `.py`) from the folder of the package, and calls the function.
 #
 # Write `entry_point(executable, package, file, function)`. It returns this line, with one space on each side of `=`.
 #
@@ -219,9 +217,9 @@ if entry_result.passed:
 #
 # 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *[[term:environment variable]]*: a named text that a program receives when it starts.
 # 2. The second line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
-# 3. colcon prints many lines. You can ignore those that begin with *warning*. It ends with *Finished*, or with *Failed* and the reason.
+# 3. colcon ends with *Finished*, or with *Failed* and the reason. You can ignore lines that begin with *warning*.
 #
-# The next cell does the same. If you have built in the terminal, it builds once more, which does no harm. The bar moves until colcon ends.
+# The next cell does the same; to build twice does no harm. The bar moves until colcon ends.
 
 # %%
 # python is the course's own, as after the second line
@@ -249,7 +247,7 @@ for name in ("image_gray_processor/lib/image_gray_processor", "image_edge_detect
 assert (workspace / "install/image_edge_detection/lib/image_edge_detection" / edge_executable).is_file()
 
 # %% [markdown]
-# The workspace has three new folders: `build` and `log` hold intermediate files, `install` holds the result. You can delete all three at any time and build again. If your line of section 2 is right, `edges` is among the executables.
+# The workspace has three new folders: `build` and `log` hold intermediate files, `install` holds the result. You can delete all three and build again. If your line of section 2 is right, `edges` is among the executables.
 #
 # **Predict**: you change the file of the node in `src`, and you do not build. Does the changed node run, or the old one?
 
@@ -269,7 +267,7 @@ assert runs == "old"
 # %% [markdown]
 # colcon *copies* the file, and the copy runs. After each change, build again.
 #
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
 # ## 4 · Planned failure: a package that ROS does not find ([[minutes]])
 #
@@ -304,7 +302,7 @@ print("exit code:", code_sourced)
 assert not ros_available() or code_sourced == 0
 
 # %% [markdown]
-# Your workspace is now an *overlay*, and the ROS installation is the *[[term:underlay]]*: ROS searches the overlay first. **Predict**: you open one more terminal. Does ROS find the package there?
+# Your workspace is now an *overlay* of the ROS installation, the *[[term:underlay]]*: ROS searches the overlay first. **Predict**: you open one more terminal. Does ROS find the package there?
 
 # %% role="predict"
 guess_found = None  # your guess: "yes" or "no"?
@@ -318,17 +316,17 @@ compare_guess(guess_found, found)
 assert found == "no"
 
 # %% [markdown]
-# An environment variable belongs to one terminal. Source the workspace in *every* terminal that uses its packages.
+# Source the workspace in *every* terminal that uses its packages.
 #
 # ## 5 · Run ([[minutes]])
 #
-# `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, as you just did. Then it starts the file `lib/PACKAGE/EXECUTABLE` in this folder. Without the command `ros2`, start the file itself, in the terminal in which you sourced the workspace (press the Tab key after some letters, and bash completes the name):
+# `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, and starts the file `lib/PACKAGE/EXECUTABLE` in it. Without `ros2`, start the file itself, in the terminal in which you sourced the workspace (the Tab key completes names):
 #
 # ```sh
 # install/image_gray_processor/lib/image_gray_processor/image_gray_processor
 # ```
 #
-# The terminal is busy now, because the node spins, and prints its log. If the node does not run in your terminal, the next cells start it. They start the camera too, and subscribe to the node's topic.
+# The terminal is busy now, because the node spins, and prints its log. The next cells start the camera, and the node too if it does not run in your terminal, and subscribe to its topic.
 
 # %% tags=["long"]
 def run_node(executable, topic, text):
@@ -363,7 +361,7 @@ if ros_available():
 assert not ros_available() or (gray.shape == (720, 1280) and gray.dtype == np.uint8)
 
 # %% [markdown]
-# These images come from another *process* (a running program): ROS carries them from there to this notebook. To stop the node, press **Ctrl-C** in its terminal. The live view then says in red that no image arrives: that is right. The next cell does the same if the notebook started the node.
+# These images come from another *process* (a running program). To stop the node, press **Ctrl-C** in its terminal. The live view then says in red that no image arrives: that is right. The next cell stops the node if the notebook started it.
 
 # %% tags=["nbval-ignore-output"]
 if view is not None:
@@ -706,7 +704,7 @@ assert own_node is None or own_node.poll() is not None
 # %% [markdown]
 # ## Recap
 #
-# A package is a folder with a fixed structure. The line `EXECUTABLE = PACKAGE.FILE:FUNCTION` makes a program of its node. Build it, source the workspace, and start the executable. In `package.xml`, write rosdep keys, not pip names.
+# The line `EXECUTABLE = PACKAGE.FILE:FUNCTION` makes a program of a package's node. Build it, source the workspace, and start the executable. In `package.xml`, write rosdep keys, not pip names.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
@@ -716,6 +714,6 @@ assert own_node is None or own_node.poll() is not None
 #
 # ## 9 · Goodbye, and what next ([[minutes]])
 #
-# You came from the bytes of a message to a package that runs without a notebook. Well done!
+# From the bytes of a message you came to a package that runs without a notebook. Well done!
 #
-# **Next:** in [[drive_the_robot]], the robot does what your code says. A webcam is enough to go on: `open_camera("webcam")` publishes its images. To read: the [tutorials of ROS 2](https://docs.ros.org/en/jazzy/Tutorials.html), those of [OpenCV](https://docs.opencv.org/4.x/d6/d00/tutorial_py_root.html), and R. Szeliski's book [Computer Vision](https://szeliski.org/Book/).
+# **Next:** in [[drive_the_robot]], the robot does what your code says. If you have a webcam, `open_camera("webcam")` publishes its images. To read: the [tutorials of ROS 2](https://docs.ros.org/en/jazzy/Tutorials.html), those of [OpenCV](https://docs.opencv.org/4.x/d6/d00/tutorial_py_root.html), and R. Szeliski's book [Computer Vision](https://szeliski.org/Book/).

@@ -662,7 +662,7 @@ assert not ros_available() or my_drive.frame(0).shape == (360, 640, 3)
 # | wheel speeds | two floats | left, right | m/s |
 # | stopping distance | one float | | metres |
 #
-# **Next:** [[obstacles_ahead]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[obstacles_ahead]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.
 
 # %%
 # Check: the shape in the table

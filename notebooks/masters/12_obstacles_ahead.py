@@ -520,7 +520,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 
 # %% [markdown]
 # ## 5 · What stands on the floor, and a planned failure ([[minutes]])
@@ -1336,7 +1336,7 @@ if ros_available() and live_seconds:
 # | time to collision | one number | float | 0 to infinity | second |
 # | command, `linear.x` | one number | float | 0 or 0.2 | m/s |
 #
-# **Next:** [[object_tracking]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[object_tracking]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.
 
 # %%
 # Check: the numbers in the table

@@ -434,7 +434,7 @@ assert round(np.median(distances), 1) == 2.3 and round(max(distances), 1) == 20.
 assert sum(distance < 5 for distance in distances) == 75
 
 # %% [markdown]
-# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
 # ## 4 · The Kalman filter ([[minutes]])
 #
@@ -1354,7 +1354,7 @@ def inputs(rng):
 # | covariance | (4, 4) | float64 | | squares and products of these |
 # | costs | (tracks, things) | float64 | 0 to infinity | squared expected errors |
 #
-# **Next:** [[where_am_i]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[where_am_i]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.
 
 # %%
 # Check: the numbers in the table

@@ -1250,7 +1250,7 @@ assert not ros_available() or node.looks == len(node.path.poses) > 0
 # | shift | (3,) | float64 | | metre |
 # | inliers | (N,) | bool | False, True | |
 #
-# **Next:** [[reading_text]], or the optional [[mapping_and_slam]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[reading_text]], or the optional [[mapping_and_slam]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.
 
 # %%
 # Check: the numbers in the table

@@ -1026,7 +1026,7 @@ assert not ros_available() or (node.looks > 0 and len(node.mapper.poses) > 0)
 # | poses | (33, 3) | float64 | yaw: −π to π | metre, metre, radian |
 # | error of an edge | (3,) | float64 | | metre, metre, radian |
 #
-# **Next:** [[reading_text]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[reading_text]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.
 
 # %%
 # Check: the numbers in the table

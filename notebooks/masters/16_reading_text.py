@@ -918,7 +918,7 @@ assert round(5.5934 - recording.pose("camera", 89)[0]) == 3
 # | NCC | one number | float | −1 to 1 | |
 # | edit distance | one number | int | 0 to the longer length | steps |
 #
-# **Next:** [[recognising_objects]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[recognising_objects]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.
 
 # %%
 # Check: the numbers in the table

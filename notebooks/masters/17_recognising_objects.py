@@ -1209,7 +1209,7 @@ assert not ros_available() or node.looks > 0
 # | descriptors of SIFT | (N, 128) | float32 | 0 to 255 | |
 # | homography | (3, 3) | float64 | `H[2, 2]` is 1 | |
 #
-# **Next:** [[faces]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[faces]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.
 
 # %%
 # Check: the numbers in the table

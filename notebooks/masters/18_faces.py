@@ -852,4 +852,4 @@ assert found[0.0] == 30 and 8 <= found[0.5] <= 18
 # | integral image | (H + 1, W + 1) | int64 | 0 or more | gray levels |
 # | Haar feature | one number | int | | gray levels |
 #
-# **Next:** [[the_errand]], or the optional [[gestures]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[the_errand]], or the optional [[gestures]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.

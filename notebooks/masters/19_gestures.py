@@ -954,7 +954,7 @@ assert not ros_available() or node.looks > 0
 # | crop of a mask | (16, 16) | float32 | 0 to 1 | share |
 # | track | (N, 2) | float64 | | half a swipe |
 #
-# **Next:** [[the_errand]]. The robot drives, keeps its distance, follows a ball, knows its place, draws a map, reads, names things, hides faces, and obeys your hand. In the last lesson, you join these parts. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[the_errand]]. The robot drives, keeps its distance, follows a ball, knows its place, draws a map, reads, names things, hides faces, and obeys your hand. In the last lesson, you join these parts. First choose **File → Close and Shut Down Notebook**: it frees the robot.
 
 # %%
 # Check: the numbers in the table

@@ -11,8 +11,7 @@ _KEYS = {"section", "asked", "question", "answer", "replies"}
 _INTRODUCTION = """\
 ## Two questions from earlier lessons ([[minutes]])
 
-A question that comes back is remembered longer. Write your answer in place of `None`, and run the cell. \
-There are no points."""
+No points: write your answer in place of `None`, and run the cell."""
 
 
 def read_questions(path):
