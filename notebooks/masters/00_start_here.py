@@ -27,9 +27,9 @@
 print("hello")
 
 # %% [markdown]
-# The brackets on the left of a cell are `[ ]` before it runs, `[*]` while it runs or waits, and `[3]` afterwards: it was the third run since the start.
+# The brackets on the left of a cell are `[ ]` before it runs, `[*]` while it runs or waits, and `[3]` after the third run since the start.
 #
-# Run the cells from top to bottom, because a cell uses results of the cells above it. To begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu; otherwise you get a `NameError`.
+# Run the cells from top to bottom: a cell uses results of those above it. To begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu; otherwise you get a `NameError`.
 #
 # The *[[term:notebook kernel|kernel]]* is the Python process that runs the cells.
 #
@@ -37,9 +37,9 @@ print("hello")
 # |---|---|
 # | stop a cell | **Kernel → Interrupt Kernel** |
 # | begin again | **Kernel → Restart Kernel and Run All Cells…**; your code stays |
-# | save | **Ctrl + S**; JupyterLab also saves every two minutes |
-# | write in a cell | click into it, or press **Enter** |
-# | leave a cell | **Esc**; then letters are commands: `b` adds a cell below |
+# | save | **Ctrl + S** (also done every two minutes) |
+# | write in a cell; leave it | **Enter**; **Esc** (then letters are commands: `b` adds a cell below) |
+# | see more of the page | **Ctrl + B** hides the list of files |
 # | finish a lesson | **File → Close and Shut Down Notebook** |
 
 # %% [markdown]
