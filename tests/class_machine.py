@@ -38,10 +38,39 @@ with open_camera("recording") as camera, ImageSubscriber(camera.topic) as images
 """
 
 
-class Class:
-    """A running class; `folder` holds users.txt, the homes and JupyterHub's database."""
+# Runs a command in a mount namespace of its own. There, and nowhere else, an account belongs to each name, with
+# the name as its password and an empty home; and others may enter what lies below root's home.
+WITH_ACCOUNTS = """
+set -euo pipefail
+folder=$1 names=$2 opened=$3 number=61000
+shift 3
+cp /etc/passwd /etc/shadow "$folder"
+mount -t tmpfs -o mode=755 tmpfs /home
+for name in $names; do
+    number=$((number + 1))
+    echo "$name:x:$number:$number::/home/$name:/bin/bash" >>"$folder/passwd"
+    echo "$name:$(openssl passwd -6 "$name"):20000:0:99999:7:::" >>"$folder/shadow"
+    install -d -m 700 -o $number -g $number "/home/$name"
+done
+for file in passwd shadow; do mount --bind "$folder/$file" /etc/$file; done
+mkdir "$folder/root"
+mount --bind /root "$folder/root"
+mount -t tmpfs -o mode=755 tmpfs /root
+for place in $opened; do
+    mkdir -p "$place"
+    mount --bind "$folder$place" "$place"
+done
+exec "$@"
+"""
 
-    def __init__(self, folder, names, options=()):
+
+class Class:
+    """A running class; `folder` holds users.txt, the homes and JupyterHub's database.
+
+    With `has_accounts`, which needs root: each learner has an account on this machine, and logs in by PAM.
+    """
+
+    def __init__(self, folder, names, options=(), *, has_accounts=False):
         self.folder = Path(folder)
         (self.folder / "users.txt").write_text("\n".join(names), encoding="utf-8")
         ports = _free_ports(3)
@@ -52,11 +81,16 @@ class Class:
         environment = os.environ | {
             "CLASS_PYTHON": sys.executable,
             "CLASS_FOLDER": str(self.folder),
-            "CLASS_LOGIN": "shared",
+            "CLASS_LOGIN": "pam" if has_accounts else "shared",
         }
+        opened = {sys.base_prefix, str(ROOT)}
+        below_root = " ".join(path for path in sorted(opened) if path.startswith("/root/"))
+        accounts = " ".join(name.lstrip("*") for name in names)
+        namespace = ["unshare", "--mount", "bash", "-c", WITH_ACCOUNTS, "bash", folder, accounts, below_root]
         with self.log.open("w") as log:
             self.process = subprocess.Popen(
                 [
+                    *(namespace if has_accounts else ()),
                     ROOT / "environment/class/start",
                     f"--url={self.url}",
                     f"--JupyterHub.hub_port={ports[1]}",
@@ -85,7 +119,7 @@ class Class:
 
     def close(self):
         self.process.send_signal(signal.SIGTERM)
-        self.process.wait(60)
+        self.process.wait(240)
         self._lock.close()
 
     def __enter__(self):

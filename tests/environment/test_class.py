@@ -1,6 +1,7 @@
 """A class on one machine: each learner has a home and a ROS domain, and what one does harms no other."""
 
 import json
+import os
 import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
@@ -56,6 +57,22 @@ def test_two_learners_have_a_robot_each_and_all_ends_with_the_hub(tmp_path):
         assert learners[1].run("print(6 * 7)") == "42\n"
         assert learners[1].get("api/contents/04_grayscale.ipynb").status_code == 200
     wait_for(lambda: not hub.processes(), hub, seconds=60)
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="needs root: accounts, in a mount namespace of their own")
+def test_learners_with_accounts_run_under_them_and_read_no_home_but_their_own(tmp_path):
+    look = "import os; print(os.getuid(), *[name for name in ('bob', 'cem') if os.access('/home/' + name, 4)])"
+    with Class(tmp_path, ["*ada", "bob", "cem"], has_accounts=True) as hub:
+        assert Learner(hub, "bob", "wrong password").login.status_code == 403
+        printed = {}
+        for name in ("bob", "cem"):
+            learner = Learner(hub, name, password=name)
+            learner.start()
+            learner.wait_until_ready()
+            printed[name] = learner.run(look)
+            assert learner.get("api/contents/04_grayscale.ipynb").status_code == 200
+    assert printed == {"bob": "61002 bob\n", "cem": "61003 cem\n"}
+    assert "/home/bob" not in Path("/etc/passwd").read_text()
 
 
 @pytest.fixture
