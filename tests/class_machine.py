@@ -38,8 +38,8 @@ with open_camera("recording") as camera, ImageSubscriber(camera.topic) as images
 """
 
 
-# Runs a command in a mount namespace of its own. There, and nowhere else, an account belongs to each name, with
-# the name as its password and an empty home; and others may enter what lies below root's home.
+# Runs a command in a mount namespace of its own. There, and nowhere else, an account belongs to each name,
+# with the name as its password and an empty home; and others may enter what lies below root's home.
 WITH_ACCOUNTS = """
 set -euo pipefail
 folder=$1 names=$2 opened=$3 number=61000

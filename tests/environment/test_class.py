@@ -61,7 +61,7 @@ def test_two_learners_have_a_robot_each_and_all_ends_with_the_hub(tmp_path):
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="needs root: accounts, in a mount namespace of their own")
 def test_learners_with_accounts_run_under_them_and_read_no_home_but_their_own(tmp_path):
-    look = "import os; print(os.getuid(), *[name for name in ('bob', 'cem') if os.access('/home/' + name, 4)])"
+    look = "import os; print(os.getuid(), *[n for n in ('bob', 'cem') if os.access('/home/' + n, 4)])"
     with Class(tmp_path, ["*ada", "bob", "cem"], has_accounts=True) as hub:
         assert Learner(hub, "bob", "wrong password").login.status_code == 403
         printed = {}
