@@ -152,7 +152,7 @@ assert round(np.median(depth) / 1000, 1) == 3.6
 # %% [markdown]
 # ## 3 · Otsu's method ([[minutes]])
 #
-# A histogram with two peaks is *bimodal*. A person sees the valley between them; a program needs a rule. **Otsu's method** (1979) tries every threshold, which splits the pixels into two classes. It keeps the one with the largest **between-class variance**, a measure of how much they differ:
+# A histogram with two peaks is *bimodal*. You see the valley between them; a program needs a rule. **Otsu's method** (1979) tries every threshold, which splits the pixels into two classes. It keeps the one with the largest **between-class variance**, a measure of how much they differ:
 #
 # $$\sigma_B^2(t) = w_0\, w_1\, (\mu_0 - \mu_1)^2$$
 #
