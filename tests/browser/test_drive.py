@@ -38,6 +38,7 @@ CELLS = [
     "robot.restart(seed=1, start=(0.95, -1.3, 0.0))",  # before the boxes
 ]
 PAD = ".imgproc-drive"
+STATUS = "window.jupyterapp.shell.currentWidget.sessionContext.kernelDisplayStatus"
 HELD_KEYS = ("ArrowUp", "ArrowLeft", "ArrowRight", "w", "a", "s", "d", "Space")
 GAMEPAD = """axes => {
     const gamepad = {axes, buttons: []};
@@ -221,17 +222,19 @@ def test_without_its_page_or_its_kernel_the_robot_stops_and_the_notebook_goes_on
             return any(other.info["cmdline"] == command for other in others)
 
         def runs_again():
-            """What is sent while the page connects again is lost."""
-            page.page.evaluate("window.jupyterapp.commands.execute('kernelmenu:reconnect-to-kernel')")
+            """JupyterLab connects by itself, which takes seconds; if not, it is asked to."""
             with contextlib.suppress(TimeoutError):
+                page.wait_until(lambda: page.page.evaluate(STATUS) == "idle", timeout=30)
                 page.run_cell(0, timeout=40)
-            return "*" not in page.prompts()[0]
+                return "*" not in page.prompts()[0]
+            page.page.evaluate("window.jupyterapp.commands.execute('kernelmenu:reconnect-to-kernel')")
+            return False
 
         # JupyterLab says so in a dialog, but not if the page was not connected at that moment.
         button = page.page.locator(".jp-Dialog button", has_text="Ok")
         page.page.add_locator_handler(button, button.click)
         page.wait_until(is_started_again, timeout=60)
-        page.wait_until(runs_again, timeout=150)
+        page.wait_until(runs_again, timeout=240)
         hold_a_key(page)
         page.page.keyboard.up("ArrowLeft")
         wait_for_stop(page)
