@@ -131,22 +131,13 @@ def _reshape(match, source):
     return text + question if count == 3 * size else text
 
 
-def _zero_division(_match, source):
-    operations = [node for node in _nodes(source) if isinstance(node, ast.BinOp)]
-    divisions = [node for node in operations if isinstance(node.op, ast.Div | ast.FloorDiv | ast.Mod)]
-    divisors = [ast.unparse(node.right) for node in divisions]
-    is_named = len(divisors) == 1 and not divisors[0].isdigit()
-    return f"{divisors[0] if is_named else 'The divisor'} is 0 for this input. Test for 0 before you divide."
-
-
 def _does_not_fit(match, source):
-    number, dtype = match[1], match[2]
-    limits = np.iinfo(dtype)
-    text = f"{number} does not fit into {dtype}, which holds {limits.min} to {limits.max}."
+    number, limits = match[1], np.iinfo(match[2])
+    text = f"{number} does not fit into {limits.dtype}, which holds {limits.min} to {limits.max}."
     operands = [part for node in _nodes(source) if isinstance(node, ast.BinOp) for part in ast.walk(node)]
     if number in [ast.unparse(part) for part in operands]:
         return f"{text} So the values would overflow: widen the array first, as in astype(np.uint32)."
-    return text if operands or number in source else f"{text} Widen the array first, with astype."
+    return text if operands or number in source else f"{text} Is it right? Then widen the array with astype."
 
 
 _IMPORTS = dict.fromkeys(("math", "cv2", "os", "sys", "random", "itertools", "struct", "time"), "import {}")
@@ -171,7 +162,6 @@ _RULES = {
     r"IndexError: .*index -?\d+ is out of bounds for axis (\d) with size (\d+)": _index_outside,
     "ValueError: (.*could not (?:be )?broadcast.*)": _broadcast,
     r"ValueError: cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)": _reshape,
-    "ZeroDivisionError": _zero_division,
     r"NameError: name '(\w+)' is not defined": _unknown,
     r"OverflowError: .*Python integer (-?\d+) out of bounds for (u?int\d+)": _does_not_fit,
     r"SyntaxError: invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)": _typographic,
@@ -187,4 +177,4 @@ def read_phrases(text):
 # A pattern of an error as Python prints it, and of the line that raised where that counts; below it what the
 # error means, a template for the match. The first pattern that matches counts. What rules say has <brackets>.
 _PHRASES = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
-_ADVICE = _RULES | read_phrases(_PHRASES)
+_ADVICE = read_phrases(_PHRASES) | _RULES

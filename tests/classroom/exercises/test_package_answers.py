@@ -71,6 +71,7 @@ def test_the_solution_passes_and_so_do_other_styles():
         (3, "except CvBridgeError", "except KeyError", "A message that cannot be"),
         (3, "import cv2\n", "import cv2\nimport scipy\n", "imports scipy, which this exercise does not need"),
         (3, "def main(args", "rclpy.spin(None)\n\n\ndef main(args", "rclpy.spin(None) runs when the file is"),
+        (3, "node = ImageNegative", "node = Negative", "reads Negative, and nothing in this file has that"),
         (3, "~/negative", "~/gray", "You publish on /image_negative/gray."),
     ],
 )  # fmt: skip

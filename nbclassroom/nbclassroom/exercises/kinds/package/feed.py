@@ -5,12 +5,13 @@ parsed: setup.py is never run. The node's file is run, and its class is fed as `
 """
 
 import ast
+import builtins
 import sys
 import xml.etree.ElementTree as ET
 
 from nbclassroom import course
 
-from ...cell_syntax import program_lines
+from ...cell_syntax import names_in, program_lines
 from ...running import NodeError
 from ..node.feed import feed
 
@@ -156,5 +157,8 @@ def _node_class(files):
         raise NodeError(f"{path}, line {line}: {code} runs when the file is imported: delete this line.")
     name = path.removesuffix(".py").replace("/", ".")
     names = {"__name__": name}
-    exec(compile(files[path], path, "exec"), names)
+    code = compile(files[path], path, "exec")
+    exec(code, names)
+    for unknown in sorted(names_in(code).reads - names.keys() - vars(builtins).keys())[:1]:
+        raise NodeError(f"{path} reads {unknown}, and nothing in this file has that name.")
     return next(kind for kind in names.values() if isinstance(kind, type) and kind.__module__ == name)
