@@ -14,6 +14,7 @@ from .comparison import as_float, as_type_of, compare, differing, kind_of, named
 
 _FACTORS = {
     2: "twice the expected number",
+    3: "three times the expected number (are the channels of each pixel counted, too?)",
     100: "100 times the expected number (is it in percent?)",
     1 / 255: "the expected number divided by 255",
 }
@@ -105,7 +106,7 @@ def _advice_on_type(expected, actual):
     if kind in _SEQUENCES and actual_kind == "ndarray":
         return _advice_on_single_array(expected)
     if kind == "ndarray" and actual_kind in _SEQUENCES:
-        dtype = _dtype_name(expected["dtype"])
+        dtype = expected["dtype"]
         return f"A {actual['type']} is not an array. Make it one: np.array(..., dtype=np.{dtype})."
     if kind == "ndarray" and actual_kind in (*_NUMBERS, "bool"):
         return _advice_on_single_number(expected)
@@ -159,10 +160,6 @@ def _advice_on_single_number(expected):
     )
 
 
-def _dtype_name(dtype):
-    return "bool_" if dtype == "bool" else dtype
-
-
 # ---------------------------------------------------------------- dtype
 
 
@@ -197,8 +194,8 @@ def _advice_on_dtype(expected, actual, tolerance):
             return f"{text}: write np.where(mask, {max(levels)}, 0).astype(np.{dtype})."
         return f"{text}: return the numbers themselves, not where they are above 0."
     if same:
-        end = f"End with .astype(np.{_dtype_name(dtype)})."
-        return f"{_RIGHT}; only the dtype is not: you return {actual_dtype}. {end}"
+        text = f"{_RIGHT}; only the dtype is not: you return {actual_dtype}."
+        return f"{text} End with .astype(np.{dtype})."
     if values.dtype.kind == "f" and np.abs(values - actual_values).max(initial=0) < 1:
         return f"The fractions are lost: you return {actual_dtype}, and the task asks for {dtype}."
     if values.dtype.kind in "iu" and np.array_equal(values.astype(actual_values.dtype), actual_values):

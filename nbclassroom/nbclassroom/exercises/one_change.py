@@ -31,7 +31,7 @@ _UNIT = "is this angle in radians, or in degrees?"
 _QUESTIONS = {"abs": "is its sign needed?", "radians": _UNIT, "degrees": _UNIT, "sqrt": "is the root needed?"}
 _QUESTIONS |= dict.fromkeys(("int", "round", "float", "floor"), "should it be cut or rounded here?")
 _OTHER_END = ({"lower": None, "upper": ast.Constant(-1)}, {"lower": ast.Constant(1), "upper": None})
-_AXES = ("sum", "mean", "max", "min", "argmax", "argmin", "any", "all", "std", "prod", "cumsum", "norm")
+_AXES = ("sum", "mean", "median", "max", "min", "argmax", "argmin", "any", "all", "std", "cumsum", "norm")
 _ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
 _ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
 _COMPARISONS: dict[type[ast.cmpop], tuple[tuple[type[ast.cmpop], str], ...]] = {
@@ -218,8 +218,8 @@ def _order(node, _tree):
     if isinstance(node, ast.BinOp) and isinstance(node.left, ast.BinOp):
         left = ast.BinOp(node.left.left, node.op, node.right)
         yield _FIRST, _setting(node, left=left, op=node.left.op, right=node.left.right)
-    if isinstance(node, ast.Call) and len(node.args) == 2:
-        yield _FIRST, _setting(node, args=node.args[::-1])
+    if isinstance(node, ast.Call) and len(node.args) > 1:
+        yield _FIRST, _setting(node, args=[*node.args[:-2], *node.args[:-3:-1]])
 
 
 def _operator(node, _tree):
@@ -228,10 +228,9 @@ def _operator(node, _tree):
             yield "is it the right operator?", _setting(node, op=operator())
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
         yield "is the power right?", _replacing(node, "base", base=node.left)
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub):
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub | ast.Div):
         yield "can this be negative?", _replacing(node, "abs(node)")
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and isinstance(node.left, ast.Call):
-        yield "can this be negative?", _replacing(node, "abs(node)")
+        yield "is a power missing?", _replacing(node, "node ** 2")
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         yield "is the second part needed?", _replacing(node, "left", left=node.left)
     if isinstance(node, ast.BinOp):
@@ -284,8 +283,8 @@ def _conversions(node, name):
 
 
 def _reductions(node, name):
-    if name in _AXES and isinstance(node.func, ast.Attribute) and not node.keywords:
-        for axis in (0, 1, -1):
+    if name in _AXES and isinstance(node.func, ast.Attribute):
+        for axis in [None] if node.keywords else (0, 1, -1):
             keyword = ast.keyword("axis", ast.Constant(axis))
             yield "of the whole array, or along an axis?", _setting(node, keywords=[keyword])
 

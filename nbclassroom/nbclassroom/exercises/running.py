@@ -281,7 +281,10 @@ def _closest(error, wanted):
         names = dir(error.obj)
     elif isinstance(error, NameError) and wanted:
         frame = list(traceback.walk_tb(error.__traceback__))[-1][0]
-        if wanted in dir(frame.f_locals.get("self")):
+        owner = frame.f_locals.get("self")
+        parts = (part for kind in type(owner).__mro__ for part in vars(kind).values())
+        own_codes = [part.__code__ for part in parts if getattr(part, "__globals__", None) is frame.f_globals]
+        if wanted in dir(owner) or any(wanted in code.co_varnames for code in own_codes):
             return f"self.{wanted}"
         names = [*frame.f_locals, *frame.f_globals, *keyword.kwlist]  # retrun (x) is a call
     plain = {name.lower(): name for name in names if not name.startswith("_")}

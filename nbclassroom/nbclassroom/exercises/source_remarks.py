@@ -100,6 +100,20 @@ def _remarks_on_function(tree):
         yield STUB_LINE
     if any(isinstance(statement, ast.Return) for statement in tree.body[:-1]):
         yield SAYS["lines that never run"].format(name=f"{tree.name}()")
+    slips = ((_slip(node), node) for node in ast.walk(tree))
+    yield from (SAYS[slip].format(code=ast.unparse(node)) for slip, node in slips if slip)
+
+
+def _slip(node):
+    """The key in SAYS of what is certain about one node; "" if nothing is."""
+    match node:
+        case ast.BoolOp(op=ast.Or(), values=[ast.Compare(), *_, ast.Constant()]):
+            return "value beside or"
+        case ast.Expr(value=ast.Call(func=ast.Attribute(attr="astype" | "reshape" | "flatten"))):
+            return "result not kept"
+        case ast.For(body=[*_, ast.Return()]) if not re.search("continue|break", ast.unparse(node)):
+            return "return in a loop"
+    return ""
 
 
 def _values_as_indices(node):

@@ -209,7 +209,7 @@ def test_a_fixed_number_is_named():
 
 
 def test_numpy_scalars_count_as_numbers():
-    assert say(0.5, np.float64(1.0)).text == "Your number is twice the expected number, in every check."
+    assert say(0.5, np.float64(1.5)).text.startswith("Your number is three times the expected number")
 
 
 TOO_LARGE = [(3, 10**400), (0.5, -(10**400)), (3, 2**5000), ("abc", "a" * 20_000), ((1, 2), [1] * 30_000)]

@@ -26,12 +26,7 @@ def sentence(source, *pairs):
 ROWS = "def f(a):\n    found = []\n    for row in range(len(a)):\n        for col in range(len(a[0])):\n"
 TABLE = [[0, 5, 0], [7, 0, 0]]
 CASES = {
-    "a limit": (
-        "def f(a, b):\n    return a < b",
-        [((1, 1), True), ((2, 1), False)],
-        "line 2",
-        "a < b: is the limit",
-    ),
+    "a limit": ("def f(a, b):\n    return a < b", [((1, 1), True), ((2, 1), False)], "line 2", "the limit"),
     "an order": (
         "def f(a, b):\n    return a - b",
         [((1, 3), 2)],
@@ -86,12 +81,10 @@ CASES = {
         "line 2",
         "np.linalg.norm(a): of the whole array, or along an axis?",
     ),
-    "an if too many": (
-        "def f(a):\n    if a > 9:\n        return 0\n    return a",
-        [((10,), 10), ((2,), 2)],
-        "line 2",
-        "Look at if a > 9: is it needed?",
-    ),
+    "a power": ("def f(a, b):\n    return a - b", [((1, 4), 9)], "line 2", "a - b: is a power missing?"),
+    "two of three": ("def f(a, b):\n    return int(np.where(a, b, 0))", [((True, 5), 0)], "comes first?"),
+    "an axis too many": ("def f(a):\n    return a.sum(axis=0)", [((np.eye(2),), 2.0)], "or along an axis?"),
+    "an if too many": ("def f(a):\n    if a:\n        return 0\n    return a", [((9,), 9)], "if a: is it"),
     "a conversion of an argument": (
         "def f(a, b):\n    a = a / 60\n    c = a + b\n    return c",
         [((2, 1), 3), ((5, 1), 6)],
@@ -104,12 +97,7 @@ CASES = {
         "line 2",
         "4 in return a[1:4][:4]: is this number right?",
     ),
-    "a part too many": (
-        "def f(a, b):\n    return a * b + b",
-        [((2, 3), 6), ((4, 5), 20)],
-        "line 2",
-        "a * b + b: is the second part needed?",
-    ),
+    "a part too many": ("def f(a, b):\n    return a * b + b", [((2, 3), 6)], "is the second part needed?"),
     "a conversion too many": (
         "def f(a):\n    b = np.degrees(a)\n    return float(np.cos(b))",
         [((np.pi,), -1.0), ((0.0,), 1.0)],

@@ -145,8 +145,11 @@ def test_a_warning_is_kept():
 
 
 class Bell:
-    def __init__(self, *_):
+    def __init__(self, tone):
         self.sound = "ding"
+
+    def tune(self):
+        return tone  # noqa: F821
 
     def ring(self):
         return sound  # noqa: F821
@@ -161,6 +164,7 @@ class Bell:
         (lambda image: imge + 1, "image"),  # noqa: F821
         (lambda image: SimpleNamespace(height=image).heigth, "height"),
         (lambda image: Bell(image).ring(), "self.sound"),
+        (lambda image: Bell(image).tune(), "self.tone"),
         (lambda image: image.crop(), ""),  # no copy
         (lambda image: image.nothing_like_this, ""),
         (lambda image: unknown, ""),  # noqa: F821

@@ -23,6 +23,9 @@ def remarks(source, errors=()):
     [
         ("raise NotImplementedError('x')\n    return a", "The line with raise NotImplementedError is still"),
         ("return a\n    return b", "The last lines of f() are never run. What stands below a return is not"),
+        ("return a == 1 or 2", "In a == 1 or 2 the last part is no comparison, and is true or false by"),
+        ("a.astype(int)\n    return a", "a.astype(int) gives a new value and changes nothing: keep it"),
+        ("for c in a:\n        return c", "A return at the end of the block of a loop ends the function in"),
     ],
 )
 def test_a_certain_mistake_is_named(line, start):
@@ -30,7 +33,7 @@ def test_a_certain_mistake_is_named(line, start):
     assert remark.startswith(start)
 
 
-@pytest.mark.parametrize("line", ["for row in range(3): pass", "raise NotImplementedError('x')", "return a"])
+@pytest.mark.parametrize("line", ["a or 2", "for c in a:\n        if c: break\n        return c"])
 def test_of_other_lines_nothing_is_said(line):
     assert remarks(f"def f(a, b):\n    {line}\n") == []
 
