@@ -62,7 +62,7 @@ def _ambiguous(_match, source):
         return "& is computed before > and <=. Put each comparison in parentheses: (a > low) & (a <= high)."
     if chains:
         return _ADVICE["<chained comparison>"]
-    if parts and all(isinstance(part, ast.Name) for part in parts):
+    if re.match("(el)?if|while", source) and parts and all(isinstance(part, ast.Name) for part in parts):
         return "An array is neither True nor False. To ask whether it has any values, write array.size > 0."
     if parts:
         return _ADVICE["<and, or>"]

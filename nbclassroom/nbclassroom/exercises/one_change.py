@@ -333,4 +333,4 @@ def _name(node, tree):
 
 
 # The first change that helps counts.
-_RULES = (_compare, _order, _operator, _call, _statement, _constant, _argument, _name)
+_RULES = (_argument, _compare, _order, _operator, _call, _statement, _constant, _name)

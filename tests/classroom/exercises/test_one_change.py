@@ -44,8 +44,8 @@ CASES = {
         "0 in return a.sum(axis=0)",
     ),
     "the dtype of an argument": (
-        "def f(a):\n    return int(a[0] + a[1])",
-        [((np.array([200, 100], np.uint8),), 300)],
+        "def f(a):\n    return float(sum(a) / len(a))",
+        [((np.array([200, 100], np.uint8),), 150)],
         "With one change, these",
         "do not fit into the dtype of a. Use int for them.",
     ),
