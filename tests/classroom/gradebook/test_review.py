@@ -208,7 +208,7 @@ def test_one_decision_is_written_to_all_who_failed_alike(graded, page):
     assert page.locator("#lines").input_value().splitlines() == [
         f"{name},light,light-double,1,Right idea." for name in ("Bob", "Cy")
     ]
-    assert page.locator("#count").inner_text() == "2 lines for decisions.csv"
+    assert page.locator("#count").inner_text() == "2 lines for decisions.csv: Bob, Cy"
     assert page.locator("#save").is_hidden()
 
 

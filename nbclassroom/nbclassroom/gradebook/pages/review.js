@@ -2,8 +2,9 @@
 const answers = [...document.querySelectorAll("article")];
 const [lines, count, status, save, copy] = ["lines", "count", "status", "save", "copy"].map(
   id => document.getElementById(id));
-const worths = document.getElementById("worths");
+const [worths, graded] = ["worths", "graded"].map(id => document.getElementById(id));
 let current = -1;
+const isServed = location.protocol === "http:";
 
 const formOf = answer => answer.querySelector("form");
 const forms = [...answers.map(formOf), ...(worths ? [worths] : [])];
@@ -28,8 +29,10 @@ function showRubric(answer) {
   rubric.querySelectorAll("input").forEach((box, line) => { box.checked = ticked.includes(line); });
   const worth = ticked.reduce((sum, line) => sum + (line && Number(worthsNow()[line - 1])), 0);
   const shown = Math.min(Math.max(worth, 0), Number(rubric.dataset.max));
-  rubric.querySelector("output").textContent =
-    ticked.length ? `${shown} of ${rubric.dataset.max}` : mark ? "changed since it was graded" : points || "not graded";
+  const text = ticked.length ? `${shown} of ${rubric.dataset.max}` : mark ? "changed since it was graded" : points;
+  rubric.querySelector("output").textContent = answer.querySelector(".points").textContent = text || "not graded";
+  rubric.querySelectorAll(".worth-now").forEach((line, k) => { line.textContent = worthsNow()[k]; });
+  return ticked.length > 0 || points && !mark;
 }
 
 const worthsNow = () => [...worths.querySelectorAll(".worth")].map(field => field.value);
@@ -47,17 +50,20 @@ function offerComments(select) {
 }
 
 function update() {
-  answers.forEach(showRubric);
+  const done = answers.filter(showRubric).length;
+  if (graded) graded.textContent = done;
   const changed = changedForms();
   lines.value = changed.map(lineOf).join("\n");
-  const number = changed.length || "No";
-  count.textContent = `${number} ${changed.length === 1 ? "line" : "lines"} for decisions.csv`;
+  const number = `${changed.length || "No"} ${changed.length === 1 ? "line" : "lines"}`;
+  const names = changed.map(form => form.dataset.name).join(", ");
+  count.textContent = `${number} ${isServed ? "to save" : "for decisions.csv"}${names && `: ${names}`}`;
 }
 
 function show(number) {
   current = Math.max(0, Math.min(answers.length - 1, number));
   answers[current].focus({ preventScroll: true });
   answers[current].scrollIntoView();
+  if (isServed && changedForms().length) saveLines();
 }
 
 function decideForAll(event) {
@@ -98,12 +104,14 @@ document.addEventListener("keydown", event => {
   const typing = event.target.matches("input:not([type=checkbox]), textarea, select");
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (event.key === "Escape" && typing) answers[Math.max(0, current)].focus();
-  const boxes = answers[Math.max(0, current)].querySelectorAll(".rubric input");
+  const answer = answers[Math.max(0, current)];
+  const boxes = answer.querySelectorAll(".rubric input");
   if (typing || !("npc".includes(event.key) || boxes[event.key])) return;
   event.preventDefault();
-  if (boxes[event.key]) boxes[event.key].click();
-  else if (event.key === "c") fieldsOf(answers[Math.max(0, current)].querySelector("form"))[1].focus();
-  else show(current + (event.key === "n" ? 1 : -1));
+  if ("np".includes(event.key)) show(current + (event.key === "n" ? 1 : -1));
+  else if (!answer.contains(document.activeElement)) show(current);  // nobody is graded out of sight
+  else if (event.key === "c") fieldsOf(formOf(answer))[1].focus();
+  else boxes[event.key].click();
 });
 document.addEventListener("focusin", event => {
   const answer = event.target.closest("article");
@@ -114,11 +122,10 @@ document.addEventListener("input", event => {
   const [field, form] = [event.target, event.target.form];
   if (field.matches(".rubric input")) tick(field.closest("article"), Number(field.value));
   if (field.matches(".again") && field.value) fieldsOf(form)[1].value = field.value;
-  if (field.matches(".worth")) fieldsOf(form)[0].value = `points ${worthsNow().join(" ")}`;
+  if (field.matches(".worth") && field.reportValidity()) fieldsOf(form)[0].value = `points ${worthsNow().join(" ")}`;
   update();
 });
 // The page is of the last run: after a reload it has what was saved since then.
-const isServed = location.protocol === "http:";
 async function takeSaved() {
   const saved = await (await fetch("../decisions")).json();
   for (const form of forms) {

@@ -1,5 +1,6 @@
 """What the check of a figure calls: it runs an answer's cell again, and shows its last figure's pixels."""
 
+import sys
 from unittest.mock import patch
 
 import numpy as np
@@ -24,6 +25,8 @@ def show_last_figure(source):
         begin(figure, *arguments, **options)
         made.append(figure)
 
+    if "matplotlib.pyplot" in sys.modules:  # as after each cell of a notebook: no figure is drawn on further
+        sys.modules["matplotlib.pyplot"].close("all")
     with patch.object(Figure, "__init__", noted):
         exec(compile(source, "<answer>", "exec", dont_inherit=True), get_ipython().user_ns)
     if made:
