@@ -69,13 +69,14 @@ class CheckedAnswer:
             yield from blocks_of(result, graded=True)
 
 
-def checked_answer(exercise, cases, runs, mistake, message):
+def checked_answer(exercise, cases, runs, mistake, message, *, advises=True):
     """The CheckedAnswer of GradedCases and of {id of a case: CaseRun}; `message` is about the cell."""
     graded, is_said = {case.id: case for case in cases}, _ended_alike(cases)
     public = _result(replace(exercise, cases=exercise.public), graded, runs, mistake, is_said=is_said)
     shown = public.shown
     cause = "" if message or shown else cases[0].message
-    remarks = tuple(filter(None, (_sentence(cause), _advice(cases, message)))) if is_said else ()
+    advice = _advice(cases, message) if advises else ""
+    remarks = tuple(filter(None, (_sentence(cause), advice))) if is_said else ()
     if is_said and shown and not remarks:  # an exception: does the public call say what it means?
         is_said = bool(exercise.kind.advice_on_error(exercise, shown.result))
     hidden = _result(replace(exercise, cases=exercise.hidden), graded, runs, None, is_said=is_said)

@@ -21,11 +21,12 @@ import pytest
 from ..exercises.cell_syntax import top_level
 from ..exercises.input_encoding import encode
 from .answer_figure import figure_html
+from .causes import missing_name
 from .exercise_notebook import notebook_of
 from .outcomes import Outcome
 from .page_kernels import PageKernels
 from .pool import expected_key
-from .results import GradedSubmission, graded_exercise, open_exercise, to_json, ungraded_exercise
+from .results import GradedSubmission, graded_exercises, open_exercise, to_json, ungraded_exercise
 from .sandbox.cell_run import MIME, CellRun
 from .verdict import CaseRun, ShownAnswer, StoredAnswer
 
@@ -95,7 +96,7 @@ class ExerciseRun:
     """
 
     def __init__(self, exercise, kernels, stop_at=math.inf):
-        self._exercise, self._kernels = exercise, kernels  # PageKernels
+        self.exercise, self._kernels = exercise, kernels  # PageKernels
         self._process, self._seconds, self._answer_run = None, 0.0, CellRun()
         self._drives_too_long = False
         self.stop_at = stop_at  # on time.monotonic(): then no further case is run; robots' time is added
@@ -124,9 +125,9 @@ class ExerciseRun:
 
     def _run_in_same_process(self, case, source):
         """A CaseRun that passed, or None. The process must not have more time than a new one would."""
-        kind = self._exercise.kind
+        kind = self.exercise.kind
         process = self._process if kind.shares_kernel else None
-        if process is None or self._seconds > kind.seconds_of(self._exercise, case):
+        if process is None or self._seconds > kind.seconds_of(self.exercise, case):
             return None
         run = CaseRun(answer=self._answer_run)
         self._run_check(process, run, case, source)
@@ -135,13 +136,13 @@ class ExerciseRun:
     def _run_in_new_process(self, case, source, *, alone=False):
         """A CaseRun; `alone`: while no other kernel waits, which could use memory that this one needs."""
         self.close()
-        self._seconds = self._exercise.kind.seconds_of(self._exercise, case)
-        process, self._answer_run = self._kernels.open_check(self._exercise, self._seconds, alone=alone)
+        self._seconds = self.exercise.kind.seconds_of(self.exercise, case)
+        process, self._answer_run = self._kernels.open_check(self.exercise, self._seconds, alone=alone)
         self._process = process
         run = CaseRun(answer=self._answer_run)
         if not run.ended:
             self._run_check(process, run, case, source)
-        if not run.ended and not run.passed and _misses_name(run):
+        if not run.ended and not run.passed and missing_name(run)[0]:
             # Only then the cells below count.
             process.run_below("")
             self._run_check(process, run, case, source)
@@ -150,23 +151,25 @@ class ExerciseRun:
         return run
 
     def _run_check(self, process, run, case, source):
-        exercise = self._exercise
+        exercise = self.exercise
         partner = exercise.kind.partner(exercise, case)
         if partner is not None:
             return self._run_with(process, partner, run, source)
         inputs = [encode(call.arguments) for call in case.calls]
         run.check = process.run_check(source, inputs, exercise.time_limit)
+        self._kernels.note_attempts(run.check, exercise.id)
         if not run.ended:
             run.verdict = self.stored(case).verdict(run)
 
     def stored(self, case):
         """The StoredAnswer of a case, with which nbval compares."""
         expected = [call.result.value for call in case.calls]
-        return StoredAnswer(expected, case.tolerance, self._exercise.exact_type)
+        return StoredAnswer(expected, case.tolerance, self.exercise.exact_type)
 
     def _run_with(self, process, partner, run, source):
         """Run a check that talks to a partner. What fails in the partner is raised: no answer causes it."""
         run.check = process.run_with(source, partner)
+        self._kernels.note_attempts(run.check, self.exercise.id)
         run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
         self._drives_too_long = run.check.ended == "time" or partner.is_slow
         self.stop_at += partner.seconds
@@ -177,12 +180,6 @@ class ExerciseRun:
         if self._process is not None:
             self._process.stop()
         self._process = None
-
-
-def _misses_name(run):
-    """Whether a function missed a name."""
-    calls = getattr(run.verdict, "calls", None) or ()
-    return any(call.error == "NameError" for call in calls)
 
 
 class GradingPlugin:
@@ -214,7 +211,7 @@ class GradingPlugin:
         lesson, page = key.lessons[job["lesson"]], job["page"]
         kernels = PageKernels(page, self._kernel_factory)
         graded = [exercise for exercise in lesson.exercises if not exercise.practice]
-        results, stop_at = {}, time.monotonic() + self._kernel_factory.limits.submission
+        results, runs, stop_at = {}, {}, time.monotonic() + self._kernel_factory.limits.submission
         for exercise in kernels.in_order(graded):
             source = page["answers"].get(exercise.id)
             reason = _reason_not_to_run(exercise, source)
@@ -222,15 +219,18 @@ class GradingPlugin:
                 figure = figure_html(exercise, page, kernels) if exercise.figure else ""
                 results[exercise.id] = open_exercise(exercise, source, figure)
             elif reason is None:
-                exercise_run = ExerciseRun(exercise, kernels, stop_at)
-                results[exercise.id] = self._grade_exercise(exercise, source, exercise_run)
-                stop_at = exercise_run.stop_at
+                runs[exercise.id] = ExerciseRun(exercise, kernels, stop_at)
+                self._run_exercise(exercise, source, runs[exercise.id])
+                stop_at = runs[exercise.id].stop_at
             else:
                 results[exercise.id] = ungraded_exercise(exercise, *reason)
         kernels.close()
-        return GradedSubmission(job["submission"], lesson.name, tuple(results[one.id] for one in graded))
+        runs = {one.id: runs[one.id] for one in graded if one.id in runs}  # in the lesson's order
+        results |= graded_exercises(runs, page, kernels.tried)
+        ordered = tuple(results[one.id] for one in graded)
+        return GradedSubmission(job["submission"], lesson.name, ordered, tuple(sorted(kernels.tried)))
 
-    def _grade_exercise(self, exercise, source, exercise_run):
+    def _run_exercise(self, exercise, source, exercise_run):
         self._exercise_kernel = ExerciseKernel(exercise_run)
         path = self._folder / "exercise.ipynb"
         path.write_text(json.dumps(notebook_of(exercise, source)), encoding="utf-8")
@@ -238,7 +238,6 @@ class GradingPlugin:
             self._run_nbval(path, exercise, exercise_run)
         finally:
             exercise_run.close()
-        return graded_exercise(exercise, exercise_run)
 
     def _run_nbval(self, path, exercise, exercise_run):
         cases = {case.id: case for case in exercise.cases}

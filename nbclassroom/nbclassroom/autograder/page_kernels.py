@@ -1,9 +1,11 @@
 """The kernels that run one submission's page, and the processes in which its checks run."""
 
 from .sandbox.cell_run import CellRun
+from .sanitize import reproducible_text
 
 _PAGE_SECONDS = 60.0  # of processor time, that a page may take beside its checks; see `exercises.page_run`
 _MOST_ENDS = 10  # of kernels by statements of one page
+_MOST_ATTEMPTS = 40
 
 
 class PageKernels:
@@ -18,6 +20,7 @@ class PageKernels:
         self._kernel, self._allowed, self._place = None, (), []
         # Statements that end the process; those at which one ended once
         self._skip, self._ended_at = [], set()
+        self.tried = {}  # {(exercise id or "", what its code tried): None}
 
     def in_order(self, exercises):
         """Exercises in the order in which their checks are to run."""
@@ -73,6 +76,7 @@ class PageKernels:
 
         Somebody else may have ended it, for example the system, which had no memory left.
         """
+        self.note_attempts(run)
         if run.ended == "time" or run.place in self._ended_at:
             self._skip.append(run.place)
         elif run.ended != "gone":
@@ -80,14 +84,25 @@ class PageKernels:
 
     def _about(self, exercise, run, below):
         """The CellRun of an exercise's answer: its first error, and how it ended."""
-        errors = below.errors or run.errors
-        cells = self._page["cells"]
+        errors, cells = below.errors or run.errors, self._page["cells"]
+        self.note_attempts(run)
+        self.note_attempts(below)
         own = [
             error
             for number, *error in errors
             if number < len(cells) and cells[number]["exercise"] == exercise.id
         ]
-        return CellRun(ended=run.ended or below.ended, error=tuple(own[0]) if own else ("", ""))
+        error = tuple(own[0]) if own else ("", "")
+        return CellRun(ended=run.ended or below.ended, error=error, errors=errors)
+
+    def note_attempts(self, run, exercise=""):
+        """Note what a CellRun tried: that of a cell of the page, or of the check of an exercise."""
+        cells = self._page["cells"]
+        for number, text in run.tried[:_MOST_ATTEMPTS]:
+            is_of_page = number is not None and number < len(cells)
+            attempt = cells[number]["exercise"] if is_of_page else exercise, reproducible_text(text)
+            if len(self.tried) < _MOST_ATTEMPTS:
+                self.tried[attempt] = None
 
     def close(self):
         """End the kernel that exercises share."""

@@ -16,6 +16,7 @@ import msgspec
 
 from ..exercises.kinds.node.recording_node import UNKNOWN_PART
 from ..exercises.running import attempt
+from .causes import causes_of
 from .checked_answer import checked_answer
 from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
 from .rendered_text import rendered_text
@@ -61,8 +62,9 @@ class GradedExercise:
     mistake: str = ""  # name of the known mistake that this answer makes
     mistake_explanation: str = ""  # what the learner is told about it
     # About the answer cell itself: its first exception (which costs nothing as long as the function is
-    # defined), or why it was not run.
+    # defined), why it was not run, or which other cell lets it fail.
     message: str = ""
+    cause: str = ""  # id of the exercise, perhaps this one, that tells which other cell lets it fail
     body: str = ""  # the checks as HTML, for the learner
     review: str = ""  # and for the teacher, with the values of hidden ones
     rubric: tuple[tuple[str, int], ...] = ()  # (what to look for, points), where a person grades
@@ -80,6 +82,9 @@ class GradedSubmission:
     name: str  # that `autograde` was given for it
     lesson: str
     exercises: tuple[GradedExercise, ...]  # in the lesson's order; practice exercises are not graded
+    tried: tuple[
+        tuple[str, str], ...
+    ] = ()  # (exercise id or "", what its code tried, and the sandbox refused)
 
     @property
     def points(self):
@@ -139,13 +144,20 @@ def open_exercise(exercise, source, figure=""):
     )
 
 
-def graded_exercise(exercise, exercise_run):
-    """The GradedExercise of an exercise whose cases all have run."""
-    return _with_pages(*checked_exercise(exercise, exercise_run))
+def graded_exercises(exercise_runs, page, tried):
+    """{id: GradedExercise} of {id: ExerciseRun} of one page, whose cases all have run."""
+    exercises = [run.exercise for run in exercise_runs.values()]
+    causes = causes_of(exercises, {id: run.runs for id, run in exercise_runs.items()}, page)
+    hostile = {id for id, _ in tried}
+    about = {id: (run, causes.get(id), bool(hostile & {id, ""})) for id, run in exercise_runs.items()}
+    return {id: _with_pages(*checked_exercise(one[0].exercise, *one)) for id, one in about.items()}
 
 
-def checked_exercise(exercise, exercise_run):
-    """(the GradedExercise of an exercise whose cases all have run, without pages, its CheckedAnswer)."""
+def checked_exercise(exercise, exercise_run, cause=None, is_hostile=False):
+    """(the GradedExercise of an exercise whose cases all have run, without pages, its CheckedAnswer).
+
+    A Cause is told in the place of the calls. A hostile answer gets no advice about its loops.
+    """
     runs = exercise_run.runs
     cases = tuple(
         _case_of_run(exercise, case, runs[case.id], case.id in exercise_run.passed)
@@ -154,13 +166,20 @@ def checked_exercise(exercise, exercise_run):
         for case in exercise.cases
     )
     mistake = None if all(case.passed for case in cases) else _known_mistake(exercise, runs)
-    return _checked(exercise, cases, runs, mistake, _message_about_cell(runs))
+    advises = not (is_hostile and cases[0].outcome in (Outcome.TIME, Outcome.MEMORY))
+    error = next(iter(runs.values()), CaseRun()).answer.error  # it costs nothing if the function is defined
+    text = f"a statement in its cell fails: {_exception_text(*error)}" if error[0] else ""
+    about = runs, mistake, text
+    if cause and cause.text:
+        about, advises = ({}, None, reproducible_text(cause.text)), False
+    graded, answer = _checked(exercise, cases, *about, advises=advises)
+    return replace(graded, cause=cause.told_by if cause else ""), answer
 
 
-def _checked(exercise, cases, runs, mistake, message):
+def _checked(exercise, cases, runs, mistake, message, *, advises=True):
     name, says = (mistake.name, mistake.says) if mistake else ("", "")
     graded = GradedExercise(exercise.id, exercise.title, exercise.points, cases, name, says, message)
-    return graded, checked_answer(exercise, cases, runs, mistake, message)
+    return graded, checked_answer(exercise, cases, runs, mistake, message, advises=advises)
 
 
 def _with_pages(graded, answer):
@@ -265,12 +284,6 @@ def _outcome_without_function(exercise, run):
     if name:
         return Outcome.RAISED, f"{CELL_FAILS}: {_exception_text(name, text)}"
     return Outcome.MISSING, f"its cell does not define {exercise.answer_name}"
-
-
-def _message_about_cell(runs):
-    """The first exception of the answer cell: it costs nothing as long as the function is defined."""
-    error = next(iter(runs.values()), CaseRun()).answer.error
-    return f"a statement in its cell fails: {_exception_text(*error)}" if error[0] else ""
 
 
 def _message_of_hidden(outcome, message, verdict):

@@ -15,7 +15,7 @@ from .learners import Submission
 from .submission import Finding, SubmissionContent
 from .teacher_tables import plain_number
 
-FORMAT = 7
+FORMAT = 8
 
 
 def grades_of(entries, answer_keys, *, sandbox, rules, collection, roster, anonymous, open_as_zero):
@@ -183,6 +183,8 @@ def _lesson_entry(learner, submission, answer_keys, store, rules):
         if exercise.id in content.claims and not passed:  # often the answer changed after the output
             text = "its stored output says that every check passes, but in grading not every check passes"
             findings.append(Finding("odd", exercise.id, text))
+    attempts = result.tried if result else ()
+    findings += [Finding("hostile", id, f"it tried to {text}") for id, text in attempts]
     earlier = learner.earlier.get(content.lesson, ())
     earlier = [_file_entry(learner, one, rules) | {"reason": one.content.reason} for one in earlier]
     return {

@@ -16,7 +16,7 @@ from ..autograder.pool import autograde
 from ..autograder.results import from_json, to_json
 from ..exercises.atomic_write import write_file
 
-_FORMAT = 5  # of the files in the folder
+_FORMAT = 6  # of the files in the folder
 
 
 class GradesFolderError(ValueError):

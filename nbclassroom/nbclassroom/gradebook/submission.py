@@ -38,8 +38,9 @@ class AnswerState(StrEnum):
 class Finding:
     """Something unusual about an exercise, or about the whole notebook (""), in one line.
 
-    Of the kind "message": for the learner and the instructor; "odd": for the instructor; "answer": a fault of
-    an answer itself, which grading reports to the learner in its own words.
+    Of the kind "message": for the learner and the instructor; "odd": for the instructor; "hostile": for them,
+    what the sandbox refused; "answer": a fault of an answer itself, which grading reports to the learner in
+    its own words.
     """
 
     kind: str

@@ -13,6 +13,7 @@ from ..exercises.running import MEANT
 from .copies import EQUALS
 from .csv_table import csv_text
 from .grades_json import lesson_names
+from .lms_export import lessons_of
 from .report import count_of, finding_text, render_page
 from .roster import squeezed
 from .submission import ONE_LESSON
@@ -22,13 +23,14 @@ _BIN_COUNT = 10
 _MOST_UNKNOWN = 3  # files of one learner that belong to no lesson
 _MOST_MOVED = 2  # answers whose place is told for each
 _LIST_OF = dict.fromkeys((Outcome.NOT_GRADED, Outcome.MEMORY, Outcome.OUTPUT), "unfair")
-_LIST_OF |= {Outcome.HOSTILE: "dishonest", Outcome.CRASHED: "dishonest", Outcome.REFUSED_MODULE: "modules"}
+_LIST_OF |= {Outcome.HOSTILE: "hostile", Outcome.CRASHED: "hostile", Outcome.REFUSED_MODULE: "modules"}
 
 
 def summary_page(grades, failed_pages=()):
     """The teacher's page, HTML; `failed_pages` are {name: why}."""
     submissions = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
     submitted = {lesson["lesson"] for lesson in submissions}
+    learners = [_with_handed_out(learner, grades, submitted) for learner in grades["learners"]]
     graded = [lesson for lesson in submissions if lesson["status"] == "graded"]
     missing = grades["roster"]["missing"] if grades["roster"] else ()
     own_modules = {PurePosixPath(path).stem for path in grades["ignored"] if path.endswith(".py")}
@@ -41,11 +43,12 @@ def summary_page(grades, failed_pages=()):
         submissions=submissions,
         graded=graded,
         waiting=_waiting(graded),
-        bins=_histogram(_percentages(grades["learners"])),
+        bins=_histogram(_percentages(learners)),
+        learners=learners,
         checks=_check_rows(graded),
         mistakes=_mistake_counts(graded),
         sent={name: sum(squeezed(name) in squeezed(path) for path in grades["ignored"]) for name in missing},
-        **_mean_and_median(grades["learners"]),
+        **_mean_and_median(learners),
         **_lists_of_concerns(grades["learners"], own_modules),
         equal=_equal_to_solution(grades["learners"]),
         lessons=list(_lesson_rows(graded, lesson_names(grades))),
@@ -57,7 +60,8 @@ def summary_page(grades, failed_pages=()):
 
 def _lists_of_concerns(learners, own_modules):
     """{list: what the teacher should look at in it}; `own_modules` are files that were submitted too."""
-    lists: dict[str, list] = {"unfair": [], "dishonest": [], "others": [], "broken": [], "modules": []}
+    names = "unfair hostile dishonest others broken modules"
+    lists: dict[str, list] = {name: [] for name in names.split()}
     for learner in learners:
         for lesson in _lessons_to_look_at(learner):
             for name, concern in _concerns(learner, lesson, own_modules):
@@ -98,7 +102,9 @@ def _concerns(learner, lesson, own_modules):
     for (name, id), texts in grouped.items():
         entry = entries.get(id, lesson)
         if not entry["decision"]:
-            line = _line_to_copy(name, learner, lesson, id if id in entries else "", entry)
+            others = [(one, entries[one]) for one in _failing_alike(lesson, id)]
+            pairs = ((id if id in entries else "", entry), *others)
+            line = "\n".join(filter(None, (_line_to_copy(name, learner, lesson, *pair) for pair in pairs)))
             about = {"learner": learner, "lesson": lesson, "entry": entry, "line": line}
             yield name, about | {"texts": _texts_in_short(list(texts))}
 
@@ -138,6 +144,8 @@ def _about_findings(lesson):
         repeated = lesson["earlier"] and finding["text"].startswith("submitted ")
         if finding["exercise"] and entry is lesson:  # a practice exercise has no points
             yield "others", "", finding_text(finding)
+        elif finding["kind"] == "hostile":
+            yield "hostile", finding["exercise"], finding_text(finding)
         elif finding["kind"] == "odd" and finding["text"] != EQUALS:
             yield "dishonest", finding["exercise"], finding_text(finding)
         elif finding["kind"] == "message" and not repeated:
@@ -147,17 +155,31 @@ def _about_findings(lesson):
 def _about_exercises(lesson, own_modules):
     for exercise in lesson["exercises"]:
         id, cases = exercise["id"], exercise["cases"]
-        for outcome in sorted({Outcome(case["outcome"]) for case in cases} & _LIST_OF.keys()):
+        if exercise["cause"] not in ("", id):  # it is told with that one
+            continue
+        outcomes = sorted({Outcome(case["outcome"]) for case in cases} & _LIST_OF.keys())
+        for outcome in outcomes:
             module = _refused_module(cases) if outcome is Outcome.REFUSED_MODULE else ""
             is_own = module.partition(".")[0] in own_modules
             text = f"{TEXTS[outcome].label}: {module}" if module else TEXTS[outcome].label
             if is_own:
                 text = f"it imports {module}, a file of their own; only notebooks are graded"
             yield "unfair" if is_own else _LIST_OF[outcome], id, f"{id}: {text}"
-        for message in [case["message"] for case in cases]:
+        is_elsewhere = exercise["cause"] and exercise["message"]
+        if is_elsewhere:
+            yield "unfair", id, f"{id}: {exercise['message']}"
+        for message in () if is_elsewhere else [case["message"] for case in cases]:
             # `retrun (x)` is a call of a name that nothing has; the public checks say which name was meant.
             if message.startswith("NameError") and MEANT in message:
                 yield "unfair", id, f"{id}: {message}"
+        if alike := _failing_alike(lesson, id):
+            name = "modules" if Outcome.REFUSED_MODULE in outcomes else "unfair"
+            yield name, id, f"for the same reason: {', '.join(alike)}"
+
+
+def _failing_alike(lesson, id):
+    """The ids of the exercises whose cause this one tells."""
+    return [one["id"] for one in lesson["exercises"] if id and one["cause"] == id != one["id"]]
 
 
 def _about_broken_cells(lesson):
@@ -165,7 +187,8 @@ def _about_broken_cells(lesson):
     for exercise in lesson["exercises"]:
         messages = [case["message"] for case in exercise["cases"] if case["message"].startswith(CELL_FAILS)]
         about = [finding for finding in lesson["findings"] if finding["exercise"] == exercise["id"]]
-        if messages and not any(finding["kind"] == "message" for finding in about):
+        is_told = exercise["cause"] not in ("", exercise["id"])
+        if messages and not is_told and not any(finding["kind"] == "message" for finding in about):
             texts = [finding["text"] for finding in about if finding["kind"] == "answer"]
             yield "broken", exercise["id"], f"{exercise['id']}: {[*texts, *messages][0]}"
 
@@ -185,13 +208,20 @@ def _line_to_copy(name, learner, lesson, exercise, entry):
         return ""
     points = entry["max_points"] if exercise else plain_number(entry["points"] + entry["late_deduction"])
     is_known = exercise or entry["late_deduction"]
-    if name in ("dishonest", "modules") or lesson["status"] != "graded" or not is_known:
+    if name in ("hostile", "dishonest", "modules") or lesson["status"] != "graded" or not is_known:
         points = "?"
     cells = (learner["name"], lesson["lesson"], exercise, points, "looked at by hand")
     return csv_text([map(spreadsheet_text, cells)], lineterminator="")
 
 
 # ---------------------------------------------------------------- totals
+
+
+def _with_handed_out(learner, grades, submitted):
+    """A learner's entry; its maximum has the lessons that only others submitted, because all got them."""
+    own = {lesson["lesson"] for lesson in learner["lessons"]}
+    others = [lesson for name, lesson in lessons_of(grades).items() if name in submitted - own]
+    return learner | {"max_points": learner["max_points"] + sum(one["max_points"] for one in others)}
 
 
 def _percentages(entries):

@@ -210,6 +210,18 @@ for _name, _step, *_outcomes in (
     ("the socket in the hands of another program", OF_ANOTHER_PROGRAM, "hostile", "crashed"),
 ):
     attack(_name, TO_THE_SOCKET.replace("STEP", _step), *_outcomes)
+for _name, _message in {
+    "an error in a cell that does not exist": '{"type": "errors", "content": {"errors": [[-9999, "NameError", ""]]}}',
+    "a place that is no number": '{"type": "at", "content": {"place": [1e999, 0]}}',
+    "an attempt that is no text": '{"type": "tried", "content": {"text": 7}}',
+}.items():
+    _step = f"os.write(fd, {_message!r}.encode() + b'\\n')"
+    attack(_name, TO_THE_SOCKET.replace("STEP", _step), "hostile")
+attack(
+    "lines that take long to search for a name",
+    "import " * 20_000 + "\n" * 20_000 + "\ndef double(pixels): return lost",
+    "raised",
+)
 attack("the way out is closed", "import os\nos.closerange(3, 256)\n", wrong=True)
 
 # ---------------------------------------------------------------- expected values are to be known

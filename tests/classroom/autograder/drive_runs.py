@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.page_kernels import PageKernels
-from nbclassroom.autograder.results import graded_exercise
+from nbclassroom.autograder.results import graded_exercises
 from nbclassroom.exercises.kinds.drive.graded import environment
 from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
 from nbclassroom.exercises.page import page_of
@@ -74,4 +74,5 @@ def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, hidden
             exercise_run.passed |= {case.id} if run.passed else set()
     finally:
         exercise_run.close()
-    return exercise_run, graded_exercise(exercise, exercise_run)
+    graded = graded_exercises({exercise.id: exercise_run}, page, kernels.tried)
+    return exercise_run, graded[exercise.id]

@@ -83,22 +83,22 @@ def test_thirty_submissions_get_the_right_points(graded, classroom):
     assert "30 learners, 26 lessons graded" in graded[1].text
 
 
-def test_teachers_scripts_find_the_fields_of_format_7(graded):
+def test_teachers_scripts_find_the_fields_of_format_8(graded):
     """Other fields need another number of the format."""
     grades = json.loads((graded[0] / "grades.json").read_text())
     learner = next(each for each in grades["learners"] if each["points"])
     lesson = next(each for each in learner["lessons"] if each["points"])
     exercise = lesson["exercises"][0]
     parts = (grades, learner, lesson, exercise, exercise["cases"][0])
-    assert grades["format"] == 7
+    assert grades["format"] == 8
     assert [" ".join(sorted(part)) for part in parts] == [
         "anonymous_pages course deadline format ignored keys late_policy layout learners open_as_zero roster "
         "sandbox",
         "lessons max_points name open_points page points",
         "autograded_points days_late decision earlier exercises file findings key late late_deduction lesson "
         "max_points open_points platform platform_id points reason sha256 status submitted_at title version",
-        "autograded_points cases decision id mark max_points message mistake mistake_explanation open_points "
-        "points rubric title",
+        "autograded_points cases cause decision id mark max_points message mistake mistake_explanation "
+        "open_points points rubric title",
         "hidden id max_points message outcome points title",
     ]
 

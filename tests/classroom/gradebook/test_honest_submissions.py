@@ -73,11 +73,6 @@ def named(name, change=lambda made: None):
     return of_this_name
 
 
-@case()
-def as_it_was_handed_out_and_solved(made):
-    pass
-
-
 # ---------------------------------------------------------------- JupyterLab's own commands
 
 
@@ -318,44 +313,9 @@ def a_helper_an_import_and_constants_transitively(made):
     )
 
 
-@case(
-    halves="def halves(p):\n    p = double(p) * 0 + p\n    return p[:2], p[2:]",
-)
-def another_answer(made):
-    pass
-
-
 @case(points=6, double=USES_WIDE)
 def a_helper_whose_cell_also_fails(made):
     insert(made, 1, new_cell(f"camera = open_camera()\n{WIDE}\nshow(camera)"))
-
-
-@case(double=f"frame = camera.latest()\nshow(frame)\n{RIGHT[DOUBLE]}\nshow(double(frame))")
-def a_line_above_the_function_that_fails(made):
-    pass
-
-
-@case(double=f"import a_module_that_is_not_there\n\n{RIGHT[DOUBLE]}")
-def an_import_above_the_function_that_fails(made):
-    pass
-
-
-@case(
-    points=3,
-    double=f"import asyncio\nasync def work(pixels):\n{BODY}\ndouble = lambda p: asyncio.run(work(p))",
-)
-def an_event_loop_inside_that_of_jupyter(made):
-    pass
-
-
-@case(double=f"from __future__ import annotations\nframe = camera.latest()\n\n{TYPED}\n\nprint(frame)")
-def lines_that_fail_after_an_import_from_the_future(made):
-    pass
-
-
-@case(points=3, double="def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, LIMIT + shift)")
-def a_name_that_no_cell_defines(made):
-    pass
 
 
 @case(points=6)
@@ -410,40 +370,6 @@ for name, (cells, answer) in ONCE_REFUSED.items():
 # ---------------------------------------------------------------- pasted text
 
 
-@case(double=">>> " + RIGHT[DOUBLE].replace("\n", "\n... "))
-def with_the_prompts_of_python(made):
-    pass
-
-
-@case(double="In [12]: " + RIGHT[DOUBLE].replace("\n", "\n    ...: "))
-def with_the_prompts_of_ipython(made):
-    pass
-
-
-@case(double="    " + RIGHT[DOUBLE].replace("\n", "\n    "))
-def with_an_indent_before_the_whole_cell(made):
-    pass
-
-
-@case(
-    points=3,
-    double='def double(pixels):\n    """Twice."""\n    print(\u201cDouble\u201d)\n    return pixels',
-    finding="One change makes it Python: 'print(\"Double\")'",
-)
-def with_the_quotation_marks_of_a_word_processor(made):
-    """A teacher may give the points: Python cannot say whether the answer was right."""
-
-
-@case(double=RIGHT[DOUBLE].replace("return", 'print("\u201cDouble\u201d")\n    return'))
-def with_such_quotation_marks_in_a_text(made):
-    pass
-
-
-@case(points=3, double=RIGHT[DOUBLE].replace("return", "retrun"), finding="One change makes it Python")
-def with_a_misspelled_keyword(made):
-    pass
-
-
 @case(
     double=f"```python\n{RIGHT[DOUBLE]}\n```",
     finding="its answer cell is a markdown cell; its text is graded",
@@ -469,19 +395,6 @@ for number, line in enumerate(TYPES):
     case(double=f"{line}\ndef double(pixels: A) -> A:\n{BODY}")(change)
 
 
-@case(double=f"from PIL import Image\ndef double(pixels: Image.Image) -> Image.Image:\n{BODY}")
-def an_annotation_that_cannot_be_read(made):
-    pass
-
-
-@case(
-    double="from tqdm.contrib import tenumerate\ndef double(pixels):\n    out = pixels.astype(int)\n"
-    "    for k, row in tenumerate(out):\n        out[k] = np.minimum(row * 2, LIMIT)\n    return out"
-)
-def a_bar_that_counts(made):
-    pass
-
-
 # ---------------------------------------------------------------- definitions of other forms
 
 
@@ -503,83 +416,7 @@ for number, source in enumerate(FORMS):
     case(double=source, finding="graded from another cell")(change)
 
 
-# ---------------------------------------------------------------- magics and prints
-
-
-@case(double=f"{RIGHT[DOUBLE]}\nname = input()\nexit()")
-def a_cell_that_ends_python(made):
-    pass
-
-
-@case(double=f"%matplotlib inline\nfiles = !ls\n{RIGHT[DOUBLE]}\n%timeit double(np.uint8([[3]]))\ndouble?")
-def magics_around_the_function(made):
-    pass
-
-
-@case(double=f"%%time\n{RIGHT[DOUBLE]}")
-def a_cell_magic(made):
-    pass
-
-
-@case(double=f"print('x' * 9_000_000)\n{RIGHT[DOUBLE]}")
-def nine_megabytes_printed_in_the_cell(made):
-    pass
-
-
-@case(double=RIGHT[DOUBLE].replace("return", "print('x' * 9_000_000)\n    return"))
-def nine_megabytes_printed_in_the_function(made):
-    pass
-
-
 # ---------------------------------------------------------------- right values in another type
-
-
-@case(halves="def halves(p):\n    return [p[:2].astype(int), p[2:].astype(np.float32)]")
-def a_list_for_a_tuple_and_other_dtypes(made):
-    pass
-
-
-@case(double="def double(p):\n    return np.minimum(p.astype(int) * 2, 255).tolist()")
-def a_list_of_lists_for_an_array(made):
-    pass
-
-
-@case(double="def double(p):\n    return [np.minimum(row.astype(int) * 2, 255) for row in p]")
-def a_list_of_arrays_for_an_array(made):
-    pass
-
-
-@case(
-    double="def double(p):\n    return np.asmatrix(np.minimum(p.astype(int) * 2, 255))",
-    halves="def halves(p):\n    return np.asmatrix(p[:2]), np.asmatrix(p[2:])",
-)
-def a_matrix_for_an_array(made):
-    pass
-
-
-@case(points=3, double="def double(p):\n    return np.asmatrix(p) * 2.0")
-def a_matrix_of_wrong_values(made):
-    pass
-
-
-@case(points=4, mean="def mean(values):\n    return np.mean([values], axis=1)")
-def an_array_of_one_element_for_a_number(made):
-    pass
-
-
-@case(points=0, mean="def mean(values):\n    return np.mean([values, values], axis=1)")
-def an_array_of_two_elements_for_a_number(made):
-    pass
-
-
-@case(points=0, mean="def mean(values):\n    return np.sum([values], axis=1)")
-def an_array_of_one_wrong_element_for_a_number(made):
-    pass
-
-
-@case(double="def double(p):\n    return np.ma.masked_array(np.minimum(p * np.longdouble(2), 255))")
-def a_masked_array_of_long_numbers(made):
-    pass
 
 
 NUMBERS = ("np.longdouble", "__import__('decimal').Decimal", "__import__('fractions').Fraction")
@@ -588,9 +425,94 @@ for number, kind in enumerate(NUMBERS):
     case(points=4, mean=f"def mean(values):\n    return {kind}(float(np.mean(values)))")(change)
 
 
-@case(points=3, double="def double(p):\n    return p * 2.0")
-def a_wrong_value_in_another_type(made):
-    pass
+# ---------------------------------------------------------------- other sources alone
+
+
+SOURCES = {  # {name of a submission: what `case` takes}, if nothing else was done to the lesson
+    "as_it_was_handed_out_and_solved": {},
+    "another_answer": {"halves": "def halves(p):\n    p = double(p) * 0 + p\n    return p[:2], p[2:]"},
+    "a_line_above_the_function_that_fails": {
+        "double": f"frame = camera.latest()\nshow(frame)\n{RIGHT[DOUBLE]}\nshow(double(frame))"
+    },
+    "an_import_above_the_function_that_fails": {
+        "double": f"import a_module_that_is_not_there\n\n{RIGHT[DOUBLE]}"
+    },
+    "an_event_loop_inside_that_of_jupyter": {
+        "points": 3,
+        "double": f"import asyncio\nasync def work(pixels):\n{BODY}\ndouble = lambda p: asyncio.run(work(p))",
+    },
+    "lines_that_fail_after_an_import_from_the_future": {
+        "double": f"from __future__ import annotations\nframe = camera.latest()\n\n{TYPED}\n\nprint(frame)"
+    },
+    "a_name_that_no_cell_defines": {
+        "points": 3,
+        "double": "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, LIMIT + shift)",
+    },
+    "with_the_prompts_of_python": {"double": ">>> " + RIGHT[DOUBLE].replace("\n", "\n... ")},
+    "with_the_prompts_of_ipython": {"double": "In [12]: " + RIGHT[DOUBLE].replace("\n", "\n    ...: ")},
+    "with_an_indent_before_the_whole_cell": {"double": "    " + RIGHT[DOUBLE].replace("\n", "\n    ")},
+    "with_the_quotation_marks_of_a_word_processor": {
+        "points": 3,
+        "double": 'def double(pixels):\n    """Twice."""\n    print(\u201cDouble\u201d)\n    return pixels',
+        "finding": "One change makes it Python: 'print(\"Double\")'",
+    },
+    "with_such_quotation_marks_in_a_text": {
+        "double": RIGHT[DOUBLE].replace("return", 'print("\u201cDouble\u201d")\n    return')
+    },
+    "with_a_misspelled_keyword": {
+        "points": 3,
+        "double": RIGHT[DOUBLE].replace("return", "retrun"),
+        "finding": "One change makes it Python",
+    },
+    "an_annotation_that_cannot_be_read": {
+        "double": f"from PIL import Image\ndef double(pixels: Image.Image) -> Image.Image:\n{BODY}"
+    },
+    "a_bar_that_counts": {
+        "double": "from tqdm.contrib import tenumerate\ndef double(pixels):\n    out = pixels.astype(int)\n"
+        "    for k, row in tenumerate(out):\n        out[k] = np.minimum(row * 2, LIMIT)\n    return out"
+    },
+    "a_cell_that_ends_python": {"double": f"{RIGHT[DOUBLE]}\nname = input()\nexit()"},
+    "magics_around_the_function": {
+        "double": f"%matplotlib inline\nfiles = !ls\n{RIGHT[DOUBLE]}\n%timeit double(3)\ndouble?"
+    },
+    "a_cell_magic": {"double": f"%%time\n{RIGHT[DOUBLE]}"},
+    "nine_megabytes_printed_in_the_cell": {"double": f"print('x' * 9_000_000)\n{RIGHT[DOUBLE]}"},
+    "nine_megabytes_printed_in_the_function": {
+        "double": RIGHT[DOUBLE].replace("return", "print('x' * 9_000_000)\n    return")
+    },
+    "a_list_for_a_tuple_and_other_dtypes": {
+        "halves": "def halves(p):\n    return [p[:2].astype(int), p[2:].astype(np.float32)]"
+    },
+    "a_list_of_lists_for_an_array": {
+        "double": "def double(p):\n    return np.minimum(p.astype(int) * 2, 255).tolist()"
+    },
+    "a_list_of_arrays_for_an_array": {
+        "double": "def double(p):\n    return [np.minimum(row.astype(int) * 2, 255) for row in p]"
+    },
+    "a_matrix_for_an_array": {
+        "double": "def double(p):\n    return np.asmatrix(np.minimum(p.astype(int) * 2, 255))",
+        "halves": "def halves(p):\n    return np.asmatrix(p[:2]), np.asmatrix(p[2:])",
+    },
+    "a_matrix_of_wrong_values": {"points": 3, "double": "def double(p):\n    return np.asmatrix(p) * 2.0"},
+    "an_array_of_one_element_for_a_number": {
+        "points": 4,
+        "mean": "def mean(values):\n    return np.mean([values], axis=1)",
+    },
+    "an_array_of_two_elements_for_a_number": {
+        "points": 0,
+        "mean": "def mean(values):\n    return np.mean([values, values], axis=1)",
+    },
+    "an_array_of_one_wrong_element_for_a_number": {
+        "points": 0,
+        "mean": "def mean(values):\n    return np.sum([values], axis=1)",
+    },
+    "a_masked_array_of_long_numbers": {
+        "double": "def double(p):\n    return np.ma.masked_array(np.minimum(p * np.longdouble(2), 255))"
+    },
+    "a_wrong_value_in_another_type": {"points": 3, "double": "def double(p):\n    return p * 2.0"},
+}
+for name, about in SOURCES.items():
+    case(**about)(named(name))
 
 
 # ---------------------------------------------------------------- the two roads

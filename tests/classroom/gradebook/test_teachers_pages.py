@@ -47,12 +47,12 @@ def rows_of(out, heading):
     return text.partition(f"<h2>{heading}</h2>")[2].partition("</section>")[0].split("<tr>")[2:]
 
 
-def test_who_may_have_lost_points_comes_first_and_the_dishonest_last(graded):
+def test_who_may_have_lost_points_comes_first_and_the_hostile_last(graded):
     headings = re.findall(r"<h2>(.*?)</h2>", (graded[1] / "summary.html").read_text(encoding="utf-8"))
-    assert headings[0] == "May have lost points unfairly" and headings[-1] == "Perhaps dishonest"
+    assert headings[0] == "May have lost points unfairly" and headings[-1] == "Hostile answers"
     (row,) = rows_of(graded[1], "May have lost points unfairly")
     assert "could not be graded: " in row and "<bdi>Zoe, =1+1</bdi>" in row
-    (row,) = rows_of(graded[1], "Perhaps dishonest")
+    (row,) = rows_of(graded[1], "Hostile answers")
     assert "light-double: ended the Python process" in row and "<bdi>eve</bdi>" in row
 
 
@@ -73,6 +73,7 @@ def test_what_equals_the_solution_is_one_line_for_each_exercise(graded):
 def test_more_than_ten_findings_that_may_be_dishonest_are_folded(graded):
     grades = json.loads((graded[1] / "grades.json").read_text(encoding="utf-8"))
     (eve,) = (learner for learner in grades["learners"] if learner["name"] == "eve")
+    eve["lessons"][0]["findings"] = [{"kind": "odd", "exercise": "light-double", "text": "it has tags"}]
     for count, opening in (
         (10, "<details open><summary>10 findings<"),
         (11, "<details><summary>11 findings<"),
@@ -84,14 +85,14 @@ def test_more_than_ten_findings_that_may_be_dishonest_are_folded(graded):
 def test_a_line_about_a_broken_file_or_a_suspicion_needs_points(graded, class_folder, key_path, tmp_path):
     lines = [
         html.unescape(re.search(r"<code>(.*?)</code>", row)[1])
-        for heading in ("May have lost points unfairly", "Perhaps dishonest")
+        for heading in ("May have lost points unfairly", "Hostile answers")
         for row in rows_of(graded[1], heading)
     ]
     assert lines == [
         '"Zoe, =1+1",light,,?,looked at by hand',
         "eve,light,light-double,?,looked at by hand",
     ]
-    assert 'href="review/light-double.html#eve-' in rows_of(graded[1], "Perhaps dishonest")[0]
+    assert 'href="review/light-double.html#eve-' in rows_of(graded[1], "Hostile answers")[0]
     decisions = tmp_path / "decisions.csv"
     text = "\n".join(["learner,lesson,exercise,points,comment", *lines])
     decisions.write_text(text)
@@ -192,7 +193,15 @@ def test_answers_without_marks_are_one_row_and_one_sentence():
         for n in range(3)
     ]  # fmt: skip
     entries = [
-        {"id": f"a-{n}", "cases": [], "points": 2, "max_points": 2, "autograded_points": 2, "decision": None}
+        {
+            "id": f"a-{n}",
+            "cases": [],
+            "points": 2,
+            "max_points": 2,
+            "autograded_points": 2,
+            "decision": None,
+            "cause": "",
+        }
         for n in range(3)
     ]
     lesson = {
@@ -288,7 +297,7 @@ def test_anonymous_pages_show_no_name(class_folder, graded, key_path, tmp_path):
     for path in pages:
         text = path.read_text(encoding="utf-8")
         assert not re.search("lovelace|zoe|\\beve\\b|20_light", text, re.I), path.name
-    (row,) = rows_of(out, "Perhaps dishonest")
+    (row,) = rows_of(out, "Hostile answers")
     line = re.search(r"<code>(.*?)</code>", row)[1]
     assert re.match("learner-[0-9a-f]{10},light,light-double,\\?,", line)
     (out / "decisions.csv").write_text(

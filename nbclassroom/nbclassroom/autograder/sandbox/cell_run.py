@@ -20,6 +20,7 @@ class CellRun:
     printed: str = ""  # the first part of it
     errors: list = field(default_factory=list)  # of a page: (number of a cell, type, text) of a statement
     place: tuple = ()  # of a page: the statement that ran last
+    tried: list = field(default_factory=list)  # (number of a cell or None, what its code tried)
     status: dict = field(default_factory=dict)  # of a process that was forked: how it ended
 
     def add(self, kind, content):
@@ -34,14 +35,23 @@ class CellRun:
             data = dict(content["data"])
             self.answers += [data[MIME]] if MIME in data else []
         elif kind == "at":
-            self.place = tuple(map(int, content["place"]))
+            self.place = tuple(map(_number, content["place"]))
+        elif kind == "tried":
+            self.tried.append(((*self.place, None)[0], _text(content["text"])))
         elif kind == "errors":
-            self.errors = [(int(cell), _text(name), _text(text)) for cell, name, text in content["errors"]]
+            errors = content["errors"]
+            self.errors = [(_number(cell), _text(name), _text(text)) for cell, name, text in errors]
         elif kind == "ended":
             self.status = {name: float(content[name]) for name in ("signal", "code", "cpu")}
         else:
             raise ValueError(f"a message of the kind {kind!r}")
         return kind == "idle"
+
+
+def _number(value):
+    if type(value) is not int or value < 0:
+        raise ValueError(f"expected the number of a cell, got {str(value)[:20]}")
+    return value
 
 
 def _text(value):
