@@ -3,6 +3,9 @@
 from typing import Any
 
 from ..autograder.answer_key import load_key
+from . import syntax_shapes
+
+SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same short solution
 
 
 class AnswerKeys:
@@ -15,6 +18,7 @@ class AnswerKeys:
     def __init__(self, keys):
         self.keys = list(keys)
         self.lessons: dict[str, Any] = {}
+        self._solution_shapes: dict[str, dict] = {}
         for key in self.keys:
             for name, lesson in key.lessons.items():
                 self.lessons.setdefault(name, lesson)
@@ -32,6 +36,15 @@ class AnswerKeys:
     def describe(self, lesson, version):
         """The Lesson, from the key for this version."""
         return self.key_for(lesson, version).lessons[lesson]
+
+    def equal_to_solution(self, lesson, shapes):
+        """The ids of a lesson's exercises with points whose shape is that of a long solution, sorted."""
+        graded = {one.id for one in self.lessons[lesson].exercises if not one.practice}
+        if lesson not in self._solution_shapes:
+            self._solution_shapes[lesson] = syntax_shapes.shapes(self.solutions(lesson))
+        solutions = self._solution_shapes[lesson]
+        long = {id: shape for id, shape in shapes.items() if shape[1] >= SHORTEST_SOLUTION}
+        return sorted(id for id in graded & long.keys() if long[id] == solutions.get(id))
 
     def solutions(self, lesson):
         """{exercise id: solution} of a lesson."""

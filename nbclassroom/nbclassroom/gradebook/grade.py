@@ -5,7 +5,6 @@ import shutil
 import tempfile
 import threading
 from collections import namedtuple
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from ..autograder.pool import open_scheduler
@@ -13,7 +12,6 @@ from ..autograder.sandbox import bubblewrap
 from . import result_store
 from .answer_keys import load_keys
 from .collect import Collection
-from .copies import find_copies, report_copies
 from .csv_table import TableError
 from .grades_folder import LearnerPages, write_grades
 from .grades_json import count_not_graded, count_open, faults_of, grades_of
@@ -87,12 +85,11 @@ def grade_submissions(
         rules.assign(learners, roster or ())
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         stack.callback(pages.parts.close)
-        copies = stack.enter_context(ThreadPoolExecutor(1)).submit(find_copies, learners, answer_keys, store)
         threading.Thread(target=prepare_templates, daemon=True).start()
         options |= {"fresh": fresh, "quiet": quiet, "on_result": pages.result_stored}
         graded_now = result_store.grade_missing(learners, answer_keys, store, **options)
         grades = grades_of(
-            report_copies(pages.finish(), learners, copies.result()),
+            pages.finish(),
             answer_keys,
             sandbox=not unsafe,
             rules=rules,

@@ -14,7 +14,7 @@ from .archives import CollectError
 from .collect import SubmittedFile
 from .layouts import doubt
 from .notebook_reader import NotebookReader
-from .submission import AnswerState, SubmissionContent, lesson_by_name, read_submission
+from .submission import EQUALS, AnswerState, SubmissionContent, lesson_by_name, read_submission
 
 NOTEBOOK_SECONDS = 5  # of processor time, for reading one notebook; a usual one takes 0.02
 READING_SECONDS = 30  # for all notebooks of one sender
@@ -107,6 +107,8 @@ def _read(file, answer_keys, store, reader):
     if not content.reason:
         submission.key = answer_keys.key_for(content.lesson, content.version)
         submission.answers_digest = store.keep_page(submission.key, content.lesson, content.page)
+        for id in answer_keys.equal_to_solution(content.lesson, content.shapes):
+            content.add(EQUALS, id, "odd")
         untouched = (AnswerState.NOT_ATTEMPTED, AnswerState.MISSING)
         submission.answered = frozenset(id for id in content.answers if content.states[id] not in untouched)
         content.page = {"answers": {}}

@@ -32,14 +32,12 @@ class NotebookReader(contextlib.AbstractContextManager):
         return reply.get("notebook"), reply.get("reason", "")
 
     def page(self, lesson_cells, exercises):
-        """What `page.page_of_notebook` gives of the last notebook; (None, None) if it takes too much."""
-        reply = self._reply(b"page", json.dumps([lesson_cells, exercises]).encode("ascii")) or {}
-        return reply.get("page"), reply.get("places")
+        """What `page.page_of_notebook` gives of the last notebook, and `syntax_shapes.shapes` of its answers.
 
-    def shapes(self, answers):
-        """What `syntax_shapes.shapes` gives of {exercise id: source}; nothing if it takes too much."""
-        reply = self._reply(b"shapes", json.dumps(answers).encode("ascii")) or {}
-        return {id: tuple(shape) for id, shape in reply.get("shapes", {}).items()}
+        Three None if it takes too much.
+        """
+        reply = self._reply(b"page", json.dumps([lesson_cells, exercises]).encode("ascii")) or {}
+        return reply.get("page"), reply.get("places"), reply.get("shapes")
 
     def _reply(self, kind, data):
         """The reply to a request, a dict; None if it takes too much, or is ended too often."""

@@ -21,6 +21,8 @@ from .submission_reader import MOST_CHARACTERS
 
 _MOST_NAMES = 8  # that a finding lists
 ONE_LESSON = "a notebook counts for one lesson: submit the others as notebooks of their own"
+# No point depends on it.
+EQUALS = "it equals the course's solution, whatever the names and numbers; it is public: a reason to ask"
 NOT_PYTHON = "of its answer cell is not Python"
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
@@ -61,6 +63,7 @@ class SubmissionContent:
     claims    exercise ids whose stored outputs say that every check passes
     is_page   it is a page of the course that has no answers, such as the index
     deeper    ids of exercises that can be left out, as the notebook says
+    shapes    {exercise id: shape of its answer}, see `syntax_shapes.shapes`
     """
 
     lesson: str | None = None
@@ -72,6 +75,7 @@ class SubmissionContent:
     reason: str = ""
     is_page: bool = False
     deeper: list = field(default_factory=list)
+    shapes: dict = field(default_factory=dict)
 
     @property
     def answers(self):
@@ -138,11 +142,11 @@ class AnswerCells:
 def _answer_cells(cells, lesson, reader, content):
     """{exercise id: its AnswerCells}; takes the page."""
     asked = [[one.id, one.function, one.stub] for one in lesson.exercises]
-    page, places = reader.page(lesson.cells, asked)
+    page, places, shapes = reader.page(lesson.cells, asked)
     if page is None:
         content.add("finding out what is graded takes too much time or memory", kind="odd")
-        page, places = content.page, {id: [] for id, *_ in asked}
-    content.page = page
+        page, places, shapes = content.page, {id: [] for id, *_ in asked}, {}
+    content.page, content.shapes = page, shapes
     by_number, found = {cell["number"]: cell for cell in cells}, {}
     for exercise in lesson.exercises:
         marked = [cell for cell in cells if is_marked(cell, exercise.id)]

@@ -13,7 +13,6 @@ import codecs
 import ctypes
 import importlib
 import json
-import os
 import re
 import resource
 import signal
@@ -239,8 +238,7 @@ def serve(requests, replies, most_memory, seconds):
 
     `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
     `page <length>`, and [lesson_cells, exercises] of `page.page_of_notebook` as JSON: that of the last
-    notebook, {"page": , "places": }
-    `shapes <length>`, and {exercise id: source} as JSON: {"shapes": }, see `syntax_shapes.shapes`
+    notebook, {"page": , "places": , "shapes": }, see `syntax_shapes.shapes`
 
     With more than `most_memory` bytes in use, it ends instead of reading another notebook: so what it
     remembers of earlier notebooks leaves enough memory for each one. A request that takes more `seconds` of
@@ -258,13 +256,10 @@ def serve(requests, replies, most_memory, seconds):
             if kind == b"read":
                 notebook = read_notebook(body)
                 reply = {"notebook": notebook}
-            elif kind == b"page":
+            else:
                 cells = [cell for cell in notebook["cells"] if cell is not None]
                 made, places = page.page_of_notebook(cells, *json.loads(body))
-                reply = {"page": made, "places": places}
-            else:
-                os.setpriority(os.PRIO_PROCESS, 0, 5)  # grading is waited for, and this is not
-                reply = {"shapes": syntax_shapes.shapes(json.loads(body))}
+                reply = {"page": made, "places": places, "shapes": syntax_shapes.shapes(made["answers"])}
         except UnreadableError as error:
             reply = {"reason": str(error)}
         except (MemoryError, RecursionError):

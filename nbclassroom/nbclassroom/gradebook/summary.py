@@ -10,13 +10,12 @@ import numpy as np
 from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from ..autograder.sanitize import spreadsheet_text
 from ..exercises.running import MEANT
-from .copies import EQUALS
 from .csv_table import csv_text
 from .grades_json import lesson_names
 from .lms_export import lessons_of
 from .report import count_of, finding_text, render_page
 from .roster import squeezed
-from .submission import ONE_LESSON
+from .submission import EQUALS, ONE_LESSON
 from .teacher_tables import plain_number
 
 _BIN_COUNT = 10

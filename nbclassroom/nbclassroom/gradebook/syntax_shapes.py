@@ -67,11 +67,11 @@ def _parts(node):
 
 
 def shapes(answers):
-    """{id: (digest, number of tokens)} of {id: source}, without sources that have no tokens."""
+    """{id: [digest, number of tokens]} of {id: source}, without sources that have no tokens."""
     found = {}
     for id, source in answers.items():
         if tokens := syntax_tokens(source):
             text = "\0".join("number" if token[:1].isdigit() else token for token in tokens)
             digest = hashlib.blake2b(text.encode("utf-8", "surrogatepass"), digest_size=8).hexdigest()
-            found[id] = digest, len(tokens)
+            found[id] = [digest, len(tokens)]
     return found

@@ -1,15 +1,15 @@
 """Copies of the solution are found, whatever their names and numbers; hostile text harms nobody."""
 
+import json
+
 import pytest
-from nbclassroom.gradebook import copies, notebook_reader
-from nbclassroom.gradebook.collect import Collection
-from nbclassroom.gradebook.copies import find_copies, report_copies
-from nbclassroom.gradebook.learners import read_all
+from nbclassroom.gradebook import answer_keys as answer_keys_module
 from nbclassroom.gradebook.notebook_reader import NotebookReader
-from nbclassroom.gradebook.result_store import ResultStore
+from nbclassroom.gradebook.submission import EQUALS, read_submission
 from nbclassroom.gradebook.syntax_shapes import LONGEST, shapes
 from submissions import notebook, write
 
+pytestmark = pytest.mark.sandbox
 MINE = '''
 def double(pixels):
     """Twice as bright."""
@@ -61,11 +61,6 @@ HOSTILE = {
 }
 
 
-def read_shapes(submissions):
-    with NotebookReader(seconds=5) as reader:
-        return [reader.shapes(answers) for answers in submissions]
-
-
 def shape(source):
     return shapes({"e": source})["e"]
 
@@ -73,73 +68,35 @@ def shape(source):
 def test_names_comments_and_spacing_do_not_change_the_shape():
     assert shape(MINE) == shape(RENAMED)
     assert shape("import numpy as np\n" + MINE) == shape(MINE)
-    assert (
-        len(
-            {
-                shape(source)[0]
-                for source in (MINE, OTHER, MINE.replace(">", "<"), MINE.replace("uint8", "int8"))
-            }
-        )
-        == 4
-    )
+    others = (MINE, OTHER, MINE.replace(">", "<"), MINE.replace("uint8", "int8"))
+    assert len({shape(source)[0] for source in others}) == 4
     assert shape("def f(a, b):\n    return a - b") == shape("def f(b, a):\n    return b - a")
     assert shape("def f(a, b):\n    return a - b") != shape("def f(a, b):\n    return b - a")
     assert shape("x = min(1, 2)") != shape("x = max(1, 2)")
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_hostile_text_costs_only_its_own_comparison(name):
-    hostile, mine = read_shapes([{"e": HOSTILE[name]}, {"e": MINE}])
-    assert mine == {"e": shape(MINE)}
-    assert hostile.get("e", ("", 0))[1] < LONGEST
+def test_hostile_text_costs_only_its_own_comparison(light, answer_keys, name):
+    answers = {"light-double": MINE, "light-halves": HOSTILE[name]}
+    with NotebookReader(seconds=5) as reader:
+        data = json.dumps(notebook(light, answers)).encode()
+        found = read_submission(data, answer_keys, reader).shapes
+    assert found.pop("light-double") == shape(MINE)
+    assert all(count < LONGEST for _, count in found.values())
 
 
-def test_a_submission_that_ends_the_process_costs_only_its_own_comparison(tmp_path, monkeypatch):
-    program, source = tmp_path / "reader.py", notebook_reader._READER.read_text(encoding="utf-8")
-    ending = 'if b"ended" in body: os.abort()\n                reply = {"shapes"'
-    source = source.replace('reply = {"shapes"', ending)
-    source = source.replace("__file__", repr(str(notebook_reader._READER)))
-    program.write_text(source, encoding="utf-8")
-    monkeypatch.setattr(notebook_reader, "_READER", program)
-    results = read_shapes([{"e": MINE}, {"e": "ended"}, {"e": OTHER}])
-    assert results == [{"e": shape(MINE)}, {}, {"e": shape(OTHER)}]
-
-
-@pytest.fixture
-def submit(light, submissions):
-    def write_answers(answers):
-        for name, source in answers.items():
-            write(submissions / f"{name}.ipynb", notebook(light, {"light-double": source}))
-        return submissions
-
-    return write_answers
-
-
-def learners_of(folder, answer_keys, tmp_path):
-    (tmp_path / "results").mkdir(exist_ok=True)
-    store = ResultStore(tmp_path / "results", {})
-    with Collection(folder, ("light", "sound")) as collection:
-        return read_all(collection, answer_keys, store, quiet=True), store
-
-
-def test_a_copy_of_the_solution_is_reported_unless_it_is_short(
-    submit, masters, answer_keys, tmp_path, monkeypatch
-):
+def test_a_copy_of_the_solution_is_reported_unless_it_is_short(masters, submissions, grade, monkeypatch):
     solution = next(e.solution for e in masters["light"].exercises if e.id == "light-double")
-    folder = submit({"ada": "# mine\n" + solution.replace("pixels", "p").replace("255", "254"), "bob": MINE})
-    learners, store = learners_of(folder, answer_keys, tmp_path)
-    ada = learners[0].submissions["light"].answers_digest
-    assert find_copies(learners, answer_keys, store)[ada] == []  # independent learners often write the same
-    monkeypatch.setattr(copies, "SHORTEST_SOLUTION", 20)
-    equal = find_copies(learners, answer_keys, store)
-    assert equal[ada] == ["light-double"] and sum(map(len, equal.values())) == 1
-    (first, second) = report_copies(entries_of(learners, "light-double"), learners, equal)
-    assert "equals the course's solution" in first["lessons"][0]["findings"][0]["text"]
-    assert second["lessons"][0]["findings"] == []
-    (first, _) = report_copies(entries_of(learners, "light-halves"), learners, equal)
-    assert first["lessons"][0]["findings"] == []  # light-double is practice in this one
+    copied = "# mine\n" + solution.replace("pixels", "p").replace("255", "254")
+    for name, source in {"ada": copied, "bob": MINE}.items():
+        write(submissions / f"{name}.ipynb", notebook(masters["light"], {"light-double": source}))
+    for shortest, expected in ((60, []), (20, [("light-double", EQUALS)])):
+        monkeypatch.setattr(answer_keys_module, "SHORTEST_SOLUTION", shortest)
+        ada, bob = (learner["lessons"][0]["findings"] for learner in grade(submissions)["learners"])
+        assert [(one["exercise"], one["text"]) for one in ada] == expected and bob == []
 
 
-def entries_of(learners, graded):
-    exercises = [{"id": graded}]
-    return [{"lessons": [{"lesson": "light", "findings": [], "exercises": exercises}]} for _ in learners]
+def test_practice_is_no_copy(answer_keys, monkeypatch):
+    monkeypatch.setattr(answer_keys_module, "SHORTEST_SOLUTION", 1)
+    equal = shapes(answer_keys.solutions("sound"))
+    assert len(equal) > len(answer_keys.equal_to_solution("sound", equal)) > 0

@@ -465,7 +465,7 @@ def test_notebooks_that_fill_the_readers_memory_cost_the_next_one_nothing():
         reader.read(cells_as_notebook(answer | cells))
         reader.page({}, ASKED)
         assert reader.read(cells_as_notebook(answer, output="x" * 10_000_000))[1] == ""
-        page, places = reader.page({}, ASKED)
+        page, places, _ = reader.page({}, ASKED)
     assert [cell["source"] for cell in page["cells"]] == [*answer.values()]
     assert places == {"light-double": [0]}
 
@@ -488,7 +488,7 @@ def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answ
         reader._process.wait()
         assert read_submission(data, answer_keys, reader).answers == answers_of(light, "right")
         reader._process.kill()
-        page, _ = reader.page({}, ASKED)
+        page, *_ = reader.page({}, ASKED)
         assert page["answers"] == {"light-double": answers_of(light, "right")["light-double"]}
 
 

@@ -10,9 +10,9 @@ from datetime import datetime
 
 import pytest
 from click.testing import CliRunner
-from nbclassroom.gradebook.copies import EQUALS
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.grades_folder import changed_points
+from nbclassroom.gradebook.submission import EQUALS
 from nbclassroom.gradebook.summary import _concerns, summary_page
 from submissions import answers_of, cell_of, notebook, write
 
