@@ -1,7 +1,6 @@
 """Working copies: an update never overwrites the learner's work; it adds the new lesson beside it."""
 
 import errno
-import hashlib
 import json
 import os
 import subprocess
@@ -81,52 +80,6 @@ def test_a_copy_has_no_outputs_and_no_counters(course):
     copy, lesson = json.loads(course.read("a")), json.loads(notebook("1"))
     assert copy == lesson
     assert (copy["cells"][0]["outputs"], copy["cells"][0]["execution_count"]) == ([], None)
-
-
-def as_first_version_copied(course, **lessons):
-    """The learner's folder as version 0.1.0 wrote it: with outputs, and with digests of whole files."""
-    course.ship(**lessons)
-    entries = {}
-    course.copies.mkdir()
-    for name, text in lessons.items():
-        course.write(name, text)
-        work = working_copies._work_digest("a.ipynb", text.encode())
-        entries[f"{name}.ipynb"] = {"shipped": hashlib.sha256(text.encode()).hexdigest(), "work": work}
-    (course.copies / ".course.json").write_text(json.dumps({"lessons": entries}))
-
-
-def test_an_older_copy_with_outputs_is_replaced_if_the_learner_only_ran_it(course):
-    as_first_version_copied(
-        course, a=notebook("1", outputs=[OUTPUT]), b=notebook("2", outputs=[OUTPUT]), c=notebook("3")
-    )
-    course.write("b", notebook("2", outputs=[OUTPUT, OUTPUT]))
-    changes = course.start()
-    assert changes.updated == ["a.ipynb", "b.ipynb"]
-    assert json.loads(course.read("a")) == json.loads(notebook("1"))
-    assert json.loads(course.read("b")) == json.loads(notebook("2"))
-
-
-def test_work_in_an_older_copy_stays_with_its_outputs(course):
-    as_first_version_copied(course, a=notebook("1", outputs=[OUTPUT]), b=notebook("2", outputs=[OUTPUT]))
-    work = notebook("my work", outputs=[OUTPUT])
-    course.write("a", work)
-    course.ship(b=notebook("2 corrected", outputs=[OUTPUT]))
-    changes = course.start()
-    assert (course.read("a"), changes.added_beside, changes.updated) == (work, [], ["b.ipynb"])
-    course.ship(a=notebook("1 corrected", outputs=[OUTPUT]))
-    assert course.start("0.2.0").added_beside == [("a.ipynb", "a (version 0.2.0).ipynb")]
-    assert course.read("a") == work
-    assert json.loads(course.read("a (version 0.2.0)")) == json.loads(notebook("1 corrected"))
-
-
-def test_an_update_that_an_older_version_added_beside_work_is_not_added_again(course):
-    as_first_version_copied(course, a=notebook("1", outputs=[OUTPUT]))
-    course.write("a", notebook("my work"))
-    corrected = notebook("1 corrected", outputs=[OUTPUT])
-    course.write("a (version 0.2.0)", corrected)
-    course.ship(a=corrected)
-    assert course.start("0.2.0").added_beside == []
-    assert course.read("a (version 0.2.0)") == corrected
 
 
 def test_checks_and_solutions_stay_in_the_course(course):
@@ -553,11 +506,3 @@ def test_a_copy_saved_during_the_update_keeps_its_name_and_content(renumbered, m
     with pytest.raises(LabError, match=r"03_blur.ipynb was saved during its update; start again"):
         renumbered.start()
     assert (renumbered.files(), renumbered.read("03_blur")) == (["03_blur.ipynb"], "saved now")
-
-
-def test_a_copy_of_the_first_version_gets_the_new_number(course):
-    as_first_version_copied(course, **{"03_blur": lesson("03")})
-    (course.notebooks / "03_blur.ipynb").unlink()
-    course.ship(**{"04_blur": lesson("04", "y = 2")})
-    assert course.start().updated == ["04_blur.ipynb"]
-    assert course.read("04_blur") == lesson("04", "y = 2")

@@ -2,7 +2,6 @@
 
 import itertools
 import json
-import random
 import shutil
 import signal
 import subprocess
@@ -132,13 +131,6 @@ def test_results_reveal_nothing_of_the_key_and_the_machine(results, key):
         assert trace not in text
 
 
-def test_a_hidden_check_that_fails_shows_its_values_to_the_teacher_alone(results):
-    exercises = [exercise for result in results.values() for exercise in result.exercises]
-    wrong = [one for one in exercises if {"wrong"} == {case.outcome for case in one.cases}]
-    counts = [(one.body.count("expected:"), one.review.count("expected:")) for one in wrong]
-    assert wrong and set(counts) == {(1, 2)}
-
-
 def test_a_hidden_check_says_that_the_cell_does_not_run_or_which_exception_was_raised(results):
     messages = {name: doubles(results[name]).cases[1].message for name in ("a syntax error", "raises")}
     assert messages == {"a syntax error": "its cell does not run", "raises": "AttributeError"}
@@ -149,15 +141,7 @@ def test_every_outcome_has_its_texts():
     assert all(texts.label for texts in TEXTS.values())
 
 
-def test_a_failed_public_case_shows_its_values(results):
-    public = doubles(results["one off"]).cases[0]
-    body = doubles(results["one off"]).body
-    for name in ("given pixels", "returned", "expected"):
-        assert f"{name}: an array of shape (3, 4), uint8" in body
-    assert (
-        public.message.startswith("12 of 12 values differ")
-        or "values differ; the first at row" in public.message
-    )
+def test_a_failed_public_case_shows_what_it_printed(results):
     assert "Your function printed:\nhello (3, 4)</div>" in doubles(results["prints"]).body
 
 
@@ -184,16 +168,6 @@ def test_an_honest_wrong_answer_says_why(results):
     )
     assert messages["a syntax error"].startswith("its cell does not run: IndentationError")
     assert messages["no function"] == "its cell does not define double()"
-
-
-@pytest.mark.parametrize("seed", [1, 2])
-def test_order_and_number_of_workers_change_nothing(results, key, right, seed):
-    shuffled = submissions_of(right)
-    random.Random(seed).shuffle(shuffled)
-    graded = list(autograde(iter(shuffled), key, workers=seed, limits=PATIENT))
-    assert [result.name for result in graded] == [name for name, _, _ in shuffled]
-    for result in graded:
-        assert json.dumps(to_json(result)) == json.dumps(to_json(results[result.name]))
 
 
 @pytest.mark.parametrize(

@@ -208,12 +208,6 @@ def _environment(folder, light):
         (packages / f"{number}.ipynb").touch()
 
 
-@attack("two hundred notebooks", "more than 100 notebooks")
-def _many_notebooks(folder, light):
-    for number in range(200):
-        write(folder / f"{number}.ipynb", b"{}")
-
-
 @attack("a zip packed with LZMA", "unusual method")
 def _unusual_packing(folder, light):
     folder.mkdir(parents=True)
@@ -267,14 +261,6 @@ def _circle(lesson):
 @of_cells("a source of a million lines of one letter", "longer than")
 def _lines(lesson):
     cell_of(lesson, "answer-light-double")["source"] = ["#\n"] * 1_000_000 + ["def double(p): return p"]
-
-
-@of_cells("outputs that claim in every form that there is", "stored output says that every check passes")
-def _claims(lesson):
-    cell = cell_of(lesson, "check-light-double-1")
-    text = "light-double: the check passes.\n"
-    cell["outputs"] = [{"output_type": "stream", "name": "stdout", "text": text}]
-    cell["outputs"] += [None, 7, {"data": 7}, {"text": {"x": 1}}, {"data": {"text/plain": ["a", 1]}}]
 
 
 @attack("a notebook with two lists of cells")

@@ -89,11 +89,6 @@ def assign(cells):
     cells[ANSWER] = None
 
 
-def split(cells):
-    cells["mine"] = dict(cells[ANSWER], id="mine", metadata={})
-    cells[ANSWER]["source"] = "helper = 3"
-
-
 MISSING = "its answer cell (answer-template-double) is missing"
 
 
@@ -101,12 +96,6 @@ def test_an_answer_that_would_get_no_points_is_reported(lesson):
     lesson_check, found, notes = inspect(lesson(assign))
     assert found == "missing" and not lesson_check.ready
     assert f"{MISSING} Open the lesson afresh" in notes
-
-
-def test_an_answer_that_grading_finds_is_ready_and_its_place_is_reported(lesson):
-    lesson_check, found, notes = inspect(lesson(split))
-    assert found == "answered" and lesson_check.ready
-    assert "graded from another cell (mine), which defines double(): its answer cell does not def" in notes
 
 
 def test_the_lessons_own_function_of_that_name_is_not_a_misplaced_answer(lesson, write_master):
@@ -121,21 +110,6 @@ def test_the_lessons_own_function_of_that_name_is_not_a_misplaced_answer(lesson,
     assert f"{MISSING} Open the lesson afresh" in notes
 
 
-def test_changed_cells_of_the_lesson_are_reported_and_do_no_harm(lesson):
-    lesson_check, state, notes = inspect(lesson(edit("given-template-double-1", source="LIMIT = 300")))
-    assert state == "answered" and lesson_check.ready
-    assert "its given cell (given-template-double-1) was" in notes
-
-
-def test_a_lesson_of_another_version_is_reported(lesson):
-    path = lesson()
-    notebook = json.loads(path.read_text())
-    notebook["metadata"]["imgproc_course"]["version"] = "0.0.1"
-    path.write_text(json.dumps(notebook))
-    (note,) = check_lesson(path).content.texts_about("")
-    assert note.startswith("it was made from version '0.0.1' of the lesson, not from version ")
-
-
 def test_the_checks_beside_the_lesson_are_used_and_no_master(lesson, tmp_path):
     path = lesson()
     (tmp_path / "masters" / "90_template.py").unlink()
@@ -146,38 +120,13 @@ def test_the_checks_beside_the_lesson_are_used_and_no_master(lesson, tmp_path):
     assert done.output.endswith("take the folder checks/ again from the course or from your teacher\n")
 
 
-def test_a_lesson_without_metadata_is_recognized_by_its_cells_or_its_name(lesson):
-    path = lesson()
-    notebook = json.loads(path.read_text())
-    del notebook["metadata"]["imgproc_course"]
-    path.write_text(json.dumps(notebook))
-    assert check_lesson(path).ready  # by its answer cell
-    notebook["cells"] = [cell for cell in notebook["cells"] if cell["id"] != ANSWER]
-    renamed = path.with_name("80_template_final.ipynb")
-    renamed.write_text(json.dumps(notebook))
-    assert check_lesson(renamed).content.lesson == "template"
-    path.write_text(json.dumps(notebook))
-    with pytest.raises(LessonFileError, match=r"is not, or no longer, one of .*template"):
-        check_lesson(path)
-
-
-@pytest.mark.parametrize(
-    ("content", "reason"),
-    [
-        (b"{", "it is not a notebook: its JSON is broken (line 1); save it again in JupyterLab"),
-        (b"\x89PNG\r\n", "it is not UTF-8 text (byte 0); save it again in JupyterLab"),
-        (
-            b'{"nbformat": 2, "worksheets": []}',
-            "it has notebook format 2, and only format 4 can be read; open the lesson in",
-        ),
-    ],
-)
-def test_a_file_that_is_not_a_notebook_is_answered_with_the_remedy(tmp_path, content, reason):
+def test_a_file_that_is_not_a_notebook_is_answered_with_the_remedy(tmp_path):
     path = tmp_path / "my_lesson.ipynb"
-    path.write_bytes(content)
+    path.write_bytes(b"{")
     with pytest.raises(LessonFileError) as error:
         check_lesson(path)
-    assert str(error.value).startswith(f"{path}: {reason}")
+    text = "it is not a notebook: its JSON is broken (line 1); save it again in JupyterLab"
+    assert str(error.value) == f"{path}: {text}"
 
 
 def test_a_large_file_is_not_read(lesson, monkeypatch):

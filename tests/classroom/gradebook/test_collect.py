@@ -102,19 +102,6 @@ def test_zips_in_zips_end(files_by_source, submissions):
     assert (file.learner, file.reason[:29]) == ("ada", "zips in zips are read 4 deep;")
 
 
-def test_links_and_devices_are_reported_and_not_followed(files_by_source, submissions, tmp_path):
-    secret = write(tmp_path / "secret.ipynb", b"secret")
-    (submissions / "ada").mkdir()
-    (submissions / "ada" / "light.ipynb").symlink_to(secret)
-    (submissions / "ada" / "folder").symlink_to(tmp_path)
-    os.mkfifo(submissions / "ada" / "sound.ipynb")
-    reasons = {source: reason(file) for source, file in files_by_source(submissions).items()}
-    assert "links are not followed" in reasons["ada/light.ipynb"]
-    assert "links are not followed" in reasons["ada/folder"]
-    assert "not a regular file" in reasons["ada/sound.ipynb"]
-    assert len(reasons) == 3
-
-
 def test_hard_links_are_read(files_by_source, submissions, tmp_path):
     """As `cp -al` and `rsync --link-dest` make them."""
     outside = write(tmp_path / "backup.ipynb", b"{}")
@@ -237,13 +224,6 @@ def test_control_characters_in_names_become_visible(files_by_source, submissions
     learners = {file.learner for file in files_by_source(submissions).values()}
     assert learners == {"=cmd|' ,\\u202eadA\\n<b>-p x::[1]", "\\udcff\\udcfe"}
     json.dumps(sorted(learners)).encode("utf-8")
-
-
-def test_no_submissions_is_an_error(submissions):
-    with pytest.raises(CollectError, match="no notebooks"):
-        Collection(submissions)
-    with pytest.raises(CollectError, match="does not exist"):
-        Collection(submissions / "nowhere")
 
 
 def test_a_hidden_folder_is_listed(submissions):

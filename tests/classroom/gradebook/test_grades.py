@@ -226,32 +226,12 @@ def test_the_latest_submission_counts_and_all_are_listed(light, submissions, gra
     assert lesson_of(grades, "ada", None)["reason"].startswith("it is not a notebook")
 
 
-def test_a_broken_submission_does_not_replace_a_good_one(light, submissions, grade):
-    write(
-        submissions / "ada" / "20_light.ipynb",
-        notebook(light, answers_of(light, "right")),
-        datetime(2026, 11, 1),
-    )
-    write(submissions / "ada" / "20_light-1.ipynb", b"{", datetime(2026, 12, 2))
-    lesson = lesson_of(grade(submissions), "ada")
-    assert (lesson["points"], lesson["status"]) == (6, "graded")
-    assert lesson["earlier"][0]["file"] == "ada/20_light-1.ipynb"
-
-
 def test_canvas_submissions_are_ordered_by_number_and_late_as_canvas_says(light, submissions, grade):
     right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
     write(submissions / "lovelaceada_77_100_20_light.ipynb", wrong, datetime(2026, 11, 5))
     write(submissions / "lovelaceada_LATE_77_200_20_light-1.ipynb", right, datetime(2026, 11, 1))
     lesson = lesson_of(grade(submissions), "lovelaceada")
     assert (lesson["points"], lesson["late"], lesson["platform_id"]) == (6, True, "77")
-
-
-def test_two_learners_of_one_name(light, submissions, grade):
-    right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
-    write(submissions / "Anna_1_assignsubmission_file_" / "x.ipynb", right)
-    write(submissions / "Anna_2_assignsubmission_file_" / "x.ipynb", wrong)
-    grades = grade(submissions)
-    assert {each["name"]: each["points"] for each in grades["learners"]} == {"Anna (1)": 6, "Anna (2)": 0}
 
 
 @pytest.mark.parametrize("kind", ["no answer cells", "stubs"])

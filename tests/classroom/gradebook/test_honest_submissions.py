@@ -290,63 +290,13 @@ def a_helper_in_a_file_that_a_cell_writes(made):
 
 
 @case(double=USES_WIDE)
-def a_helper_above(made):
-    insert(made, 1, new_cell(WIDE))
-
-
-@case(double=USES_WIDE)
 def a_helper_below(made):
     insert(made, position_of(made, DOUBLE) + 1, new_cell(WIDE))
-
-
-@case(
-    double="def double(pixels):\n    return numpy.minimum(wide(pixels) * FACTOR, LIMIT).astype(narrow)",
-)
-def a_helper_an_import_and_constants_transitively(made):
-    insert(
-        made,
-        1,
-        new_cell("import numpy\nfrom numpy import uint8 as narrow"),
-        new_cell("FACTOR = 2\nWIDE_TYPE: type = numpy.uint16"),
-        new_cell("class Widener:\n    def __call__(self, p):\n        return p.astype(WIDE_TYPE)"),
-        new_cell("def wide(pixels):\n    return Widener()(pixels)"),
-    )
-
-
-@case(points=6, double=USES_WIDE)
-def a_helper_whose_cell_also_fails(made):
-    insert(made, 1, new_cell(f"camera = open_camera()\n{WIDE}\nshow(camera)"))
 
 
 @case(points=6)
 def a_given_name_bound_in_another_cell(made):
     insert(made, 1, new_cell("LIMIT = 3"))
-
-
-@case(double=COUNTING)
-def a_counter_in_another_cell(made):
-    insert(made, 1, new_cell("calls = 0"))
-
-
-@case(double=TIMES_FACTOR)
-def a_constant_that_its_cell_changes(made):
-    insert(made, 1, new_cell("FACTOR = 1\nprint(FACTOR)\nFACTOR += 1"))
-
-
-@case(double=FROM_TABLE)
-def a_table_that_its_cell_fills(made):
-    fills = "for value in range(256):\n    table[value] = square(value)\n    rows.append(table[value])"
-    insert(made, 1, new_cell(f"rows = []\ntable = {{}}\n{SQUARE}\n{fills}\nshow(table)\nno_such.append(3)"))
-
-
-@case(double=TIMES_FACTOR)
-def a_constant_that_is_assigned_again_after_its_change(made):
-    insert(made, 1, new_cell("FACTOR = 5\nFACTOR += 1\nFACTOR = 2"))
-
-
-@case(double=USES_EVERYTHING)
-def everything_of_a_module_imported_above(made):
-    insert(made, 1, new_cell("from math import *"), new_cell("from numpy import *"))
 
 
 @case(3, double=USES_EVERYTHING)
@@ -361,7 +311,32 @@ def with_own_cells(cells):
     return change
 
 
-for name, (cells, answer) in ONCE_REFUSED.items():
+FILLS = "for value in range(256):\n    table[value] = square(value)\n    rows.append(table[value])"
+OWN_CELLS = {  # {name: (cells above the answer, the answer)}
+    "a_helper_above": ([WIDE], USES_WIDE),
+    "a_helper_an_import_and_constants_transitively": (
+        [
+            "import numpy\nfrom numpy import uint8 as narrow",
+            "FACTOR = 2\nWIDE_TYPE: type = numpy.uint16",
+            "class Widener:\n    def __call__(self, p):\n        return p.astype(WIDE_TYPE)",
+            "def wide(pixels):\n    return Widener()(pixels)",
+        ],
+        "def double(pixels):\n    return numpy.minimum(wide(pixels) * FACTOR, LIMIT).astype(narrow)",
+    ),
+    "a_helper_whose_cell_also_fails": ([f"camera = open_camera()\n{WIDE}\nshow(camera)"], USES_WIDE),
+    "a_counter_in_another_cell": (["calls = 0"], COUNTING),
+    "a_constant_that_its_cell_changes": (["FACTOR = 1\nprint(FACTOR)\nFACTOR += 1"], TIMES_FACTOR),
+    "a_table_that_its_cell_fills": (
+        [f"rows = []\ntable = {{}}\n{SQUARE}\n{FILLS}\nshow(table)\nno_such.append(3)"],
+        FROM_TABLE,
+    ),
+    "a_constant_that_is_assigned_again_after_its_change": (
+        ["FACTOR = 5\nFACTOR += 1\nFACTOR = 2"],
+        TIMES_FACTOR,
+    ),
+    "everything_of_a_module_imported_above": (["from math import *", "from numpy import *"], USES_EVERYTHING),
+}
+for name, (cells, answer) in (OWN_CELLS | ONCE_REFUSED).items():
     change = with_own_cells(cells)
     change.__name__ = name.replace(" ", "_")
     case(double=answer)(change)

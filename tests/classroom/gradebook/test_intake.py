@@ -337,15 +337,6 @@ def test_namesakes_on_a_platform_have_its_number(read, light, submissions):
     assert sorted(read(submissions)[1]) == ["Anna (1)", "Anna (2)", "Anna (3)", "Bob"]
 
 
-def test_a_date_beyond_the_calendar_ends_nothing(submissions):
-    """Some file systems store years after 9999."""
-    for name, seconds in {"ada": 2**33, "bob": -(2**31)}.items():
-        os.utime(write(submissions / f"{name}.ipynb", b"{}"), (seconds, seconds))
-    with Collection(submissions, LESSONS) as collection:
-        years = {file.learner: file.submitted_at.year for file in collection.files}
-    assert years == {"ada": 2242, "bob": 1970}
-
-
 def test_of_two_with_nearly_one_name_the_tables_mean_the_exact_one(read, light, submissions, tmp_path):
     for name in ("Bob Ray", "bob-ray"):
         write(submissions / name / "20_light.ipynb", notebook(light))

@@ -13,7 +13,7 @@ from click.testing import CliRunner
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.grades_folder import changed_points
 from nbclassroom.gradebook.submission import EQUALS
-from nbclassroom.gradebook.summary import _concerns, summary_page
+from nbclassroom.gradebook.summary import summary_page
 from submissions import answers_of, cell_of, notebook, write
 
 from imgproc_course.cli import main
@@ -184,36 +184,6 @@ def test_an_answer_that_does_not_run_is_listed_until_it_is_decided(light, submis
 
 
 USES_CV2 = "import cv2\ndef double(pixels):\n    return cv2.add(pixels, pixels)"
-
-
-def test_answers_without_marks_are_one_row_and_one_sentence():
-    findings = [
-        {"kind": "message", "exercise": f"a-{n}", "text": f"graded from another cell (cell number {n}), which"
-         f" defines f{n}(): its answer cell (answer-a-{n}) is missing"}
-        for n in range(3)
-    ]  # fmt: skip
-    entries = [
-        {
-            "id": f"a-{n}",
-            "cases": [],
-            "points": 2,
-            "max_points": 2,
-            "autograded_points": 2,
-            "decision": None,
-            "cause": "",
-        }
-        for n in range(3)
-    ]
-    lesson = {
-        "lesson": "a", "decision": None, "status": "graded", "late_deduction": 0, "late": False, "points": 6,
-        "max_points": 6, "autograded_points": 6, "earlier": [], "findings": findings, "exercises": entries,
-    }  # fmt: skip
-    ((name, concern),) = _concerns({"name": "ada"}, lesson, set())
-    assert name == "others" and concern["entry"]["points"] == 6
-    assert concern["texts"] == [
-        "its answers were found by the names of their functions, because their answer cells are missing: a-0,"
-        " a-1, a-2"
-    ]
 
 
 def test_one_learner_and_one_lesson_are_not_plural(light, submissions, key_path, tmp_path):

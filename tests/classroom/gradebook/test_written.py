@@ -6,7 +6,6 @@ import io
 import json
 import random
 import re
-import shutil
 import subprocess
 import sys
 import threading
@@ -224,17 +223,6 @@ def served(grade, words, tmp_path):
         yield server.url.replace("review.html", "review/words-noise.html")
         server.shutdown()
         thread.join()
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        options = {"executable_path": shutil.which("chromium"), "args": ["--no-sandbox"]}
-        browser = playwright.chromium.launch(**options)
-        yield browser
-        browser.close()
 
 
 def open_tab(browser, url):

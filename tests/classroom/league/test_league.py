@@ -180,27 +180,11 @@ class TestFound:
             (says("{'word': 'x' * 10_000_000}"), False),
             (says("type('Odd', (dict,), {'get': lambda *a: 1 / 0})()"), False),
         ],
-        ids=[
-            "number",
-            "None",
-            "missing",
-            "empty",
-            "types",
-            "places",
-            "nan",
-            "no such marker",
-            "10 MB",
-            "odd",
-        ],
     )
     def test_what_is_wrong_costs_nothing_and_gains_nothing(self, explore, source, told):
         exploration = explore(source)
         assert (exploration.outcome, exploration.told) == (Outcome.PASSED, told)
-        assert {name: exploration.values[name] for name in ("markers", "word", "bumps")} == {
-            "markers": 0,
-            "word": 0,
-            "bumps": 0,
-        }
+        assert [exploration.values[name] for name in ("markers", "word", "bumps")] == [0, 0, 0]
 
     @pytest.mark.parametrize(
         "told",
