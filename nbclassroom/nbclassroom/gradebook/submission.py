@@ -60,7 +60,6 @@ class SubmissionContent:
     version   of the course, as the notebook says
     page      what is graded (see `exercises.page`), with the answers
     states    {exercise id: AnswerState} of every exercise
-    claims    exercise ids whose stored outputs say that every check passes
     is_page   it is a page of the course that has no answers, such as the index
     deeper    ids of exercises that can be left out, as the notebook says
     shapes    {exercise id: shape of its answer}, see `syntax_shapes.shapes`
@@ -71,7 +70,6 @@ class SubmissionContent:
     page: dict = field(default_factory=lambda: {"answers": {}})
     states: dict = field(default_factory=dict)
     findings: list = field(default_factory=list)
-    claims: list = field(default_factory=list)
     reason: str = ""
     is_page: bool = False
     deeper: list = field(default_factory=list)
@@ -224,9 +222,6 @@ def _inspect_notebook(notebook, cells, lesson, content):
         content.add(f"it was made from {version}")
     if len(cells) < len(notebook["cells"]):
         content.add(f"{len(notebook['cells']) - len(cells)} of its cells are not cells", kind="odd")
-    if notebook["kernel"] not in (None, "python3"):
-        kernel = sanitize_line(notebook["kernel"], 60)
-        content.add(f"it asks for the kernel {kernel!r}; grading uses its own", kind="odd")
 
 
 def _inspect_answer(exercise, answer, content):
@@ -353,7 +348,7 @@ def _kind(cell):
 
 
 def _compare_given(exercise, cells, lesson, content):
-    """Report check and given cells that were changed or removed, and collect what check cells claim."""
+    """Report check and given cells that were changed or removed."""
     cells_by_id: dict[str, dict] = {}
     cells_by_source: dict[str, dict] = {}
     for cell in cells:
@@ -367,12 +362,6 @@ def _compare_given(exercise, cells, lesson, content):
         if change:
             role = "check cell" if id.startswith("check-") else "given cell"
             content.add(f"its {role} ({id}) {change}; grading uses its own", exercise.id)
-    starts = (f"{exercise.id}: the check passes", f"{exercise.id}: all ")
-    for id, cell in cells_by_id.items():
-        lines = cell["output"].splitlines() if id.startswith(f"check-{exercise.id}-") else ()
-        claims = (line.rstrip(".") for line in lines if line.startswith(starts))
-        if any(claim.endswith(("passes", "pass")) for claim in claims):
-            content.claims.append(exercise.id)
 
 
 def _report_other_tries(exercise, cells, content):

@@ -34,7 +34,6 @@ MOST_CELLS = 5_000
 MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what comes after is not searched
 _COURSE_IDS = ("answer-", "check-", "given-")
 _MOST_FUNCTIONS = 200  # functions that are returned per cell
-_MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_NAME = 200  # characters of a name or an id
 _SAVE = "save it again in JupyterLab"
 _FENCED = re.compile(r"^```\w*\n(.*?)^```", re.M | re.S)  # code in a Markdown cell
@@ -52,14 +51,13 @@ class UnreadableError(ValueError):
 def read_notebook(data):
     """Read the bytes of a notebook as plain data; UnreadableError: they are none of format 4.
 
-    lesson, version, kernel, python  str, or None if the notebook does not name them
+    lesson, version, python  str, or None if the notebook does not name them
     deeper  list, with the ids of the exercises that can be left out
     cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
            `exercise` (the id in its metadata, or "") and `functions` (names, see `cell_syntax.definitions`;
            of a cell that is no code only if its text is). A code cell and a cell of the course have `source`
            (str, at most one character more than MOST_CHARACTERS; None if it is not text, or after MOST_CODE).
-           A cell of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`), a
-           check cell `output`
+           A cell of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`)
     """
     notebook = _parsed(data)
     nbformat = notebook.get("nbformat")
@@ -78,7 +76,6 @@ def read_notebook(data):
     return {
         "lesson": _text(notebook, "metadata", _COURSE, "lesson"),
         "version": _text(notebook, "metadata", _COURSE, "version"),
-        "kernel": _text(notebook, "metadata", "kernelspec", "name"),
         "python": _text(notebook, "metadata", "language_info", "version"),
         "deeper": _at(notebook, list, "metadata", _COURSE, "deeper") or [],
         "cells": _cells(cells),
@@ -160,8 +157,6 @@ def _cell(cell, number, code_left):
         content["functions"] = _functions(source)
     if content["functions"]:
         content["source"] = source
-    if content["id"].startswith("check-"):
-        content["output"] = _output_text(cell)
     return content
 
 
@@ -223,14 +218,6 @@ def _slip(source, error):
     mended_source, tree = mended
     lines = re.split("\r\n?|\n", mended_source)  # as Python counts them
     return [lines[min(error.lineno or 1, len(lines)) - 1].strip()[:_MOST_NAME], _bound_names(tree)]
-
-
-def _output_text(cell):
-    texts = []
-    for output in (_at(cell, list, "outputs") or [])[:20]:
-        for text in (_at(output, object, "text"), _at(output, object, "data", "text/plain")):
-            texts.append((_joined(text) or "")[:_MOST_OUTPUT])
-    return "\n".join(filter(None, texts))[:_MOST_OUTPUT]
 
 
 def serve(requests, replies, most_memory, seconds):
