@@ -8,7 +8,7 @@ from ..exercises.error_advice import advice_on
 from ..exercises.feedback import blocks_of
 from ..exercises.judging import CheckResult, judge
 from .outcomes import TEXTS, Outcome
-from .sanitize import reproducible_text, sanitize_text, without_machine_paths
+from .sanitize import reproducible_text, sanitize_text
 
 _LONGEST = 2_000  # characters of a text, and of what an answer printed
 _CELL_ADVICE = (
@@ -33,7 +33,7 @@ class PageHtml(Html):
         return f'class="{name}"'
 
     def text(self, text):
-        return html.escape(without_machine_paths(sanitize_text(text, _LONGEST)))
+        return html.escape(sanitize_text(text, _LONGEST))
 
 
 @dataclass(frozen=True)

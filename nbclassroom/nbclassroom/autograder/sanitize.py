@@ -5,17 +5,11 @@ hidden character may be the very thing that the reader must know. HTML is escape
 """
 
 import re
-import sys
-from functools import cache
-from pathlib import Path
-
-from .. import course
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 # How IPython and ipykernel name a cell, with a number that differs from run to run.
 _CELL = re.compile(r"<ipython-input-[^<>\s]*>|(?<!\S)\S*/ipykernel_\d+/\d+\.py|\b\d{5,}\.py\b")
 _MOST_READ = 4  # characters that are read of a text, for each one that is kept
-_COMMON = {"/usr", "/usr/local", "/tmp", "/opt"}  # folders that every machine has
 _FORMULA_STARTS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 _FORMULA_START = rf"(?=[{re.escape(''.join(_FORMULA_STARTS))}])"
 _AFTER_SEMICOLON = re.compile(rf"(;[ '\"]*){_FORMULA_START}")
@@ -31,10 +25,12 @@ def sanitize_text(text, max_length=300):
     text = text if len(text) <= max_length else text[: max_length - 1] + "…"
     if text.isprintable():  # nearly every text
         return text
-    return "".join(
-        character if character in "\n\t" or character.isprintable() else _escape(character)
-        for character in text
-    )
+    escapes = {
+        character: f"\\u{ord(character):04x}" if ord(character) < 0x10000 else f"\\U{ord(character):08x}"
+        for character in set(text)
+        if character not in "\n\t" and not character.isprintable()
+    }
+    return text.translate(str.maketrans(escapes))
 
 
 def reproducible_text(text, max_length=500):
@@ -67,23 +63,3 @@ def without_formulas(text):
 def without_apostrophes(text):
     """The text without the apostrophes that `spreadsheet_text` put before what looks like a formula."""
     return _APOSTROPHE.sub(r"\1", text)
-
-
-def without_machine_paths(text):
-    """The text with … for the folders of this machine: an answer finds them in /proc."""
-    return _machine_paths().sub("…", text) if "/" in text else text
-
-
-@cache
-def _machine_paths():
-    """A pattern of the folders of the user, the course and Python, and of their ends, as mounts show them."""
-    folders = {Path.home(), Path.cwd(), Path(sys.prefix), Path(sys.base_prefix), *course.roots()}
-    parts = [folder.resolve().parts[1:] for folder in folders] + [folder.parts[1:] for folder in folders]
-    ends = {"/".join(("", *part[start:])) for part in parts for start in range(max(1, len(part) - 1))}
-    longest_first = sorted(filter(None, ends - _COMMON), key=len, reverse=True)
-    return re.compile(rf"(?:{'|'.join(map(re.escape, longest_first))})(?![\w.-])")
-
-
-def _escape(character):
-    code = ord(character)
-    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"

@@ -15,7 +15,7 @@ from typing import Any
 
 from .. import course
 from ..autograder.outcomes import Outcome
-from ..autograder.sanitize import sanitize_text, without_machine_paths
+from ..autograder.sanitize import sanitize_text
 from .submission import NOT_PYTHON
 from .teacher_tables import plain_number
 
@@ -51,7 +51,7 @@ def _environment():
 
 def _shown(value):
     """A text as pages show it; anything else unchanged."""
-    return without_machine_paths(sanitize_text(value, 20_000)) if type(value) is str else value
+    return sanitize_text(value, 20_000) if type(value) is str else value
 
 
 def _capital(text):
