@@ -144,8 +144,9 @@ def sandbox_command(confined):
     # If the user does not really change, kernels own these folders: the next kernel would find what one
     # wrote.
     command += ["--remount-ro", "/dev", "--remount-ro", "/"]
-    command += ["--chdir", "/tmp", _interpreter(), *_PYTHON_OPTIONS]
-    return command
+    base, mount_point = python_folder()
+    interpreter = mount_point / Path(sys.executable).resolve().relative_to(base)
+    return [*command, "--chdir", "/tmp", str(interpreter), *_PYTHON_OPTIONS]
 
 
 def _namespace_options():
@@ -253,11 +254,6 @@ def python_folder():
     """(folder of Python itself, where it is inside the sandbox): the system's stays, another is /python."""
     base = Path(sys.base_prefix).resolve()
     return base, base if base in (Path("/usr"), Path("/usr/local")) else Path(PYTHON)
-
-
-def _interpreter():
-    base, mount_point = python_folder()
-    return str(mount_point / Path(sys.executable).resolve().relative_to(base))
 
 
 def environment(confined):

@@ -30,6 +30,7 @@ import ctypes
 import os
 import resource
 import signal
+import time
 from contextlib import suppress
 
 from nbclassroom.autograder.sandbox.inside.seccomp import refuse_system_calls
@@ -44,6 +45,7 @@ _LAST_CAPABILITY = 63
 _libc = ctypes.CDLL(None, use_errno=True)
 # Looked up here, before the first kernel is forked.
 _mount_call, _unshare_call, _prctl, _capset = _libc.mount, _libc.unshare, _libc.prctl, _libc.capset
+_kill, _wait4, _monotonic, _sleep = os.kill, os.wait4, time.monotonic, time.sleep
 
 
 def _check(result, operation):
@@ -160,6 +162,22 @@ def close_descriptors(but):
     """Close all descriptors but the standard streams and one other."""
     os.closerange(3, but)
     os.closerange(but + 1, 1 << 20)
+
+
+def end_child(child, patience):
+    """How a child ended: by itself within `patience` seconds (signal or exit code), or killed here."""
+    ended, give_up = 0, _monotonic() + patience
+    while not ended:
+        if _monotonic() >= give_up:
+            _kill(child, signal.SIGKILL)
+        ended, status, usage = _wait4(child, os.WNOHANG)
+        if not ended:
+            _sleep(0.001)
+    return {
+        "signal": os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0,
+        "code": os.WEXITSTATUS(status) if os.WIFEXITED(status) else 0,
+        "cpu": usage.ru_utime + usage.ru_stime,
+    }
 
 
 def die_first():

@@ -15,7 +15,6 @@ import os
 import signal
 import socket
 import sys
-import time
 
 from nbclassroom.autograder.sandbox.inside import confine
 
@@ -124,7 +123,7 @@ def main():
             if child is None:  # a kernel of a fork server before this one
                 pass
             elif order["patience"]:
-                status = _end(child, order["patience"])
+                status = confine.end_child(child, order["patience"])
             elif _kill(child, {*kernels.values(), *ending}):
                 ending.add(child)
             control.send(json.dumps(status).encode())
@@ -151,18 +150,3 @@ def _kill(child, others):
         os.waitpid(child, 0)
         return False
     return True  # the system takes some milliseconds to remove its namespaces
-
-
-def _end(child, patience):
-    """How a kernel ended: by itself within `patience` seconds (signal or exit code), or killed here."""
-    ended_child, give_up = 0, time.monotonic() + patience
-    while ended_child == 0:
-        if time.monotonic() > give_up:
-            os.kill(child, signal.SIGKILL)
-        ended_child, status, usage = os.wait4(child, os.WNOHANG)
-        time.sleep(0.001)
-    return {
-        "signal": os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0,
-        "code": os.WEXITSTATUS(status) if os.WIFEXITED(status) else 0,
-        "cpu": usage.ru_utime + usage.ru_stime,
-    }

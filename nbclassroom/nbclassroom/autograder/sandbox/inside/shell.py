@@ -17,7 +17,6 @@ import signal
 import socket
 import sys
 import threading
-import time
 from contextlib import suppress
 
 from IPython.core.displaypub import DisplayPublisher
@@ -31,7 +30,7 @@ from nbclassroom.exercises.page_run import PageRun, is_missing
 from nbclassroom.exercises.running import error_name
 
 # Looked up before any code of a learner's runs.
-_fork, _exit, _kill, _wait4, _waitpid = os.fork, os._exit, os.kill, os.wait4, os.waitpid
+_fork, _exit, _kill, _waitpid = os.fork, os._exit, os.kill, os.waitpid
 _write, _dumps, _loads = os.write, json.dumps, json.loads
 
 _BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
@@ -287,15 +286,8 @@ def _serve_check(server, request, descriptor):
 
 def _end(check, patience, confined):
     """How a forked process ended: {"signal", "code", "cpu"}; it is killed if it does not end in time."""
-    status, usage, give_up = 0, None, time.monotonic() + patience
     try:
-        while usage is None:
-            if time.monotonic() >= give_up:
-                _kill(check, signal.SIGKILL)
-            ended, status, resources = _wait4(check, os.WNOHANG)
-            usage = resources if ended else None
-            if usage is None:
-                time.sleep(0.001)
+        status = confine.end_child(check, patience)
         # Where this process is the first one of its namespace, this reaches all others there and no more.
         with suppress(OSError):
             _kill(-1 if confined else -check, signal.SIGKILL)
@@ -304,8 +296,4 @@ def _end(check, patience, confined):
                 pass
     except (OSError, TypeError):  # the learner's code has waited for it
         return {"signal": 0, "code": 71, "cpu": 0.0}
-    return {
-        "signal": os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0,
-        "code": os.WEXITSTATUS(status) if os.WIFEXITED(status) else 0,
-        "cpu": usage.ru_utime + usage.ru_stime,
-    }
+    return status
