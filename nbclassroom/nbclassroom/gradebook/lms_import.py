@@ -3,18 +3,18 @@
 Canvas's export of the gradebook has a column for each assignment, Moodle's grading worksheet is of one. Only
 the points of graded lessons are written; every other cell stays as it is, save for an apostrophe before what
 a spreadsheet would take for a formula. A row is matched to a learner by the platform's number, which is part
-of the names of the files that the platform hands out. Otherwise it is matched by a login, an e-mail address
-or a number that is the learner's name here, or by the full name if only one row and one learner have it.
+of the names of the files that the platform hands out; otherwise by a name, as a roster's (see `roster`).
 """
 
 import re
+from collections import Counter
 from pathlib import Path
 
 from ..authoring.lesson_names import lesson_name, lessons_named
 from ..autograder.sanitize import without_formulas
 from .csv_table import TableError, csv_text, read_csv
 from .lms_export import EXCUSED, lessons_of, platform_points
-from .roster import forms_of_name, identities_of, number_of, squeezed
+from .roster import entry_of
 
 _CANVAS = ("Student", "ID"), ("LastName", "FirstName", "ID")
 _NUMBER = re.compile(r"[+-]?[\d.,]*")
@@ -129,34 +129,26 @@ def _lesson_of_worksheet(table, grades, lessons):
 
 
 def _matched(table, rows, learners):
-    """(row, its learner) of a table; by the name alone if one row and one learner without a row have it."""
-    records = [table.record(row) for row in rows]
-    matched = [_learner(record, learners) for record in records]
-    names = [set(map(squeezed, forms_of_name(record))) for record in records]
-    own_names = [squeezed(learner["name"]) for learner in learners]
-    for learner, name in zip(learners, own_names, strict=True):
-        numbers = [number for number, forms in enumerate(names) if name in forms]
-        is_another = _is_canvas(table) and "canvas" in {lesson["platform"] for lesson in learner["lessons"]}
-        if learner not in matched and not is_another and len(numbers) == own_names.count(name) == 1:
-            place, other = numbers[0], matched[numbers[0]]
-            if other is None or not _has_number(records[place], other):
-                # The login is one learner's name and the full name another's: nobody knows whose row it is.
-                matched[place] = learner if other is None else None
-    return [(row, learner) for row, learner in zip(rows, matched, strict=True) if learner is not None]
+    """(row, its learner) of a table; by a name only if one row and one learner without a number have it."""
+    entries = [entry_of(table.record(row)) for row in rows]
+    sure = [[one for one in learners if entry and entry.number in _numbers(one)] for entry in entries]
+    others = [learner for learner in learners if not any(learner in own[:1] for own in sure)]
+    likely = [[one for one in others if entry and _has_name(entry, one)] for entry in entries]
+    counts = Counter(learner["name"] for several in likely for learner in several)
+    for row, own, several in zip(rows, sure, likely, strict=True):
+        alone = len(several) == 1 and counts[several[0]["name"]] == 1
+        yield from ((row, learner) for learner in (own or several * alone)[:1])
 
 
-def _learner(row, learners):
-    identities = set(map(str.casefold, identities_of(row)))
-    by_number = [learner for learner in learners if _has_number(row, learner)]
-    if by_number:
-        return by_number[0]
-    candidates = [learner for learner in learners if learner["name"].casefold() in identities]
-    return candidates[0] if len(candidates) == 1 else None
+def _numbers(learner):
+    return {(lesson["platform"], lesson["platform_id"]) for lesson in learner["lessons"]}
 
 
-def _has_number(row, learner):
-    numbers = {(lesson["platform"], lesson["platform_id"]) for lesson in learner["lessons"]}
-    return number_of(row) in numbers
+def _has_name(entry, learner):
+    """Whether a row's person has a learner's name; in Canvas a person has one number."""
+    platforms = {platform for platform, _ in _numbers(learner)}
+    is_another = entry.number and entry.number[0] == "canvas" and "canvas" in platforms
+    return entry.has_name(learner["name"]) and not is_another
 
 
 def _different_points(table, columns, grades):

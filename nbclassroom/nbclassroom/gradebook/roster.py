@@ -55,33 +55,24 @@ def read_roster(path):
             f"{path}: its columns are {shown_columns}; expected one that"
             " names people: Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
         )
-    entries = (_entry(table.record(row)) for _, row in table.rows)
+    entries = (entry_of(table.record(row)) for _, row in table.rows)
     return [entry for entry in entries if entry is not None]
 
 
-def _entry(row):
+def entry_of(row):
     """The RosterEntry of {column: cell}; None if the row is no person's."""
-    full, *other_forms = forms_of_name(row)
-    identities = identities_of(row)
+    full, *other_forms = _forms_of_name(row)
+    identities = [row[column] for column in _IDENTITIES if row.get(column)]
     if full.casefold() in _NO_PEOPLE and not (full == "" and identities):
         return None
     identities += [text.partition("@")[0] for text in identities if "@" in text]
     names = tuple(dict.fromkeys(filter(None, (full, *other_forms, *identities))))
-    return RosterEntry(sanitize_line(full or identities[0], 120), names, number_of(row))
-
-
-def identities_of(row):
-    """The logins, addresses and numbers of {column: cell} that are one person's."""
-    return [row[column] for column in _IDENTITIES if row.get(column)]
-
-
-def number_of(row):
-    """(platform, the platform's number of a person) in {column: cell}, or None."""
     numbers = ((platform, _NUMBER.search(row.get(column, ""))) for column, platform in _NUMBERS.items())
-    return next(((platform, match[0]) for platform, match in numbers if match), None)
+    number = next(((platform, match[0]) for platform, match in numbers if match), None)
+    return RosterEntry(sanitize_line(full or identities[0], 120), names, number)
 
 
-def forms_of_name(row):
+def _forms_of_name(row):
     """A person's name as the table has it, and with the first and with the last name first; perhaps empty."""
     full, first, last = (
         next((row[column] for column in columns if row.get(column)), "")
