@@ -3,21 +3,15 @@
 The stored outputs of the check cells are the values of the answer key.
 """
 
-import re
-
 from .sandbox.inside.answer_mime import MIME
 
-_NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 _KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
 
 
 def notebook_of(exercise, answer):
-    """The notebook of a key's Exercise with an answer, plain data of nbformat 4.
-
-    The answer loses the comments that nbval obeys.
-    """
+    """The notebook of a key's Exercise with an answer, plain data of nbformat 4."""
     given = [(f"given-{exercise.id}-{number}", source) for number, source in enumerate(exercise.given, 1)]
-    before = [*given, (f"answer-{exercise.id}", _NBVAL_COMMENT.sub(r"\1-\3", answer))]
+    before = [*given, (f"answer-{exercise.id}", answer)]
     cells = [_cell(*parts, ["nbval-ignore-output", "nbval-raises-exception"]) for parts in before]
     check = exercise.kind.check_source(exercise)
     cells += [_cell(case.id, check, [], _stored_outputs(case)) for case in exercise.cases]

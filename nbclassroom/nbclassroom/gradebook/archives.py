@@ -133,20 +133,19 @@ class Archives:
 
 def _member_problem(member):
     """Why a member is not read, or ""."""
-    name, size = member.filename, member.file_size
-    if name.startswith("/") or ".." in name.split("/") or re.match(r"[A-Za-z]:", name):
-        return "its name leads out of the zip"
-    if stat.S_IFMT(member.external_attr >> 16) not in (0, stat.S_IFREG):
-        return "it is a link or a device in a zip; submit the notebook itself"
-    if member.flag_bits & 1:
-        return "it is locked with a password"
-    if member.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-        return "it is packed with an unusual method; make the zip again with the method Deflate"
-    if size > LARGEST:
-        return too_large(size, LARGEST)
-    if size > MOST_RATIO * max(member.compress_size, 1) and size > 1_000_000:
-        return f"it unpacks to more than {MOST_RATIO} times its size"
-    return ""
+    name, size, packed = member.filename, member.file_size, max(member.compress_size, 1)
+    leads_out = name.startswith("/") or ".." in name.split("/") or re.match(r"[A-Za-z]:", name)
+    is_file = stat.S_IFMT(member.external_attr >> 16) in (0, stat.S_IFREG)
+    is_usual = member.compress_type in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+    problems = (
+        (leads_out, "its name leads out of the zip"),
+        (not is_file, "it is a link or a device in a zip; submit the notebook itself"),
+        (member.flag_bits & 1, "it is locked with a password"),
+        (not is_usual, "it is packed with an unusual method; make the zip again with the method Deflate"),
+        (size > LARGEST, too_large(size, LARGEST)),
+        (size > max(MOST_RATIO * packed, 1_000_000), f"it unpacks to more than {MOST_RATIO} times its size"),
+    )
+    return next((text for holds, text in problems if holds), "")
 
 
 def member_time(member, default):

@@ -20,7 +20,6 @@ from .archives import MOST_MEMBERS, Archives, CollectError, member_time
 from .layouts import MOST_LISTED, FolderLayout, doubt
 
 MOST_NOTEBOOKS = 100  # of one learner
-_LATEST = 253_402_128_000  # seconds since 1970, in the year 9999; some file systems store later times
 _TOOLS_FOLDERS = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
 _LEFT_OUT = _TOOLS_FOLDERS | {"venv", "env", "site-packages", "node_modules"}  # and hidden folders
 
@@ -153,7 +152,7 @@ class Collection(AbstractContextManager):
         try:
             status = os.lstat(entry)
             location = ((os.fspath(entry), status),)
-            moment = datetime.fromtimestamp(min(max(0, int(status.st_mtime)), _LATEST))
+            moment = datetime.fromtimestamp(int(status.st_mtime))
             file.dates, file.reader = ((file.path, moment),), partial(self._archives.read, location)
         except OSError as error:
             file.reason = f"it cannot be read ({error.strerror})"

@@ -44,8 +44,8 @@ class Learner:
     @property
     def files(self):
         """The SubmittedFiles of all submissions, also of those that do not count."""
-        lists = self.submissions.values(), *self.earlier.values(), self.unidentified
-        return [one.file for one in chain(*lists)]
+        lists = chain(self.submissions.values(), *self.earlier.values(), self.unidentified)
+        return [one.file for one in lists]
 
     @property
     def digests(self):

@@ -13,9 +13,8 @@ from typing import Any
 from .result_store import GradesFolderError, write_grades_file
 
 FILE = "rules.json"
-_RULES: dict[
-    str, tuple[str, Callable[[str], Any]]
-] = {  # name: (what texts call it, how its text in rules.json is read)
+# {name: (what texts call it, how its text in rules.json is read)}
+_RULES: dict[str, tuple[str, Callable[[str], Any]]] = {
     "keys": ("the key", Path),
     "deadline": ("the deadline", datetime.fromisoformat),
     "late": ("the late policy", str),

@@ -20,7 +20,6 @@ from .teacher_tables import plain_number
 
 _BIN_COUNT = 10
 _MOST_UNKNOWN = 3  # files of one learner that belong to no lesson
-_MOST_MOVED = 2  # answers whose place is told for each
 _LIST_OF = dict.fromkeys((Outcome.NOT_GRADED, Outcome.MEMORY, Outcome.OUTPUT), "unfair")
 _LIST_OF |= {Outcome.HOSTILE: "hostile", Outcome.CRASHED: "hostile", Outcome.REFUSED_MODULE: "modules"}
 
@@ -105,18 +104,7 @@ def _concerns(learner, lesson, own_modules):
             pairs = ((id if id in entries else "", entry), *others)
             line = "\n".join(filter(None, (_line_to_copy(name, learner, lesson, *pair) for pair in pairs)))
             about = {"learner": learner, "lesson": lesson, "entry": entry, "line": line}
-            yield name, about | {"texts": _texts_in_short(list(texts))}
-
-
-def _texts_in_short(texts):
-    """The texts; those about answers without marks as one, because some tools remove the marks of all."""
-    moved = [text for text in texts if ": graded from another cell (" in text]
-    moved = [text for text in moved if text.endswith(" is missing")]
-    if len(moved) <= _MOST_MOVED:
-        return texts
-    exercises = ", ".join(text.partition(":")[0] for text in moved)
-    short = "its answers were found by the names of their functions, because their answer cells are missing"
-    return [*(text for text in texts if text not in moved), f"{short}: {exercises}"]
+            yield name, about | {"texts": list(texts)}
 
 
 # These yield (list, exercise id or "", text) of what is unusual about one submission.
