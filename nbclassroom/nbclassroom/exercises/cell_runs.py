@@ -9,7 +9,7 @@ import sys
 from dataclasses import dataclass
 
 from .. import course
-from .cell_syntax import cached_if_short, names_used, plain_python, program_lines
+from .cell_syntax import names_used, plain_python, program_lines
 from .error_advice import advice_on
 from .guesses import read_bare_guess
 from .running import source_of
@@ -44,15 +44,11 @@ class CellRun:
 
     def statements(self):
         """The NamesUsed of its statements, which it has bound as far as it came to its end."""
-        return _names_used(plain_python(self.source)) if self.is_read else []
+        return names_used(plain_python(self.source)) if self.is_read else []
 
     def binds(self, name):
         """Whether it binds a name at its top level."""
         return any(name in names.binds for names in self.statements())
-
-    def defines(self, name):
-        """Whether it defines a function or class of this name."""
-        return name in self.definitions()
 
     def definitions(self):
         """The functions and classes that the cell defines at its top level, also if it does not parse."""
@@ -105,8 +101,9 @@ class CellRuns:
 
     def why_older(self, exercise_id, name, function):
         """Why a function is older than the learner's cell of this name, and what to do; "" if it is not."""
-        runs = (run for run in reversed(self._runs) if run.exercise == exercise_id or run.defines(name))
-        run = next(runs, None)
+        runs = reversed(self._runs)
+        own = (run for run in runs if run.exercise == exercise_id or name in run.definitions())
+        run = next(own, None)
         if run is None:
             return ""
         if run.error:
@@ -133,7 +130,6 @@ def _explain_name(run, name, kind):
     return SAYS["another name"].format(defined=defined, kind=kind, name=f"{name}{marks}", start=start)
 
 
-_names_used = cached_if_short(names_used)
 RUNS = CellRuns()
 
 

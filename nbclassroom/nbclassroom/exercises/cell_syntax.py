@@ -5,15 +5,12 @@ notebooks loads this file alone (see `gradebook.submission_reader`).
 """
 
 import ast
-import contextlib
 import dis
 import inspect
 import re
-from functools import lru_cache
 from types import CodeType
 from typing import NamedTuple
 
-_MOST_CACHED = 5_000  # characters: most cells are the lesson's, in every notebook; a long one costs memory
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
@@ -152,21 +149,6 @@ def callable_name(statement):
     return ""
 
 
-def is_as_handed_out(statement, stub, name):
-    """Whether the body of a definition is that of the one with this name in a stub, a source."""
-    with contextlib.suppress(RecursionError, MemoryError):
-        return isinstance(statement, _DEFINITIONS) and _dump(statement) == _dump(definitions(stub).get(name))
-    return False
-
-
-def _dump(definition):
-    """The body of a function or class as texts, without the arguments and docstrings in it."""
-    return [
-        (part.name, _dump(part)) if isinstance(part, _DEFINITIONS) else ast.dump(part)
-        for part in _body(definition)
-    ]
-
-
 def _body(statement):
     """The statements of a function or class without its docstring or `...`; of anything else none."""
     body = statement.body if isinstance(statement, _DEFINITIONS) else []
@@ -255,13 +237,8 @@ def _names_called(node):
 
 def endless_statements(statements):
     """The numbers of those of a cell's statements that never come to an end."""
-    with contextlib.suppress(*UNPARSABLE):
+    try:
         endless = _statements_that_call(statements, _ENDLESS_CALLS)
         return [number for number, statement in enumerate(statements) if statement in endless]
-    return []
-
-
-def cached_if_short(function):
-    """The function of a source, with its results for short sources cached."""
-    cached = lru_cache(maxsize=2_000)(function)
-    return lambda source: (cached if len(source) <= _MOST_CACHED else function)(source)
+    except UNPARSABLE:
+        return []

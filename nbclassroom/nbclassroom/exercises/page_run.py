@@ -21,8 +21,8 @@ from .cell_syntax import UNPARSABLE, names_of
 STATEMENT_SECONDS = 5.0  # that one statement may take
 # Of all cells of a kind together.
 TOGETHER_SECONDS = {"given": 20.0, "lesson": 10.0, "own": 10.0, "answer": 20.0}
-# If one of these fails, it runs again without its annotations: they cost nobody a point.
-_ANNOTATED = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.AnnAssign)
+# Annotations are not computed: they cost nobody a point.
+_FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT | __future__.annotations.compiler_flag
 _KNOWN = ("RefusedModule", "NotGradedError")  # errors of ours, which keep their class
 # Looked up before any code of a learner's runs.
 _process, _end_process, _monotonic = os.getpid, os._exit, time.monotonic
@@ -75,7 +75,7 @@ class PageRun:
         self._skip = {tuple(place) for place in skip}
         self.errors = []  # of statements: (number of the cell, type and text of the exception)
         self._seconds = dict.fromkeys(TOGETHER_SECONDS, 0.0)
-        self._place, self._flags, self._process = [0, 0], ast.PyCF_ALLOW_TOP_LEVEL_AWAIT, _process()
+        self._place, self._process = [0, 0], _process()
         self._statements = [self._read(number, cell) for number, cell in enumerate(self._cells)]
         # After the first cell that uses asyncio, an event loop is running, as in JupyterLab.
         self._loop = None
@@ -114,7 +114,7 @@ class PageRun:
     def run_beside(self, source):
         """Run a source that is no part of the page, such as a check; the exception that ended it, or None."""
         try:
-            self._evaluate(compile(source, "<check>", "exec", self._flags, dont_inherit=True))
+            self._evaluate(compile(source, "<check>", "exec", _FLAGS, dont_inherit=True))
         except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
             return error
         return None
@@ -139,10 +139,6 @@ class PageRun:
         place, node = (number, position), self._statements[number][position]
         if place in self._left_out:
             return
-        if isinstance(node, ast.ImportFrom) and node.module == "__future__":
-            for alias in node.names:
-                self._flags |= getattr(getattr(__future__, alias.name, None), "compiler_flag", 0)
-            return
         cell = self._cells[number]
         kind = "answer" if cell["exercise"] else cell["kind"]
         began = _monotonic()
@@ -153,19 +149,17 @@ class PageRun:
             error = TimeoutError("the cells above took all the time that they may take")
         else:
             self._tell(*place)
-            error = self._execute(node, number, self._flags)
-            if isinstance(node, _ANNOTATED) and error is not None and not isinstance(error, TimeoutError):
-                error = self._execute(node, number, self._flags | __future__.annotations.compiler_flag)
+            error = self._execute(node, number)
         if _process() != self._process:
             _end_process(0)  # a copy of this process, which the learner's code made
         self._seconds[kind] += _monotonic() - began
         if error is not None:
             self._note(node, number, error)
 
-    def _execute(self, node, number, flags):
+    def _execute(self, node, number):
         """Run a statement; the exception that ended it, or None."""
         try:
-            code = compile(ast.Module([node], []), _file_of(number), "exec", flags=flags, dont_inherit=True)
+            code = compile(ast.Module([node], []), _file_of(number), "exec", _FLAGS, dont_inherit=True)
             running.call_within(lambda: self._evaluate(code), STATEMENT_SECONDS)
         except running.TimeUp:
             return TimeoutError("it did not end in time")

@@ -11,6 +11,7 @@ take the place of ours.
 import ast
 import codecs
 import ctypes
+import functools
 import importlib
 import json
 import re
@@ -166,7 +167,7 @@ def _code_in(text):
     return code if len(code) <= MOST_CHARACTERS and _CODE_BEGINS.search(code) else ""
 
 
-@cell_syntax.cached_if_short
+@functools.lru_cache(maxsize=2_000)  # most cells are the lesson's, in every notebook
 def _functions(source):
     names = cell_syntax.definitions(cell_syntax.plain_python(source))
     return [name for name in names if len(name) <= _MOST_NAME][:_MOST_FUNCTIONS]

@@ -82,11 +82,9 @@ def test_the_stub_is_not_attempted(function):
 
 
 def test_a_stub_of_dots_is_not_attempted(write_master):
-    write_master(answer='# %% role="answer"\ndef double(pixels):\n    ...')
-
-    def dots(pixels): ...
-
-    assert not check("test-double", dots).attempted
+    dots = "def double(pixels):\n    ..."
+    write_master(answer=f'# %% role="answer"\n{dots}')
+    assert not check("test-double", run_cell(dots, {})["double"]).attempted
 
 
 def wraps(pixels):
