@@ -184,15 +184,3 @@ def _details(result, call, graded):
     if kind.expects_values or not graded:
         yield Figures(lambda: kind.images_of(result.exercise, call))
     yield from map(Text, _warning_and_output(call, kind))
-
-
-def bare_text(result, fault):
-    """The verdict, the values and a sentence on a fault: what is left if there is no Document."""
-    lines = [f"{result.exercise.id}: {_headline(result)}.", fault]
-    for case_result in result.results:
-        lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
-        call = case_result.failed_call
-        if call is not None and call.result.finished:
-            forms = {"returned": call.result.value, "expected": call.expected.value}
-            lines += [f"    {name}: {describe_value(form)}" for name, form in forms.items()]
-    return "\n".join(lines)

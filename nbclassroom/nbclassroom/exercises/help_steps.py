@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from .check_files import SOLUTIONS, find_check_file, read_lesson_file, reading
 from .document import Code, Document, Paragraphs
-from .last_resort import with_last_resort
 from .progress import ExerciseProgress, note_progress, progress_of
 
 TRIES = 3  # honest ones, before a solution opens
@@ -48,11 +47,7 @@ def hint(exercise_id: str, step: int | None = None) -> Help:
     CheckFileError : there is no such exercise, or its file is missing or damaged
     """
     exercise = find_check_file(exercise_id).exercise(exercise_id)
-    return with_last_resort(exercise_id, lambda: _hint(exercise, step), Help)
-
-
-def _hint(exercise, step):
-    exercise_id, hints = exercise.id, exercise.hints
+    hints = exercise.hints
     quoted_id = json.dumps(exercise_id)
     if not hints:
         return Help(f"There are no hints for {exercise_id}.")
@@ -90,11 +85,6 @@ def solution(exercise_id: str, give_up: bool = False) -> Help:
     """
     file = find_check_file(exercise_id)
     exercise = file.exercise(exercise_id)
-    return with_last_resort(exercise_id, lambda: _solution(file, exercise, give_up), Help)
-
-
-def _solution(file, exercise, give_up):
-    exercise_id = exercise.id
     path = file.path.parents[1] / SOLUTIONS / file.path.name
     if not path.is_file():
         return Help(f"Your teacher has not released the solution of {exercise_id} yet.")

@@ -4,13 +4,10 @@
 """
 
 from dataclasses import dataclass, field, replace
-from functools import partial
 
 from . import feedback
 from .case_call import CaseCall
 from .diagnosis import Diagnosis, diagnose
-from .document import Html, Text
-from .last_resort import with_last_resort
 from .lesson import Case, Exercise, Mistake
 from .running import attempt
 
@@ -81,14 +78,10 @@ class CheckResult:
         return sum(result.case.points for result in self.results if result.passed)
 
     def __repr__(self):
-        bare = partial(feedback.bare_text, self)
-        return with_last_resort(self.exercise.id, lambda: feedback.document_of(self).plain(), bare)
+        return feedback.document_of(self).plain()
 
     def _repr_html_(self):
-        def bare(fault):
-            return Text(feedback.bare_text(self, fault)).html(Html())
-
-        return with_last_resort(self.exercise.id, lambda: feedback.document_of(self).html(), bare)
+        return feedback.document_of(self).html()
 
 
 def judge(exercise, calls, mistake=None, remarks=(), *, attempted=True):

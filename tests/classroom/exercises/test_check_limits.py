@@ -9,14 +9,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from nbclassroom.exercises import check, checking, feedback, help_steps, judging, one_change
+from nbclassroom.exercises import check, checking, judging, one_change
 from nbclassroom.exercises.check_files import find_check_file
 from nbclassroom.exercises.limited_fork import text_within
 from nbclassroom.exercises.running import attempt
 
 MONSTERS = runpy.run_path(Path(__file__).with_name("monsters.py"))["MONSTERS"]
 ID = "grayscale-luma"
-FAULT = "Please report: imgproc_course "
 
 
 def luma_of(source):
@@ -51,7 +50,7 @@ def burden_of(source):
 @pytest.mark.parametrize("name", MONSTERS)
 def test_a_check_takes_little_more_than_the_answer_itself(name):
     text, *sizes = json.loads(text_within(lambda: json.dumps(burden_of(MONSTERS[name])), 100))
-    assert text.startswith(f"{ID}: 0 of 3 checks pass.") and FAULT not in text
+    assert text.startswith(f"{ID}: 0 of 3 checks pass.")
     assert max(sizes) < 200_000_000
 
 
@@ -137,7 +136,7 @@ def test_no_error_of_ours_leaves_the_check_of_a_generated_answer(seed, monkeypat
     monkeypatch.setattr(checking, "attempt", lambda compute, *_others, **_options: compute())
     for _, source in zip(range(100), answers(seed), strict=False):
         text = repr(check(ID, luma_of(source)))
-        assert text.startswith(f"{ID}: ") and FAULT not in text, source
+        assert text.startswith(f"{ID}: "), source
 
 
 def left_out(*_arguments, **_options):
@@ -148,29 +147,5 @@ def left_out(*_arguments, **_options):
 def test_a_remark_that_cannot_be_computed_is_left_out(name, monkeypatch):
     monkeypatch.setattr(judging if name == "diagnose" else checking, name, left_out)
     text = shown("def luma(bgr):\n    return bgr[..., 0]")
-    assert text.startswith(f"{ID}: 0 of 3 checks pass.") and FAULT not in text
+    assert text.startswith(f"{ID}: 0 of 3 checks pass.")
     assert "expected: an array of shape (4, 5), uint8" in text
-
-
-@pytest.mark.parametrize(
-    ("module", "name"),
-    [
-        (checking, "_judge_calls"),
-        (checking, "_remarks_on_program"),
-        (feedback, "_advice"),
-        (feedback, "_cases"),
-    ],
-)
-def test_the_last_resort_shows_verdict_and_values_and_says_what_to_report(module, name, monkeypatch):
-    monkeypatch.setattr(module, name, left_out)
-    text = shown("def luma(bgr):\n    return bgr[..., 0]")
-    assert text.startswith(f"{ID}: 0 of 3 checks pass.") and "✗ dark colours" in text
-    assert f"{ID}, RuntimeError in test_check_limits, line" in text and FAULT in text
-    assert "returned: an array of shape (4, 5)" in text and "Traceback" not in text
-
-
-@pytest.mark.parametrize("name", ["hint", "solution"])
-def test_hint_and_solution_say_what_to_report(name, monkeypatch):
-    monkeypatch.setattr(help_steps, "progress_of", left_out)
-    text = repr(getattr(help_steps, name)(ID))
-    assert f"{ID}, RuntimeError in test_check_limits, line" in text and FAULT in text
