@@ -1,7 +1,3 @@
-# %% name="only the first row" sentence="gray[0] is only the first row: take the mean of every row, with axis=1." must_say=["first row|only|one number|each row|every row|row 0", "axis|every|each|row|array"] kind="type"
-def row_means(gray):
-    return gray[0].mean()
-
 # %% name="mean of the columns" sentence="axis=0 gives one mean for each column: one for each row is axis=1." must_say=["column|axis ?= ?0", "axis ?= ?1|row"] kind="shape"
 def row_means(gray):
     return gray.mean(axis=0)

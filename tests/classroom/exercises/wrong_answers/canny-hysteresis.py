@@ -1,12 +1,3 @@
-# %% name="grow_once not copied" sentence="grow_once is not defined in this cell: copy its definition here, because grading runs only this cell." must_say=["grow_once|copy|definition|defined|this cell|only this"] kind="missing-import"
-def grow(weak, strong):
-    edges = strong
-    while True:
-        new = grow_once(edges, weak)
-        if np.array_equal(new, edges):
-            return np.where(edges, 255, 0).astype(np.uint8)
-        edges = new
-
 # %% name="bool result" sentence="The edges are right, but they are bool: the task asks for uint8, 255 where an edge is and 0 elsewhere." must_say=["bool|True and False", "255|uint8"] must_not_say=["repeat", "corner"] kind="dtype"
 def grow(weak, strong):
     edges = strong.copy()

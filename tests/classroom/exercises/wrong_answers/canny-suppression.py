@@ -1,12 +1,3 @@
-# %% name="and between arrays" sentence="and works on single values only; between two arrays write & and put each comparison in parentheses." must_say=["\\band\\b|single|ambiguous", "&|logical_and"] kind="error"
-def suppress(magnitude, sector):
-    p = np.pad(magnitude, 1)
-    m = magnitude
-    out = np.zeros_like(m)
-    keep = m > p[1:-1, :-2] and m >= p[1:-1, 2:]
-    out[keep & (sector == 0)] = m[keep & (sector == 0)]
-    return out
-
 # %% name="mask instead of magnitudes" sentence="You return a mask of True and False; the task wants int32: the magnitude where a pixel survives, and 0 elsewhere." must_say=["mask|bool|True", "magnitude|int32"] kind="dtype"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)

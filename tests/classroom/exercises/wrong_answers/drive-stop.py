@@ -1,7 +1,3 @@
-# %% name="^ as a power" sentence="In Python ^ is not a power: write speed ** 2." must_say=["\\*\\*|power|\\^"] kind="error"
-def stopping_distance(speed, deceleration, rate, latency):
-    return speed * (1 / rate + latency) + speed ^ 2 / (2 * deceleration)
-
 # %% name="a text with m" sentence="Return the number alone, without the unit." must_say=["number|text|unit"] kind="type"
 def stopping_distance(speed, deceleration, rate, latency):
     d = speed * (1 / rate + latency) + speed**2 / (2 * deceleration)

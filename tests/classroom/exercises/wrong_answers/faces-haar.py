@@ -5,10 +5,3 @@ def haar_feature(sums, boxes, row, col):
         r, c = row + top, col + left
         values.append(weight * (sums[r + height, c + width] - sums[r, c + width] - sums[r + height, c] + sums[r, c]))
     return values
-
-# %% name="overwritten" sentence="The value is overwritten: add with +=." must_say=["last box|\\+="] kind="value"
-def haar_feature(sums, boxes, row, col):
-    for left, top, width, height, weight in boxes:
-        r, c = row + top, col + left
-        value = weight * (sums[r + height, c + width] - sums[r, c + width] - sums[r + height, c] + sums[r, c])
-    return value

@@ -1,7 +1,3 @@
-# %% name="weights as uint8 multiplication" sentence="3735 does not fit into uint8, the dtype of your channels: widen them with astype(np.uint32) before you multiply." must_say=["3735|19235|9798|multipl", "uint8|fit|overflow|255", "widen|astype|uint32|int"] must_not_say=["uint16"] kind="error"
-def luma(bgr):
-    return (bgr[..., 0] * 3735 + bgr[..., 1] * 19235 + bgr[..., 2] * 9798 + 2**14) >> 15
-
 # %% name="bgr[0] for blue" sentence="bgr[0] is the first row of the image, not the blue channel: the channels are the last axis, so write bgr[..., 0]." must_say=["bgr\\[0\\]|first row|is (the|a) row|rows?,", "last|\\.\\.\\.|\\[:, ?:|channel|axis"] kind="shape"
 def luma(bgr):
     b, g, r = bgr[0].astype(np.uint32), bgr[1].astype(np.uint32), bgr[2].astype(np.uint32)

@@ -1,9 +1,3 @@
-# %% name="not wrapped" sentence="Wrap the angle with math.remainder." must_say=["wrap|remainder"] kind="value"
-def edge_error(first, second, measured):
-    dx, dy = second[0] - first[0], second[1] - first[1]
-    c, s = math.cos(first[2]), math.sin(first[2])
-    return np.array([c * dx + s * dy - measured[0], c * dy - s * dx - measured[1], second[2] - first[2] - measured[2]])
-
 # %% name="only places" sentence="The angle is missing." must_say=["angle|three"] kind="shape"
 def edge_error(first, second, measured):
     dx, dy = second[0] - first[0], second[1] - first[1]

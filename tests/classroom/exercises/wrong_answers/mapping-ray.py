@@ -4,8 +4,3 @@ def ray_cells(start, end):
     cells = []
     for k in range(n + 1):
         cells.append((start[0] + k, start[1] + k))
-
-# %% name="floats" sentence="A cell has whole numbers: round." must_say=["round|whole"] kind="value"
-def ray_cells(start, end):
-    n = max(abs(end[0] - start[0]), abs(end[1] - start[1]))
-    return [(start[0] + (end[0] - start[0]) * k / n, start[1] + (end[1] - start[1]) * k / n) for k in range(n + 1)]

@@ -5,13 +5,3 @@ def add_scan(grid, rays, hit, passed):
         row, col = ray[-1]
         change[row, col] = math.log(hit / (1 - hit))
     return np.clip(grid + change, -6, 6)
-
-# %% name="a later ray passes over a hit" sentence="A later ray that passes overwrites the hit of an earlier one: write the ends last." must_say=["hit|end"] kind="value"
-def add_scan(grid, rays, hit, passed):
-    change = np.zeros(grid.shape)
-    for ray in rays:
-        for row, col in ray[:-1]:
-            change[row, col] = math.log(passed / (1 - passed))
-        row, col = ray[-1]
-        change[row, col] = math.log(hit / (1 - hit))
-    return np.clip(grid + change, -6, 6)

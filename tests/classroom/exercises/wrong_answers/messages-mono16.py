@@ -7,10 +7,3 @@ def decode_mono16(message):
 def decode_mono16(message):
     dtype = ">i2" if message.is_bigendian else "<i2"
     return np.frombuffer(message.data, dtype=dtype).reshape(message.height, message.width)
-
-# %% name="return only for big-endian" sentence="If is_bigendian is 0, your function ends without return and gives None: add the little-endian case." must_say=["None|no return|without (a )?return|nothing|missing", "little|is_bigendian|other case|else|last case"] kind="no-return"
-def decode_mono16(message):
-    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
-    rows = rows.astype(np.uint16)
-    if message.is_bigendian:
-        return rows[:, 0::2] * 256 + rows[:, 1::2]

@@ -1,8 +1,3 @@
-# %% name="reshape without the padding" sentence="With padding there are more bytes than height × width × 3: cut data into rows of step bytes first, then crop each row." must_say=["step|padd", "crop|cut|padd"] kind="error"
-def decode_padded(message):
-    flat = np.frombuffer(message.data, dtype=np.uint8)
-    return flat.reshape(message.height, message.width, 3)
-
 # %% name="cropped at width bytes, no channels" sentence="You keep width bytes of each row and return one number for a pixel: a pixel has three bytes, so crop at width * 3 and reshape to (height, width, 3)." must_say=["\\b3\\b|three", "crop|reshape|byte|channel"] kind="shape"
 def decode_padded(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)

@@ -8,10 +8,3 @@ def my_psnr(clean, other):
     if mse == 0:
         return "inf"
     return float(10 * np.log10(255**2 / mse))
-
-# %% name="log10 without its module" sentence="The name math is not known in this cell: write import math, or use np.log10." must_say=["math", "import|np\\.log10|numpy"] kind="missing-import"
-def my_psnr(clean, other):
-    mse = np.mean((clean.astype(float) - other) ** 2)
-    if mse == 0:
-        return float("inf")
-    return 10 * math.log10(255**2 / mse)

@@ -11,17 +11,3 @@ def find_inliers(points, pixels, samples, limit):
         if inliers.sum() > best.sum():
             best = inliers
     return best
-
-# %% name="only the sample moved" sentence="Move all points, not only the four of the sample." must_say=["all points"] must_not_say=["same for every input"] kind="shape"
-def find_inliers(points, pixels, samples, limit):
-    with_one = np.column_stack([points, np.ones(len(points))])
-    best = np.zeros(len(points), bool)
-    for sample in samples:
-        H = homography(points[sample], pixels[sample])
-        moved = with_one[sample] @ H.T
-        moved = moved[:, :2] / moved[:, 2:]
-        distances = np.linalg.norm(moved - pixels[sample], axis=1)
-        inliers = distances < limit
-        if inliers.sum() > best.sum():
-            best = inliers
-    return best

@@ -6,10 +6,6 @@ def inliers(points, normal, offset, tolerance):
 def inliers(points, normal, offset, tolerance):
     return (np.abs(points @ normal + offset) < tolerance).sum()
 
-# %% name="selected points" sentence="Return the mask, not the points themselves." must_say=["mask|bool|True"] kind="shape"
-def inliers(points, normal, offset, tolerance):
-    return points[np.abs(points @ normal + offset) < tolerance]
-
 # %% name="normal first" sentence="normal @ points does not fit: points have the coordinates in the last axis, so points @ normal." must_say=["points @ normal|shape|order|match"] kind="error"
 def inliers(points, normal, offset, tolerance):
     return np.abs(normal @ points + offset) < tolerance

@@ -10,10 +10,3 @@ def nearest_obstacle(forward, left, height, width):
     if not mask.any():
         return 1000.0
     return forward[mask].min()
-
-# %% name="argmin" sentence="argmin is an index: use min." must_say=["index|min\\b"] kind="value"
-def nearest_obstacle(forward, left, height, width):
-    mask = (np.abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)
-    if not mask.any():
-        return math.inf
-    return forward[mask].argmin()

@@ -5,7 +5,3 @@ def entry_point(executable, package, file, function):
 # %% name="executable for file" sentence="The file has the name that file gives." must_say=["\\bfile\\b"] kind="value"
 def entry_point(executable, package, file, function):
     return f"{executable} = {package}.{executable}:{function}"
-
-# %% name="print instead of return" sentence="You print the line and return nothing: use return." must_say=["return", "print"] kind="no-return"
-def entry_point(executable, package, file, function):
-    print(f"{executable} = {package}.{file}:{function}")

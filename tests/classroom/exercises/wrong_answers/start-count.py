@@ -1,7 +1,3 @@
-# %% name="print instead of return" sentence="Your function prints the number but returns nothing: give it back with return, because print only shows it." must_say=["return", "print"] kind="no-return"
-def count_pixels(frame):
-    print(frame.shape[0] * frame.shape[1])
-
 # %% name="no parameter, global frame" sentence="Your function takes no argument, but it is called with a frame: write count_pixels(frame) and use that parameter, not the frame of another cell." must_say=["argument|parameter|takes no|takes 0", "count_pixels\\(frame\\)|no (argument|parameter)|takes (no|0)|without|parenthes|missing"] must_not_say=["define frame"] kind="error"
 def count_pixels():
     return frame.shape[0] * frame.shape[1]

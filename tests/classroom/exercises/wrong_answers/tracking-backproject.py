@@ -3,11 +3,6 @@ def backproject(hue, weights):
     bins = hue * len(weights) // 180
     return weights[bins]
 
-# %% name="in the hue itself" sentence="You changed the input: make a new array." must_say=["input|chang|new"] kind="input-changed"
-def backproject(hue, weights):
-    hue[:] = weights[hue.astype(int) * len(weights) // 180]
-    return hue
-
 # %% name="mean of the weights" sentence="Return one weight for each pixel, not their mean." must_say=["each|pixel|mean|shape|array"] kind="type"
 def backproject(hue, weights):
     bins = hue.astype(int) * len(weights) // 180
