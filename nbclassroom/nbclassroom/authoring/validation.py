@@ -4,11 +4,9 @@ from dataclasses import replace
 from functools import partial
 from itertools import cycle
 
-import numpy as np
-
 from ..exercises.canonical import array_of, canonical
 from ..exercises.checking import run_cases, run_mistake
-from ..exercises.comparison import as_float, compare, describe, kind_of, named_items
+from ..exercises.comparison import compare, describe
 from ..exercises.lesson import PUBLIC_SEED
 from ..exercises.names_read import NamesRead
 from ..exercises.percent_script import MasterError
@@ -16,7 +14,6 @@ from ..exercises.percent_script import MasterError
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
 _MOST_BYTES = 65_536  # of an answer that is compared with a tolerance
 BUILD_SEEDS = 10  # by which a build draws inputs; the course's own exercises are tested with 50
-_MOST_ROUNDING = 0.02  # relative; more than `compare` allows
 _MOST_BY_CHANCE = 2  # seeds with which guesses may be right: the one that they are from, and one more
 
 
@@ -122,12 +119,12 @@ def _seed_problems(exercise, case, solution, seeds):
     ]
     if all(drawn == arguments[0] for drawn in arguments):
         return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
-    answers = [[_summed_answer(exercise, solution, call) for call in drawn] for drawn in calls]
+    answers = [[_in_time(exercise, exercise.call(solution, call)).value for call in drawn] for drawn in calls]
     agree = partial(_agree, tolerance=case.tolerance, exact_type=exercise.exact_type)
     for constant in [answer for drawn in answers for answer in drawn]:
         if _passes_by_chance([constant], answers, agree):
             return [
-                f"{case.id}: a constant passes it with several seeds, {describe(constant[0])}; add a call"
+                f"{case.id}: a constant passes it with several seeds, {describe(constant)}; add a call"
                 " whose answer differs"
             ]
     if any(_passes_by_chance(drawn, answers, agree) for drawn in answers):
@@ -138,11 +135,6 @@ def _seed_problems(exercise, case, solution, seeds):
     return []
 
 
-def _summed_answer(exercise, solution, arguments):
-    form = _in_time(exercise, exercise.call(solution, arguments)).value
-    return form, *_sums(form)
-
-
 def _passes_by_chance(guesses, answers, agree):
     """Whether these answers, call by call and then again, are right with more seeds than chance explains."""
     passed = (all(map(agree, drawn, cycle(guesses))) for drawn in answers)
@@ -150,25 +142,7 @@ def _passes_by_chance(guesses, answers, agree):
 
 
 def _agree(answer, guess, **options):
-    """Whether `compare` finds no difference; it is asked only if the sums of all numbers are near."""
-    (form, total, size, count), (guessed, guessed_total, *_) = answer, guess
-    is_far = abs(guessed_total - total) > (count + 1) * options["tolerance"] + _MOST_ROUNDING * size
-    return not is_far and compare(form, guessed, **options) is None
-
-
-def _sums(form):
-    """The sum of all numbers in a form, that of their absolute values, and how many they are."""
-    form = form.get("array", form)  # of a matrix
-    if form["type"] == "ndarray":
-        values = np.asarray(
-            array_of(form) if "data" in form else [np.nan], np.float64
-        )  # which is far from nothing
-        with np.errstate(invalid="ignore", over="ignore"):
-            return float(values.sum()), float(np.abs(values).sum()), values.size
-    if kind_of(form) in ("bool", "int", "float"):
-        value = as_float(form.get("value", "nan"))
-        return value, abs(value), 1
-    return tuple(map(sum, zip((0, 0, 0), *(_sums(part) for _, part in named_items(form)), strict=True)))
+    return compare(answer, guess, **options) is None
 
 
 def _size_problems(exercise, case):
