@@ -4,7 +4,6 @@ That is after the lesson's earlier cells, as far as the answer reads their names
 """
 
 import ast
-import linecache
 import re
 from functools import cache
 
@@ -13,6 +12,7 @@ from nbclassroom.exercises.cell_runs import CellRuns
 from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.expected_results import check_data_of
 from nbclassroom.exercises.percent_script import read_script
+from readable_cell import run_cell
 
 # Lines of the feedback that hold values, titles or points, and no sentence about the mistake.
 _NO_SENTENCE = re.compile(
@@ -68,23 +68,15 @@ def add_earlier_names(namespace, source, statements):
             continue
 
 
-def run_cell(source, label, namespace):
-    """Run a cell as IPython does: its source stays readable by the name of its file."""
-    filename = f"<{label}>"
-    lines = source.splitlines(keepends=True)
-    linecache.cache[filename] = (len(source), None, lines, filename)
-    exec(compile(source, filename, "exec"), namespace)
-
-
 def feedback_on(exercise, answer, *, searches=True):
     """(CheckResult, the sentences of its text) for one wrong answer; see `run_check`."""
     namespace = exercise.namespace()
-    run_cell(exercise.stub, f"stub of {exercise.id}", namespace)
+    run_cell(exercise.stub, namespace, f"<stub of {exercise.id}>")
     runs = CellRuns()
     run = runs.start(answer.source, f"answer-{exercise.id}")
     try:
         add_earlier_names(namespace, answer.source, lesson_statements(exercise.master, exercise.id))
-        run_cell(answer.source, f"{exercise.id}: {answer.name}", namespace)
+        run_cell(answer.source, namespace, f"<{exercise.id}: {answer.name}>")
     except Exception as error:  # noqa: BLE001 - a cell that does not run: the stub is still there
         run.fail(error)
     function = namespace[exercise.function]

@@ -1,6 +1,5 @@
 """The feedback of `check`."""
 
-import linecache
 import re
 import sys
 from dataclasses import replace
@@ -10,11 +9,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.exercises import check, checking, read_exercises, run_cases
 from nbclassroom.exercises.cell_runs import CellRuns
 from nbclassroom.exercises.check_files import find_check_file
 from nbclassroom.exercises.checking import run_check
+from readable_cell import run_cell
+from template_master import write_carried_files
 
 
 @pytest.fixture
@@ -25,9 +25,7 @@ def write_master(write_master, tmp_path, monkeypatch):
         path = write_master(**changed)
         parts = {"exercises": read_exercises(path), "handed_out": {}, "texts": {}, "questions": {}}
         lesson = SimpleNamespace(name="doubling", path=path, **parts)
-        for name, text in lesson_files(lesson).items():
-            (tmp_path / name).parent.mkdir(exist_ok=True)
-            (tmp_path / name).write_text(text)
+        write_carried_files(lesson, tmp_path)
         monkeypatch.setenv("NBCLASSROOM_CHECKS", str(tmp_path / "checks"))
 
     return write
@@ -44,13 +42,6 @@ def runs(monkeypatch):
     runs = CellRuns()
     monkeypatch.setattr(checking, "RUNS", runs)
     return runs
-
-
-def run_cell(source, namespace, file="<answer>"):
-    """Run a cell as IPython does: its source stays readable by the name of its file."""
-    linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
-    exec(compile(source, file, "exec"), namespace)
-    return namespace
 
 
 def right(pixels):

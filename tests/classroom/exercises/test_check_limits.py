@@ -1,7 +1,6 @@
 """`check` hurts nobody: neither by time and memory, nor by an error of its own."""
 
 import json
-import linecache
 import random
 import resource
 import runpy
@@ -13,6 +12,7 @@ from nbclassroom.exercises import check, checking, judging, one_change
 from nbclassroom.exercises.check_files import find_check_file
 from nbclassroom.exercises.limited_fork import text_within
 from nbclassroom.exercises.running import attempt
+from readable_cell import run_cell
 
 MONSTERS = runpy.run_path(Path(__file__).with_name("monsters.py"))["MONSTERS"]
 ID = "grayscale-luma"
@@ -21,9 +21,7 @@ ID = "grayscale-luma"
 def luma_of(source):
     """The answer of a cell, whose source can be read."""
     names = {"np": np, "frame": np.zeros((720, 1280, 3), np.uint8)}
-    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
-    exec(compile(source, "<answer>", "exec"), names)
-    return names["luma"]
+    return run_cell(source, names)["luma"]
 
 
 def shown(source):

@@ -1,14 +1,14 @@
 """Hints in three steps, and the solution after honest tries."""
 
 import json
-import linecache
 
 import numpy as np
 import pytest
-from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.exercises import check, hint, progress, solution
 from nbclassroom.exercises.check_files import CheckFileError
+from readable_cell import run_cell
+from template_master import write_carried_files
 
 DECLARATION = (
     '# %% role="exercise"\nSIDE = 3\n'
@@ -21,9 +21,7 @@ DECLARATION = (
 def lesson(write_master, tmp_path, monkeypatch):
     """The folder of a lesson with its checks and solutions, as the current one; no progress yet."""
     path = write_master(exercise=DECLARATION)
-    for name, text in lesson_files(read_master(path)).items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text(text)
+    write_carried_files(read_master(path), tmp_path)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(progress, "_of_this_process", {})
     return tmp_path
@@ -113,10 +111,7 @@ def test_the_stub_is_no_try_and_a_right_answer_opens_the_solution():
 
 def test_comments_make_no_new_try():
     for comment in ("", "# one more\n", "\n\n"):
-        namespace, source = {}, f"{comment}def double(pixels):\n    return pixels\n"
-        linecache.cache["<try>"] = (len(source), None, source.splitlines(keepends=True), "<try>")
-        exec(compile(source, "<try>", "exec"), namespace)  # as IPython runs a cell
-        check("test-double", namespace["double"])
+        check("test-double", run_cell(f"{comment}def double(pixels):\n    return pixels\n")["double"])
     assert len(progress.progress_of("test-double").tries) == 1
 
 

@@ -1,7 +1,5 @@
 """An answer that is a node: what `check` does with a class as it does with a function."""
 
-import linecache
-
 import numpy as np
 import pytest
 from nbclassroom.authoring.lesson_files import lesson_files
@@ -21,6 +19,8 @@ from nbclassroom.exercises.running import (
     globals_of,
     source_of,
 )
+from readable_cell import run_cell
+from template_master import write_carried_files
 
 IMPORTS = """from array import array
 from rclpy.node import Node
@@ -165,10 +165,7 @@ def test_the_check_cell_of_a_key_names_the_subject(node_master, write_master):
 
 def answer_in(source, file="<cell>", **names):
     """The class of a source that can be read, as that of a notebook's cell."""
-    linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
-    names = {"np": np, "__name__": "__main__"} | names
-    exec(compile(source, file, "exec"), names)
-    return names["Doubler"]
+    return run_cell(source, {"np": np, "__name__": "__main__"} | names, file)["Doubler"]
 
 
 @pytest.fixture
@@ -290,11 +287,8 @@ def test_a_class_that_is_older_than_its_cell_is_not_run():
 
 
 def test_an_object_is_no_answer(node_master, monkeypatch, tmp_path):
-    (tmp_path / "checks").mkdir()
     master = read_master(node_master(exercise=NODE_PARTS["exercise"].replace(HINT, HINTS)))
-    (tmp_path / "checks" / "doubling.json").write_text(lesson_files(master)["checks/doubling.json"])
-    (tmp_path / "solutions").mkdir()
-    (tmp_path / "solutions" / "doubling.json").write_text(lesson_files(master)["solutions/doubling.json"])
+    write_carried_files(master, tmp_path)
     monkeypatch.setenv("NBCLASSROOM_CHECKS", str(tmp_path / "checks"))
     monkeypatch.setattr(progress, "_of_this_process", {})  # other tests pass test-double, too
     with pytest.raises(TypeError) as error:

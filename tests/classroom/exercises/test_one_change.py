@@ -1,26 +1,22 @@
 """The one change that would make a wrong answer right, named by its place."""
 
-import linecache
-
 import numpy as np
 import pytest
 from nbclassroom.exercises import one_change
 from nbclassroom.exercises.one_change import sentence_on_change
 from nbclassroom.exercises.running import call
+from readable_cell import run_cell
 
 
 def sentence(source, *pairs):
     """The sentence on a function f, for which (arguments, expected value) are the calls."""
-    names = {"np": np}
-    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
-    exec(compile(source, "<answer>", "exec"), names)
 
     def passes(function, seconds):
         results = [call(function, arguments, [], seconds) for arguments, _ in pairs]
         wanted = [call(lambda value=value: value, (), [], 1) for _, value in pairs]
         return all(map(lambda one, other: one.matches(other, 1e-9, exact_type=False), results, wanted))
 
-    return sentence_on_change(names["f"], passes)
+    return sentence_on_change(run_cell(source, {"np": np})["f"], passes)
 
 
 ROWS = "def f(a):\n    found = []\n    for row in range(len(a)):\n        for col in range(len(a[0])):\n"

@@ -12,10 +12,10 @@ from contextlib import contextmanager
 import nbformat
 import pytest
 from jupyter_client import BlockingKernelClient
-from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.exercises.progress import PROGRESS, read_progress
 from nbformat.v4 import new_code_cell, new_notebook
+from template_master import write_carried_files
 
 CODE = """
 from imgproc_course.exercises import check, hint, solution
@@ -35,9 +35,7 @@ def folder(write_master, tmp_path):
     texts = 'hints=("A?", "B.", "c()"), explanation="It widens.", another_way="You can also write +."'
     hints = f'exercise("test-double", function="double", {texts})\nSIDE = 3'
     path = write_master(exercise=f'# %% role="exercise"\n{hints}')
-    for name, text in lesson_files(read_master(path)).items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(text)
+    write_carried_files(read_master(path), folder)
     (folder / ".course.json").write_text("{}")
     nbformat.write(new_notebook(cells=[new_code_cell(CODE)]), folder / "lesson.ipynb")
     return folder

@@ -1,17 +1,12 @@
 """Sentences about a function that are certain from its source alone."""
 
-import linecache
-
 import pytest
 from nbclassroom.exercises.source_remarks import has_done, remarks_on_source, unheeded_remarks
+from readable_cell import run_cell
 
 
 def function_of(source):
-    """The function that a source defines; its source can be read, as that of a notebook's cell."""
-    names = {}
-    linecache.cache["<cell>"] = (len(source), None, source.splitlines(keepends=True), "<cell>")
-    exec(compile(source, "<cell>", "exec"), names)
-    return names["f"]
+    return run_cell(source)["f"]
 
 
 def remarks(source, errors=()):

@@ -3,12 +3,12 @@
 import json
 
 import pytest
-from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.exercises import check, overview, progress, solution
 from nbclassroom.exercises.declaration import MasterError, exercise
 from nbclassroom.exercises.kinds.written import self_assessment
 from nbclassroom.exercises.progress import progress_of
+from template_master import write_carried_files
 
 MASTER = """# ---
 # jupyter:
@@ -43,9 +43,7 @@ def learner(tmp_path, monkeypatch):
     path = tmp_path / "masters" / "22_words.py"
     path.parent.mkdir()
     path.write_text(MASTER)
-    for name, text in lesson_files(read_master(path)).items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text(text)
+    write_carried_files(read_master(path), tmp_path)
     (tmp_path / ".course.json").write_text("{}")
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("NBCLASSROOM_CHECKS", raising=False)
