@@ -91,6 +91,3 @@ def test_build_writes_the_glossary_and_reports_a_difference(glossary, tmp_path):
     (masters / "glossary.toml").unlink()
     problems = build(masters, lessons, tmp_path / "solved").problems
     assert "glossary.md: it has no master; delete it, or restore its master" in problems
-
-
-# ---------------------------------------------------------------- words before their introduction

@@ -27,6 +27,14 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
+def change_first(folder, **about):
+    """Change what the notebook of the first lesson says about itself."""
+    path = folder / "07_one.ipynb"
+    notebook = json.loads(path.read_text())
+    notebook["metadata"]["imgproc_course"] |= about
+    path.write_text(json.dumps(notebook))
+
+
 def pass_exercises(folder, *ids):
     entries = {id: {"passed": True, "tries": [], "hints": 0} for id in ids}
     (folder / ".progress.json").write_text(json.dumps({"format": 1, "exercises": entries}))
@@ -80,10 +88,7 @@ def test_a_folder_without_lessons_is_told(tmp_path, monkeypatch):
 
 
 def test_a_core_without_exercises_has_no_tick_and_is_next_until_a_later_lesson_is_begun(folder):
-    path = folder / "07_one.ipynb"
-    notebook = json.loads(path.read_text())
-    notebook["metadata"]["imgproc_course"]["deeper"] = ["one-a", "one-b"]
-    path.write_text(json.dumps(notebook))
+    change_first(folder, deeper=["one-a", "one-b"])
     result = overview(folder)
     assert result.next_lesson.file == "07_one.ipynb"
     assert "→ 07 Lesson <one>: core 20, whole 30 minutes; none in the core, deeper 0 of 2" in repr(result)
@@ -113,10 +118,7 @@ def test_a_lesson_that_the_course_no_longer_has_keeps_its_progress_and_counts_no
 
 
 def test_an_optional_lesson_is_not_next_and_counts_no_hours(folder):
-    path = folder / "07_one.ipynb"
-    notebook = json.loads(path.read_text())
-    notebook["metadata"]["imgproc_course"]["optional"] = True  # its title says so
-    path.write_text(json.dumps(notebook))
+    change_first(folder, optional=True)  # its title says so
     result = overview(folder)
     assert result.next_lesson.file == "08_two.ipynb"
     assert "all lessons: 30 minutes; their cores: 20 minutes" in repr(result)

@@ -44,7 +44,7 @@ def test_front_matter_and_lines(write_script):
         ('role="cases"', "line 3: role='cases', expected one of given, exercise"),
         ('[markdown] role="given"', "line 3: a given cell is a markdown cell; a role needs a code cell"),
         ('role="case" title', "line 3: title has no value"),
-        ('tags=["a"', "line 3: cannot read the header 'tags=[\"a\"'"),
+        ('tags=["a"', "line 3: cannot read the header 'tags=[\"a\"'; write each value as JSON"),
     ],
 )
 def test_a_header_that_cannot_be_read_is_named(write_script, header, message):
