@@ -52,10 +52,6 @@ def execute(notebook, master_path, kernel_name="python3", files=None):
     MasterError: a cell raised or did not finish, or the kernel died.
     """
     running = {"id": "the kernel's start"}
-
-    def note_cell(cell, cell_index):
-        running["id"] = cell.id
-
     with tempfile.TemporaryDirectory(prefix="lesson-") as folder:
         for name, text in (files or {}).items():
             write_file(Path(folder) / name, text)
@@ -67,7 +63,7 @@ def execute(notebook, master_path, kernel_name="python3", files=None):
             record_timing=False,
             store_widget_state=False,
             coalesce_streams=True,
-            on_cell_start=note_cell,
+            on_cell_start=lambda cell, cell_index: running.update(id=cell.id),
         )
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
         environment = kernel_environment() | {"IPYTHONDIR": str(Path(folder) / ".ipython")}

@@ -80,16 +80,11 @@ def _check_in_notebook(exercise, function):
             result = run_check(exercise, function, progress)
     except KeyboardInterrupt:
         raise CheckInterrupted from None
-    _note(result, function)
-    return result
-
-
-def _note(result, function):
-    """Note a right answer or an honest try. Feedback does not depend on it."""
     if result.passed:
-        note_progress(result.exercise.id, ExerciseProgress(passed=True))
+        note_progress(exercise.id, ExerciseProgress(passed=True))
     elif result.attempted:
-        note_progress(result.exercise.id, ExerciseProgress(tries=(digest_of(function),)))
+        note_progress(exercise.id, ExerciseProgress(tries=(digest_of(function),)))
+    return result
 
 
 def run_cases(
