@@ -149,6 +149,11 @@ def callable_name(statement):
     return ""
 
 
+def is_whole_part(source, stub):
+    """Whether a source stands in a stub, as a whole definition of it."""
+    return source.strip() in map(str.strip, re.split(r"\n(?=\S)", stub))
+
+
 def _body(statement):
     """The statements of a function or class without its docstring or `...`; of anything else none."""
     body = statement.body if isinstance(statement, _DEFINITIONS) else []

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import product
 
 from .cell_runs import RUNS
-from .cell_syntax import plain_python, program_lines
+from .cell_syntax import is_whole_part, plain_python, program_lines
 from .check_files import UnknownExerciseError, find_check_file
 from .expected_results import check_data_of
 from .help_steps import Help
@@ -170,7 +170,7 @@ def _one_change(result, function, calls):
 
 def _is_stub(exercise, function):
     """Whether an answer is still the stub; False if its source is not known."""
-    return (source_of(function).strip() or "\0") in exercise.stub
+    return is_whole_part(source_of(function), exercise.stub)
 
 
 def _end_of(call):

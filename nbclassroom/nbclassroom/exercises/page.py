@@ -123,7 +123,8 @@ def _is_answer(cell, exercise, function, stub):
     if function in cell["functions"]:
         source = cell_syntax.plain_python(cell["source"])
         definition = cell_syntax.definitions(source)[function]
-        is_handed_out = (ast.get_source_segment(source, definition) or source) in stub
+        own_source = ast.get_source_segment(source, definition) or source
+        is_handed_out = cell_syntax.is_whole_part(own_source, stub)
         return not is_handed_out and not cell_syntax.is_blank(definition)
     if "answer" not in cell or cell["type"] != "code" or not is_marked(cell, exercise):
         return False

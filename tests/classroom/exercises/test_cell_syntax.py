@@ -4,6 +4,7 @@ import pytest
 from nbclassroom.exercises.cell_syntax import (
     bound_names,
     endless_statements,
+    is_whole_part,
     names_used,
     plain_python,
     program_lines,
@@ -71,6 +72,12 @@ def test_lines_of_a_program_are_named_and_those_without_an_end_left_out(lines, n
     statements = top_level(source)
     left_out = endless_statements(statements)
     assert bool(left_out) == is_left_out and min(left_out, default=9) >= 2  # the class, and main
+
+
+def test_a_stub_whose_last_lines_are_missing_is_none():
+    stub = "import math\n\ndef f(a):\n    b = 1\n    return b\n"
+    assert is_whole_part(stub[13:], stub)
+    assert not is_whole_part("def f(a):\n    b = 1", stub) and not is_whole_part("", stub)
 
 
 def test_bound_names():
