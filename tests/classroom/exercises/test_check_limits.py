@@ -53,49 +53,21 @@ def test_a_check_takes_little_more_than_the_answer_itself(name):
 
 
 VALUES = (
-    "bgr",
-    "bgr[..., 0]",
-    "wide",
-    "total",
-    "3735",
-    "0",
-    "-1.5",
-    "2 ** 70",
-    "None",
-    "'b'",
-    "[1, 2]",
-    "np",
+    *("bgr", "bgr[..., 0]", "wide", "total", "3735", "0", "-1.5", "2 ** 70", "None", "'b'", "[1, 2]", "np"),
+    *("bgr.shape", "helper(bgr)", "(total, wide)", "frame", "np.uint8(250)", "lambda: 1", "{}", "b'ab'"),
 )
-VALUES += ("bgr.shape", "helper(bgr)", "(total, wide)", "frame", "np.uint8(250)", "lambda: 1", "{}", "b'ab'")
-FORMS = ("{} + {}", "{} * {}", "{} @ {}", "{}[{}]", "{} > {}", "{} & {} > {}", "np.maximum({}, {})", "not {}")
-FORMS += (
-    "{} if {} else {}",
-    "np.zeros({})",
-    "{}.astype({})",
-    "[{} for k in {}]",
-    "{}.sum(axis={})",
+FORMS = (
+    *("{} + {}", "{} * {}", "{} @ {}", "{}[{}]", "{} > {}", "{} & {} > {}", "np.maximum({}, {})", "not {}"),
+    *("{} if {} else {}", "np.zeros({})", "{}.astype({})", "[{} for k in {}]", "{}.sum(axis={})"),
     "{}[1:, {}]",
 )
 STATEMENTS = (
-    "wide = {}",
-    "total = {}",
-    "total += {}",
-    "{}",
-    "bgr[...] = {}",
-    "print({})",
-    "assert {}",
-    "wide, b = {}",
+    *("wide = {}", "total = {}", "total += {}", "{}", "bgr[...] = {}", "print({})", "assert {}"),
+    *("wide, b = {}", "for k in {}:", "if {}:", "while {}:", "with {} as f:", "try:"),
+    "def helper(values={}):",
 )
-STATEMENTS += ("for k in {}:", "if {}:", "while {}:", "with {} as f:", "try:", "def helper(values={}):")
-ENDS = (
-    "return {}",
-    "return {}.astype(np.uint8)",
-    "yield {}",
-    "raise ValueError({})",
-    "return",
-    "break",
-    "import cv2",
-)
+ENDS = ("return {}", "return {}.astype(np.uint8)", "yield {}", "raise ValueError({})", "return", "break")
+ENDS += ("import cv2",)
 
 
 def expression(draw, depth=2):

@@ -6,8 +6,3 @@ def differences(gray):
 def differences(gray):
     wide = gray.astype(np.int16)
     return wide[:, 1:] - wide[:, :-2]
-
-# %% name="int8" sentence="int8 goes only from -128 to 127: a difference can be -255 to 255, so use int16." must_say=["int8|int16|127|range"] must_not_say=["absolute"] kind="dtype"
-def differences(gray):
-    wide = gray.astype(np.int16)
-    return (wide[:, 1:] - wide[:, :-1]).astype(np.int8)

@@ -1,7 +1,3 @@
-# %% name="reversed() of the image" sentence="reversed() gives no array: write a slice with the step -1." must_say=["reversed", "-1"] kind="type"
-def mirror(image):
-    return reversed(image)
-
 # %% name="list reverse method" sentence="reverse() is a method of lists: an array has no reverse; use a slice with the step -1." must_say=["reverse", "list|slice|array|attribute"] kind="error"
 def mirror(image):
     return image.reverse()

@@ -5,11 +5,3 @@ def red_channel(bgr):
 # %% name="channel 3" sentence="There is no channel 3: the index starts at 0, so the three channels are 0, 1 and 2." must_say=["from 0|starts? at 0|0, 1|no channel 3|2|out of", "channel|index|bounds"] kind="error"
 def red_channel(bgr):
     return bgr[..., 3]
-
-# %% name="mask of the red channel" sentence="bgr[..., 2] > 0 is a mask, True or False for each pixel: return the numbers themselves." must_say=["mask|bool|True|compar|> ?0", "number|value|uint8|dtype|bool"] kind="dtype"
-def red_channel(bgr):
-    return bgr[..., 2] > 0
-
-# %% name="keeps the axis" sentence="A slice keeps the axis: 2:3 gives the shape (height, width, 1); write 2 for one channel." must_say=["2:3|slice|axis|\\(height, width|dimension|1\\)"] kind="shape"
-def red_channel(bgr):
-    return bgr[:, :, 2:3]

@@ -3,7 +3,3 @@ def double_threshold(thinned, low, high):
     strong = np.where(thinned > high, 255, 0).astype(np.uint8)
     weak = np.where((thinned > low) & (thinned <= high), 255, 0).astype(np.uint8)
     return weak, strong
-
-# %% name="only the strong mask" sentence="You return the strong mask alone; the task asks for both, weak and strong, in this order." must_say=["alone|only (the strong|one)|one (array|mask)|single (array|mask)", "both|two|weak|pair"] kind="type"
-def double_threshold(thinned, low, high):
-    return thinned > high

@@ -2,8 +2,3 @@
 def decode_mono16(message):
     flat = np.frombuffer(message.data, dtype="<u2")
     return flat.reshape(message.height, message.width)
-
-# %% name="signed numbers" sentence="i2 has a sign and ends at 32767, so large values became negative: use u2, unsigned." must_say=["sign|negative|int16|32767", "u2|uint16|unsigned"] kind="dtype"
-def decode_mono16(message):
-    dtype = ">i2" if message.is_bigendian else "<i2"
-    return np.frombuffer(message.data, dtype=dtype).reshape(message.height, message.width)

@@ -3,11 +3,3 @@ def plane_of(a, b, c):
     normal = np.cross(b - a, c - a)
     normal = normal / np.linalg.norm(normal)
     return normal, -(normal @ a)
-
-# %% name="element-wise offset" sentence="normal * a is element-wise: use normal @ a, which is one number." must_say=["@|dot|one number|sum|adds"] kind="type"
-def plane_of(a, b, c):
-    normal = np.cross(b - a, c - a)
-    normal = normal / np.linalg.norm(normal)
-    if normal[1] > 0:
-        normal = -normal
-    return normal, -(normal * a)

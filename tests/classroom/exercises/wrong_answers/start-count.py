@@ -5,7 +5,3 @@ def count_pixels():
 # %% name="function renamed" sentence="The exercise needs a function with the name count_pixels, and this cell defines countpixels: use the name of the task." must_say=["countpixels|\\bnames?\\b|renam|spell", "count_pixels"] kind="other-name"
 def countpixels(frame):
     return frame.shape[0] * frame.shape[1]
-
-# %% name="rows and columns as a tuple" sentence="You return two numbers, the rows and the columns, as a tuple: the task asks for one number, so multiply them." must_say=["tuple|pair|returns? (two|both)|two (numbers|values) came", "multipl|one (whole )?number|product"] kind="type"
-def count_pixels(frame):
-    return frame.shape[0], frame.shape[1]

@@ -2,8 +2,3 @@
 def backproject(hue, weights):
     bins = hue * len(weights) // 180
     return weights[bins]
-
-# %% name="mean of the weights" sentence="Return one weight for each pixel, not their mean." must_say=["each|pixel|mean|shape|array"] kind="type"
-def backproject(hue, weights):
-    bins = hue.astype(int) * len(weights) // 180
-    return weights[bins].mean()
