@@ -146,13 +146,9 @@ def _statement_of_check(id, source):
     if not call.search(source):
         return None
     source = cell_syntax.plain_python(source)
-    statements = cell_syntax.top_level(source)
-    numbers = [
-        number
-        for number, statement in enumerate(statements)
-        if call.search(ast.get_source_segment(source, statement) or "")
-    ]
-    return numbers[-1] if numbers else 0 if not statements else None
+    parts = [ast.get_source_segment(source, part) or "" for part in cell_syntax.top_level(source)]
+    numbers = [number for number, part in enumerate(parts) if call.search(part)]
+    return numbers[-1] if numbers else None if parts else 0
 
 
 def _page(answers, cells, checks, functions):
