@@ -1,6 +1,5 @@
 """`check`: run an answer's public cases in the learner's notebook."""
 
-import linecache
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -17,7 +16,7 @@ from .mistakes import has_right_values
 from .names_read import NamesRead
 from .one_change import sentence_on_change
 from .progress import ExerciseProgress, digest_of, note_progress, progress_of
-from .running import attempt, codes_of, globals_of, source_of
+from .running import attempt, cells_of, globals_of, source_of
 from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
 _NONE = {"type": "None"}
@@ -146,8 +145,8 @@ def _remark_on_name(exercise, function):
 
 def _remarks_on_program(function):
     """What to delete from the cell of an answer: lines of a program."""
-    file = next((code.co_filename for code in codes_of(function).values()), "")
-    lines = attempt(lambda: program_lines(plain_python("".join(linecache.getlines(file)))), ())
+    cell = next(iter(cells_of(function).values()), "")
+    lines = attempt(lambda: program_lines(plain_python(cell)), ())
     return [SAYS["line of a program"].format(line=line, code=code) for line, code in lines[:_MOST_LINES]]
 
 

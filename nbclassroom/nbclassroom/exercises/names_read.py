@@ -7,14 +7,13 @@ import builtins
 import copy
 import functools
 import importlib.util
-import linecache
 import sys
 import types
 
 from .. import course
 from .cell_runs import CellRuns
 from .cell_syntax import names_in, names_used, plain_python
-from .running import attempt, codes_of, functions_of, globals_of
+from .running import attempt, cells_of, functions_of, globals_of
 
 # What every answer may use: NumPy, and what shows something. Inside the sandbox nothing else exists.
 _FOR_ALL = ("numpy", "matplotlib", "IPython", "__main__", "nbclassroom")
@@ -44,9 +43,8 @@ class NamesRead:
         self._namespace, self._runs = globals_of(answer), runs or CellRuns()
         self.names: dict = {}
         self.modules: dict[str, str] = {}
-        files = {code.co_filename for code in codes_of(answer).values()}
-        sources = ("".join(linecache.getlines(file)) for file in files)
-        self._own = [names for source in sources for names in names_used(plain_python(source))]
+        cells = map(plain_python, cells_of(answer).values())
+        self._own = [names for cell in cells for names in names_used(cell)]
         waiting = [*self._in_code_of(answer), *self._in_statements(getattr(answer, "__name__", ""))]
         while waiting:
             names = waiting.pop()

@@ -10,7 +10,6 @@ import contextlib
 import hashlib
 import itertools
 import json
-import linecache
 import marshal
 import os
 import sys
@@ -19,7 +18,7 @@ from pathlib import Path
 from typing import Literal
 
 from .atomic_write import write_file
-from .running import codes_of
+from .running import cells_of, codes_of
 
 PROGRESS, LOCK = ".progress.json", ".progress.lock"
 LEARNERS_FOLDER = ".course.json"  # a folder with this file is a learner's
@@ -137,10 +136,9 @@ def one_at_a_time(path):
 
 def digest_of(answer):
     """16 hexadecimal digits of an answer and its cell; comments and spacing make no difference."""
-    codes = codes_of(answer)
     # From Python 3.13 on, "<string>" has the lines of `python -c`, which are not those of the answer.
-    files = dict.fromkeys(code.co_filename for code in codes.values() if code.co_filename != "<string>")
-    source = "\n".join("".join(linecache.getlines(file)) for file in files)
+    codes, cells = codes_of(answer), cells_of(answer) | {"<string>": ""}
+    source = "\n".join(filter(None, cells.values()))
     with contextlib.suppress(SyntaxError, ValueError, RecursionError):
         source = source and ast.dump(ast.parse(source))
     names = [code.co_qualname for code in codes.values()]

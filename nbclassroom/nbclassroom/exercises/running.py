@@ -331,6 +331,12 @@ def codes_of(answer):
     return {name: function.__code__ for name, function in functions_of(answer).items()}
 
 
+def cells_of(answer):
+    """The sources of the cells that define the functions of an answer, {name of the file: source}."""
+    files = dict.fromkeys(code.co_filename for code in codes_of(answer).values())
+    return {file: "".join(linecache.getlines(file)) for file in files}
+
+
 def code_of(function):
     """The code object behind a Python function, or None (a built-in, a class)."""
     return codes_of(function).get("")
