@@ -84,7 +84,7 @@ class Class:
             "CLASS_LOGIN": "pam" if has_accounts else "shared",
         }
         opened = {sys.base_prefix, str(ROOT)}
-        below_root = " ".join(path for path in sorted(opened) if path.startswith("/root/"))
+        below_root = " ".join(path for path in sorted(opened) if Path("/root") in Path(path).parents)
         accounts = " ".join(name.lstrip("*") for name in names)
         namespace = ["unshare", "--mount", "bash", "-c", WITH_ACCOUNTS, "bash", folder, accounts, below_root]
         with self.log.open("w") as log:
