@@ -336,9 +336,9 @@ def control(observation, memory):
         return 0.0, 0.8
     return 0.3, 0.0
 
-# %% role="mistake" name="it forgets" says="Your robot turns away from something low, then the camera does not see it any more, and the robot turns back to it. Store the points of the last seconds in memory, in the frame of the odometry."
+# %% role="mistake" name="it forgets" says="Your robot turns away from something low, then the camera does not see it any more, and the robot turns back to it. Store the points of all looks in memory, in the frame of the odometry."
 def control(observation, memory):
-    memory.pop("looks", None)
+    memory.pop("known", None)
     return solution(observation, memory)
 
 # %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use the observation."
