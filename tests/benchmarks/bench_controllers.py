@@ -16,12 +16,117 @@ from typing import Any
 import cv2
 import numpy as np
 from nbclassroom.exercises.declaration import read_exercises
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import dijkstra
+from scipy.spatial import cKDTree
 
 from imgproc_course.simulation.room_env import OPTIONS, RoomEnv, controller_observation
 
 MASTERS = Path(__file__).parents[2] / "notebooks/masters"
 LEAST_OF_SOLUTION, LEAST_OF_HONEST, MOST_OF_CHEAP = 0.9, 0.75, 0.2
 given: Any = SimpleNamespace()  # what the lesson defines for its controllers: given.red_spots …
+
+
+# ---------------------------------------------------------------- obstacles_ahead: a way past low things
+
+
+def along_a_graph(observation, memory, places, reach):
+    """The shortest way to the goal through places (N, 2) beside the robot, then to the farthest one."""
+    x, y, yaw = observation["odometry"]
+    here = np.array([x, y])
+    turn = np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]])
+    known = np.concatenate(
+        [given.obstacles(observation) @ turn + here, memory.get("known", np.empty((0, 2)))]
+    )
+    memory["known"] = known = np.unique((20 * known).round() / 20, axis=0)
+    tree, shares = cKDTree(known), np.linspace(0, 1, 9)[:, np.newaxis, np.newaxis]
+
+    def room(begins, ends):
+        return tree.query(begins + shares * (ends - begins))[0].min(0)
+
+    memory["is_there"] = is_there = memory.get("is_there") or math.dist((2.2, 0), here) < 0.45
+    route = [place for place in memory.get("route", []) if math.dist(place, here) > 0.15]
+    if (
+        not route
+        or room(here[np.newaxis], route[0][np.newaxis])[0] < 0.25
+        or is_there > memory.get("was_there", False)
+    ):
+        memory["was_there"] = is_there
+        places = np.concatenate([here[np.newaxis], here + places, [(2.2, 0.0)]])
+        pairs = cKDTree(places).query_pairs(reach, output_type="ndarray")
+        pairs = pairs[room(*places[pairs.T]) > np.where(pairs[:, 0] == 0, 0.26, 0.31)]
+        ways = np.linalg.norm(np.subtract(*places[pairs.T]), axis=1)
+        graph = coo_matrix((ways, pairs.T), shape=(len(places), len(places)))
+        costs, before = dijkstra(graph, directed=False, indices=0, return_predecessors=True)
+        left = -costs if is_there else np.linalg.norm(places - (2.2, 0.0), axis=1)
+        index, route = int(np.argmin(np.where(np.isfinite(costs), left, np.inf))), []
+        while index:
+            route.insert(0, places[index])
+            index = int(before[index])
+    memory["route"] = route
+    if not route:
+        return 0.0, 0.8
+    straight = [place for place in route if room(here[np.newaxis], place[np.newaxis])[0] > 0.3]
+    aim = turn @ ((straight or route)[-1 if straight else 0] - here)
+    angle = math.atan2(aim[1], aim[0])
+    return (0.3 if abs(angle) < 0.2 else 0.0), min(max(2 * angle, -1.0), 1.0)
+
+
+def grid_map(observation, memory):
+    cells = np.arange(-2.5, 2.51, 0.14)
+    return along_a_graph(observation, memory, np.stack(np.meshgrid(cells, cells), -1).reshape(-1, 2), 0.21)
+
+
+def roadmap(observation, memory):
+    places = np.random.default_rng(len(memory.get("known", ()))).uniform(-2.5, 2.5, (150, 2))
+    return along_a_graph(observation, memory, places, 1.0)
+
+
+def towards(place, x, y, yaw):
+    turn = math.remainder(math.atan2(place[1] - y, place[0] - x) - yaw, 2 * math.pi)
+    return (0.25 if abs(turn) < 0.3 else 0.0), min(max(2 * turn, -1.0), 1.0)
+
+
+def blind_detour(observation, memory, side):
+    """To a place beside the way, to the goal, and on by a map."""
+    aims = memory.setdefault("aims", [(1.1, side), (2.2, 0.0)])
+    if aims and math.dist(aims[0], observation["odometry"][:2]) < 0.2:
+        del aims[0]
+    if aims:
+        return towards(aims[0], *observation["odometry"])
+    memory["is_there"] = True
+    return grid_map(observation, memory)
+
+
+def one_look(observation, memory):
+    """The first look decides the side of the detour."""
+    points = given.obstacles(observation)
+    free = [given.free_way(points, angle) for angle in (0.5, -0.5)]
+    return blind_detour(observation, memory, 0.65 if free[0] > free[1] else -0.65)
+
+
+def laser_alone(observation, memory):
+    return grid_map(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
+
+
+def laser_detour(observation, memory, side):
+    """By the laser alone, on one side."""
+    if memory.setdefault("begins", True):
+        memory["begins"] = math.dist((0.9, side), observation["odometry"][:2]) > 0.2
+        way = given.free_way(given.obstacles(dict(observation, depth=np.zeros((90, 160)))), 0.0, 0.3)
+        linear, angular = towards((0.9, side), *observation["odometry"])
+        return (linear, angular) if way > 0.1 else (0.0, math.copysign(0.8, side))
+    return laser_alone(observation, memory)
+
+
+def with_side(control, side):
+    """The controller for a side, metres to the left."""
+
+    def on_this_side(observation, memory):
+        return control(observation, memory, side)
+
+    on_this_side.__name__ = f"{control.__name__} {side}"
+    return on_this_side
 
 
 # ---------------------------------------------------------------- object_tracking: one of three balls rolls
@@ -133,29 +238,42 @@ def mean_size_and_nearest(observation, memory):
 # ---------------------------------------------------------------- the_errand: a word, and its direction
 
 
-def errand(observation, memory, *, goes_near=True, keeps_first=False):
-    """As the solution, but the answer is counted from a direction that it remembers."""
+def errand(observation, memory, *, goes_near=True, keeps_first=False, looks_again=False, backwards=False):
+    """As the solution, but the answer is counted from a direction that it remembers, or sees ahead."""
     x, y, yaw = observation["odometry"]
+    word, angle, _ = given.find_sign(observation["image"]) or (None, None, None)
     if "word" not in memory:
-        word, angle, _ = given.find_sign(observation["image"]) or (None, None, None)
         if angle is None:
             return 0.0, 0.7
         if not (keeps_first and "direction" in memory):
             memory["direction"] = yaw + angle
-        if word:
+        if word and (not looks_again or word == memory.get("last")):
             memory["word"] = word
+        memory["last"] = word
         return (0.25 if abs(angle) < 0.3 and goes_near else 0.0), 1.5 * angle
-    turn = math.remainder(math.atan2(-y, -x) - yaw, 2 * math.pi)
     if math.hypot(x, y) > 0.08 and "home" not in memory:
-        return (0.25 if abs(turn) < 0.3 else 0.0), min(max(2 * turn, -1.0), 1.0)
+        linear, angular = towards((0, 0), x, y, yaw + math.pi * backwards)
+        return (-linear if backwards else linear), angular
     memory["home"] = True
+    if looks_again and "seen" not in memory:
+        if angle is None or abs(angle) > 0.03:
+            return 0.0, 0.7 if angle is None else 1.5 * angle
+        memory["seen"], memory["direction"] = True, yaw + angle
     rest = math.remainder(
         memory["direction"] + math.radians(given.ANSWERS[memory["word"]]) - yaw, 2 * math.pi
     )
     return 0.0, min(max(2 * rest, -1.0), 1.0)
 
 
-def one_look(observation, memory):
+def backwards(observation, memory):
+    return errand(observation, memory, looks_again=True, backwards=True)
+
+
+def sign_in_the_middle(observation, memory):
+    return errand(observation, memory, looks_again=True)
+
+
+def one_look_at_the_word(observation, memory):
     """The word as it is read from the start, without coming nearer."""
     return errand(observation, memory, goes_near=False)
 
@@ -184,12 +302,23 @@ def bounce(observation, memory):
 
 # Of each exercise: honest controllers, which use its idea in another way, and cheap ones, which leave it out.
 TABLES: dict[str, tuple] = {
-    "obstacles-drive": ((), ()),
+    "obstacles-drive": (
+        (grid_map, roadmap),
+        (
+            one_look,
+            laser_alone,
+            *(with_side(laser_detour, side) for side in (0.7, -0.7)),
+            *(with_side(blind_detour, side) for side in (0.8, -0.8, 0.5, -0.5)),
+        ),
+    ),
     "tracking-drive": (
         (kalman_filter, mean_size_and_nearest),
         (largest_spot, second_largest_spot, spot_nearest_to_the_middle, spot_nearest_to_the_last),
     ),
-    "errand-drive": ((), (one_look, no_second_look, direction_from_the_start)),
+    "errand-drive": (
+        (backwards, sign_in_the_middle),
+        (one_look_at_the_word, no_second_look, direction_from_the_start),
+    ),
     "errand-explore": ((bounce,), ()),  # it visits as many places without a memory, as the lesson says
 }
 
@@ -199,7 +328,7 @@ def drive(env, control, scenario):
     options = {name: scenario[name] for name in OPTIONS if name in scenario}
     observation, info = env.reset(seed=scenario["seed"], options=options)
     memory, over = {}, False
-    while not over:
+    while not (over or info["bumps"]):  # none is allowed
         observation, _, _, over, info = env.step(control(controller_observation(observation), memory))
     signs = {"<=": lambda value, limit: value <= limit, ">=": lambda value, limit: value >= limit}
     return info, all(
