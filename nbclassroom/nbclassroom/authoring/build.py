@@ -134,7 +134,9 @@ def read_valid_master(path):
     master = read_master(path)
     problems = [problem for exercise in master.exercises for problem in validate_exercise(exercise)]
     if problems:
-        raise MasterError("\n".join(f"{master.path.name}: {problem}" for problem in problems))
+        lines = {case.id: f", line {case.line}" for exercise in master.exercises for case in exercise.cases}
+        places = (master.path.name + lines.get(problem.partition(":")[0], "") for problem in problems)
+        raise MasterError("\n".join(map(": ".join, zip(places, problems, strict=True))))
     return master
 
 

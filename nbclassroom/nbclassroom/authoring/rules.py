@@ -105,7 +105,7 @@ def _text_problems(master):
 def _cell_problems(cell, next_cell):
     lines = [line for line in cell.source.splitlines() if line.strip() and not line.strip().startswith("#")]
     if not lines:
-        yield "a code cell without code; nbval would never compare it"
+        yield "a code cell without code: write some; a text, such as a written answer, is # %% [markdown]"
         return
     yield from (problem for is_broken, problem in _cell_rules(cell, lines, next_cell) if is_broken)
     yield from _figure_problems(cell)

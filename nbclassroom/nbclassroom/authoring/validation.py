@@ -23,7 +23,8 @@ def validate_exercise(exercise, seeds=BUILD_SEEDS):
     And checks whose points an answer can earn that looks at none of its arguments, with so many seeds.
     """
     if exercise.kind.graded_by_person:
-        return []
+        text = "no check sees a mistake in a written answer; make it a line of the rubric, with points < 0"
+        return [f"{exercise.id}: {text}"] if exercise.mistakes else []
     solution = exercise.function_of(exercise.solution, "solution")
     if not exercise.kind.expects_values:
         return [*_refusals(exercise), *_problems_of_thresholds(exercise, solution)]

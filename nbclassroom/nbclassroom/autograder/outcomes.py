@@ -45,7 +45,7 @@ TEXTS = {
     Outcome.NOT_ATTEMPTED: OutcomeTexts(
         "not attempted",
         advice="You have not started this exercise yet, and that is fine. Begin with the example in the"
-        " lesson: its check tells you as often as you like how far you are.",
+        " lesson, and run its check as often as you like.",
     ),
     Outcome.MISSING: OutcomeTexts(
         "the answer is missing",

@@ -79,7 +79,7 @@ def _read_script(path, _modified):
         cell = ScriptCell(notebook_cell.cell_type, role, options, notebook_cell.source, line, path.name)
         _check_header(cell)
         cells.append(cell)
-    return Script(notebook.metadata.get(course.name, {}), tuple(cells))
+    return Script(notebook.metadata.get(course.name) or {}, tuple(cells))
 
 
 def _refuse_header(path, lines, header):

@@ -247,9 +247,10 @@ def _lesson_rows(graded, names):
 def _check_rows(graded):
     """One row per check, those that most learners fail first; none for what a person grades."""
     rows: dict[tuple, dict] = {}
+    written = {id for id, _ in _waiting(graded)}  # who wrote nothing has no rubric
     for lesson in graded:
         for exercise in lesson["exercises"]:
-            for case in () if exercise["rubric"] else exercise["cases"]:
+            for case in () if exercise["id"] in written else exercise["cases"]:
                 row = {"lesson": lesson["lesson"], "exercise": exercise["title"]}
                 row |= {"title": case["title"], "hidden": case["hidden"]}
                 key = (lesson["lesson"], exercise["id"], case["id"])

@@ -3,6 +3,7 @@
 import base64
 import json
 import os
+import re
 import shutil
 from importlib.metadata import version
 
@@ -254,6 +255,13 @@ def test_one_bad_lesson_does_not_block_another(write_master, tmp_path):
     result = build(path.parent, tmp_path / "lessons", tmp_path / "solved", progress=str)
     assert result.built == ["90_template"]
     assert "80_bad.py: the front matter needs" in result.problems[0]
+
+
+def test_a_check_whose_answer_can_be_copied_is_named_with_its_line(write_master, tmp_path):
+    path = write_master(("return (rng.integers(100, 256, (3, 4), dtype=np.uint8),)", "return (np.eye(3),)"))
+    (problems,) = build(path.parent, tmp_path / "lessons", tmp_path / "solved", progress=str).problems
+    match = re.search(r"90_template.py, line (\d+): case-template-double-1: inputs\(rng\) ignores", problems)
+    assert path.read_text().splitlines()[int(match[1]) - 1].startswith('# %% role="case"')
 
 
 def test_the_kernel_sees_no_other_robot_and_no_backend_setting(write_master, tmp_path, monkeypatch):

@@ -38,6 +38,7 @@ def test_an_optional_lesson_says_so_in_its_heading_and_metadata(write_master):
     [
         ([("title: Doubling", "title: Trebling")], "", "begins with '# Trebling'"),
         ([("title: Doubling", "title: ''")], "", "the front matter needs"),
+        ([("#     title: Doubling\n", "")], "", "the front matter needs"),
         ([('role="hidden"', 'role="case"')], "", 'has no role="hidden"'),
         ([('        "What is 2 * 200, and where does uint8 end?",\n', "")], "", "nearly the code; it has 2"),
         ([('"What is 2 * 200, and where does uint8 end?"', '" "')], "", "needs hints=(...) with 3 texts"),

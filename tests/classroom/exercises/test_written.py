@@ -3,6 +3,7 @@
 import json
 
 import pytest
+from nbclassroom.authoring.build import read_valid_master
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.exercises import check, overview, progress, solution
 from nbclassroom.exercises.declaration import MasterError, exercise
@@ -126,10 +127,15 @@ def test_a_wrong_declaration_is_named(changes, text):
             "a code cell",
         ),
         ('[markdown] role="answer"', '[markdown] role="given"', "a role needs a code cell"),
+        (
+            '# %% role="check"',
+            '# %% role="mistake" name="x" says="X."\nx = 1\n\n# %% role="check"',
+            "no check sees",
+        ),
     ],
 )
 def test_a_master_with_a_mistake_is_refused(tmp_path, old, new, text):
     path = tmp_path / "22_words.py"
     path.write_text(MASTER.replace(old, new))
     with pytest.raises(MasterError, match=text):
-        read_master(path)
+        read_valid_master(path)
