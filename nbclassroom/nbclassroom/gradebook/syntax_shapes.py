@@ -19,13 +19,13 @@ _UNTOLD = {"annotation", "returns", "type_comment", "kind"}  # fields that chang
 def syntax_tokens(source):
     """The tokens of a source, a list of str: kinds of syntax, constants, and names that are not its own.
 
-    A name that the source binds is "V" and its number, by first occurrence. There are none if the source does
-    not parse or is longer than LONGEST.
+    A name that the source binds is "V" and its number, by first occurrence. Of a text that is no Python, such
+    as a written answer, they are its words. There are none if the source is longer than LONGEST.
     """
     try:
         tree = ast.parse(source) if len(source) <= LONGEST else ast.Module([], [])
     except _UNPARSABLE:
-        return []
+        return source.split()
     own, tokens, nodes = _own_names(tree), [], [tree]
     numbers: dict[str, int] = {}
     while nodes:

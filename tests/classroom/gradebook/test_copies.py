@@ -73,6 +73,8 @@ def test_names_comments_and_spacing_do_not_change_the_shape():
     assert shape("def f(a, b):\n    return a - b") == shape("def f(b, a):\n    return b - a")
     assert shape("def f(a, b):\n    return a - b") != shape("def f(a, b):\n    return b - a")
     assert shape("x = min(1, 2)") != shape("x = max(1, 2)")
+    assert shape("It is *salt*.\n\nSingle pixels.") == shape("It is  *salt*. Single pixels.")
+    assert shape("It is *salt*.") != shape("It is *sand*.")
 
 
 @pytest.mark.parametrize("name", HOSTILE)
