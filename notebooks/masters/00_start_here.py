@@ -138,7 +138,7 @@ print("shape:", received.shape, "  dtype:", received.dtype)
 # %% [markdown]
 # This frame came as a *[[term:message]]* (one unit of data on a topic). The *[[term:middleware]]*, the software that carries messages from one program to another, sent it to this notebook. Here it became an array again.
 #
-# **Look.** Here are the frames live. The view calls the function `darken` for every frame, with the value of the slider. Move it.
+# **Look.** Here are the frames live. The view calls the function `darken` for every frame, with the value of the slider, which `percent=(0, 100)` makes. Move it.
 #
 # `darken` multiplies every intensity by `percent` and divides it by 100 (`//` divides and rounds down). 255 × 100 = 25,500 is too large for `uint8`. So `astype` first converts the numbers to `uint16`, which holds numbers up to 65,535, and at the end back to `uint8`.
 

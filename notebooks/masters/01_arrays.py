@@ -195,7 +195,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 4 · A step, forwards and backwards ([[minutes]])
 #
-# A slice may have a third number, the *step*. `::2` takes every second row. A step of `-1` goes backwards: `::-1` begins at the end. An axis without a slice, such as the channels of a colour image, stays whole.
+# A slice may have a third number, the *step*. `::2` takes every second row. A step of `-1` goes backwards: `::-1` begins at the end. An *axis* (rows, columns or channels) without a slice stays whole.
 
 # %%
 frame = open_recording("drive").frame(30)
@@ -406,7 +406,7 @@ show([tiny, bright], ["tiny", "tiny > 100"], text="arrays/mask")
 # %% [markdown]
 # True counts as 1, and False as 0. So the *sum* of a mask is the number of its True pixels, and its *mean* is their share: between 0 (none) and 1 (all).
 #
-# **Predict** the mean of `bright`: how many of the 25 pixels are True?
+# **Predict** the mean of `bright`: count its True pixels, and divide by 25.
 
 # %% role="predict"
 guess_mean = None  # your guess: a number between 0 and 1
@@ -653,7 +653,7 @@ show(np.stack([left, middle, right]), "left, middle, right",
 print((left + middle + right).tolist())
 
 # %% [markdown]
-# The same numbers, in one line. `row[2:]` begins two numbers later, so it holds the *right* neighbours of `row[1:-1]`. In the same way, `gray[1:-1, 2:]` holds the right neighbours of `gray[1:-1, 1:-1]`.
+# The same numbers, in one line. `row[2:]` begins two numbers later, so it holds the *right* neighbours of `row[1:-1]`. In an image `gray`, `gray[1:-1, 2:]` holds the right neighbours of `gray[1:-1, 1:-1]`.
 
 # %%
 # Check: the numbers in this section

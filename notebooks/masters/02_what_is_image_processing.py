@@ -251,7 +251,7 @@ show([frame, gray], ["colour", "gray"], text="what_is_image_processing/gray")
 # %% [markdown]
 # ### 6 · Planned failure: “black and white” ([[minutes]])
 #
-# Many people call a gray image "black and white". **Predict** how many percent of its pixels are black (0) or white (255).
+# In a *planned failure*, something goes wrong on purpose; **Repair it** then says what to do. Many people call a gray image "black and white". **Predict** how many percent of its pixels are black (0) or white (255).
 
 # %% role="predict"
 guess_black_white = None  # your guess: how many percent of the pixels?
@@ -266,7 +266,7 @@ assert gray.shape == (720, 1280) and np.unique(gray).size == 246
 assert together == 0.005
 
 # %% [markdown]
-# A gray image has up to 256 intensities ([[term:gray level|gray levels]]), and hardly a pixel is fully black or white. (In a *planned failure*, something goes wrong on purpose. **Repair it** then says what to do.) **Repair it**: choose a *[[term:threshold]]*, and compare every pixel with it.
+# A gray image has up to 256 intensities ([[term:gray level|gray levels]]), and hardly a pixel is fully black or white. **Repair it**: choose a *[[term:threshold]]*, and compare every pixel with it.
 #
 # ### 7 · Binarization: above the threshold or not ([[minutes]])
 #
@@ -611,7 +611,7 @@ def inputs(rng):
 # %% [markdown]
 # ## Recap
 #
-# A robot uses its camera to answer four questions: Where can I drive? Who is there? Where am I? What is in my way? You recognise an operation by the shape and the values of its result (all uint8):
+# A robot's camera answers: Where can I drive? Who is there? Where am I? What is in my way? You recognise an operation by the shape and the values of its result (all uint8):
 #
 # | operation | shape | different values | unit |
 # |---|---|---|---|

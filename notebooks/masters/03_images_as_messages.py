@@ -11,7 +11,7 @@
 #
 # **You will be able to**
 # - name the fields of a `sensor_msgs/Image`, ROS's message type for images,
-# - make an array of the bytes of a message, with padding or without,
+# - make an array from the bytes of a message,
 # - recognise and repair two mistakes: channels in the wrong order, rows cut wrongly,
 # - choose the policies of a [[term:subscription]] to a camera.
 #
@@ -480,7 +480,7 @@ print("values that differ:", (by_hand != by_function).sum(),
       (by_hand != by_bridge).sum())
 
 # %% [markdown]
-# The other direction is `cv2_to_imgmsg`: it makes a message of an array.
+# The other direction is `cv2_to_imgmsg`: it makes a message from an array.
 
 # %%
 new_message = CvBridge().cv2_to_imgmsg(tiny, encoding="mono8")
@@ -689,7 +689,7 @@ assert not ros_available() or live_frame.dtype == np.uint8
 #
 # - reliability: *[[term:best effort]]*. A lost message is not sent again; the opposite is *[[term:reliable]]*.
 # - durability: *[[term:volatile]]*. A late subscription receives no earlier messages.
-# - history and depth: *keep last*, 5. Five messages wait for the program; older ones are dropped.
+# - history and depth: *keep last*, 5. At most five messages wait; older ones are dropped.
 #
 # Many tutorials pass `10` instead of QoS policies, which means reliable, with a queue of 10 messages. **Predict** how many frames such a subscription receives from the camera in two seconds. (The camera sends ten per second.)
 

@@ -220,7 +220,7 @@ print("2**15:", 2**15)
 # %% [markdown]
 # The sum of the rounded weights is 32769, one more than 2¹⁵, so the result would be a little too large. OpenCV subtracts 1 from the smallest weight. So its weights are 3735, 19235 and 9798.
 #
-# `>> 15` (a shift by 15 bits) is a fast way to write `// 2**15`. Like `//`, it *[[term:truncate|truncates]]*: it drops the fraction. To *round* to the nearest integer, add half of 32768 (2¹⁴ = 16384) first. **Predict** both results for a sum that stands for 104.76.
+# `>> 15` (a shift by 15 bits) is a fast way to write `// 2**15`. Like `//`, it *[[term:truncate|truncates]]*: it drops the fraction. To *round* to the nearest integer, add half of 32768 (2¹⁴ = 16384) first. For one pixel, sum / 2¹⁵ is 104.76. **Predict** both results.
 
 # %% role="predict"
 guess_both = None  # your guess: truncated and rounded, such as (7, 8)?
@@ -430,7 +430,7 @@ def inputs(rng):
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | *frame*, widened | (720, 1280, 3) | uint8, uint32 | 0 to 255 | gray level of blue, green, red |
+# | *frame*, widened | (720, 1280, 3) | uint8, then uint32 | 0 to 255 | gray level of blue, green, red |
 # | weighted sum, before `>> 15` | (720, 1280) | uint32 | 0 to 8,355,840 | 1/32768 of a gray level |
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level (luma) |
 #

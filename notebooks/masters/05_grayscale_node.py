@@ -52,7 +52,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · A callback is a function that ROS calls ([[minutes]])
 #
-# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *[[term:callback]]*. ROS calls this function for every message that arrives:
+# Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *[[term:callback]]*. ROS calls this function for every message that arrives:
 #
 # ```mermaid
 # %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
@@ -504,7 +504,7 @@ assert view.error is None
 # |---|---|---|
 # | below `cv2.cvtColor`: `gray = 255 - gray` | What is bright now? | the lamps and the shadows |
 # | instead of `cv2.cvtColor`: `gray = frame[..., 2]`, the red channel | Is the red ball brighter or darker than before? | the ball, and the blue things |
-# | in your `QoSProfile`: `ReliabilityPolicy.RELIABLE` | How many images arrive? | the right image; what the check says |
+# | in your `QoSProfile`: `ReliabilityPolicy.RELIABLE` | How many images arrive? | whether a second image appears; what the check says |
 #
 # At the end, undo your changes: your class is graded as it stands. Then write down what you saw at each change, and why: one or two sentences each. Save (Ctrl+S) before you run the check: it shows an answer, and what to look for in yours. In a class, a person grades it.
 

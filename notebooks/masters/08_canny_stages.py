@@ -7,7 +7,7 @@
 # %% [markdown]
 # # The stages of Canny
 #
-# `cv2.Canny(gray, 50, 150)` runs five simple stages. Here you meet them one by one, and write one of them; in the deeper sections you write three more.
+# `cv2.Canny(gray, 50, 150)` runs five stages: Sobel, magnitude and direction, non-maximum suppression, double threshold, hysteresis. Here you meet them one by one, and write one of them; in the deeper sections three more.
 #
 # **You will be able to**
 # - name the input and the output of each stage, with their units,
@@ -265,7 +265,7 @@ print("L1 norm", l1, "  L2 norm", l2)
 compare_guess(guess_norm, l1)
 
 # %% [markdown]
-# `canny_stages` runs all stages, and returns the result of each. Here they are for a part of the frame.
+# `canny_stages` runs all stages, and returns the result of each. Here they are for a part of the frame; sections 6 to 9 explain the last three.
 
 # %%
 stages = canny_stages(gray, 50, 150)
@@ -599,7 +599,7 @@ def inputs(rng):
 #
 # **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
-# A weak pixel becomes an edge if one of its eight neighbours, corners included, is an edge: this is *8-connectivity*. So edges grow from the strong pixels along the weak ones. This is **[[term:hysteresis|edge tracking by hysteresis]]**: an edge needs the high threshold to start, but only the low one to continue. If one pixel of a **[[term:connected component]]** of weak and strong pixels is strong, the whole component is an edge.
+# A weak pixel becomes an edge if one of its eight neighbours, corners included, is an edge: this is *8-connectivity*. So edges grow from the strong pixels along the weak ones. This is **[[term:hysteresis|edge tracking by hysteresis]]**: an edge needs the high threshold to start, but only the low one to continue. Pixels that touch form a **[[term:connected component]]**: if one of them is strong, all become edges.
 #
 # The next cell defines one step of growth. `near_edge` is True where at least one of nine shifted copies of the image is.
 

@@ -367,7 +367,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 4 · Change the thresholds and observe ([[minutes]])
 #
-# The next cell shows what your node publishes, beside the frame. The two ends of its slider set the parameters `low` and `high` of your node, with `set_parameters`. Below it, the check says what differs from the task. (Without ROS, or before you have begun, the slider sets the thresholds of `three_images`.)
+# The next cell shows what your node publishes, beside the frame. The two ends of its slider set the parameters `low` and `high` of your node, with `set_parameters`. Below it, the check says what differs from the task. (Before you have begun, it sets those of `three_images`.)
 
 # %% tags=["nbval-ignore-output", "long"]
 def beside_edges(frame, low=50, high=150):
@@ -403,7 +403,7 @@ assert view.running
 # |---|---|---|
 # | `high` to the right, until no line is left | There are still weak edge pixels. Do they give lines? | which lines stay longest |
 # | `low` to 0 | More lines, or longer lines? | where a line ended before |
-# | `low` up to 150 | Whole lines, or pieces? | the long lines of the furniture |
+# | `low` up to 150 | Whole lines, or pieces? | the long lines |
 #
 # Then write down what you saw at each change, and why: one or two sentences each. Save the notebook (Ctrl+S) before you run the check.
 
@@ -426,7 +426,7 @@ exercise(
 
 # %% [markdown] role="solution"
 # 1. At the end no line is left: weak edge pixels become edges only if they are connected to a strong one, and now there is none. The lines with the largest steps stay longest.
-# 2. The lines become longer: `low` decides how far they continue. They start at the same strong pixels.
+# 2. The lines become longer: `low` decides how far they continue. They start at the same strong pixels, and branch: every weak pixel that is connected counts, in the wood pattern of the floor, too.
 # 3. The lines break into pieces: there are no weak edge pixels any more that connect the strong ones.
 
 # %% role="check"

@@ -53,7 +53,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# The next cell holds what later cells need to run commands for you: the folder of the workspace, and functions that start, run and stop a command.
+# The next cell holds what later cells need to run commands for you: the folder of the workspace, and functions that start, run and stop a command. You need not read it.
 
 # %%
 workspace = Path("ros2_ws").absolute()
@@ -714,6 +714,6 @@ assert own_node is None or own_node.poll() is not None
 #
 # ## 9 · Goodbye, and what next ([[minutes]])
 #
-# From the bytes of a message you came to a package that runs without a notebook. Well done!
+# You came from bytes to a package that runs without a notebook. Well done!
 #
 # **Next:** in [[drive_the_robot]], the robot does what your code says. If you have a webcam, `open_camera("webcam")` publishes its images. To read: the [tutorials of ROS 2](https://docs.ros.org/en/jazzy/Tutorials.html), those of [OpenCV](https://docs.opencv.org/4.x/d6/d00/tutorial_py_root.html), and R. Szeliski's book [Computer Vision](https://szeliski.org/Book/).

@@ -78,7 +78,7 @@ def grid_map(observation, memory):
 
 
 def roadmap(observation, memory):
-    places = np.random.default_rng(len(memory.get("known", ()))).uniform(-2.5, 2.5, (150, 2))
+    places = np.random.default_rng(len(memory.get("known", ()))).uniform(-2.5, 2.5, (300, 2))
     return along_a_graph(observation, memory, places, 1.0)
 
 

@@ -2,11 +2,3 @@
 def otsu(gray):
     counts = np.bincount(gray.ravel(), minlength=256)
     return int(np.argmax(counts))
-
-# %% name="not squared" sentence="The difference of the means must be squared." must_say=["power|square"] must_not_say=["nan"] kind="value"
-def otsu(gray):
-    variances = [0.0] * 256
-    for t in range(gray.min(), gray.max()):
-        below, above = gray[gray <= t], gray[gray > t]
-        variances[t] = below.size * above.size * (below.mean() - above.mean())
-    return int(np.argmax(variances))
