@@ -128,8 +128,12 @@ class PageRun:
         self._place = [number, max(statement, end)]
 
     def _write(self, cell):
+        path = Path(cell["file"])
+        if path.is_absolute() or ".." in path.parts:
+            path = Path(path.name)
         try:
-            Path(Path(cell["file"]).name).write_text(cell["source"], encoding="utf-8")
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(cell["source"], encoding="utf-8")
         except (OSError, UnicodeError):
             return
         if "" not in sys.path:

@@ -289,6 +289,13 @@ def a_helper_in_a_file_that_a_cell_writes(made):
     insert(made, position_of(made, DOUBLE), cell)
 
 
+@case(double=f"import importlib\nimport own.wider\nwide = importlib.reload(own.wider).wide\n{USES_WIDE}")
+def a_helper_in_a_package_that_cells_write(made):
+    files = {"own/__init__.py": "", "own/__main__.py": "", "own/wider.py": f"import numpy as np\n{WIDE}"}
+    cells = [new_cell(f"%%writefile {file}\n{source}") for file, source in files.items()]
+    insert(made, position_of(made, DOUBLE), *cells)
+
+
 @case(double=USES_WIDE)
 def a_helper_below(made):
     insert(made, position_of(made, DOUBLE) + 1, new_cell(WIDE))

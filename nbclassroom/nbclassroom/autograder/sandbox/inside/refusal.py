@@ -9,9 +9,9 @@ module that only shows something stands one that shows nothing.
 import builtins
 import dis
 import importlib
-import importlib.util
 import sys
 import types
+from importlib.machinery import PathFinder
 
 from nbclassroom import course
 from nbclassroom.exercises.page_run import Missing
@@ -102,13 +102,13 @@ def _is_guarded(frame):
     return any(entry.start <= frame.f_lasti < entry.end for entry in entries)
 
 
-_own_modules: set[str] = set()  # files that the learner's cells write
+_own_modules: set[str] = set()  # files that the learner's cells write, and their folders
 
 
 def allow_files(files):
     """Let the learner's code import the modules that it writes, unless there is another one of that name."""
-    names = {file.rpartition("/")[2].removesuffix(".py") for file in files if file.endswith(".py")}
-    _own_modules.update(name for name in names if importlib.util.find_spec(name) is None)
+    names = {part for file in files if file.endswith(".py") for part in file.removesuffix(".py").split("/")}
+    _own_modules.update(name for name in names if PathFinder.find_spec(name) is None)
 
 
 def allow_modules(allowed):
