@@ -20,6 +20,7 @@ _STORES = ("STORE_NAME", "STORE_GLOBAL")
 _MAGIC = re.compile(
     r"""^(?P<indent>[ \t]*)(?![ \t])
     (?: %time[ \t]+(?=[A-Za-z_(])            # %time y = f(): only the magic goes
+      | %run[ \t]+(?:-i[ \t]+)?["']?(?P<script>[\w./-]+\.py)["']?[ \t]*$  # runs what a cell has written
       | (?P<target>[\w, \t]+=)[ \t]*[%!].*   # files = !ls: becomes files = None
       | [%!?].*                              # another magic or shell command: becomes pass
       | [\w.]+\?\??$                         # np.mean?: becomes pass
@@ -66,6 +67,8 @@ def plain_python(source):
 def _without_magic(match):
     if match[0].lstrip().startswith("%time "):
         return match["indent"]
+    if match["script"]:
+        return f"{match['indent']}exec(open({match['script']!r}, encoding='utf-8').read())"
     return f"{match['indent']}{match['target']} None" if match["target"] else f"{match['indent']}pass"
 
 

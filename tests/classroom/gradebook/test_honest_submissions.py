@@ -296,6 +296,11 @@ def a_helper_in_a_package_that_cells_write(made):
     insert(made, position_of(made, DOUBLE), *cells)
 
 
+@case(double=f"%run -i tools.py\n{USES_WIDE}")
+def a_script_that_a_cell_writes(made):
+    insert(made, position_of(made, DOUBLE), new_cell(f"%%writefile tools.py\n{WIDE}"))
+
+
 @case(double=USES_WIDE)
 def a_helper_below(made):
     insert(made, position_of(made, DOUBLE) + 1, new_cell(WIDE))
