@@ -5,7 +5,8 @@ A page is plain data:
     answers   {exercise id: source of the cell that holds its answer}
     cells     the cells that run, from the top: {"kind", "source", "exercise", "file"}; `kind` is "given" (as
               handed out), "lesson" or "own" (the learner's, answers too); `exercise` is the id of the
-              exercise that the cell answers, or ""; `file` is the name that `%%writefile` gives, or ""
+              exercise that the cell answers, or ""; `file` is the name that `%%writefile` gives, or "", with
+              a `mode`: "w", or "a" to append
     checks    {exercise id: [number of a cell, number of a statement in it], before which its check runs}
     left_out  [[number of a cell, number of a statement], ...]: stubs, and what never comes to an end
 
@@ -21,7 +22,7 @@ if __package__:
 else:  # a module by itself, which mypy does not know
     import cell_syntax  # type: ignore[import-not-found,no-redef]
 
-_WRITE_FILE = re.compile(r"\s*%%writefile[ \t]+(?:-a[ \t]+)?([\w./-]+)[ \t]*\n")
+_WRITE_FILE = re.compile(r"\s*%%writefile[ \t]+(-a[ \t]+)?([\w./-]+)[ \t]*\n")
 
 
 def page_of(answers, lesson):
@@ -136,7 +137,8 @@ def _counted(kind, source, exercise=""):
     source = source.replace("\r\n", "\n").replace("\r", "\n")
     match = _WRITE_FILE.match(source) if kind != "given" else None
     if match:
-        return {"kind": kind, "source": source[match.end() :], "exercise": exercise, "file": match[1]}
+        written = {"source": source[match.end() :], "file": match[2], "mode": "a" if match[1] else "w"}
+        return {"kind": kind, "exercise": exercise} | written
     return {"kind": kind, "source": cell_syntax.plain_python(source), "exercise": exercise, "file": ""}
 
 

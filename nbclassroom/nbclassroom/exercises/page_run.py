@@ -133,7 +133,8 @@ class PageRun:
             path = Path(path.name)
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(cell["source"], encoding="utf-8")
+            with path.open(cell["mode"], encoding="utf-8") as file:
+                file.write(f"{cell['source']}\n")
         except (OSError, UnicodeError):
             return
         if "" not in sys.path:

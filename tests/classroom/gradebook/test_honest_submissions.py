@@ -296,9 +296,10 @@ def a_helper_in_a_package_that_cells_write(made):
     insert(made, position_of(made, DOUBLE), *cells)
 
 
-@case(double=f"%run -i tools.py\n{USES_WIDE}")
+@case(double=f"%run -i tools.py\n{USES_WIDE.replace('np', 'numpy')}")
 def a_script_that_a_cell_writes(made):
-    insert(made, position_of(made, DOUBLE), new_cell(f"%%writefile tools.py\n{WIDE}"))
+    cells = new_cell("%%writefile tools.py\nimport numpy"), new_cell(f"%%writefile -a tools.py\n{WIDE}")
+    insert(made, position_of(made, DOUBLE), *cells)
 
 
 @case(double=USES_WIDE)
