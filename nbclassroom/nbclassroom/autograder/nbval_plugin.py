@@ -283,7 +283,7 @@ def _reason_not_to_run(exercise, source):
         return Outcome.MISSING, "its answer cell is missing"
     if len(source) > MAX_ANSWER:
         text = f"its answer is {len(source)} characters long; at most {MAX_ANSWER} are graded"
-        return Outcome.HOSTILE, text
+        return Outcome.RAISED, text
     if _is_stub(source, exercise.stub):
         return Outcome.NOT_ATTEMPTED, ""
     return None

@@ -32,6 +32,7 @@ CLASS = {  # {learner: (their first cell, their answers)}
     "answer": ("x = 1", USE_TWO | {"light-double": f"def two():\n    retrun 2\n{DOUBLE}"}),
     "default": ("two = len(3)", USE_TWO | {"light-double": "def double(p, most=two()):\n    return p"}),
     "apart": ("x = 1", {"light-double": "def double(p):\n    return lost(p)", "light-halves": LOST}),
+    "long": ("x = 1", {"light-double": f"{'#' * 200_000}\n{DOUBLE}"}),
     "gus": (HOSTILE, {"light-double": ENDLESS, "light-halves": READING}),
 }
 
