@@ -126,13 +126,14 @@ def _about_findings(lesson):
     entries = {exercise["id"]: exercise for exercise in lesson["exercises"]}
     for finding in lesson["findings"]:
         entry = entries.get(finding["exercise"], lesson)
-        lost_points = entry["autograded_points"] < entry["max_points"]
+        lost_points = entry["autograded_points"] + entry["open_points"] < entry["max_points"]
         lost_points |= finding["text"].endswith(ONE_LESSON)
         repeated = lesson["earlier"] and finding["text"].startswith("submitted ")
         if finding["exercise"] and entry is lesson:  # a practice exercise has no points
             yield "others", "", finding_text(finding)
         elif finding["kind"] == "hostile":
-            yield "hostile", finding["exercise"], finding_text(finding)
+            is_hostile = finding["exercise"] or lost_points  # in cells of their own learners download and try
+            yield ("hostile" if is_hostile else "others"), finding["exercise"], finding_text(finding)
         elif finding["kind"] == "odd" and finding["text"] != EQUALS:
             yield "dishonest", finding["exercise"], finding_text(finding)
         elif finding["kind"] == "message" and not repeated:

@@ -11,6 +11,7 @@ pytestmark = pytest.mark.sandbox
 DOUBLE = "def double(pixels):\n    return np.minimum(pixels.astype(int) * two(), 255).astype(np.uint8)"
 HALVES = "def halves(pixels):\n    return pixels[:two()], pixels[two():]"
 USE_TWO = {"light-double": DOUBLE, "light-halves": HALVES}
+USE_TIP = {id: source.replace("two()", "2") for id, source in USE_TWO.items()}
 ENDLESS = "import os\ndef double(pixels):\n    os.system('rm -rf /')\n    while True:\n        pass"
 HOSTILE = """
 import socket, subprocess
@@ -33,6 +34,7 @@ CLASS = {  # {learner: (their first cell, their answers)}
     "default": ("two = len(3)", USE_TWO | {"light-double": "def double(p, most=two()):\n    return p"}),
     "apart": ("x = 1", {"light-double": "def double(p):\n    return lost(p)", "light-halves": LOST}),
     "long": ("x = 1", {"light-double": f"{'#' * 200_000}\n{DOUBLE}"}),
+    "tip": (HOSTILE.replace("gus", "tip"), USE_TIP),
     "gus": (HOSTILE, {"light-double": ENDLESS, "light-halves": READING}),
 }
 
@@ -107,6 +109,8 @@ def test_what_the_sandbox_refused_is_listed_with_what_was_tried(graded):
     assert "<li>light-double: it tried to start a program (rm -rf /)</li>" in double
     assert "<li>light-halves: it tried to read files (/etc/passwd)</li>" in halves
     assert "<li>light-halves: it tried to end Python (os._exit)</li>" in halves
+    (tip,) = rows_of(graded, "Also unusual", "tip")  # a cell of their own, and all points
+    assert "<li>it tried to start a program (true tip)</li>" in tip
     assert not [name for name in CLASS if name != "gus" and rows_of(graded, "Hostile answers", name)]
 
 
