@@ -24,6 +24,12 @@ plt.plot([1])
 open("own.txt", "w").close()
 """
 READING = "import os\ntry: open('/etc/passwd')\nexcept OSError: os._exit(3)"
+MACHINE = """
+import pathlib, platform, shutil
+pathlib.Path("mine").mkdir()
+shutil.rmtree("mine")
+print(platform.processor(), platform.freedesktop_os_release())
+"""
 LOST = "def halves(pixels):\n    return lost"
 CLASS = {  # {learner: (their first cell, their answers)}
     "syntax": ("def two():\n    retrun 2", USE_TWO),
@@ -32,7 +38,7 @@ CLASS = {  # {learner: (their first cell, their answers)}
     "module": ("import cv9 as np\ntwo = np.two", USE_TWO),
     "answer": ("x = 1", USE_TWO | {"light-double": f"def two():\n    retrun 2\n{DOUBLE}"}),
     "default": ("two = len(3)", USE_TWO | {"light-double": "def double(p, most=two()):\n    return p"}),
-    "apart": ("x = 1", {"light-double": "def double(p):\n    return lost(p)", "light-halves": LOST}),
+    "apart": (MACHINE, {"light-double": "def double(p):\n    return lost(p)", "light-halves": LOST}),
     "long": ("x = 1", {"light-double": f"{'#' * 200_000}\n{DOUBLE}"}),
     "tip": (HOSTILE.replace("gus", "tip"), USE_TIP),
     "gus": (HOSTILE, {"light-double": ENDLESS, "light-halves": READING}),

@@ -9,8 +9,11 @@ import sys
 
 _MOST, _MOST_CHARACTERS = 20, 80  # attempts that a process tells, and of each
 _LIBRARY = os.path.dirname(os.__file__) + os.sep  # noqa: PTH120 - `os` only, see `confine`
-_OPEN_TO_ALL = ("/tmp/", "/course/", "/usr/", "/python/", "/dev/", _LIBRARY)
+_ABOUT_THE_MACHINE = ("/etc/os-release/", "/etc/hostname/", "/proc/cpuinfo/", "/proc/meminfo/")
+_OPEN_TO_ALL = ("/tmp/", "/course/", "/usr/", "/python/", "/dev/", _LIBRARY, *_ABOUT_THE_MACHINE)
 _PROGRAM, _NETWORK, _FILES, _END = "start a program", "open the network", "read files", "end Python"
+_REMOVE = "remove files"
+_HARMLESS = f"{_PROGRAM} (uname -p)"  # by platform.processor()
 _EVENTS = {  # {audit event: (what it is an attempt to do, the number of the argument that is told or None)}
     "os.system": (_PROGRAM, 0),
     "os.exec": (_PROGRAM, 1),
@@ -20,7 +23,7 @@ _EVENTS = {  # {audit event: (what it is an attempt to do, the number of the arg
     "socket.getaddrinfo": (_NETWORK, 0),
     "os.kill": (_END, None),
     "os._exit": (_END, None),  # ours: Python has no event for it
-    "shutil.rmtree": ("remove files", 0),
+    "shutil.rmtree": (_REMOVE, 0),
     "open": (_FILES, 0),
     "os.listdir": (_FILES, 0),
 }
@@ -28,12 +31,12 @@ _EVENTS = {  # {audit event: (what it is an attempt to do, the number of the arg
 
 def tell_attempts(send):
     """Call send("tried", text=...) with each attempt of this process from now on."""
-    attempts: set[str] = set()
+    attempts = {_HARMLESS}
 
     def hear(event, arguments):
         purpose, number = _EVENTS.get(event, ("", None))
         detail = event if number is None else arguments[number]
-        if not purpose or (purpose == _FILES and not _is_elsewhere(detail)):
+        if not purpose or (purpose in (_FILES, _REMOVE) and not _is_elsewhere(detail)):
             return
         text = f"{purpose} ({_text_of(detail)[:_MOST_CHARACTERS]})"
         if text not in attempts and len(attempts) < _MOST and _is_learners(sys._getframe(1), purpose):
