@@ -550,7 +550,7 @@ attack(
 
 # ---------------------------------------------------------------- the autograder, or a page, is to fail
 
-attack("a source of a megabyte", "x = '" + "a" * 1_000_000 + "'\n", "hostile", wrong=True)
+attack("a source of a megabyte", "x = '" + "a" * 1_000_000 + "'\n", "raised", wrong=True)
 attack("lone surrogates and null bytes", "x = '\ud800'\ny = '\x00'\n", "wrong", "raised", wrong=True)
 attack(
     "a hundred thousand brackets",
