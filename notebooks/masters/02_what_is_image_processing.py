@@ -234,7 +234,7 @@ assert recording.label_names[8] == "box" and round(depth[box].min() / 1000, 2) =
 assert np.nonzero(box)[1].min() > 427
 
 # %% [markdown]
-# **Pause?** Afterwards run the first code cell of this lesson, then go on here.
+# **Pause?** **You can begin here** after it: run the first code cell, then go on below.
 #
 # ## Part two: four operations
 #
