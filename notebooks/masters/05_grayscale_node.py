@@ -127,7 +127,7 @@ assert len({(stamp.sec, stamp.nanosec) for stamp in stamps}) == len(stamps)
 # %% [markdown]
 # ## 2 · A class in ten lines ([[minutes]])
 #
-# In Python, a node is written as a *[[term:class]]*. (If you know classes, go on with section 3.) A class says which values its objects have, and what they can do. Here is a bell, without ROS. To hear when it rings, give it a callback.
+# In Python, a node is written as a *[[term:class]]*. (If you know classes, go on with section 3.) A class says which values its objects have, and what they can do. Here is a bell, without ROS. To learn when it rings, give it a callback.
 
 # %%
 class Bell:

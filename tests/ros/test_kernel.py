@@ -21,7 +21,7 @@ subscriber = ImageSubscriber("/kachaka/front_camera/image_raw", on_image)
 """
 STOP = "RosSession.current().stop()"
 READ = "print(subscriber.wait(60).shape)"
-# How many publishers and subscribers this kernel has discovered: it hears of the camera after some time, and
+# How many publishers and subscribers this kernel has discovered: it knows the camera after some time, and
 # of a killed kernel for 20 seconds more.
 ALIVE = """
 import threading, time

@@ -156,7 +156,7 @@ def graded_exercises(exercise_runs, page, tried):
 def checked_exercise(exercise, exercise_run, cause=None, is_hostile=False):
     """(the GradedExercise of an exercise whose cases all have run, without pages, its CheckedAnswer).
 
-    A Cause is told in the place of the calls. A hostile answer gets no advice about its loops.
+    A Cause replaces the calls. A hostile answer gets no advice about its loops.
     """
     runs = exercise_run.runs
     cases = tuple(

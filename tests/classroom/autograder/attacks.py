@@ -426,7 +426,7 @@ attack(
 # ---------------------------------------------------------------- more than an answer may use
 
 attack(
-    "a loop without end that hears no signal",
+    "a loop without end that ignores signals",
     """
     import signal
     def on(*a):

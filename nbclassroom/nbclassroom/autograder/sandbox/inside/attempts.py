@@ -33,7 +33,7 @@ def tell_attempts(send):
     """Call send("tried", text=...) with each attempt of this process from now on."""
     attempts = {_HARMLESS}
 
-    def hear(event, arguments):
+    def tell_attempt(event, arguments):
         purpose, number = _EVENTS.get(event, ("", None))
         detail = event if number is None else arguments[number]
         if not purpose or (purpose in (_FILES, _REMOVE) and not _is_elsewhere(detail)):
@@ -48,7 +48,7 @@ def tell_attempts(send):
         _exit(status)
 
     _exit, os._exit = os._exit, end_process
-    sys.addaudithook(hear)
+    sys.addaudithook(tell_attempt)
 
 
 def _is_elsewhere(path):
