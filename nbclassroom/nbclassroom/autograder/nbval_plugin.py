@@ -90,9 +90,9 @@ class ExerciseKernel:
 class ExerciseRun:
     """One exercise of one submission.
 
-    Its checks run one after another in one process, as in JupyterLab, as long as they pass. A check that
-    fails is run again in a new process, in which the page has run, and that run counts: a patch, a crash or a
-    thread in one check costs no other check anything. Each drive has a new kernel.
+    Its checks run one after another in one process, as in JupyterLab. One that ends the process or takes too
+    long costs no other check anything: a new process, in which the page has run, takes its place. Each drive
+    has a new kernel.
     """
 
     def __init__(self, exercise, kernels, stop_at=math.inf):
@@ -109,7 +109,9 @@ class ExerciseRun:
         if time.monotonic() > self.stop_at or self._drives_too_long:
             run = CaseRun(check=CellRun(ended="budget"))
         else:
-            run = self._run_in_same_process(case, source) or self._run_in_new_processes(case, source)
+            run = self._run_in_same_process(case, source)
+            if run is None or run.ended:
+                run = self._run_in_new_processes(case, source)
         if run.ended == "gone":
             self.faults[case.id] = "the process that starts kernels ended, three times"
         else:
@@ -124,29 +126,30 @@ class ExerciseRun:
         return run
 
     def _run_in_same_process(self, case, source):
-        """A CaseRun that passed, or None. The process must not have more time than a new one would."""
+        """A CaseRun, or None. The process must not have more time than a new one would."""
         kind = self.exercise.kind
         process = self._process if kind.shares_kernel else None
         if process is None or self._seconds > kind.seconds_of(self.exercise, case):
             return None
-        run = CaseRun(answer=self._answer_run)
-        self._run_check(process, run, case, source)
-        return run if run.passed else None
+        return self._run_checks(process, self._answer_run, case, source)
 
     def _run_in_new_process(self, case, source, *, alone=False):
         """A CaseRun; `alone`: while no other kernel waits, which could use memory that this one needs."""
         self.close()
         self._seconds = self.exercise.kind.seconds_of(self.exercise, case)
-        process, self._answer_run = self._kernels.open_check(self.exercise, self._seconds, alone=alone)
-        self._process = process
-        run = CaseRun(answer=self._answer_run)
+        self._process, answer_run = self._kernels.open_check(self.exercise, self._seconds, alone=alone)
+        self._answer_run = answer_run
+        return self._run_checks(self._process, answer_run, case, source)
+
+    def _run_checks(self, process, answer_run, case, source):
+        """A CaseRun; only where a name is missing, the cells below count, and the check runs again."""
+        run = CaseRun(answer=answer_run)
         if not run.ended:
             self._run_check(process, run, case, source)
         if not run.ended and not run.passed and missing_name(run)[0]:
-            # Only then the cells below count.
             process.run_below("")
             self._run_check(process, run, case, source)
-        if not run.passed:
+        if run.ended or getattr(run.verdict.call, "timed_out", False):
             self.close()
         return run
 

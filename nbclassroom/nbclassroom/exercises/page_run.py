@@ -16,7 +16,7 @@ import time
 from pathlib import Path
 
 from . import running
-from .cell_syntax import UNPARSABLE, names_of
+from .cell_syntax import UNPARSABLE, names_in
 
 STATEMENT_SECONDS = 5.0  # that one statement may take
 # Of all cells of a kind together.
@@ -147,24 +147,23 @@ class PageRun:
         cell = self._cells[number]
         kind = "answer" if cell["exercise"] else cell["kind"]
         began = _monotonic()
-        error: BaseException | None
+        code, error = _compiled(node, number)
         if place in self._skip:
             error = RuntimeError("it ended the process, or did not end in time")
         elif self._seconds[kind] > TOGETHER_SECONDS[kind]:
             error = TimeoutError("the cells above took all the time that they may take")
-        else:
+        elif code:
             self._tell(*place)
-            error = self._execute(node, number)
+            error = self._execute(code)
         if _process() != self._process:
             _end_process(0)  # a copy of this process, which the learner's code made
         self._seconds[kind] += _monotonic() - began
         if error is not None:
-            self._note(node, number, error)
+            self._note(code, number, error)
 
-    def _execute(self, node, number):
+    def _execute(self, code):
         """Run a statement; the exception that ended it, or None."""
         try:
-            code = compile(ast.Module([node], []), _file_of(number), "exec", _FLAGS, dont_inherit=True)
             running.call_within(lambda: self._evaluate(code), STATEMENT_SECONDS)
         except running.TimeUp:
             return TimeoutError("it did not end in time")
@@ -182,18 +181,23 @@ class PageRun:
         value = eval(code, self._names)
         return await value if asyncio.iscoroutine(value) else value
 
-    def _note(self, node, number, error):
+    def _note(self, code, number, error):
         name = running.error_name(error)
         text = running.attempt(lambda: str(error), "")[:2_000]
         self.errors.append((number, name, text))
-        for bound in names_of(node).binds:
-            if bound == "*" or bound in self._names or hasattr(builtins, bound):
+        if code is None or all(map(self._is_known, code.co_names)):
+            return
+        for bound in names_in(code).binds:
+            if bound == "*" or self._is_known(bound):
                 continue
             if name not in _KNOWN:
                 why = f"{name}: {text}" if text else name
                 text = f"{bound} is not there, because the statement that defines it fails ({why[:300]})"
                 error = NameError(text, name=bound)
             self._names[bound] = Missing(error)
+
+    def _is_known(self, name):
+        return name in self._names or hasattr(builtins, name)
 
 
 def is_missing(value):
@@ -203,3 +207,11 @@ def is_missing(value):
 
 def _file_of(number):
     return f"<cell {number + 1}>"
+
+
+def _compiled(node, number):
+    """(The code of a statement, None), or (None, why Python does not compile it)."""
+    try:
+        return compile(ast.Module([node], []), _file_of(number), "exec", _FLAGS, dont_inherit=True), None
+    except UNPARSABLE as error:
+        return None, error

@@ -226,10 +226,17 @@ class ForkedKernel(Connection):
         self._run_until_action(run, b"")
         return not run.ended and not run.error[0]
 
-    def end_fork(self, patience):
-        """How the forked process ended, {} if this one has ended as well."""
+    def end_fork(self, patience=0.0):
+        """How the forked process ended, {} if this one has ended as well.
+
+        Without patience it is killed, and {} at once: this process waits for its end before the next request.
+        """
         request = {"end": patience, "confined": self._fork_server.confined}
-        return self._request(request).status
+        if patience:
+            return self._request(request).status
+        with suppress(OSError):
+            self._socket.send(_line_of(request))
+        return {}
 
     def _how_it_ended(self):
         """The value of CellRun.ended for a kernel that ended by itself; "gone" if the fork server did too."""
@@ -275,7 +282,7 @@ class ForkedCheck(Connection):
         """End the process and all that it started."""
         self._socket.close()
         if self._status is None:
-            self._status = self._kernel.end_fork(0.0)
+            self._status = self._kernel.end_fork()
 
 
 def _line_of(request):

@@ -17,7 +17,7 @@ class Kind:
     kernel_modules: tuple[str, ...] = ()  # modules of the folder, which the kernels that grade need
     sensors: tuple[str, ...] = ()  # what an answer may observe, of which a declaration names some
     expects_values = True  # whether what the solution gives is expected; else thresholds judge
-    shares_kernel = True  # whether checks run one after another in one process, as long as they pass
+    shares_kernel = True  # whether checks run one after another in one process
     shows_values = False  # whether its values are shown, explained, and searched for one change
     has_sentences = False  # for what differs, so that hints and declared mistakes are not needed
     refuses_parts = False  # whether its check does not know all that an answer may use

@@ -168,9 +168,10 @@ def end_child(child, patience):
     """How a child ended: by itself within `patience` seconds (signal or exit code), or killed here."""
     ended, give_up = 0, _monotonic() + patience
     while not ended:
-        if _monotonic() >= give_up:
+        is_late = _monotonic() >= give_up
+        if is_late:
             _kill(child, signal.SIGKILL)
-        ended, status, usage = _wait4(child, os.WNOHANG)
+        ended, status, usage = _wait4(child, 0 if is_late else os.WNOHANG)
         if not ended:
             _sleep(0.001)
     return {

@@ -238,11 +238,12 @@ class _Server:
         self._finish("" if self._check else "not alone")
 
     def _end_check(self, request, _descriptor):
-        """End the forked process with all that it started; tell how it ended."""
+        """End the forked process with all that it started; tell how it ended, if somebody is patient."""
         status = _end(self._check, request["end"], request["confined"])
         self._check = None
-        WRITER.send("ended", **status)
-        self._finish()
+        if request["end"]:
+            WRITER.send("ended", **status)
+            self._finish()
 
 
 _MOST_ERRORS = 100
