@@ -126,6 +126,7 @@ def _mistake_entry(mistake, cases):
             for result, call in zip(mistake.results[case.id], case.calls, strict=True)
         ]
         for case in cases
+        if case.id in mistake.results
     }
     return {"name": mistake.name, "says": mistake.says, "results": results}
 

@@ -177,7 +177,8 @@ class _Solutions:
 
     def _results_of(self, exercise, mistake, cases):
         if self._drawn:
-            return {case.id: self._drawn[case.id][1][mistake.name] for case in cases}
+            drawn = {case.id: self._drawn[case.id][1] for case in cases}
+            return {id: results[mistake.name] for id, results in drawn.items() if mistake.name in results}
         results = {case.id: exercise.results_of_mistake(mistake, case) for case in cases}
         # As a check cell would show them: answers are compared with them.
         return {id: read_calls(map(call_to_json, calls)) for id, calls in results.items()}

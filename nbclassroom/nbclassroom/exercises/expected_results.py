@@ -15,6 +15,9 @@ class MistakeResults(dict):
     def __init__(self, exercise, mistake, cases, seed):
         self._about = exercise, mistake, cases, seed
 
+    def __contains__(self, case_id):
+        return any(case.id == case_id for case in self._about[2])
+
     def __missing__(self, case_id):
         self.update(_results_of_mistake(*self._about, case_id))
         return self[case_id]

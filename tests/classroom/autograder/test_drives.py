@@ -265,6 +265,7 @@ def test_a_hidden_scenario_is_drawn_until_only_the_solution_passes(key_of, seed,
     # one drives 2 m: it passes where the wall is more than 2.2 m away.
     assert wall == fits
     assert public_wall == 30  # the blind one passes
+    assert [*key.exercise("plane-drive").mistakes[0].results] == ["hidden-plane-drive-1"]
 
 
 def test_the_margin_makes_each_threshold_stricter():

@@ -1,7 +1,8 @@
 """Draw the scenarios of a driving exercise for a key: those that tell a right controller from a wrong one.
 
 The solution must pass with a margin, else chance could cost a good answer its points; and in a hidden
-scenario stub and mistakes must fail, and so must what the solution drives in a public one, repeated.
+scenario stub and mistakes must fail, and so must what the solution drives in a public one, repeated. In
+public scenarios they do not drive for a key: the lesson has drives of them.
 """
 
 import itertools
@@ -30,7 +31,7 @@ def draw_for_key(exercise, seed, run_solution):
     def drive_solution(scenario):
         return run_solution(GradedDrive(exercise, scenario)).record
 
-    drawn, least = {}, len(exercise.cases) * (1 + len(exercise.mistakes))
+    drawn, least = {}, number_of_drives(exercise)
     with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
         public = public_drives(exercise)
         for case in exercise.cases:
@@ -38,6 +39,12 @@ def draw_for_key(exercise, seed, run_solution):
             mistakes = {name: [result] for name, result in one.mistakes.items()}
             drawn[case.id] = [ExpectedCall((one.scenario,))], mistakes
     return drawn
+
+
+def number_of_drives(exercise):
+    """How many drives a key needs, if the first draw of each case fits."""
+    hidden = len(exercise.cases) - len(exercise.public)
+    return len(exercise.cases) + hidden * (1 + len(exercise.mistakes))
 
 
 def draw_scenario(exercise, case, seed, drive_solution, public, on_drive):
@@ -59,10 +66,10 @@ def draw_scenario(exercise, case, seed, drive_solution, public, on_drive):
         on_drive(1)
         if problem := _problem_of_solution(record, stricter):
             continue
-        drives = drive_wrong_answers(exercise, case, scenario)
-        on_drive(len(exercise.mistakes))
+        drives = drive_wrong_answers(exercise, scenario) if case.hidden else {}
+        on_drive(len(drives))
         passed = [name for name, (record, _) in drives.items() if passes(record, scenario)]
-        if not passed or not case.hidden:
+        if not passed:
             return DrawnScenario(scenario, record, {name: result for name, (_, result) in drives.items()})
         problem = f"the mistake {passed[0]!r} passes" if passed[0] else "the stub passes"
     raise MasterError(
@@ -87,10 +94,10 @@ def is_passed_by_repeating(exercise, drives, scenario):
     return any(passes(record, scenario) for record, _ in results)
 
 
-def drive_wrong_answers(exercise, case, scenario):
-    """{mistake, "" for the stub: (record, CallResult)} in a case. MasterError: one costs too much."""
-    controls = {"": exercise.function_of(exercise.stub, "stub")} if case.hidden else {}
-    controls |= {mistake.name: exercise.function_of_mistake(mistake) for mistake in exercise.mistakes}
+def drive_wrong_answers(exercise, scenario):
+    """{mistake, or "" for the stub: (record, CallResult)} in a scenario. MasterError: one costs too much."""
+    controls = {mistake.name: exercise.function_of_mistake(mistake) for mistake in exercise.mistakes}
+    controls[""] = exercise.function_of(exercise.stub, "stub")  # last: one that is slow ends all others
     waiting = iter(controls.values())
     drives = drive_scenarios(exercise, [scenario] * len(controls), lambda: next(waiting))
     for name, (record, result) in zip(controls, drives, strict=True):

@@ -100,7 +100,9 @@ class Kind(AnyKind):
         return draw_for_key(exercise, seed, run_solution)
 
     def seconds_for_key(self, exercise):
-        return _SECONDS_PER_DRIVE * len(exercise.cases) * (1 + len(exercise.mistakes))
+        from .draw_scenarios import number_of_drives
+
+        return _SECONDS_PER_DRIVE * number_of_drives(exercise)
 
     # ---------------------------------------------------------------- judging and explaining
 

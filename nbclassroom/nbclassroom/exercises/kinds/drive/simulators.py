@@ -215,7 +215,8 @@ def known_mistake(exercise, calls):
         return None  # it stands, and so is near to a robot that turns on the spot
     nearest, least = None, np.inf
     for mistake in exercise.mistakes:
-        distance = max((_distance(mistake, call) for call in failed), default=np.inf)
+        driven = [call for call in failed if call.case.id in mistake.results]  # a key has hidden ones only
+        distance = max((_distance(mistake, call) for call in driven), default=np.inf)
         nearest, least = (mistake, distance) if distance < least else (nearest, least)
     return nearest if least <= PATH_TOLERANCE else None
 
