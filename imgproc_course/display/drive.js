@@ -6,6 +6,7 @@ const SILENCE = 2000;  // milliseconds without the robot's odometry until the pa
 const FREE = 0.05;  // metres from the place of a bump
 const DEAD_ZONE = 0.15;  // of a stick
 const SLOW = 0.5;  // with Shift
+const SPEED = {linear: 0.3, angular: 1.2};  // m/s and rad/s of a held key
 const KEYS = {
     ArrowUp: "forward", KeyW: "forward", ArrowDown: "back", KeyS: "back",
     ArrowLeft: "left", KeyA: "left", ArrowRight: "right", KeyD: "right",
@@ -25,7 +26,7 @@ function add(parent, tag, attributes, text = "") {
 }
 
 // What is held: "key KeyW" or "button left", each with its direction.
-function makeCommand(model, held, isSlow) {
+function makeCommand(held, isSlow) {
     const has = direction => [...held.values()].includes(direction) ? 1 : 0;
     let linear = has("forward") - has("back");
     let angular = has("left") - has("right");
@@ -38,7 +39,7 @@ function makeCommand(model, held, isSlow) {
     }
     const scale = isSlow ? SLOW : 1;
     const limited = value => Math.max(-1, Math.min(1, value)) * scale;
-    return {linear: limited(linear) * model.get("linear"), angular: limited(angular) * model.get("angular")};
+    return {linear: limited(linear) * SPEED.linear, angular: limited(angular) * SPEED.angular};
 }
 
 function makeMap(root) {
@@ -130,7 +131,7 @@ function render({model, el}) {
 
     function tick() {
         if (!hasFocus()) held.clear();
-        const command = hasFocus() ? makeCommand(model, held, isSlow) : {linear: 0, angular: 0};
+        const command = hasFocus() ? makeCommand(held, isSlow) : {linear: 0, angular: 0};
         const moves = command.linear !== 0 || command.angular !== 0;
         if (moves) send({kind: "drive", ...command});
         else if (isMoving) send({kind: "stop", linear: 0, angular: 0});

@@ -12,7 +12,6 @@ from typing import Any
 
 import anywidget
 import numpy as np
-from traitlets import Float
 
 from imgproc_course.display.controls import in_a_row
 from imgproc_course.display.figures import split_text
@@ -37,12 +36,7 @@ def drive(
     robot: Any,
     source: Any = None,
     *,
-    linear: float = 0.3,
-    angular: float = 1.2,
-    width: int = 480,
     text: str | None = None,
-    caption: str | None = None,
-    alt: str | None = None,
 ) -> "DriveView":
     """Shows what the robot sees, and drives it: arrow keys or W A S D, buttons, or a gamepad.
 
@@ -55,9 +49,7 @@ def drive(
     ----------
     robot : Robot
     source : what the image shows, as in `live_view`. If omitted: the topic of the robot's front camera.
-    linear, angular : m/s and rad/s of a held key; the robot's limits are 0.3 and 1.57
-    width : CSS pixels of the image
-    text, caption, alt : as in `live_view`
+    text : as in `live_view`
 
     Returns
     -------
@@ -65,20 +57,17 @@ def drive(
 
     Raises
     ------
-    ValueError : no Robot, or a speed that is not positive
+    ValueError : no Robot
     """
     if not all(hasattr(robot, name) for name in ("drive", "stop", "odometry")):
         raise ValueError(f"drive needs a Robot, got {type(robot).__name__}: drive(Robot())")
-    for name, speed in (("linear", linear), ("angular", angular)):
-        if not (isinstance(speed, (int, float)) and math.isfinite(speed) and speed > 0):
-            raise ValueError(f"{name} must be a speed above 0, got {speed!r}")
     if source is None:
         from imgproc_course.ros.robot_topics import TOPIC
 
         source = TOPIC
-    caption, alt = split_text(text, caption, alt)
-    style = Style(width=width, caption=caption, alt=alt or "What the robot's camera sees")
-    view = DriveView(robot, source, DrivePad(linear=float(linear), angular=float(angular)), style)
+    caption, alt = split_text(text)
+    style = Style(width=480, caption=caption, alt=alt or "What the robot's camera sees")
+    view = DriveView(robot, source, DrivePad(), style)
     view.start()
     view.publish()
     return view
@@ -89,8 +78,6 @@ class DrivePad(anywidget.AnyWidget):
 
     _esm = HERE / "drive.js"
     _css = HERE / "drive.css"
-    linear = Float(0.3).tag(sync=True)
-    angular = Float(1.2).tag(sync=True)
 
 
 class _RobotWarnings(logging.Handler):

@@ -36,8 +36,6 @@ def live_view(
     width: int | None = None,
     limits: tuple[float, float] | None = None,
     text: str | None = None,
-    caption: str | None = None,
-    alt: str | None = None,
     **ranges: Any,
 ) -> "LiveView":
     """Shows a running camera in the notebook, each frame as the learner's function returns it.
@@ -58,9 +56,7 @@ def live_view(
         CSS pixels. If omitted: 640 for one image, 960 for several. Frames are sent at this width.
     limits : (low, high)
         The values shown black and white, for gray results that are neither uint8 nor bool.
-    text : name of both texts, as in `show`, instead of `caption` and `alt`
-    caption : str, a sentence under the view
-    alt : str, alternative text. If omitted: made of the function's name
+    text : name of the sentence under the view and of the alternative text, as in `show`
     **ranges
         Parameters of `process` that sliders set while it runs: low=(0, 1020) is a slider, see `tune`.
 
@@ -73,7 +69,7 @@ def live_view(
     ValueError : another kind of source, an invalid range
     RosMissingError : a topic, but rclpy is not installed
     """
-    style = Style(encoding, width, limits, *split_text(text, caption, alt))
+    style = Style(encoding, width, limits, *split_text(text))
     view = LiveView(source, process, style, ranges)
     view.start()
     view.publish()

@@ -25,11 +25,8 @@ def tune(
     frame: Any,
     *,
     encoding: str = "bgr8",
-    width: int | None = None,
     limits: tuple[float, float] | None = None,
     text: str | None = None,
-    caption: str | None = None,
-    alt: str | None = None,
     **sliders: Any,
 ) -> "Tuner":
     """Shows the result of `function` on a frame, with a slider for each of its parameters.
@@ -41,7 +38,7 @@ def tune(
     ----------
     function : function (frame, **parameters) -> array, or a list or dict (title -> array) of arrays
     frame : array; for a live source, live_view(source, function, **sliders)
-    encoding, width, limits, text, caption, alt : as in `live_view`
+    encoding, limits, text : as in `live_view`
     **sliders
         name=(low, high) or (low, high, step): a slider, of integers if all are integers. It starts at the
         parameter's own default if this is in the range, else in the middle.
@@ -68,7 +65,7 @@ def tune(
             f"frame is {type(frame).__name__}; expected an array; for a live source call "
             "live_view(source, function, name=(low, high))"
         )
-    style = Style(encoding, width, limits, *split_text(text, caption, alt))
+    style = Style(encoding, None, limits, *split_text(text))
     tuner = Tuner(function, frame, style, sliders)
     tuner.publish()
     return tuner

@@ -46,10 +46,10 @@ OUTPUTS = [
         return is_inside == inside
 
     tuner = tune(band, np.dstack([np.tile(np.arange(250, dtype=np.uint8), (90, 1))] * 3),
-                 thresholds=(0, 250), offset=(0, 9), inside=True, caption="White: between the thresholds.")
+                 thresholds=(0, 250), offset=(0, 9), inside=True)
     tuner["offset"].value = 9
     """,
-    'view = live_view(Ramp(), caption="The ramp.")',
+    "view = live_view(Ramp())",
 ]
 
 

@@ -73,7 +73,7 @@ def test_a_live_view_changes_and_its_slider_works_while_it_runs(notebook):
         def bright(frame, level=100):
             return cv2.threshold(cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), level, 255, cv2.THRESH_BINARY)[1]
 
-        view = live_view(camera, bright, level=(0, 250, 50), caption="Bright pixels are white.")
+        view = live_view(camera, bright, level=(0, 250, 50))
         """,
         "1 + 1",
     )
@@ -199,7 +199,7 @@ def test_tune_follows_its_range_slider_and_resets(notebook):
             return cv2.Canny(gray, low, high)
 
         gray = camera.frame(20)[:, :, 2]
-        tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0), caption="Edges of the bar.")
+        tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0))
         """,
         "print(tuner.call, tuner.value.sum() // 255)",
     )
@@ -215,7 +215,7 @@ def test_tune_follows_its_range_slider_and_resets(notebook):
     page.screenshot("tune", VIEW)
     page.press_button("Reset")
     page.wait_until(lambda: page.readout() == "100 – 200")
-    assert page.page.locator(VIEW).get_attribute("title") == "Edges of the bar."
+    assert page.page.locator(VIEW).get_attribute("title") == "Result of canny on the frame"
 
 
 TUNER = """

@@ -21,7 +21,7 @@ CELLS = [
     camera = open_camera("room", rate=3)  # images per second: the machine has time for the rest
     robot = Robot()
     """,
-    'view = drive(robot, caption="What the robot sees.")',
+    "view = drive(robot)",
     """
     def still():
         for _ in range(60):  # on a busy machine the last odometry comes late

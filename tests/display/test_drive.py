@@ -87,20 +87,11 @@ def test_a_warning_of_the_robot_appears_in_the_view_as_long_as_it_runs(view):
     assert robot_log.handlers == []
 
 
-@pytest.mark.parametrize(
-    ("arguments", "error"),
-    [
-        (("/kachaka",), "drive needs a Robot, got str"),
-        ((Commands(), None, 0), "linear must be a speed above 0, got 0"),
-        ((Commands(), None, 0.3, math.nan), "angular must be a speed above 0, got nan"),
-    ],
-)
-def test_impossible_arguments(arguments, error):
+def test_what_is_no_robot_cannot_be_driven():
     from imgproc_course.display import drive
 
-    robot, source, *speeds = [*arguments, None][:2] + list(arguments[2:])
-    with pytest.raises(ValueError, match=error):
-        drive(robot, source, **dict(zip(("linear", "angular"), speeds, strict=False)))
+    with pytest.raises(ValueError, match="drive needs a Robot, got str"):
+        drive("/kachaka")
 
 
 def odometry_at(moment, x, y, yaw):

@@ -371,11 +371,16 @@ def test_a_source_that_is_not_live_is_an_error_at_once(arguments, options, error
         live_view(*arguments, **options)
 
 
-def test_the_stored_output_is_the_same_in_every_run(monkeypatch):
+def test_the_stored_output_is_the_same_in_every_run(monkeypatch, tmp_path):
     stored = []
+    (tmp_path / "texts").mkdir()
+    (tmp_path / "texts" / "brakes.json").write_text('{"drive": {"caption": "A <drive>.", "alt": "A robot"}}')
+    monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(module, "display", lambda output: stored.append(output._repr_mimebundle_()))
     for _ in range(2):
-        live_view(Drive(), caption="A <drive>.").stop()
+        view = live_view(Drive(), text="brakes/drive")
+        view.stop()
+        assert view._screen.image.tooltip == "A robot"
     for bundle in stored:
         assert bundle.pop("application/vnd.jupyter.widget-view+json")["version_major"] == 2
     assert (
