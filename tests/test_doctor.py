@@ -180,11 +180,6 @@ def _missing(absent):
     return version
 
 
-def test_the_ipykernel_that_loses_prints(monkeypatch):
-    monkeypatch.setattr(importlib.metadata, "version", lambda _: "7.0.0")
-    assert findings_of(software.check_packages)["ipykernel"].verdict == "failure"
-
-
 def test_a_kernel_of_another_environment(monkeypatch, tmp_path):
     monkeypatch.setattr(software, "VENV", tmp_path)
     finding = findings_of(software.check_kernel)["kernel"]
@@ -283,17 +278,6 @@ def test_a_profile_with_a_note_is_a_warning(monkeypatch):
     monkeypatch.setattr("imgproc_course.ros.dds_profile", lambda: profile)
     findings = findings_of(graph.check_ros)
     assert findings["DDS profile"] == Finding("DDS profile", "warning", "none: Fast DDS's defaults", note)
-    assert findings["shared memory"].verdict == "warning"
-    assert findings["shared memory"].observation.startswith("10 MiB free in /dev/shm")
-    assert "docker run --shm-size=1g" in findings["shared memory"].remedy
-
-
-@pytest.mark.parametrize(
-    ("free", "verdicts"),
-    [(None, []), (64 << 20, ["warning"]), ((276 << 20) - 1, ["warning"]), (276 << 20, ["ok"])],
-)
-def test_shared_memory_must_hold_four_segments(free, verdicts):
-    assert [finding.verdict for finding in graph._shared_memory(free)] == verdicts
 
 
 @pytest.mark.parametrize(

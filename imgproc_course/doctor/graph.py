@@ -12,7 +12,6 @@ from imgproc_course.ros_domain import DOMAINS, discovery_problem, discovery_rang
 
 FRAMES = 3  # that must arrive
 MULTICAST_GROUP = "239.255.0.1"  # through which DDS programs discover each other
-ENOUGH_SHARED_MEMORY = 276 << 20  # bytes: for the camera, the notebook, and two more programs
 
 
 def check_ros():
@@ -32,7 +31,6 @@ def check_ros():
         yield ok("DDS profile", profile)
     else:
         yield warning("DDS profile", str(profile).partition("; ")[0], profile.note)
-    yield from _shared_memory(profile.free_bytes)
     yield from _domain()
 
 
@@ -41,17 +39,6 @@ def _version_of(package):
         with contextlib.suppress(importlib.metadata.PackageNotFoundError):
             return importlib.metadata.version(distribution)
     return "of this system"
-
-
-def _shared_memory(free):
-    if free is None:
-        return  # this system has no /dev/shm
-    if free >= ENOUGH_SHARED_MEMORY:
-        yield ok("shared memory", "enough in /dev/shm for the camera, this notebook, and two more programs")
-    else:
-        problem = f"{free >> 20} MiB free in /dev/shm; the camera and each node take 69 MiB"
-        remedy = "docker run --shm-size=1g, or sudo mount -o remount,size=1g /dev/shm"
-        yield warning("shared memory", problem, f"{remedy}; then restart the kernel")
 
 
 def _domain():
@@ -113,7 +100,7 @@ def check_topics():
     was_running = RosSession().running
     try:
         problem = _why_no_frames_of_the_camera()
-        also = "see the lines on DDS profile, shared memory and loopback; a firewall may block the frames"
+        also = "see the lines on DDS profile and loopback; a firewall may block the frames"
         if problem is None:
             yield ok("topic", "frames arrive from the camera, a process of its own")
         else:

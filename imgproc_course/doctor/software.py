@@ -1,6 +1,5 @@
 """The doctor's checks of what is installed: Python, kernel, packages, OpenCV, recording; and of the disk."""
 
-import contextlib
 import importlib.metadata
 import importlib.util
 import os
@@ -70,9 +69,6 @@ def _kernel_of_jupyter():
 def check_packages():
     for name in ("numpy", "jupyterlab", "ipywidgets", "nbval"):
         yield from _package(name)
-    with contextlib.suppress(importlib.metadata.PackageNotFoundError):
-        if importlib.metadata.version("ipykernel") == "7.0.0":
-            yield failure("ipykernel", "7.0.0 loses what threads print", SET_UP)
 
 
 def _package(name):

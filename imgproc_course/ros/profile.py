@@ -72,7 +72,8 @@ def choose_profile():
     path = LARGE if free is None or free >= _LARGE_NEEDS else SMALL
     for variable in PROFILE_VARIABLES:
         os.environ[variable] = str(path)
-    note = f"{SHARED_MEMORY} has only {(free or 0) >> 20} MiB free; docker run --shm-size=1g would give more"
+    remedy = "docker run --shm-size=1g, or sudo mount -o remount,size=1g /dev/shm, gives more"
+    note = f"{SHARED_MEMORY} has only {(free or 0) >> 20} MiB free; {remedy}"
     return DdsProfile("course", str(path), SEGMENT_BYTES[path], free, note if path is SMALL else None)
 
 
