@@ -1,6 +1,5 @@
 """A camera for a notebook: the recorded drive, the room or a webcam, on the topics of the robot's camera."""
 
-import difflib
 import importlib
 import logging
 import math
@@ -89,9 +88,7 @@ def open_camera(
 
 def _check_arguments(source, speed, stamps):
     if source not in SOURCES:
-        close_matches = difflib.get_close_matches(str(source), SOURCES, 1)
-        guess = f"; did you mean {close_matches[0]!r}?" if close_matches else ""
-        raise ValueError(f"unknown source {source!r}; use 'recording', 'room', 'webcam' or 'topic'{guess}")
+        raise ValueError(f"unknown source {source!r}; use 'recording', 'room', 'webcam' or 'topic'")
     if not (_is_number(speed) and speed > 0):
         raise ValueError(f"speed must be a positive number, got {speed!r}; 1.0 plays at the recorded rate")
     if source != "recording" and speed != 1.0:

@@ -65,7 +65,6 @@ class ImageSubscriber(Stoppable):
     failed : messages that could not be converted, or for which `on_image` raised; they are skipped, and each
         cause is logged once
     last_error : why the last of those failed, in one line; None
-    skipped : frames that a loop over this subscriber skipped to get to the newest
     incompatible_qos : the QoS policy that does not match, with the remedy; None
     stopped : whether `stop()` was called
 
@@ -109,7 +108,7 @@ class ImageSubscriber(Stoppable):
         self._losses = LossCounter()
         self.stopped = False
         self._key: Any = None
-        self.received = self.failed = self.skipped = 0
+        self.received = self.failed = 0
         self.last_error: str | None = None
         self.incompatible_qos: str | None = None
         self.session = RosSession.current()
@@ -203,7 +202,6 @@ class ImageSubscriber(Stoppable):
                 self._change.wait_for(self._is_newer_than(count))
                 if self._converted == count:
                     return
-                self.skipped += self._converted - count - 1
                 count = self._converted
                 frame = self._latest
             yield frame

@@ -270,7 +270,6 @@ def test_the_end_of_a_recording_and_a_warning_reach_every_program(start_program)
     "options, message",
     [
         ({"source": "robot"}, "unknown source 'robot'; use 'recording', 'room', 'webcam' or 'topic'"),
-        ({"source": "wecbam"}, "did you mean 'webcam'?"),
         ({"speed": 0}, "speed must be a positive number, got 0"),
         ({"speed": float("nan")}, "speed must be a positive number, got nan"),
         ({"speed": "fast"}, "speed must be a positive number, got 'fast'"),
