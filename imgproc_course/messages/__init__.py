@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """sensor_msgs/Image to NumPy and back, with the same bytes as cv_bridge. For example::
 
     from imgproc_course.messages import image_to_array, array_to_image

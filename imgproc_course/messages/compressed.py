@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """sensor_msgs/CompressedImage to a NumPy array and back: JPEG, PNG, other image files, and ROS's transports.
 
 ROS's compressed_image_transport writes "<encoding>; <codec> compressed <stored>" into the field `format`: the

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """sensor_msgs/Image to a NumPy array and back, with the same bytes as cv_bridge and without its faults.
 
 A message may be of any class that has the fields: of sensor_msgs, of rosbags, or a SimpleNamespace.

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """The names of cv_bridge, so that one changed line replaces it in a node:
 
     from imgproc_course.messages.cv_bridge import CvBridge, CvBridgeError

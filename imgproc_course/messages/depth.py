@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """compressedDepth: the depth images of ROS's compressed_depth_image_transport, as PNG or RVL.
 
 The data begin with a header of 12 bytes (int32 kind, float32 A, float32 B, little-endian). Then follows a PNG

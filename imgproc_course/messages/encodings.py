@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """The encodings of sensor_msgs/Image: the dtype and channels of a pixel, and what its values mean.
 
 An encoding is a name in the message's `encoding` field. Some names say what the values mean ("bgr8": blue,

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """Image files in memory, decoded and encoded by OpenCV: the header is checked before a decoder sees it."""
 
 import zlib

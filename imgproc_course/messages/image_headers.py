@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """The size in the header of an image file, checked before a decoder allocates memory for it.
 
 A header of a few bytes can claim an image of gigabytes. So the size that it claims is compared with the size

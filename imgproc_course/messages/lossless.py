@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """Raw images, compressed without loss, as ROS's zstd_image_transport and zlib_image_transport publish them.
 
 The data begin with the height, width, is_bigendian, step and encoding of a sensor_msgs/Image. Then follow its

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """New messages: of sensor_msgs if ROS is installed, otherwise of rosbags, whose classes have the same fields.
 
 Neither is imported before the first message is made.

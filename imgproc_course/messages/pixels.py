@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """Converts the values of a frame to another encoding: first the colors, then the depth, as cv_bridge does.
 
 Both steps give the same bytes as cv_bridge, except where cv_bridge itself is wrong (it turns a float beyond

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file with its folder, under any name.
 """What to call first, if an argument is no array, or its shape or dtype does not fit the encoding."""
 
 import numpy as np

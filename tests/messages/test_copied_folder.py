@@ -31,6 +31,11 @@ try:
 except CvBridgeError as error:
     print(error)
 """
+NOTICE = """\
+# SPDX-FileCopyrightText: the imgproc-course contributors
+# SPDX-License-Identifier: Apache-2.0
+# You can copy this file {}.
+"""
 MAKES = """
 from my_robot.images import array_to_compressed, array_to_image
 for make in (array_to_image, array_to_compressed):
@@ -67,3 +72,11 @@ def test_without_message_classes_the_error_says_what_to_install(run_alone):
         "source ROS (source /opt/ros/jazzy/setup.bash), or pip install rosbags"
     )
     assert run_alone(MAKES, "sensor_msgs") == [expected, expected]
+
+
+def test_each_file_has_its_licence_and_says_how_it_can_be_copied():
+    texts = {path.name: path.read_text(encoding="utf-8") for path in MESSAGES.glob("*.py")}
+    assert len(texts) > 10
+    for name, text in texts.items():
+        how = "with its folder, under any name" if "\nfrom ." in text else "alone"
+        assert text.startswith(NOTICE.format(how)), name
