@@ -3,9 +3,9 @@
 import contextlib
 from collections.abc import Iterator
 
-# What pip calls an extra, and the modules that it brings; the extra `lab` brings all of them.
-EXTRAS = {"ros": ("rosbags", "ruamel", "psutil"), "room": ("gymnasium", "panda3d"), "ocr": ("rapidocr",)}
-_LAB = ("IPython", "anywidget", "click", "ipywidgets", "jupyter_client", "matplotlib", "rich", "traitlets")
+# What pip calls an extra, and the modules of it that this package imports; `lab` brings all of them.
+EXTRAS = {"ros": ("rosbags", "ruamel", "psutil"), "room": ("gymnasium",)}
+_LAB = ("IPython", "anywidget", "click", "ipywidgets", "matplotlib", "rich", "traitlets")
 
 
 @contextlib.contextmanager

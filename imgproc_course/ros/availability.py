@@ -35,8 +35,9 @@ def import_problem():
                 return _load_problem(error)
             return (
                 f"ROS 2 is missing ({name} is not installed), and this needs a running graph; "
-                "on Linux x86-64: environment/setup. On macOS or ARM: environment/pixi.toml or "
-                "environment/Dockerfile. On Windows: WSL. Without ROS, use open_recording('drive')"
+                "on Linux x86-64: environment/setup, or in the checkout pip install '.[ros]'. On macOS or "
+                "ARM: environment/pixi.toml or environment/Dockerfile. On Windows: WSL. Without ROS, use "
+                "open_recording('drive')"
             )
     return None
 
