@@ -135,6 +135,14 @@ def test_the_first_page_loads_at_most_a_megabyte(site):
     assert len(files) > 10 and sum(path.stat().st_size for path in files) <= 1_000_000
 
 
+@pytest.mark.parametrize("name", ["lessons/17_recognising_objects.html", "about/measured.html"])
+def test_on_paper_nothing_is_cut_off(site, name):
+    page = site[0](name, width=700)
+    assert page.evaluate(SCROLLED_BY) != {}
+    page.emulate_media(media="print")
+    assert page.evaluate(SCROLLED_BY) == {}
+
+
 def test_on_paper_results_are_open_and_the_skip_link_is_left_out(site):
     page = site[0]("lessons/06_noise_removal.html")
     closed = page.locator("details:not([open])")
