@@ -40,8 +40,7 @@ def _remarks(result):
 
 
 def _refusals(result):
-    for module, name in result.refused.items():
-        used = module if name.startswith(module) else f"{name} of {module}"
+    for used in result.refused.values():
         reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
         text = f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
         yield f"{text} You may use {', '.join(['numpy', *result.exercise.allowed])}."

@@ -36,7 +36,7 @@ class CheckResult:
     attempted     False for the unchanged stub
     results       tuple of CaseResult, one for each public case
     mistake       the known mistake that explains the answer, or None
-    refused       {module that the exercise does not allow: the name by which the answer uses it}
+    refused       {module that the exercise does not allow: what the answer uses of it}
     gone          {name that the answer reads: "changed" or "deleted", as is the cell that made it}
     diagnosis     what is certain about the values of the shown call
     remarks       what is certain from the source of the function, sentences

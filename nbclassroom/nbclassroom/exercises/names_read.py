@@ -9,6 +9,7 @@ import functools
 import importlib.util
 import sys
 import types
+from collections import deque
 
 from .. import course
 from .cell_runs import CellRuns
@@ -18,6 +19,7 @@ from .running import attempt, cells_of, functions_of, globals_of
 # What every answer may use: NumPy, and what shows something. Inside the sandbox nothing else exists.
 _FOR_ALL = ("numpy", "matplotlib", "IPython", "__main__", "nbclassroom")
 _FOR_ALL += (*course.always_allowed, *course.display_only)
+_NO_VALUES = (types.ModuleType, types.FunctionType, types.BuiltinFunctionType, type)
 
 
 def refused_module(module, allowed):
@@ -43,23 +45,27 @@ class NamesRead:
         self._namespace, self._runs = globals_of(answer), runs or CellRuns()
         self.names: dict = {}
         self.modules: dict[str, str] = {}
+        self._sources: dict[str, str] = {}  # {name: the value that is made with it, "": the answer reads it}
         cells = map(plain_python, cells_of(answer).values())
         self._own = [names for cell in cells for names in names_used(cell)]
-        waiting = [*self._in_code_of(answer), *self._in_statements(getattr(answer, "__name__", ""))]
-        while waiting:
-            names = waiting.pop()
+        own = (*self._in_code_of(answer), *self._in_statements(getattr(answer, "__name__", "")))
+        waiting = deque((names, "") for names in own)
+        while waiting:  # first what the answer itself reads
+            names, source = waiting.popleft()
             self.modules |= {module: module for module in names.imports}
+            self._sources = dict.fromkeys(names.imports | names.reads, source) | self._sources
             for name in sorted(names.reads - self.names.keys()):
-                waiting += self._read(name)
+                waiting += self._read(name, source)
 
-    def _read(self, name):
-        """Note a name; the NamesUsed by which it got its value, and by what is called with it."""
+    def _read(self, name, source):
+        """Note a name; each NamesUsed by which it got its value, or that a call runs, with its source."""
         if name not in self._namespace:
             if not hasattr(builtins, name) and importlib.util.find_spec(name):
                 self.modules.setdefault(name, name)  # it raises NameError, and an import would not help
             return []
         value = self.names[name] = self._namespace[name]
-        return [*self._in_code_of(value), *self._in_statements(name)]
+        source = source or ("" if isinstance(value, _NO_VALUES) else name)
+        return [(names, source) for names in (*self._in_code_of(value), *self._in_statements(name))]
 
     def _in_code_of(self, value):
         """The NamesUsed in functions of the notebook: the value, or its methods, and what these hold."""
@@ -74,19 +80,23 @@ class NamesRead:
         return self._runs.binding(name) or [names for names in self._own if name in names.binds]
 
     def refused(self, allowed, given=frozenset()):
-        """{module that an exercise does not allow: the name by which the answer uses it}."""
+        """{module that an exercise does not allow: what the answer uses of it}."""
         found = dict(self.modules)
         for name, value in self.names.items():
             module = value.__name__ if isinstance(value, types.ModuleType) else _module_of(value)
             if name not in given and module not in (None, self._namespace.get("__name__")):
                 found.setdefault(module, name)
         pairs = ((refused_module(module, allowed), name) for module, name in found.items())
-        return dict(sorted((module, name) for module, name in pairs if module))
+        return {module: self._use_of(module, name) for module, name in sorted(pairs, key=str) if module}
+
+    def _use_of(self, module, name):
+        if source := self._sources.get(name):
+            return f"{source}, which is made with {module}"
+        return module if name.startswith(module) else f"{name} of {module}"
 
     def values(self, given):
         """The names of values of other cells, sorted; a wrong answer may take them for its arguments."""
-        kinds = (types.ModuleType, types.FunctionType, types.BuiltinFunctionType, type)
-        values = {name for name, value in self.names.items() if not isinstance(value, kinds)}
+        values = {name for name, value in self.names.items() if not isinstance(value, _NO_VALUES)}
         return sorted(values.difference(given, *(names.binds for names in self._own)))
 
     def gone(self):
