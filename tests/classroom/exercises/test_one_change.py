@@ -43,7 +43,7 @@ CASES = {
         "def f(a):\n    return float(sum(a) / len(a))",
         [((np.array([200, 100], np.uint8),), 150)],
         "With one change, these",
-        "do not fit into the dtype of a. Use int for them.",
+        "do not fit into the dtype of a. Widen a first, with astype.",
     ),
     "the same at two places": (
         ROWS + "            if a[row][col]:\n                r, c = col, row\n"
