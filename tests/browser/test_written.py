@@ -66,7 +66,7 @@ def test_a_learner_writes_saves_compares_and_ticks(copies, open_notebook):
     notebook = open_notebook("written/91_words.ipynb")
     tab = notebook.page
     notebook.run_all()
-    tab.get_by_text("nothing written yet").wait_for()
+    tab.get_by_text("the saved notebook has no answer yet").wait_for()
     assert not tab.get_by_text("salt and pepper").count()
     tab.get_by_role("emphasis").click()
     tab.keyboard.press("Enter")

@@ -11,8 +11,8 @@ from ...help_steps import Help
 from ...progress import LAB_VARIABLE, TEST_VARIABLE, ExerciseProgress, note_progress, progress_of
 
 _NOTHING_YET = (
-    "Write your answer into its cell, save the notebook (Ctrl+S), and run this cell again: then you see an"
-    " answer to compare yours with, and what to look for."
+    "Write your answer into its cell above, save the notebook (Ctrl+S), and run this cell again: then you see"
+    " an answer to compare yours with, and what to look for."
 )
 
 
@@ -56,7 +56,7 @@ def self_assessment(exercise):
     """What `check` shows of a written answer: a SelfAssessment once there is one, else Help."""
     path = exercise.master.parents[1] / SOLUTIONS / exercise.master.name
     if not _is_written(exercise):
-        return Help(f"{exercise.id}: nothing written yet", _NOTHING_YET)
+        return Help(f"{exercise.id}: the saved notebook has no answer yet", _NOTHING_YET)
     if not path.is_file():
         return Help(f"{exercise.id}: your teacher has not released the answer to compare with yet.")
     with reading(path):
