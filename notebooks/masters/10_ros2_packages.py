@@ -192,14 +192,14 @@ def inputs(rng):
     return ("front", "robot_cameras", "camera_node", "start_front")
 
 # %% [markdown]
-# If your function is right, the next cell writes its line into the `setup.py` of the edge node. So this package gets a second executable, `edges`.
+# If your function is right, the next cell writes its line into the `setup.py` of the package. So this package gets a second executable, `gray`.
 
 # %%
-edge_executable = "image_edge_detection"
+executable = "image_gray_processor"
 if entry_result.passed:
-    edge_executable = "edges"
-    my_line = entry_point("edges", "image_edge_detection", "image_edge_detection", "main")
-    setup_py = "src/image_edge_detection/setup.py"
+    executable = "gray"
+    my_line = entry_point("gray", "image_gray_processor", "image_gray_processor", "main")
+    setup_py = "src/image_gray_processor/setup.py"
     text = (course / setup_py).read_text(encoding="utf-8")
     text = text.replace('"console_scripts": [', f'"console_scripts": ["{my_line}",')
     (workspace / setup_py).write_text(text, encoding="utf-8")
@@ -212,7 +212,7 @@ if entry_result.passed:
 # ```sh
 # cd "$JUPYTER_SERVER_ROOT/ros2_ws"
 # source ../../.venv/bin/activate
-# python -m colcon build
+# python -m colcon build --packages-select image_gray_processor
 # ```
 #
 # 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *[[term:environment variable]]*: a named text that a program receives when it starts.
@@ -234,20 +234,19 @@ def build(packages):
     return code
 
 # %% tags=["nbval-ignore-output"]
-code = build("image_gray_processor image_edge_detection")
+code = build("image_gray_processor")
 for path in sorted(workspace.glob("install/*/lib/*/*")):
     if path.is_file():
         print("executable:", path.relative_to(workspace))
 
 # %%
-# Check: both packages are built, with the executables of their lines
+# Check: the package is built, with the executables of its lines
 assert code == 0
-for name in ("image_gray_processor/lib/image_gray_processor", "image_edge_detection/lib/image_edge_detection"):
-    assert (workspace / "install" / name / name.rpartition("/")[2]).is_file()
-assert (workspace / "install/image_edge_detection/lib/image_edge_detection" / edge_executable).is_file()
+for name in ("image_gray_processor", executable):
+    assert (workspace / "install/image_gray_processor/lib/image_gray_processor" / name).is_file()
 
 # %% [markdown]
-# The workspace has three new folders: `build` and `log` hold intermediate files, `install` holds the result. You can delete all three and build again. If your line of section 2 is right, `edges` is among the executables.
+# The workspace has three new folders: `build` and `log` hold intermediate files, `install` holds the result. You can delete all three and build again. If your line of section 2 is right, `gray` is among the executables.
 #
 # **Predict**: you change the file of the node in `src`, and you do not build. Does the changed node run, or the old one?
 
@@ -320,7 +319,7 @@ assert found == "no"
 #
 # ## 5 · Run ([[minutes]])
 #
-# `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, and starts the file `lib/PACKAGE/EXECUTABLE` in it. Without `ros2`, start the file itself, in the terminal in which you sourced the workspace (the Tab key completes names):
+# `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, and starts the file `lib/PACKAGE/EXECUTABLE` in it. Without `ros2`, start the file itself, in the terminal in which you sourced the workspace (the Tab key completes names). If your line is right, write `gray` in place of the last word:
 #
 # ```sh
 # install/image_gray_processor/lib/image_gray_processor/image_gray_processor
@@ -349,7 +348,7 @@ def run_node(executable, topic, text):
 node, view, gray = None, None, None
 if ros_available():
     camera = open_camera("recording")
-    gray_node = "image_gray_processor/lib/image_gray_processor/image_gray_processor"
+    gray_node = f"image_gray_processor/lib/image_gray_processor/{executable}"
     gray_topic = "/image_gray_processor/gray"
     node, view = run_node(gray_node, gray_topic, text="ros2_packages/gray")
     if view is not None:
@@ -377,23 +376,29 @@ assert node is None or node.poll() is not None
 # %% [markdown]
 # ## 6 · Run the edge node ([[minutes]], deeper)
 #
-# Now run the edge-detection node, by the executable that your line makes. Its thresholds are *parameters*, and you can set them in the command:
+# Now build the second package, and run its node. Its thresholds are *parameters*, and you can set them in the command:
 #
 # ```sh
-# install/image_edge_detection/lib/image_edge_detection/edges --ros-args -p low:=50 -p high:=150
+# python -m colcon build --packages-select image_edge_detection
+# source install/setup.bash
+# install/image_edge_detection/lib/image_edge_detection/image_edge_detection --ros-args -p low:=50 -p high:=150
 # ```
 #
 # To try other thresholds, stop the node with Ctrl-C, press the arrow key ↑ to get the line back, change the numbers, and press Enter. Without a terminal: change the numbers in the next cell, and run it again.
 
+# %% tags=["nbval-ignore-output"]
+edge_node, edge_code = None, build("image_edge_detection")
+
 # %%
-edge_node = None
+# Check: the package is built
+assert edge_code == 0
 
 # %% tags=["nbval-ignore-output"]
 if edge_node is not None:
     stop(edge_node)  # the node of the previous run of this cell
 if ros_available():
     thresholds = "--ros-args -p low:=50 -p high:=150"
-    edge_file = f"image_edge_detection/lib/image_edge_detection/{edge_executable}"
+    edge_file = "image_edge_detection/lib/image_edge_detection/image_edge_detection"
     edge_topic = "/image_edge_detection/edges"
     edge_node, edge_view = run_node(
         f"{edge_file} {thresholds}", edge_topic, text="ros2_packages/edges")
