@@ -222,6 +222,7 @@ class LiveView(View):
         try:
             return self._feed.next(timeout=1.0)
         except TimeoutError as error:
+            self.rate, self._status.value = 0.0, "0.0 frames/s"
             self._say_error(str(error))
         except Exception as error:  # noqa: BLE001  the source may be the learner's own; its error belongs on the screen
             if self._stopping.is_set():

@@ -66,7 +66,7 @@ class Screen:
         self._style = style
         self._size = (0, 0)
         common = {"max_width": "calc(100% - 4px)", "margin": "2px"}
-        layout = widgets.Layout(object_fit="contain", **common)
+        layout = widgets.Layout(height="auto", **common)
         self.image = NamedImage(format="jpeg", layout=layout, tooltip=style.alt or style.caption or alt)
         self._titles = widgets.HTML(layout=widgets.Layout(**common))
         # It appears with the first text and keeps a height: texts that come and go must not move the page.
@@ -145,7 +145,7 @@ class Screen:
     def _resize(self, width, height):
         if (width, height) != self._size:
             self._size = width, height
-            self.image.layout.height = f"{height}px"
+            self.image.width, self.image.height = str(width), str(height)  # a narrow page shrinks both
             for widget in (self.image, self._titles, self._message):
                 widget.layout.width = f"{width}px"
 

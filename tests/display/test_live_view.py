@@ -133,7 +133,7 @@ def test_several_results_are_shown_side_by_side_with_their_titles(make_view):
     assert image[100, 100].tolist() == [0, 0, 0]
     assert image[100, 800].tolist() == [255, 255, 255]
     assert "dark &amp; cold" in view._screen._titles.value
-    assert view._screen.image.layout.height == f"{image.shape[0]}px"
+    assert view._screen.image.height == str(image.shape[0])
 
 
 def test_sliders_reach_the_function_while_it_runs(make_view):
@@ -219,6 +219,7 @@ def test_a_silent_topic_is_reported_and_the_view_goes_on(make_view):
     subscriber = Subscriber()
     view = make_view(subscriber)
     until(lambda: "call open_camera()" in message(view))
+    assert view._status.value == "0.0 frames/s"
     subscriber.frames.append(np.zeros((72, 128, 3), np.uint8))
     until(lambda: view.shown == 1)
     view.stop()
