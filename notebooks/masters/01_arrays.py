@@ -13,7 +13,7 @@
 # - read and change single pixels, rows, columns and channels,
 # - ask an array for its shape and its dtype, and convert it to another dtype,
 # - select pixels with a mask, and count them,
-# - replace a loop over all pixels by one line with slices.
+# - deeper: replace a loop over all pixels by one line with slices.
 #
 # **Time** [[minutes]]; take a break after section 5. **You need** [[start_here]]. If you know NumPy, do only the exercises: each is called "Your turn".
 
@@ -489,7 +489,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · Copy and view ([[minutes]])
+# ## 8 · Copy and view ([[minutes]], deeper)
 #
 # **Predict.** We take the first row of an array with an index, and set the first number of this row to 255. What is `original[0, 0]` after that?
 
@@ -627,7 +627,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 10 · Neighbours: a loop, and the same with slices ([[minutes]])
+# ## 10 · Neighbours: a loop, and the same with slices ([[minutes]], deeper)
 #
 # Most methods of [[term:image processing]] compare a pixel with its neighbours. For each pixel of a row, we want the sum of its left neighbour, itself, and its right neighbour. With a loop:
 

@@ -10,9 +10,9 @@
 # *[[term:image processing|Image processing]]* improves an image, or extracts information from it. A robot needs both: its camera gives it 2.8 million numbers, ten times per second, and none of them says "floor", "person" or "stop".
 #
 # **You will be able to**
-# - name four uses of images on a home robot,
 # - recognise four basic operations by what they do to the numbers, and write one of them,
-# - name the four steps of a program that processes a robot's images, and its libraries.
+# - deeper: name four uses of images on a home robot,
+# - deeper: name the four steps of a program that processes a robot's images, and its libraries.
 #
 # **Time** [[minutes]]. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
 
@@ -113,7 +113,7 @@ assert recording.label_names[1] == "floor"
 assert round(floor_share * 100) == 36
 
 # %% [markdown]
-# ### 2 · Object detection: who is there? ([[minutes]])
+# ### 2 · Object detection: who is there? ([[minutes]], deeper)
 #
 # A detector returns a *[[term:bounding box]]*: the smallest rectangle around an object, given by its first and last row and column. Here we take it from the label image.
 
@@ -137,7 +137,7 @@ assert recording.label_names[16] == "person"
 assert (top, bottom, left, right) == (102, 394, 584, 690)
 
 # %% [markdown]
-# ### 3 · Position estimation: where am I? ([[minutes]])
+# ### 3 · Position estimation: where am I? ([[minutes]], deeper)
 #
 # The black and white square is a *[[term:marker]]*. OpenCV finds its four corners in the image, and reads its number. (`_` is a name for a result that we do not need.)
 
@@ -197,7 +197,7 @@ assert round(true_distance, 1) == 3.6 and round(float(distance), 2) == 3.75
 assert abs(distance - true_distance) / true_distance < 0.05
 
 # %% [markdown]
-# ### 4 · Obstacle avoidance: what is in my way? ([[minutes]])
+# ### 4 · Obstacle avoidance: what is in my way? ([[minutes]], deeper)
 #
 # The depth image has distances in millimetres, for every second row and column of the frame. We look for the nearest obstacle straight ahead, in the middle third of the image. Floor and rug are no obstacles.
 #
@@ -234,9 +234,9 @@ assert recording.label_names[8] == "box" and round(depth[box].min() / 1000, 2) =
 assert np.nonzero(box)[1].min() > 427
 
 # %% [markdown]
-# **Pause?** **You can begin here** after it: run the first code cell, then go on below.
-#
 # ## Part two: four operations
+#
+# **Pause?** **You can begin here** after it: run the first code cell, then go on below.
 #
 # Programs for all four uses are built from simple operations. Look at what each does to the *numbers*: to the shape of the array, and to how many different values it has (`np.unique` lists them, `.size` counts them).
 #
@@ -405,7 +405,7 @@ noise = (random_values < 0.025) | (random_values > 0.975)
 assert round(noise.mean() * 100) == 5 and cleaned.shape == noisy.shape
 
 # %% [markdown]
-# ## 10 · The four steps, live on the robot's topic ([[minutes]])
+# ## 10 · The four steps, live on the robot's topic ([[minutes]], deeper)
 #
 # A program for a robot's images has four steps:
 #

@@ -13,7 +13,7 @@
 # - name the fields of a `sensor_msgs/Image`, ROS's message type for images,
 # - make an array from the bytes of a message,
 # - recognise and repair two mistakes: channels in the wrong order, rows cut wrongly,
-# - choose the policies of a [[term:subscription]] to a camera.
+# - deeper: choose the policies of a [[term:subscription]] to a camera.
 #
 # **Time** [[minutes]]. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
 
@@ -685,7 +685,9 @@ assert not ros_available() or live_frame.shape == (720, 1280, 3)
 assert not ros_available() or live_frame.dtype == np.uint8
 
 # %% [markdown]
-# **QoS.** Each [[term:publisher]] and each subscription has policies for the *Quality of Service* ([[term:QoS]]). A camera driver uses these:
+# ### Quality of service ([[minutes]], deeper)
+#
+# Each [[term:publisher]] and each subscription has policies for the *Quality of Service* ([[term:QoS]]). A camera driver uses these:
 #
 # - reliability: *[[term:best effort]]*. A lost message is not sent again; the opposite is *[[term:reliable]]*.
 # - durability: *[[term:volatile]]*. A late subscription receives no earlier messages.
@@ -750,7 +752,7 @@ assert not ros_available() or not repaired.incompatible_qos
 # %% [markdown]
 # ## Recap
 #
-# `encoding`, `step` and `is_bigendian` say what the bytes of a message mean. A subscription must not request more than the publisher offers.
+# `encoding`, `step` and `is_bigendian` say what the bytes of a message mean. A subscription must not request more than the publisher offers: a camera offers *best effort*, and a subscription that requests *reliable* receives nothing, without an error.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|

@@ -10,11 +10,10 @@
 # A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends to gray, and publishes the results for other nodes.
 #
 # **You will be able to**
-# - read a Python *class*, and pass a function to it as a *callback*,
 # - write a ROS 2 node that subscribes, converts, processes and publishes, and explain each of its lines,
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted,
 # - change a node, and predict what it publishes then,
-# - deeper: explain what `rclpy.spin` does.
+# - deeper: read a Python *class*, and explain what `rclpy.spin` does.
 #
 # **Time** [[minutes]]. **You need** [[images_as_messages]] and [[grayscale]], and ROS 2. (The exercises can be checked without it.)
 
@@ -125,7 +124,7 @@ assert len({(stamp.sec, stamp.nanosec) for stamp in stamps}) == len(stamps)
 # ```
 
 # %% [markdown]
-# ## 2 · A class in ten lines ([[minutes]])
+# ## 2 · A class in ten lines ([[minutes]], deeper)
 #
 # In Python, a node is written as a *[[term:class]]*. (If you know classes, go on with section 3.) A class says which values its objects have, and what they can do. Here is a bell, without ROS. To learn when it rings, give it a callback.
 
@@ -209,22 +208,21 @@ assert (back_door.name, back_door.rings, len(back_door.callbacks)) == ("back doo
 # First, choose the *QoS policies* (quality of service): they say how messages are delivered. Three matter for a camera:
 
 # %%
-if ros_available():
-    from rclpy.node import Node
-    from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import Image
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import Image
 
-    camera_qos = QoSProfile(
-        depth=5,
-        reliability=ReliabilityPolicy.BEST_EFFORT,
-        durability=DurabilityPolicy.VOLATILE,
-    )
+camera_qos = QoSProfile(
+    depth=5,
+    reliability=ReliabilityPolicy.BEST_EFFORT,
+    durability=DurabilityPolicy.VOLATILE,
+)
 
 # %%
 # Check: these are the policies of qos_profile_sensor_data
 for policy in ("reliability", "durability", "history", "depth"):
-    assert not ros_available() or getattr(camera_qos, policy) == getattr(qos_profile_sensor_data, policy)
+    assert getattr(camera_qos, policy) == getattr(qos_profile_sensor_data, policy)
 
 # %% [markdown]
 # - **reliability: best effort.** A lost image is not sent again: a late image is useless.
@@ -233,35 +231,35 @@ for policy in ("reliability", "durability", "history", "depth"):
 #
 # `qos_profile_sensor_data` is a ready profile with the same policies. Older files write `QoSReliabilityPolicy` and `QoSDurabilityPolicy`.
 #
-# Here is the whole node. The numbers refer to the list below.
+# Here is the whole node. It is a *class*: if you have never written one, read section 2 first. The numbers refer to the list below.
 
 # %% tags=["long"]
-if ros_available():
-    from imgproc_course.messages import ConversionError
-    from imgproc_course.messages import array_to_image, image_to_array
+from imgproc_course.messages import ConversionError
+from imgproc_course.messages import array_to_image, image_to_array
 
-    TOPIC = camera.topic
+TOPIC = "/kachaka/front_camera/image_raw"
 
-    class GrayNode(Node):
-        def __init__(self):
-            super().__init__("gray_by_hand")                                 # 1
-            self.publisher = self.create_publisher(                          # 2
-                Image, "~/gray", camera_qos
-            )
-            self.create_subscription(                                        # 3
-                Image, TOPIC, self.on_image, camera_qos
-            )
-            self.get_logger().info("The gray node has started.")             # 4
 
-        def on_image(self, msg):
-            try:
-                frame = image_to_array(msg, "bgr8")                          # 5
-            except ConversionError as error:
-                self.get_logger().error(str(error))                          # 6
-                return
-            gray = to_gray(frame)                                            # 7
-            gray_msg = array_to_image(gray, "mono8", msg.header)             # 8
-            self.publisher.publish(gray_msg)                                 # 9
+class GrayNode(Node):
+    def __init__(self):
+        super().__init__("gray_by_hand")  # 1
+        self.publisher = self.create_publisher(  # 2
+            Image, "~/gray", camera_qos
+        )
+        self.create_subscription(  # 3
+            Image, TOPIC, self.on_image, camera_qos
+        )
+        self.get_logger().info("The node has started.")  # 4
+
+    def on_image(self, msg):
+        try:
+            frame = image_to_array(msg, "bgr8")  # 5
+        except ConversionError as error:
+            self.get_logger().error(str(error))  # 6
+            return
+        gray = to_gray(frame)  # 7
+        gray_msg = array_to_image(gray, "mono8", msg.header)  # 8
+        self.publisher.publish(gray_msg)  # 9
 
 # %% [markdown]
 # 1. `GrayNode` inherits from ROS's class `Node`. `"gray_by_hand"` is the node's name in the *[[term:ROS graph]]*: the network of all running nodes and topics.
@@ -324,7 +322,7 @@ assert view.error is None
 # %% [markdown]
 # ## 4 · Your turn: the whole node ([[minutes]])
 #
-# Most tutorials convert with `CvBridge` of *[[term:cv_bridge]]*. It has two methods: `imgmsg_to_cv2` (message to array) and `cv2_to_imgmsg` (array to message, with the header as its third argument). A message that cannot be converted raises `CvBridgeError`. (If `cv_bridge` is not installed, `offer_modules()` above makes the import work: you get the course's own class.)
+# Most tutorials convert with `CvBridge` of *[[term:cv_bridge]]*. It has two methods: `imgmsg_to_cv2` (message to array) and `cv2_to_imgmsg` (array to message, with the header as its third argument). A message that cannot be converted raises `CvBridgeError`. (If `cv_bridge` is not installed, `offer_modules()` above makes the import work: you get the course's own class, and its `CvBridgeError` is another name of the `ConversionError` of section 3.)
 
 # %%
 from cv_bridge import CvBridge, CvBridgeError

@@ -12,9 +12,9 @@
 # **You will be able to**
 # - name the input and the output of each stage, with their units,
 # - explain and apply the two thresholds 50 and 150,
-# - explain why a noisy image must be smoothed before edge detection.
+# - deeper: explain why a noisy image must be smoothed before edge detection.
 #
-# **Time** [[minutes]], best on two days. **You need** [[arrays#10]] (shifted slices) and [[grayscale]].
+# **Time** [[minutes]], best on two days. **You need** [[arrays]], with its section 10 (shifted slices) for what is deeper, and [[grayscale]].
 
 # %% role="given" exercise=["canny-sobel", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np
@@ -600,6 +600,9 @@ def inputs(rng):
 # **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
 # A weak pixel becomes an edge if one of its eight neighbours, corners included, is an edge: this is *8-connectivity*. So edges grow from the strong pixels along the weak ones. This is **[[term:hysteresis|edge tracking by hysteresis]]**: an edge needs the high threshold to start, but only the low one to continue. Pixels that touch form a **[[term:connected component]]**: if one of them is strong, all become edges.
+
+# %% [markdown]
+# ### One step of growth ([[minutes]], deeper)
 #
 # The next cell defines one step of growth. `near_edge` is True where at least one of nine shifted copies of the image is.
 
@@ -791,7 +794,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 11 · Planned failure: Canny on a noisy frame ([[minutes]])
+# ## 11 · Planned failure: Canny on a noisy frame ([[minutes]], deeper)
 #
 # In textbooks, the first stage of Canny is a Gaussian blur: each pixel becomes a weighted mean of its neighbours. `cv2.Canny` does **not** blur. We add Gaussian noise to the frame: a random number for each pixel, with a standard deviation (the usual size) of 15 gray levels.
 #

@@ -11,8 +11,8 @@
 #
 # **You will be able to**
 # - write a node with parameters, and change them while it runs,
-# - explain the unit of the two thresholds, and what happens if you swap them,
-# - deeper: measure precision, recall and F1 against a ground truth, and tune the parameters.
+# - explain the unit of the two thresholds,
+# - deeper: say what happens if they are swapped, measure precision, recall and F1 against a ground truth, and tune the parameters.
 #
 # **Time** [[minutes]]. **You need** [[grayscale_node]] and [[canny_stages]].
 
@@ -105,36 +105,39 @@ assert 50 / 4 == 12.5 and 150 / 4 == 37.5
 # A *[[term:ROS parameter]]* is a named value of a node. Others can change it while the node runs. This node has one: it publishes white where the gray level is above `level`. The two numbered lines are about it.
 
 # %% tags=["long"]
-if ros_available():
-    from cv_bridge import CvBridge, CvBridgeError
-    from rclpy.node import Node
-    from rclpy.qos import qos_profile_sensor_data
-    from sensor_msgs.msg import Image
+from cv_bridge import CvBridge, CvBridgeError
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import Image
 
+TOPIC = "/kachaka/front_camera/image_raw"
+if ros_available():
     camera = open_camera("recording")
 
-    class BrightNode(Node):
-        def __init__(self):
-            super().__init__("bright_pixels")
-            self.declare_parameter("level", 100)                             # 1
-            self.bridge = CvBridge()
-            qos = qos_profile_sensor_data
-            self.publisher = self.create_publisher(Image, "~/bright", qos)
-            self.create_subscription(
-                Image, camera.topic, self.image_callback, qos
-            )
 
-        def image_callback(self, msg):
-            try:
-                gray = self.bridge.imgmsg_to_cv2(msg, "mono8")
-            except CvBridgeError as error:
-                self.get_logger().error(str(error))
-                return
-            level = self.get_parameter("level").value                        # 2
-            bright = np.where(gray > level, 255, 0).astype(np.uint8)
-            self.publisher.publish(
-                self.bridge.cv2_to_imgmsg(bright, "mono8", msg.header)
-            )
+class BrightNode(Node):
+    def __init__(self):
+        super().__init__("bright_pixels")
+        self.declare_parameter("level", 100)  # 1
+        self.bridge = CvBridge()
+        qos = qos_profile_sensor_data
+        self.publisher = self.create_publisher(Image, "~/bright", qos)
+        self.create_subscription(
+            Image, TOPIC, self.image_callback, qos
+        )
+
+    def image_callback(self, msg):
+        try:
+            gray = self.bridge.imgmsg_to_cv2(msg, "mono8")
+        except CvBridgeError as error:
+            self.get_logger().error(str(error))
+            return
+        level = self.get_parameter("level").value  # 2
+        bright = np.where(gray > level, 255, 0).astype(np.uint8)
+        self.publisher.publish(
+            self.bridge.cv2_to_imgmsg(bright, "mono8", msg.header)
+        )
 
 # %% [markdown]
 # 1. `__init__` **declares** each parameter, with its name and its first value: 100 is an `int`, so this parameter takes whole numbers only.
@@ -156,6 +159,8 @@ if ros_available():
 assert not ros_available() or view.error is None
 
 # %% [markdown]
+# ### Change the parameter from outside ([[minutes]], deeper)
+#
 # If you have the command `ros2`, you change the parameter in a terminal:
 #
 # ```
@@ -172,8 +177,6 @@ guess_white = None  # your guess: "more" or "fewer"?
 
 # %%
 if ros_available():
-    from rclpy.parameter import Parameter
-
     node.set_parameters([Parameter("level", value=200)])
 is_more = (gray > 200).sum() > (gray > 100).sum()
 compare_guess(guess_white, "more" if is_more else "fewer")
@@ -472,7 +475,7 @@ compare_guess(guess_lines, lines_high, "lines")
 assert (lines, lines_high, lines_low) == (330, 98, 1096)
 
 # %% [markdown]
-# ## 5 · Planned failure: swapped thresholds ([[minutes]])
+# ## 5 · Planned failure: swapped thresholds ([[minutes]], deeper)
 #
 # In `cv2.Canny(gray, 150, 50)` the two thresholds are swapped. **Predict** what OpenCV does.
 

@@ -246,7 +246,10 @@ for name in ("image_gray_processor", executable):
     assert (workspace / "install/image_gray_processor/lib/image_gray_processor" / name).is_file()
 
 # %% [markdown]
-# The workspace has three new folders: `build` and `log` hold intermediate files, `install` holds the result. You can delete all three and build again. If your line of section 2 is right, `gray` is among the executables.
+# The workspace has three new folders: `build` and `log` hold intermediate files, `install` holds the result. You can delete all three and build again. If your line of section 2 is right, `gray` is among the executables. After each change of a file in `src`, build again.
+
+# %% [markdown]
+# ### A change without a build ([[minutes]], deeper)
 #
 # **Predict**: you change the file of the node in `src`, and you do not build. Does the changed node run, or the old one?
 
@@ -264,11 +267,12 @@ compare_guess(guess_runs, runs)
 assert runs == "old"
 
 # %% [markdown]
-# colcon *copies* the file, and the copy runs. After each change, build again.
+# colcon *copies* the file, and the copy runs.
+
+# %% [markdown]
+# ## 4 · Planned failure: a package that ROS does not find ([[minutes]])
 #
 # **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
-#
-# ## 4 · Planned failure: a package that ROS does not find ([[minutes]])
 #
 # Ask ROS where the package is installed. (`ament_index` is a small tool of ROS 2.)
 #
@@ -301,6 +305,8 @@ print("exit code:", code_sourced)
 assert not ros_available() or code_sourced == 0
 
 # %% [markdown]
+# ### One more terminal ([[minutes]], deeper)
+#
 # Your workspace is now an *overlay* of the ROS installation, the *[[term:underlay]]*: ROS searches the overlay first. **Predict**: you open one more terminal. Does ROS find the package there?
 
 # %% role="predict"
@@ -315,9 +321,9 @@ compare_guess(guess_found, found)
 assert found == "no"
 
 # %% [markdown]
-# Source the workspace in *every* terminal that uses its packages.
-#
 # ## 5 · Run ([[minutes]])
+#
+# Source the workspace in *every* terminal that uses its packages.
 #
 # `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, and starts the file `lib/PACKAGE/EXECUTABLE` in it. Without `ros2`, start the file itself, in the terminal in which you sourced the workspace (the Tab key completes names). If your line is right, write `gray` in place of the last word:
 #

@@ -72,7 +72,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · The depth image ([[minutes]])
 #
-# You know the depth image from [[what_is_image_processing#4]]: for every second row and every second column of the frame, it has a distance in millimetres. This distance is the *[[term:depth]]* of a point: how far it is in front of the camera, measured straight ahead. 0 means: no depth; other cameras send NaN.
+# You may know the depth image from [[what_is_image_processing#4]]: for every second row and every second column of the frame, it has a distance in millimetres. This distance is the *[[term:depth]]* of a point: how far it is in front of the camera, measured straight ahead. 0 means: no depth; other cameras send NaN.
 
 # %%
 frame = recording.frame(30)

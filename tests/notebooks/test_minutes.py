@@ -10,24 +10,28 @@ from nbclassroom.authoring.minutes import MINUTES, minutes_of
 ROOT = Path(__file__).parents[2]
 MASTERS = ROOT / "notebooks" / "masters"
 # Walks through the cores of the route *the original lesson*, as a second-year student without NumPy, ROS or
-# image processing: the counts of the texts as they were walked, in the order of MINUTES, and the minutes. Of
-# 09 it is the median of 26, 43 and 24. One walk gave the first five lessons together (each 23 to 38), another
-# the whole route.
+# image processing: the counts of the texts as they were walked, in the order of MINUTES, and the minutes. Two
+# older walks, before written answers and live cells were counted, gave several lessons together; the last one
+# has a row for each. (Older walks of single lessons were shorter: 03 took 33 minutes, without its exercise.)
 CORES = {
-    "00 to 04": (6100, 296, 23, 3, 5, 0, 173),
-    "00 to 10": (13156, 578, 48, 4, 18, 12, 331),
-    "03": (1399, 87, 7, 0, 0, 0, 33),
-    "05": (1256, 47, 0, 1, 13, 0, (60 + 45) / 2),
-    "08": (1804, 83, 7, 0, 0, 0, (42 + 50) / 2),
-    "09": (715, 59, 1, 0, 0, 0, 26),
-    "10": (1792, 70, 2, 0, 0, 12, (53 + 55) / 2),
+    "00 to 04": (6100, 296, 23, 3, 5, 0, 0, 0, 173),
+    "00 to 10": (13156, 578, 48, 4, 18, 12, 0, 0, 331),
+    "00": (1095, 23, 1, 1, 1, 0, 0, 2, 24),
+    "01": (1021, 60, 7, 1, 1, 0, 0, 0, 38),
+    "02": (1010, 75, 7, 1, 1, 0, 0, 1, 42),
+    "03": (1075, 85, 7, 1, 3, 0, 0, 3, 52),
+    "04": (860, 52, 8, 1, 3, 0, 0, 0, 36),
+    "05": (1483, 77, 3, 1, 13, 0, 1, 2, 91),
+    "08": (1279, 85, 8, 1, 3, 0, 0, 1, 53),
+    "09": (872, 68, 4, 1, 9, 0, 1, 2, 67),
+    "10": (1261, 79, 4, 1, 1, 7, 0, 5, 59),
 }
 # Walks through whole lessons: each cell run in JupyterLab, each exercise tried before its hints were read.
 # The minutes are estimates, section by section, for a learner who reads 100 technical words in a minute.
 WALKED = {
-    "04": (1622, 99, 11, 1, 3, 0, 60),
-    "05": (2329, 127, 4, 2, 14, 0, 81),
-    "15": (2838, 346, 7, 5, 35, 0, 141),
+    "04": (1622, 99, 11, 1, 3, 0, 0, 0, 60),
+    "05": (2329, 127, 4, 2, 14, 0, 0, 0, 81),
+    "15": (2838, 346, 7, 5, 35, 0, 0, 0, 141),
 }
 
 
