@@ -36,9 +36,7 @@ _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
 # Calls that belong to a program which runs by itself: those that never come to an end, or come once in a
 # process, and those that wait for a person.
 _ENDLESS_CALLS = re.compile(r"\.?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)")
-_WAITING_CALLS = re.compile(
-    rf"{_ENDLESS_CALLS.pattern}|main|input|(plt|pyplot)\.show|(cv2\.)?(imshow|waitKey\w{{0,9}})"
-)
+_WAITING_CALLS = re.compile(rf"{_ENDLESS_CALLS.pattern}|main|input|(cv2\.)?(imshow|waitKey\w{{0,9}})")
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 

@@ -52,7 +52,7 @@ def main(args=None):
         ("while rclpy.ok():\n    rclpy.spin_once(Gray())", "while rclpy.ok():", True),
         ("while True:\n    print(3)", "while True:", True),
         ("rclpy.init()", "rclpy.init()", True),
-        ("import matplotlib.pyplot as plt\nplt.show()", "plt.show()", False),
+        ("import matplotlib.pyplot as plt\nplt.show()", "", False),
         ("size = int(input('size?'))", "size = int(input('size?'))", False),
         ("cv2.waitKeyEx(0)", "cv2.waitKeyEx(0)", False),
         (
