@@ -230,9 +230,17 @@ def _inspect_answer(exercise, answer, content):
     if cell is None:
         content.add(f"its answer cell (answer-{exercise.id}) is missing", exercise.id)
         return AnswerState.MISSING
+    if len(cell["source"] or "") > MOST_CHARACTERS:
+        content.answers[exercise.id] = cell["source"]
+        text = f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded"
+        content.add(text, exercise.id)
+        return AnswerState.BROKEN
     if exercise.kind.graded_by_person and cell["source"] is not None:
         is_open = cell["source"].strip() in ("", exercise.stub.strip())
         content.answers[exercise.id] = exercise.stub if is_open else cell["source"]
+        if cell["by_place"] and not is_open:
+            text = f"graded from the cell above its check ({_place(cell)}): its answer cell"
+            content.add(f"{text} (answer-{exercise.id}) is missing", exercise.id)
         return AnswerState.NOT_ATTEMPTED if is_open else AnswerState.ANSWERED
     if not answer.is_answer and cell["type"] != "code":
         content.add(f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", exercise.id)
@@ -255,10 +263,6 @@ def _inspect_answer(exercise, answer, content):
 
 def _inspect_source(exercise, answer, content):
     source = answer.cell["source"]
-    if len(source) > MOST_CHARACTERS:
-        text = f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded"
-        content.add(text, exercise.id, "answer")
-        return AnswerState.BROKEN
     if answer.cell not in answer.marked:
         return AnswerState.ANSWERED
     if source.strip() == exercise.stub.strip():

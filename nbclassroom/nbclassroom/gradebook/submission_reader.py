@@ -39,6 +39,7 @@ _MOST_NAME = 200  # characters of a name or an id
 _SAVE = "save it again in JupyterLab"
 _FENCED = re.compile(r"^```\w*\n(.*?)^```", re.M | re.S)  # code in a Markdown cell
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
+_CHECK_OF_WRITTEN = re.compile(r"""\s*check\(\s*["']([\w-]+)["']\s*\);?\s*""")
 _PR_SET_PDEATHSIG = 1
 _SLIPS = "syntax_slips" if __name__ == "__main__" else "nbclassroom.exercises.syntax_slips"
 _COURSE = sys.argv[3] if __name__ == "__main__" else course.name
@@ -55,9 +56,10 @@ def read_notebook(data):
     lesson, version, python  str, or None if the notebook does not name them
     deeper  list, with the ids of the exercises that can be left out
     cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
-           `exercise` (the id in its metadata, or "") and `functions` (names, see `cell_syntax.definitions`;
-           of a cell that is no code only if its text is). A code cell and a cell of the course have `source`
-           (str, at most one character more than MOST_CHARACTERS; None if it is not text, or after MOST_CODE).
+           `exercise` (the id in its metadata, or `by_place` that of the check below; or "") and `functions`
+           (names, see `cell_syntax.definitions`; of a cell that is no code only if its text is). A code cell
+           and a cell of the course have `source` (str, at most one character more than MOST_CHARACTERS; None
+           if it is not text, or after MOST_CODE).
            A cell of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`)
     """
     notebook = _parsed(data)
@@ -124,22 +126,36 @@ def _joined(text):
 
 
 def _cells(cells):
-    contents, code_left = [], MOST_CODE
+    contents, code_left, by_place = [], MOST_CODE, _written_by_place(cells)
     for number, cell in enumerate(cells):
-        content = _cell(cell, number, code_left) if isinstance(cell, dict) else None
+        content = _cell(cell, number, code_left, by_place) if isinstance(cell, dict) else None
         contents.append(content)
         if content and "answer" not in content:
             code_left -= len(content.get("source") or "")
     return contents
 
 
-def _cell(cell, number, code_left):
+def _written_by_place(cells):
+    """{number of a cell: the exercise whose only check is below it}, of answers that lost their marks."""
+    sources = [_joined(_at(cell, object, "source")) or "" for cell in cells]
+    checks = [_CHECK_OF_WRITTEN.fullmatch(source) for source in sources[1:]]
+    ids = [match[1] if match else "" for match in checks]
+    marked = {_text(cell, *names) for cell in cells for names in (("id",), ("metadata", _COURSE, "exercise"))}
+    return {
+        number: id
+        for number, id in enumerate(ids)
+        if id and ids.count(id) == 1 and not {id, f"answer-{id}"} & marked
+    }
+
+
+def _cell(cell, number, code_left, by_place):
     """A cell as `read_notebook` describes it."""
     content = {
         "number": number,
         "id": _text(cell, "id") or "",
         "type": _text(cell, "cell_type") or "",
-        "exercise": _text(cell, "metadata", _COURSE, "exercise") or "",
+        "exercise": _text(cell, "metadata", _COURSE, "exercise") or by_place.get(number, ""),
+        "by_place": number in by_place,
         "functions": [],
     }
     source = _joined(cell.get("source"))

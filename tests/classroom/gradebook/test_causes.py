@@ -117,6 +117,9 @@ def test_what_the_sandbox_refused_is_listed_with_what_was_tried(graded):
     assert "<li>light-halves: it tried to end Python (os._exit)</li>" in halves
     (tip,) = rows_of(graded, "Also unusual", "tip")  # a cell of their own, and all points
     assert "<li>it tried to start a program (true tip)</li>" in tip
+    (long,) = rows_of(graded, "May have lost points unfairly", "long")
+    assert "its answer is longer than 200000 characters" in long.lower()
+    assert "No check could use your answer" not in parts_of(graded, "long")[0]
     assert not [name for name in CLASS if name != "gus" and rows_of(graded, "Hostile answers", name)]
 
 

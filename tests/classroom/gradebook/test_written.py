@@ -75,8 +75,10 @@ def words(tmp_path_factory):
     master = read_master(path)
     make_key(folder / "masters", SEED, folder / "key")
     for name, text in TEXTS.items():
-        answers = {"words-double": RIGHT, "words-noise": text}
-        write(folder / "in" / name / "22_words.ipynb", notebook(master, answers))
+        made = notebook(master, {"words-double": RIGHT, "words-noise": text})
+        for cell in made["cells"] if name == "Bob" else ():
+            del cell["id"]  # by an editor that knows none
+        write(folder / "in" / name / "22_words.ipynb", made)
     return folder
 
 
@@ -101,6 +103,7 @@ def rows(path):
 
 def test_what_nobody_has_graded_is_open_and_never_zero(grade, tmp_path):
     text, learners, exercises = grade()
+    assert "raded from the cell above its check" in (tmp_path / "out" / learners["Bob"]["page"]).read_text()
     assert "2 answers still to be graded by a person: --review." in text
     opened = {name: (one["points"], one["max_points"], one["open_points"]) for name, one in learners.items()}
     assert opened == {"Ada": (3, 6, 3), "Bob": (3, 6, 3), "Cy": (3, 6, 0), "Dora": (3, 6, 0)}
@@ -339,6 +342,8 @@ FIGURES = {
     f"from matplotlib.figure import Figure\n{RED}",
     "endless": "while True: pass",
     "text": "I draw it by hand.",
+    "twice": RED,
+    "long": f"{RED}{'#' * 200_000}",
     "stub": None,
 }
 
@@ -355,6 +360,9 @@ def test_a_figure_is_made_in_the_sandbox_from_the_cells_and_never_taken_from_the
         cell["outputs"] = [{"output_type": "display_data", "data": data, "metadata": {}}]
         above = {"id": "mine", "cell_type": "code", "metadata": {}, "source": "colour = 'red'", "outputs": []}
         made["cells"].insert(1, above)
+        made["cells"] += made["cells"][-1:] * (name == "twice")  # which check is below it?
+        for cell in made["cells"] if name in ("bare", "twice") else ():
+            cell["id"] = ""
         write(tmp_path / "in" / name / "22_words.ipynb", made)
     grade_submissions(tmp_path / "in", [tmp_path / "key"], tmp_path / "out", workers=1, quiet=True)
     parts = (tmp_path / "out/review/words-plot.html").read_text("utf-8").split("<article")[1:]
@@ -369,4 +377,5 @@ def test_a_figure_is_made_in_the_sandbox_from_the_cells_and_never_taken_from_the
     assert "Its cell makes no figure (time)." in pages["endless"], pages["endless"][:3000]
     assert "Its cell makes no figure (it is no code cell)." in pages["text"]
     assert "Its cell makes no figure." in pages["forged"]
-    assert "<output>" in pages["none"] and "<output>" not in pages["stub"]
+    assert pages["long"].count("longer than 200000 characters") == 1
+    assert "<output>" in pages["none"] and "<output>" not in pages["stub"] + pages["twice"] + pages["long"]
