@@ -65,10 +65,10 @@ def count_of(number, noun):
 
 
 def points_text(entry):
-    """The points of a learner, a lesson or an exercise: "7 of 12", or "7 of 12, 9 graded"."""
+    """The points of a learner, a lesson or an exercise: "7 of 12", or "7 of 12, 3 points not graded yet"."""
     waiting = entry.get("open_points", 0)
-    graded = f", {entry['max_points'] - waiting} graded" if waiting else ""
-    return f"{entry['points']} of {entry['max_points']}{graded}"
+    text = f", {count_of(waiting, 'point')} not graded yet" if waiting else ""
+    return f"{entry['points']} of {entry['max_points']}{text}"
 
 
 def anchor_of(entry):

@@ -225,6 +225,10 @@ def test_a_decision_is_saved_by_the_page_that_is_served(server, page):
     assert page.locator("#lines").input_value() == ""
     kept = HEADER + '# mine\nCy,light,,1,\nBob,light,light-double,2,"two\nlines"\r\n'
     assert server.decisions.read_bytes().decode() == kept
+    page.keyboard.press("Escape")
+    page.keyboard.press("e")
+    page.wait_for_url("**/light-halves.html")
+    page.go_back()
     page.reload()
     assert page.locator("article [name=points]").first.input_value() == "2"
     page.locator("article [name=points]").nth(1).fill("7")

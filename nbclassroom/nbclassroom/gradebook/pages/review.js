@@ -76,6 +76,11 @@ function decideForAll(event) {
   if (isServed) saveLines();
 }
 
+function showNextExercise() {
+  if (isServed && changedForms().length) saveLines();
+  saving.then(() => document.querySelector("[rel=next]")?.click());
+}
+
 let saving = Promise.resolve();
 const saveLines = () => { saving = saving.then(saveNow); };
 
@@ -106,9 +111,10 @@ document.addEventListener("keydown", event => {
   if (event.key === "Escape" && typing) answers[Math.max(0, current)].focus();
   const answer = answers[Math.max(0, current)];
   const boxes = answer.querySelectorAll(".rubric input");
-  if (typing || !("npc".includes(event.key) || boxes[event.key])) return;
+  if (typing || !("npce".includes(event.key) || boxes[event.key])) return;
   event.preventDefault();
   if ("np".includes(event.key)) show(current + (event.key === "n" ? 1 : -1));
+  else if (event.key === "e") showNextExercise();
   else if (!answer.contains(document.activeElement)) show(current);  // nobody is graded out of sight
   else if (event.key === "c") fieldsOf(formOf(answer))[1].focus();
   else boxes[event.key].click();
