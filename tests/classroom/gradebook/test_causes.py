@@ -23,11 +23,25 @@ import matplotlib.pyplot as plt
 plt.plot([1])
 open("own.txt", "w").close()
 """
-READING = "import os\ntry: open('/etc/passwd')\nexcept OSError: os._exit(3)"
+READING = """
+import os, pathlib
+open("../up.txt", "w").close()
+for path, mode in (("/tmp/../usr/bad.pth", "a"), (b"/etc/passwd", "r")):
+    try: open(path, mode)
+    except OSError: pass
+try: pathlib.Path("/usr/good.pth").unlink()
+except OSError: os._exit(3)
+"""
 MACHINE = """
-import pathlib, platform, shutil
+import pathlib, platform, shutil, tempfile
 pathlib.Path("mine").mkdir()
+open("mine/../log.txt", "w").close()
+pathlib.Path("log.txt").absolute().unlink()
 shutil.rmtree("mine")
+with tempfile.TemporaryDirectory() as folder:
+    open(folder + "/x", "w").close()
+(pathlib.Path.home() / "x").touch()
+open("/dev/null", "w").close()
 print(platform.processor(), platform.freedesktop_os_release())
 """
 LOST = "def halves(pixels):\n    return lost"
@@ -113,7 +127,9 @@ def test_what_the_sandbox_refused_is_listed_with_what_was_tried(graded):
     assert "<li>it tried to start a program (true gus)</li>" in lesson and "own.txt" not in lesson
     assert lesson.count("<li>") == 2 and "gus,light,,?," in lesson
     assert "<li>light-double: it tried to start a program (rm -rf /)</li>" in double
-    assert "<li>light-halves: it tried to read files (/etc/passwd)</li>" in halves
+    tried = "read files (/etc/passwd)", "write files (../up.txt)", "write files (/tmp/../usr/bad.pth)"
+    for text in (*tried, "remove files (/usr/good.pth)"):
+        assert f"<li>light-halves: it tried to {text}</li>" in halves
     assert "<li>light-halves: it tried to end Python (os._exit)</li>" in halves
     (tip,) = rows_of(graded, "Also unusual", "tip")  # a cell of their own, and all points
     assert "<li>it tried to start a program (true tip)</li>" in tip

@@ -10,9 +10,11 @@ import sys
 _MOST, _MOST_CHARACTERS = 20, 80  # attempts that a process tells, and of each
 _LIBRARY = os.path.dirname(os.__file__) + os.sep  # noqa: PTH120 - `os` only, see `confine`
 _ABOUT_THE_MACHINE = ("/etc/os-release/", "/etc/hostname/", "/proc/cpuinfo/", "/proc/meminfo/")
+_SUBMISSION, _SCRATCH = "/tmp/submission/", ("/tmp/", "/dev/")  # where cells run, and what libraries write
 _OPEN_TO_ALL = ("/tmp/", "/course/", "/usr/", "/python/", "/dev/", _LIBRARY, *_ABOUT_THE_MACHINE)
-_PROGRAM, _NETWORK, _FILES, _END = "start a program", "open the network", "read files", "end Python"
-_REMOVE = "remove files"
+_PROGRAM, _NETWORK, _END = "start a program", "open the network", "end Python"
+_READ, _WRITE, _REMOVE = "read files", "write files", "remove files"
+_absolute, _FOR_WRITING = os.path.abspath, os.O_WRONLY | os.O_RDWR | os.O_CREAT
 _HARMLESS = f"{_PROGRAM} (uname -p)"  # by platform.processor()
 _EVENTS = {  # {audit event: (what it is an attempt to do, the number of the argument that is told or None)}
     "os.system": (_PROGRAM, 0),
@@ -24,8 +26,10 @@ _EVENTS = {  # {audit event: (what it is an attempt to do, the number of the arg
     "os.kill": (_END, None),
     "os._exit": (_END, None),  # ours: Python has no event for it
     "shutil.rmtree": (_REMOVE, 0),
-    "open": (_FILES, 0),
-    "os.listdir": (_FILES, 0),
+    "os.remove": (_REMOVE, 0),
+    "os.rename": (_WRITE, 1),
+    "open": (_READ, 0),
+    "os.listdir": (_READ, 0),
 }
 
 
@@ -36,7 +40,9 @@ def tell_attempts(send):
     def tell_attempt(event, arguments):
         purpose, number = _EVENTS.get(event, ("", None))
         detail = event if number is None else arguments[number]
-        if not purpose or (purpose in (_FILES, _REMOVE) and not _is_elsewhere(detail)):
+        if event == "open" and arguments[2] & _FOR_WRITING:
+            purpose = _WRITE
+        if not purpose or (purpose in (_READ, _WRITE, _REMOVE) and not _is_elsewhere(detail, purpose)):
             return
         text = f"{purpose} ({_text_of(detail)[:_MOST_CHARACTERS]})"
         if text not in attempts and len(attempts) < _MOST and _is_learners(sys._getframe(1), purpose):
@@ -51,9 +57,15 @@ def tell_attempts(send):
     sys.addaudithook(tell_attempt)
 
 
-def _is_elsewhere(path):
-    """Whether a path is one of the machine's folders that no answer needs."""
-    return isinstance(path, str) and path.startswith("/") and not f"{path}/".startswith(_OPEN_TO_ALL)
+def _is_elsewhere(path, purpose):
+    """Whether a path is in a folder of the machine that no answer needs, or leads out of its own folder."""
+    path = os.fsdecode(path) if isinstance(path, str | bytes | os.PathLike) else ""
+    folders = _OPEN_TO_ALL if purpose == _READ else _SCRATCH
+    if purpose != _READ and ".." in path.split("/"):
+        folders = _SUBMISSION
+    elif not path.startswith("/"):
+        return False
+    return not f"{_absolute(path)}/".startswith(folders)
 
 
 def _is_learners(frame, purpose):
