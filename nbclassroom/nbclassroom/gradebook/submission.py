@@ -314,10 +314,12 @@ def _report_place(exercise, answer, content):
     elif answer.cell["type"] != "code" and answer.cell in answer.marked:
         text = f"its answer cell is a {_kind(answer.cell)} cell; its text is graded"
         content.add(f"{text} (key Y makes it code again)", exercise.id)
-    if answer.others:
-        graded, *others = _places([answer.cell, *answer.others[:_MOST_NAMES]])
-        text = f"{graded} is graded, and not {', '.join(others)}"
-        content.add(f"{len(answer.others) + 1} cells define {name}: {text}", exercise.id)
+    # The answer of another exercise may hold this one again, which it calls.
+    others = [cell for cell in answer.others if "answer" not in cell or cell in answer.marked]
+    if others:
+        graded, *places = _places([answer.cell, *others[:_MOST_NAMES]])
+        text = f"{graded} is graded, and not {', '.join(places)}"
+        content.add(f"{len(others) + 1} cells define {name}: {text}", exercise.id)
 
 
 def _state_of_marked(exercise, own):

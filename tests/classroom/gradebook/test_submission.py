@@ -98,6 +98,8 @@ def test_text_about_a_function_is_no_answer(read, made):
 
 
 def test_a_duplicated_answer_cell(read, made):
+    cell_of(made, "answer-light-halves")["source"] += "\n\ndef double(pixels):\n    return pixels"
+    assert texts(read(made), "message") == []
     copy = dict(cell_of(made, DOUBLE), source="def double(p):\n    return p")
     made["cells"].append(copy)
     made["cells"].insert(0, made["cells"].pop())
