@@ -147,11 +147,23 @@ def _answer_cells(cells, lesson, reader, content):
     content.page, content.shapes = page, shapes
     by_number, found = {cell["number"]: cell for cell in cells}, {}
     for exercise in lesson.exercises:
-        marked = [cell for cell in cells if is_marked(cell, exercise.id)]
+        marked = [cell for cell in cells if _is_marked(cell, exercise, lesson)]
         marked.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != f"answer-{exercise.id}"))
+        if exercise.kind.graded_by_person:
+            marked.sort(key=lambda cell: (_is_open(cell, exercise) > exercise.figure, cell["by_place"]))
         answers = [by_number[number] for number in places[exercise.id]]
         found[exercise.id] = AnswerCells([*answers, *marked, None][0], bool(answers), marked, answers[1:])
     return found
+
+
+def _is_marked(cell, exercise, lesson):
+    """Whether a cell is an exercise's, by its marks or, of a new text or figure, by its place."""
+    is_new = (cell["type"] == "code") == exercise.figure and cell["id"] not in lesson.cells
+    return is_marked(cell, exercise.id) and (is_new or not cell["by_place"])
+
+
+def _is_open(cell, exercise):
+    return (cell["source"] or "").strip() in ("", exercise.stub.strip())
 
 
 def lesson_by_name(name, lessons):
@@ -236,11 +248,11 @@ def _inspect_answer(exercise, answer, content):
         content.add(text, exercise.id)
         return AnswerState.BROKEN
     if exercise.kind.graded_by_person and cell["source"] is not None:
-        is_open = cell["source"].strip() in ("", exercise.stub.strip())
+        is_open = _is_open(cell, exercise)
         content.answers[exercise.id] = exercise.stub if is_open else cell["source"]
         if cell["by_place"] and not is_open:
-            text = f"graded from the cell above its check ({_place(cell)}): its answer cell"
-            content.add(f"{text} (answer-{exercise.id}) is missing", exercise.id)
+            text = f"graded from the cell above its check ({_place(cell)}), which is not its answer cell"
+            content.add(f"{text} (answer-{exercise.id})", exercise.id)
         return AnswerState.NOT_ATTEMPTED if is_open else AnswerState.ANSWERED
     if not answer.is_answer and cell["type"] != "code":
         content.add(f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", exercise.id)

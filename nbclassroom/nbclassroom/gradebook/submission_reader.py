@@ -136,16 +136,16 @@ def _cells(cells):
 
 
 def _written_by_place(cells):
-    """{number of a cell: the exercise whose only check is below it}, of answers that lost their marks."""
+    """{number of a cell without a mark: the exercise whose only check is below it}."""
     sources = [_joined(_at(cell, object, "source")) or "" for cell in cells]
     checks = [_CHECK_OF_WRITTEN.fullmatch(source) for source in sources[1:]]
     ids = [match[1] if match else "" for match in checks]
-    marked = {_text(cell, *names) for cell in cells for names in (("id",), ("metadata", _COURSE, "exercise"))}
-    return {
-        number: id
-        for number, id in enumerate(ids)
-        if id and ids.count(id) == 1 and not {id, f"answer-{id}"} & marked
-    }
+    return {k: id for k, id in enumerate(ids) if id and ids.count(id) == 1 and not _has_mark(cells[k])}
+
+
+def _has_mark(cell):
+    is_courses = (_text(cell, "id") or "").startswith(_COURSE_IDS)
+    return is_courses or bool(_text(cell, "metadata", _COURSE, "exercise"))
 
 
 def _cell(cell, number, code_left, by_place):

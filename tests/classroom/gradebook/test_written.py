@@ -75,7 +75,9 @@ def words(tmp_path_factory):
     master = read_master(path)
     make_key(folder / "masters", SEED, folder / "key")
     for name, text in TEXTS.items():
-        made = notebook(master, {"words-double": RIGHT, "words-noise": text})
+        made = notebook(master, {"words-double": RIGHT, "words-noise": text if name != "Ada" else None})
+        below = {"id": "x", "cell_type": "markdown" if text else "code", "source": text or "1"}
+        made["cells"].insert(-1 if name in ("Ada", "Cy") else 0, below)  # an answer, and what is none
         for cell in made["cells"] if name == "Bob" else ():
             del cell["id"]  # by an editor that knows none
         write(folder / "in" / name / "22_words.ipynb", made)
