@@ -25,11 +25,10 @@ open("own.txt", "w").close()
 """
 READING = """
 import os, pathlib
-open("../up.txt", "w").close()
-for path, mode in (("/tmp/../usr/bad.pth", "a"), (b"/etc/passwd", "r")):
-    try: open(path, mode)
-    except OSError: pass
-try: pathlib.Path("/usr/good.pth").unlink()
+open("../up", "w"), next(os.walk("/"))
+try: open(b"/tmp/../etc")
+except OSError: pass
+try: pathlib.Path("/usr/up").unlink()
 except OSError: os._exit(3)
 """
 MACHINE = """
@@ -127,10 +126,9 @@ def test_what_the_sandbox_refused_is_listed_with_what_was_tried(graded):
     assert "<li>it tried to start a program (true gus)</li>" in lesson and "own.txt" not in lesson
     assert lesson.count("<li>") == 2 and "gus,light,,?," in lesson
     assert "<li>light-double: it tried to start a program (rm -rf /)</li>" in double
-    tried = "read files (/etc/passwd)", "write files (../up.txt)", "write files (/tmp/../usr/bad.pth)"
-    for text in (*tried, "remove files (/usr/good.pth)"):
+    tried = "read files (/)", "read files (/tmp/../etc)", "write files (../up)", "remove files (/usr/up)"
+    for text in (*tried, "end Python (os._exit)"):
         assert f"<li>light-halves: it tried to {text}</li>" in halves
-    assert "<li>light-halves: it tried to end Python (os._exit)</li>" in halves
     (tip,) = rows_of(graded, "Also unusual", "tip")  # a cell of their own, and all points
     assert "<li>it tried to start a program (true tip)</li>" in tip
     (long,) = rows_of(graded, "May have lost points unfairly", "long")

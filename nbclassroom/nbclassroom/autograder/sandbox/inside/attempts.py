@@ -30,6 +30,7 @@ _EVENTS = {  # {audit event: (what it is an attempt to do, the number of the arg
     "os.rename": (_WRITE, 1),
     "open": (_READ, 0),
     "os.listdir": (_READ, 0),
+    "os.scandir": (_READ, 0),
 }
 
 
@@ -77,7 +78,7 @@ def _is_learners(frame, purpose):
 
 def _is_passed(code, purpose):
     is_wrapper = code.co_name in ("_modified_open", "end_process")  # IPython's open, and ours
-    return is_wrapper or (purpose != _END and code.co_filename.startswith(_LIBRARY))
+    return is_wrapper or (purpose != _END and code.co_filename.startswith((_LIBRARY, "<frozen os>")))
 
 
 def _text_of(detail):
