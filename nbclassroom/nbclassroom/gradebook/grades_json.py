@@ -130,10 +130,10 @@ def _settle_lesson(entry, decisions, rules):
     _decide(entry, whole_lesson)
     is_final = _is_decided(entry)
     entry["open_points"] = 0 if is_final else sum(one["open_points"] for one in entry["exercises"])
-    for exercise in entry["exercises"] if is_final else ():
-        exercise["open_points"] = 0
     if is_final:
         entry["status"] = "graded"
+        for exercise in entry["exercises"]:
+            exercise["open_points"] = 0
     elif policy and entry["days_late"]:
         points = plain_number(entry["points"] * policy.factor(entry["days_late"]))
         entry["late_deduction"] = plain_number(entry["points"] - points)

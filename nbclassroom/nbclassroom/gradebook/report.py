@@ -36,13 +36,11 @@ def _environment():
     )
     environment.finalize = _shown
     environment.filters |= {
-        **{
-            "capital": _capital,
-            "count": count_of,
-            "points": points_text,
-            "anchor": anchor_of,
-            "submitted": submitted_lessons,
-        },
+        "capital": _capital,
+        "count": count_of,
+        "points": points_text,
+        "anchor": anchor_of,
+        "submitted": submitted_lessons,
         "numbered": lambda name: (name, "number"),
         "percent": lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0,
     }

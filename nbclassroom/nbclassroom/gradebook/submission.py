@@ -109,10 +109,8 @@ def read_submission(data, catalog, reader, name=""):
         content.states[exercise.id] = state = _inspect_answer(exercise, answers[exercise.id], content)
         for cell in cells if state is AnswerState.NOT_ATTEMPTED else ():
             if cell["type"] != "code" and exercise.function in cell["functions"]:
-                text = (
-                    f"its answer is in a text cell ({_place(cell)}), which does not run; make it a code cell"
-                )
-                content.add(f"{text} (key Y)", exercise.id)
+                text = f"its answer is in a text cell ({_place(cell)}), which does not run"
+                content.add(f"{text}; make it a code cell (key Y)", exercise.id)
         _compare_given(exercise, cells, lesson, content)
         _report_other_tries(exercise, cells, content)
     python, own = re.match(r"3\.(\d{1,2})\b", notebook["python"] or ""), sys.version_info.minor

@@ -119,10 +119,10 @@ def _text(value, *names):
 
 
 def _joined(text):
-    """A text that may be stored as a list of lines, as one str; None if it is neither."""
+    """A text that may be stored as a list of lines, as one str, cut; None if it is neither."""
     if isinstance(text, list) and all(isinstance(line, str) for line in text):
         text = "".join(text)
-    return text if isinstance(text, str) else None
+    return text[: MOST_CHARACTERS + 1] if isinstance(text, str) else None
 
 
 def _cells(cells):
@@ -136,16 +136,11 @@ def _cells(cells):
 
 
 def _written_by_place(cells):
-    """{number of a cell without a mark: the exercise whose only check is below it}."""
+    """{number of a cell: the written exercise whose only check is below it}."""
     sources = [_joined(_at(cell, object, "source")) or "" for cell in cells]
     checks = [_CHECK_OF_WRITTEN.fullmatch(source) for source in sources[1:]]
     ids = [match[1] if match else "" for match in checks]
-    return {k: id for k, id in enumerate(ids) if id and ids.count(id) == 1 and not _has_mark(cells[k])}
-
-
-def _has_mark(cell):
-    is_courses = (_text(cell, "id") or "").startswith(_COURSE_IDS)
-    return is_courses or bool(_text(cell, "metadata", _COURSE, "exercise"))
+    return {number: id for number, id in enumerate(ids) if id and ids.count(id) == 1}
 
 
 def _cell(cell, number, code_left, by_place):
@@ -154,13 +149,13 @@ def _cell(cell, number, code_left, by_place):
         "number": number,
         "id": _text(cell, "id") or "",
         "type": _text(cell, "cell_type") or "",
-        "exercise": _text(cell, "metadata", _COURSE, "exercise") or by_place.get(number, ""),
-        "by_place": number in by_place,
+        "exercise": _text(cell, "metadata", _COURSE, "exercise") or "",
         "functions": [],
     }
+    has_mark = content["exercise"] or content["id"].startswith(_COURSE_IDS)
+    content["by_place"] = number in by_place and not has_mark
+    content["exercise"] = by_place[number] if content["by_place"] else content["exercise"]
     source = _joined(cell.get("source"))
-    if source is not None:
-        source = source[: MOST_CHARACTERS + 1]
     is_answer = content["id"].startswith("answer-") or bool(content["exercise"])
     if is_answer or content["id"].startswith(_COURSE_IDS):
         content["source"] = source

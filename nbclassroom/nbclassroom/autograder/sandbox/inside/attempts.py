@@ -61,12 +61,9 @@ def tell_attempts(send):
 def _is_elsewhere(path, purpose):
     """Whether a path is in a folder of the machine that no answer needs, or leads out of its own folder."""
     path = os.fsdecode(path) if isinstance(path, str | bytes | os.PathLike) else ""
-    folders = _OPEN_TO_ALL if purpose == _READ else _SCRATCH
-    if purpose != _READ and ".." in path.split("/"):
-        folders = _SUBMISSION
-    elif not path.startswith("/"):
-        return False
-    return not f"{_absolute(path)}/".startswith(folders)
+    leads_up = purpose != _READ and ".." in path.split("/")
+    folders = _SUBMISSION if leads_up else _OPEN_TO_ALL if purpose == _READ else _SCRATCH
+    return (leads_up or path.startswith("/")) and not f"{_absolute(path)}/".startswith(folders)
 
 
 def _is_learners(frame, purpose):
