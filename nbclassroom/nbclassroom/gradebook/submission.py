@@ -24,7 +24,6 @@ ONE_LESSON = "a notebook counts for one lesson: submit the others as notebooks o
 # No point depends on it.
 EQUALS = "it equals the course's solution, whatever the names and numbers; it is public: a reason to ask"
 NOT_PYTHON = "of its answer cell is not Python"
-_GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
 
 class AnswerState(StrEnum):
@@ -258,10 +257,6 @@ def _inspect_answer(exercise, answer, content):
     if cell["source"] is None:
         content.add("the source of its answer cell is not text", exercise.id)
         return AnswerState.BROKEN
-    tags = cell.get("grader_tags")
-    if tags or any(comment in cell["source"] for comment in _GRADER_COMMENTS):
-        text = "its answer cell has tags or comments that direct a grader; they are ignored"
-        content.add(text, exercise.id, "odd")
     state = _inspect_source(exercise, answer, content)
     if state is AnswerState.ANSWERED:
         _report_place(exercise, answer, content)

@@ -60,7 +60,7 @@ def read_notebook(data):
            (names, see `cell_syntax.definitions`; of a cell that is no code only if its text is). A code cell
            and a cell of the course have `source` (str, at most one character more than MOST_CHARACTERS; None
            if it is not text, or after MOST_CODE).
-           A cell of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`)
+           An answer cell has `answer` (see `_parsed_answer`)
     """
     notebook = _parsed(data)
     nbformat = notebook.get("nbformat")
@@ -159,7 +159,6 @@ def _cell(cell, number, code_left, by_place):
     is_answer = content["id"].startswith("answer-") or bool(content["exercise"])
     if is_answer or content["id"].startswith(_COURSE_IDS):
         content["source"] = source
-        content["grader_tags"] = _grader_tags(cell)
     elif content["type"] == "code":
         content["source"] = source if len(source or "") <= code_left else None
     if is_answer and source is not None:
@@ -182,15 +181,6 @@ def _code_in(text):
 def _functions(source):
     names = cell_syntax.definitions(cell_syntax.plain_python(source))
     return [name for name in names if len(name) <= _MOST_NAME][:_MOST_FUNCTIONS]
-
-
-def _grader_tags(cell):
-    """The tags and metadata that would direct nbval, nbgrader or otter-grader."""
-    metadata = _at(cell, dict, "metadata") or {}
-    tags = [tag for tag in _at(metadata, list, "tags") or () if isinstance(tag, str)]
-    prefixes = ("nbval-", "raises-exception", "skip", "otter")
-    grader_tags = [tag[:_MOST_NAME] for tag in tags if tag.startswith(prefixes)]
-    return grader_tags[:10] + [name for name in ("nbgrader", "points", "otter") if name in metadata]
 
 
 def _parsed_answer(source):

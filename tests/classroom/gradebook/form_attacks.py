@@ -114,7 +114,7 @@ def _script_in_outputs(lesson):
     cell_of(lesson, "check-light-double-1")["outputs"] = [shown]
 
 
-@of_cells("points, tags and a kernel that direct a grader", "direct a grader")
+@of_cells("points, tags and a kernel that direct a grader")
 def _directing_metadata(lesson):
     tags = ["nbval-skip", "nbval-raises-exception", "raises-exception"]
     for cell in lesson["cells"]:

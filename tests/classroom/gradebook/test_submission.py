@@ -262,18 +262,6 @@ def test_changed_removed_and_retyped_check_cells(read, made):
     assert set(content.states.values()) == {"answered"}
 
 
-def test_tags_and_comments_that_direct_a_grader(read, made):
-    cell = cell_of(made, DOUBLE)
-    cell["metadata"] = {
-        "tags": ["nbval-skip", "raises-exception"],
-        "nbgrader": {"points": 1000},
-        "points": 99,
-    }
-    cell_of(made, "answer-light-halves")["source"] = "# NBVAL_SKIP\ndef halves(p): ..."
-    findings = [finding for finding in read(made).findings if finding.kind == "odd"]
-    assert [finding.exercise for finding in findings] == ["light-double", "light-halves"]
-
-
 # ---------------------------------------------------------------- which lesson it is
 
 
