@@ -3,13 +3,12 @@
 import hashlib
 import time
 from collections import defaultdict
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import chain
 
 from tqdm import tqdm
 
 from ..autograder.answer_key import Key
-from ..exercises.page import page_below
 from .archives import CollectError
 from .collect import SubmittedFile
 from .layouts import doubt
@@ -78,10 +77,10 @@ def read_all(collection, answer_keys, store, *, quiet=None):
     for (name, lesson), several in by_lesson.items():
         several.sort(key=lambda one: (str(one.file.submitted_at), one.file.source))
         latest = _latest(several)
-        counting = learners[name].submissions[lesson] = _joined(latest, store)
-        if counting is None:
+        counting = learners[name].submissions[lesson] = latest[0]
+        if len(latest) > 1:
             doubtful.append(f"{name}, {lesson}: {', '.join(one.file.source for one in latest)}")
-        elif earlier := [one for one in several if one not in latest]:
+        elif earlier := [one for one in several if one is not counting]:
             learners[name].earlier[lesson] = earlier
             text = f"submitted {1 + len(earlier)} times; this one counts: {counting.file.source}"
             counting.content.add(text)
@@ -90,7 +89,7 @@ def read_all(collection, answer_keys, store, *, quiet=None):
                     text = f"{other.file.source} answers {', '.join(more)}, and this one does not"
                     counting.content.add(f"{text}; only one file counts")
     if doubtful:
-        text = "these files of one learner have different answers to an exercise, and nothing orders them"
+        text = "these files of one learner have different answers to one lesson, and nothing orders them"
         remedy = "Remove those that do not count; if they are several people's, give the layout, such as"
         raise doubt(text, doubtful, f'{remedy} --layout "{{group}}/{{learner}}".')
     return [learners[name] for name in sorted(learners, key=lambda name: (name.casefold(), name))]
@@ -123,25 +122,3 @@ def _latest(submissions):
     newest = dict(sorted(one.file.version for one in answered)).items()  # of each family the last one
     latest = (one for one in answered if one.file.version in newest)
     return list({one.answers_digest: one for one in latest}.values())
-
-
-def _joined(submissions, store):
-    """One Submission of files with different exercises; None: two have different answers to one of them."""
-    first, *others = sorted(submissions, key=lambda one: -len(one.answered))
-    if not others:
-        return first
-    page, answered = store.page(first.answers_digest)[2], set(first.answered)
-    content = replace(first.content, findings=list(first.content.findings))
-    for other in others:
-        added, shared = store.page(other.answers_digest)[2], answered & other.answered
-        if other.key is not first.key or any(page["answers"][id] != added["answers"][id] for id in shared):
-            return None
-        own = other.answered - shared
-        page = page_below(page, added, own) if own else page
-        content.states = content.states | {id: other.content.states[id] for id in own}
-        content.findings = [finding for finding in content.findings if finding.exercise not in own]
-        content.findings += [finding for finding in other.content.findings if finding.exercise in own]
-        answered |= own
-    content.add(f"its answers are those of {len(submissions)} files, which have different exercises")
-    digest = store.keep_page(first.key, content.lesson, page)
-    return replace(first, content=content, answers_digest=digest, answered=frozenset(answered))

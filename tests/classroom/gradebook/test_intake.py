@@ -9,7 +9,6 @@ from datetime import datetime
 from pathlib import Path
 
 import pytest
-from nbclassroom.autograder.pool import autograde
 from nbclassroom.gradebook import learners as learners_module
 from nbclassroom.gradebook.archives import CollectError
 from nbclassroom.gradebook.collect import Collection
@@ -103,7 +102,7 @@ def test_of_a_learners_versions_the_platforms_latest_counts_or_the_run_stops(
         _send(submissions, name, notebook(light, answers_of(light, kind)), datetime(2026, 11, day))
     if (first, second) in UNORDERED:
         with pytest.raises(
-            CollectError, match="different answers to an exercise, and nothing orders"
+            CollectError, match="different answers to one lesson, and nothing orders"
         ) as stopped:
             read(submissions)
         assert stopped.value.exit_code == 3
@@ -115,23 +114,6 @@ def test_of_a_learners_versions_the_platforms_latest_counts_or_the_run_stops(
     assert counting(learner) == latest
     assert [one.file.source for one in learner.earlier["light"]] == [other]
     assert texts(learner) == [f"submitted 2 times; this one counts: {latest}"]
-
-
-def test_a_lesson_in_two_files_with_different_exercises_is_one(
-    read, light, submissions, answer_keys, tmp_path
-):
-    right = answers_of(light, "right")
-    first, *rest = right
-    write(submissions / "ada" / "20_light.ipynb", notebook(light, {first: right[first]}))
-    write(submissions / "ada" / "part two.ipynb", notebook(light, {id: right[id] for id in rest}))
-    write(submissions / "bob" / "20_light.ipynb", notebook(light, right))
-    _, learners = read(submissions)
-    ada, bob = (learners[name].submissions["light"] for name in ("ada", "bob"))
-    assert ada.answered == bob.answered
-    _, _, page = ResultStore(tmp_path / "results", {}).page(ada.answers_digest)
-    (result,) = autograde([("ada", "light", page)], answer_keys.keys[0], workers=1)
-    assert (page["answers"], result.points) == (right, result.max_points)
-    assert texts(learners["ada"]) == ["its answers are those of 2 files, which have different exercises"]
 
 
 def test_equal_files_and_files_without_answers_are_no_doubt(read, light, submissions):
