@@ -1,7 +1,5 @@
 """Atomic writes: a reader finds the old file or folder or the new one, never a part of either."""
 
-import contextlib
-import os
 import secrets
 import tempfile
 from pathlib import Path
@@ -9,34 +7,18 @@ from pathlib import Path
 
 def write_file(path, data, permissions=None):
     """Write a file whole, text as UTF-8; after an OSError a file that was there stays as it was."""
-    temporary = stage_file(path, data, permissions)
-    try:
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def stage_file(path, data, permissions=None, *, sync=False):
-    """Write a hidden temporary file, which the caller moves to the path; after an OSError none is left.
-
-    With `sync` it waits until the data is on the disk.
-    """
     data = data.encode("utf-8") if isinstance(data, str) else data
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".writing-{secrets.token_hex(8)}.tmp")
-    with contextlib.ExitStack() as cleanup:
-        cleanup.callback(temporary.unlink, missing_ok=True)
+    try:
         # A private file is private from its first byte on.
         temporary.touch(mode=0o666 if permissions is None else permissions, exist_ok=False)
-        with temporary.open("wb") as file:
-            file.write(data)
-            if sync:
-                file.flush()
-                os.fsync(file.fileno())
+        temporary.write_bytes(data)
         if permissions is not None:
             temporary.chmod(permissions)
-        cleanup.pop_all()
-    return temporary
+        temporary.replace(path)
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def write_folder(path, files, permissions):

@@ -20,7 +20,7 @@ from typing import NamedTuple
 from nbclassroom import course
 from nbclassroom.authoring.learner_files import TEXTS, files_for_learners, without_outputs
 from nbclassroom.authoring.lesson_names import lesson_name
-from nbclassroom.exercises.atomic_write import stage_file
+from nbclassroom.exercises.atomic_write import write_file
 from nbclassroom.exercises.progress import one_at_a_time
 
 STATE = ".course.json"
@@ -78,7 +78,7 @@ class Origin(NamedTuple):
 def update_lessons(source=None, target=None, version=None):
     """Creates or updates the working copies in `target`, by default my_lessons/; returns LessonChanges.
 
-    LabError: there are no lessons, or the folder cannot be written; then nothing has changed.
+    LabError: there are no lessons, or the folder cannot be written; then no work has changed.
     """
     source = Path(source or course.folder())
     target = Path(target or course.learners_folder())
@@ -100,27 +100,30 @@ def update_lessons(source=None, target=None, version=None):
 
 
 def _update(source, target, lessons, version):
-    origins = _read_state(target / STATE)
-    changes, staged = LessonChanges(folder=target.name), StagedFiles(target)
-    with staged:
-        for name in lessons:
-            data = without_outputs((source / name).read_bytes())
-            if name.startswith(f"{TEXTS}/"):  # the lessons read them: no work of a learner
-                staged.write(name, data, replaces=_content(target / name))
-                continue
-            old_name = _name_under_older_number(target, name, origins)
-            if old_name:
-                staged.rename(old_name, name)
-                changes.renumbered.append((old_name, name))
-            origin = _take_origin(origins, target, name, old_name)
-            origins[name] = _update_one(staged, changes, name, data, origin, version)
-        for name in origins.keys() - lessons:
-            del origins[name]
-            if name.endswith(".ipynb") and (target / name).exists():
-                changes.no_longer_in_course.append(name)
-        staged.write(STATE, _state_text(origins).encode(), replaces=_content(target / STATE))
-        staged.put_in_place()
+    """Each file is written whole, and the state at last: what was interrupted is completed next time."""
+    origins, changes = _read_state(target / STATE), LessonChanges(folder=target.name)
+    for name in lessons:
+        data = without_outputs((source / name).read_bytes())
+        if name.startswith(f"{TEXTS}/"):  # the lessons read them: no work of a learner
+            _write(target / name, data)
+            continue
+        old_name = _name_under_older_number(target, name, origins)
+        origin = _take_origin(origins, target, name, old_name)
+        if old_name:
+            (target / old_name).rename(target / name)
+            changes.renumbered.append((old_name, name))
+        origins[name] = _update_one(target, changes, name, data, origin, version)
+    for name in origins.keys() - lessons:
+        del origins[name]
+        if name.endswith(".ipynb") and (target / name).exists():
+            changes.no_longer_in_course.append(name)
+    _write(target / STATE, _state_text(origins).encode())
     return changes
+
+
+def _write(path, data):
+    if not path.exists() or path.read_bytes() != data:
+        write_file(path, data)
 
 
 def _name_under_older_number(folder, name, origins):
@@ -156,12 +159,12 @@ def _unnumbered(name):
     return path.with_stem(lesson_name(path.stem))
 
 
-def _update_one(staged, changes, name, data, origin, version):
-    """Stages the files to write for one lesson; returns the origin to store."""
-    copy = staged.present_path(name)
+def _update_one(folder, changes, name, data, origin, version):
+    """Writes the files of one lesson; returns the origin to store."""
+    copy = folder / name
     lesson = Origin(_digest(data), _work_digest(name, data))
     if not copy.exists():
-        staged.write(name, data)
+        write_file(copy, data)
         changes.new.append(name)
         return lesson
     if origin and origin.shipped == lesson.shipped:
@@ -170,16 +173,16 @@ def _update_one(staged, changes, name, data, origin, version):
     copy_work = _work_digest(name, copy_data)
     if origin and origin.work == copy_work:
         if copy_data != data:
-            staged.write(name, data, replaces=copy_data)
+            write_file(copy, data)
             changes.updated.append(name)
         return lesson
     if copy_work == lesson.work:
         return lesson
     if origin and (origin.offered == lesson.shipped or origin.work == lesson.work):
         return origin  # the update was added before, or it changes nothing that a learner sees
-    name_beside = _name_beside(staged.folder, name, version, data)
+    name_beside = _name_beside(folder, name, version, data)
     if name_beside is not None:
-        staged.write(name_beside, data)
+        write_file(folder / name_beside, data)
         changes.added_beside.append((name, name_beside))
     return Origin(origin.shipped if origin else "", origin.work if origin else "", lesson.shipped)
 
@@ -237,48 +240,6 @@ def _state_text(origins):
     return json.dumps({"lessons": entries}, indent=1)
 
 
-def _content(path):
-    return path.read_bytes() if path.exists() else None
-
-
-class StagedFiles(contextlib.AbstractContextManager):
-    """Files that are first written under temporary names, and renamed only when all are complete on disk."""
-
-    def __init__(self, folder):
-        self.folder = folder
-        self._files = []  # (temporary path, final path, the bytes that it replaces there or None)
-        self._renamed = {}  # new path: old path
-
-    def __exit__(self, *exception):
-        for temporary, _, _ in self._files:
-            temporary.unlink(missing_ok=True)
-
-    def write(self, name, data, *, replaces=None):
-        if data == replaces:
-            return
-        path = self.folder / name
-        self._files.append((stage_file(path, data, sync=True), path, replaces))
-
-    def rename(self, old_name, name):
-        self._renamed[self.folder / name] = self.folder / old_name
-
-    def present_path(self, name):
-        """Where a file is until everything is put in place."""
-        return self._renamed.get(self.folder / name, self.folder / name)
-
-    def put_in_place(self):
-        for _, path, replaces in self._files:
-            present = self._renamed.get(path, path)
-            if _content(present) != replaces:
-                raise LabError(f"{present.name} was saved during its update; start again")
-        for path, old_path in self._renamed.items():
-            if path.exists():
-                raise LabError(f"{path.name} appeared during the update; start again")
-            old_path.rename(path)
-        for temporary, path, _ in self._files:
-            temporary.replace(path)
-
-
 def _failure_text(target, error):
     reason = error.strerror or str(error)
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
@@ -287,4 +248,4 @@ def _failure_text(target, error):
         remedy = "give yourself the right to write there, or clone the course to a folder of your own"
     else:
         remedy = "make sure that it is an ordinary folder of yours, and start again"
-    return f"no lessons were copied into {target.name}/, and nothing in it was changed ({reason}); {remedy}"
+    return f"not all lessons are in {target.name}/; your work there is unchanged ({reason}); {remedy}"

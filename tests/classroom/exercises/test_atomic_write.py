@@ -1,9 +1,7 @@
 """A file or a folder is there whole, or as it was before."""
 
-import os
-
 import pytest
-from nbclassroom.exercises.atomic_write import stage_file, write_file, write_folder
+from nbclassroom.exercises.atomic_write import write_file, write_folder
 
 
 def names_in(folder):
@@ -19,22 +17,16 @@ def test_a_file_is_written_whole_with_its_permissions(tmp_path):
     assert names_in(path.parent) == ["grades.json"]
 
 
-def test_a_staged_file_waits_beside_its_place(tmp_path):
-    temporary = stage_file(tmp_path / "a.ipynb", b"new", sync=True)
-    assert temporary.parent == tmp_path and temporary.name.startswith(".") and temporary.suffix == ".tmp"
-    assert temporary.read_bytes() == b"new" and not (tmp_path / "a.ipynb").exists()
-
-
 def test_a_full_disk_leaves_the_old_file_and_nothing_else(tmp_path, monkeypatch):
     path = tmp_path / "a.ipynb"
     path.write_text("old")
 
-    def full(_descriptor):
+    def full(_path, _data):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(os, "fsync", full)
+    monkeypatch.setattr("pathlib.Path.write_bytes", full)
     with pytest.raises(OSError, match="No space left"):
-        stage_file(path, b"new", sync=True)
+        write_file(path, b"new")
     assert path.read_text() == "old" and names_in(tmp_path) == ["a.ipynb"]
 
 
