@@ -33,6 +33,10 @@ def test_the_solution_passes_and_so_do_other_styles():
     assert checked(
         ('"resource/image_negative"', '"resource/" + NAME'), ("\nsetup(", '\nNAME = "image_negative"\nsetup(')
     ).passed
+    assert checked(
+        ('"share/image_negative"', 'os.path.join("share", "image_negative")'),
+        ("import setup", "import setup; import os"),
+    ).passed
     assert checked(("<exec_depend>rclpy</exec_depend>", "<depend>rclpy</depend>")).passed
     assert checked(("255 - gray", "cv2.bitwise_not(gray)")).passed
 
@@ -79,12 +83,3 @@ def test_what_is_wrong_is_said_in_a_sentence(step, old, new, sentence):
     result = checked((old, new))
     assert [case.passed for case in result.results].index(False) == step - 1
     assert sentence in str(result)
-
-
-def test_setup_py_is_never_run(tmp_path):
-    trace = tmp_path / "trace"
-    result = checked(
-        ("from setuptools import setup", f"open({str(trace)!r}, 'w')\nfrom setuptools import setup")
-    )
-    assert result.passed
-    assert not trace.exists()

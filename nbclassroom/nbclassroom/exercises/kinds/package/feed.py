@@ -1,13 +1,15 @@
 """Read the files of a ROS 2 package that a learner wrote as texts, and feed its node.
 
-The answer is a function without arguments that returns {path: text}, paths as "package.xml". A text is
-parsed: setup.py is never run. The node's file is run, and its class is fed as `node.feed` says.
+The answer is a function without arguments that returns {path: text}, paths as "package.xml". setup.py runs
+without setuptools. The node's file is run, and its class is fed as `node.feed` says.
 """
 
 import ast
 import builtins
 import sys
+import types
 import xml.etree.ElementTree as ET
+from unittest import mock
 
 from nbclassroom import course
 
@@ -90,15 +92,8 @@ def _imports(tree):
 
 
 def _read_setup(files):
-    tree, path = _parse(files, "setup.py"), _node_file(files)
-    calls = [part for part in ast.walk(tree) if isinstance(part, ast.Call) and _called(part) == "setup"]
-    if len(calls) != 1:
-        raise NodeError("setup.py must call setup(...) once.")
-    names = {"find_packages()": [path.partition("/")[0]]}
-    for part in tree.body:
-        if isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Name):
-            names[part.targets[0].id] = _value(part.value, names)
-    given = {keyword.arg: _value(keyword.value, names) for keyword in calls[0].keywords}
+    path = _node_file(files)
+    given = _arguments_of_setup(files, path.partition("/")[0])
     entry_points = given.get("entry_points")
     lines = entry_points.get("console_scripts") if isinstance(entry_points, dict) else None
     scripts = sorted("".join(str(line).split()) for line in lines or ())
@@ -113,38 +108,25 @@ def _read_setup(files):
     }
 
 
-def _called(call):
-    return getattr(call.func, "id", getattr(call.func, "attr", ""))
+def _arguments_of_setup(files, package):
+    """What setup.py gives to setup(): it runs with a setuptools that only keeps it."""
+    calls: list[dict] = []
+    setuptools = types.ModuleType("setuptools")
+    vars(setuptools)["setup"] = lambda **given: calls.append(given)
+    vars(setuptools)["find_packages"] = lambda *_arguments, **_options: [package]
+    code = compile(_parse(files, "setup.py"), "setup.py", "exec")
+    with mock.patch.dict(sys.modules, {"setuptools": setuptools}):
+        exec(code, {"__name__": "setup"})
+    if len(calls) != 1:
+        raise NodeError("setup.py must call setup(...) once.")
+    return calls[0]
 
 
 def _data_files(entries):
     for entry in entries:
-        folder, files = entry if isinstance(entry, list) and len(entry) == 2 else (None, None)
-        if isinstance(folder, str) and isinstance(files, list) and not folder.endswith("/launch"):
+        folder, files = entry if isinstance(entry, list | tuple) and len(entry) == 2 else (None, None)
+        if isinstance(folder, str) and isinstance(files, list | tuple) and not folder.endswith("/launch"):
             yield from (f"{file} to {folder}" for file in files)
-
-
-def _value(node, names):
-    """The value that an expression writes down, tuples as lists; None where it has to be computed."""
-    match node:
-        case ast.Constant():
-            return node.value
-        case ast.Name():
-            return names.get(node.id)
-        case ast.List() | ast.Tuple():
-            return [_value(item, names) for item in node.elts]
-        case ast.Dict():
-            pairs = zip(node.keys, node.values, strict=True)
-            return {_value(key, names): _value(item, names) for key, item in pairs}
-        case ast.JoinedStr():
-            return "".join(str(_value(part, names)) for part in node.values)
-        case ast.FormattedValue():
-            return _value(node.value, names)
-        case ast.BinOp(op=ast.Add()):  # a sum of texts
-            return f"{_value(node.left, names)}{_value(node.right, names)}"
-        case ast.Call() if _called(node) == "find_packages":
-            return names["find_packages()"]
-    return None
 
 
 def _node_class(files):
