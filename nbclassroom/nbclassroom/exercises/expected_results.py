@@ -6,7 +6,7 @@ from functools import lru_cache, wraps
 from .case_call import explain_call
 from .lesson import PUBLIC_SEED, ExpectedCall
 from .percent_script import MasterError
-from .source_remarks import unheeded_remarks
+from .source_remarks import unused_arguments
 
 
 class MistakeResults(dict):
@@ -39,7 +39,7 @@ def with_results(exercise, cases, solve, results_of):
         return replace(exercise, cases=cases)
     solution = exercise.function_of(exercise.solution, "solution")
     names, provided = exercise.kind.argument_names(solution), sorted(exercise.namespace())
-    unheeded = unheeded_remarks(exercise.solution, exercise.function)
+    unheeded = unused_arguments(exercise.solution, exercise.function)
     exercise = replace(exercise, names=tuple(names), provided=tuple(provided), unheeded=unheeded)
     cases = tuple(replace(case, calls=tuple(solve(exercise, case))) for case in cases)
     mistakes = [replace(one, results=results_of(exercise, one, cases)) for one in exercise.mistakes]

@@ -58,9 +58,10 @@ class Exercise:
     """An exercise; `declaration.exercise` documents most fields.
 
     `names` are those of the function's arguments, `given` the sources of the given cells, and `provided` the
-    names that an answer may use from outside its cell; `unheeded` see `remarks_on_source`. Only grading runs
-    the hidden cases; a key has no case of an exercise for practice. The fields from `master` on are its
-    master's alone: `preparation` runs before each case and mistake, and then `helpers` before each mistake.
+    names that an answer may use from outside its cell; `unheeded` are those arguments that the solution does
+    not use. Only grading runs the hidden cases; a key has no case of an exercise for practice. The fields
+    from `master` on are its master's alone: `preparation` runs before each case and mistake, and then
+    `helpers` before each mistake.
     """
 
     id: str

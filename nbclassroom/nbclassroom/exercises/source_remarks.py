@@ -16,39 +16,25 @@ def remarks_on_source(function, errors=(), unheeded=()):
     """Sentences on what is certain from the source of a function or class; [] if the source is not known.
 
     `errors` are the types that its calls raised, "None" if one of them returned None, "TimeUp" if one did not
-    end in time. `unheeded` are the forms of remarks that the right answer does not heed: they are not made.
+    end in time. `unheeded` are arguments that the right answer does not use.
     """
     tree = next(iter(_body(source_of(function))), None)
-    remarks = [] if tree is None else _remarks(tree, errors)
-    return [text for text in remarks if _form_of(text, tree) not in unheeded]
-
-
-def unheeded_remarks(source, name):
-    """The forms of what would be said of a right answer, the function or class of this name in a source."""
-    trees = [tree for tree in _body(source) if getattr(tree, "name", "") == name]
-    remarks = [(tree, text) for tree in trees for text in _remarks(tree, ("None", "IndexError"))]
-    return tuple({_form_of(text, tree): 0 for tree, text in remarks})
-
-
-def _form_of(remark, tree):
-    """A remark without the names that an answer chose itself: those that it stores."""
-    nodes = (node for node in ast.walk(tree) if isinstance(node, ast.Name))
-    names = {node.id for node in nodes if isinstance(node.ctx, ast.Store)}
-    return re.sub(r"[^\W\d]\w*", lambda match: "_" if match[0] in names else match[0], remark)
-
-
-def _remarks(tree, errors):
     parts = tree.body if isinstance(tree, ast.ClassDef) else [tree]
     functions = [part for part in parts if isinstance(part, ast.FunctionDef)]
     remarks = [text for function in functions for text in _remarks_on_function(function)]
     if isinstance(tree, ast.FunctionDef):
         remarks += _why_none(tree) if "None" in errors else []
-        remarks += _unused(tree) if errors else []
+        unused = [name for name in _unused(tree) if errors and name not in unheeded]
+        remarks += [f"{tree.name}() does not use what it gets: {name}." for name in unused]
         has_loop = any(isinstance(node, ast.While) for node in ast.walk(tree))
         remarks += [SAYS["endless while"]] if "TimeUp" in errors and has_loop else []
-    if "IndexError" in errors:
-        remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
     return list(dict.fromkeys(remarks))
+
+
+def unused_arguments(source, name):
+    """The arguments that the function of this name in a source does not use."""
+    functions = [part for part in _body(source) if isinstance(part, ast.FunctionDef) and part.name == name]
+    return tuple(argument for function in functions for argument in _unused(function))
 
 
 def has_done(source, sentence):
@@ -80,9 +66,7 @@ def _why_none(tree):
 def _unused(tree):
     read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
     read |= {"memory"}  # of a controller, which needs none
-    for argument in tree.args.args:
-        if argument.arg not in read:
-            yield f"{tree.name}() does not use what it gets: {argument.arg}."
+    return [argument.arg for argument in tree.args.args if argument.arg not in read]
 
 
 def _reaches_end(body):
@@ -114,17 +98,3 @@ def _slip(node):
         case ast.For(body=[*_, ast.Return()]) if not re.search("continue|break", ast.unparse(node)):
             return "return in a loop"
     return ""
-
-
-def _values_as_indices(node):
-    """A loop over an array gives its values; an index that is one of them is mostly outside."""
-    if not isinstance(node, ast.For) or not isinstance(node.iter, ast.Name):
-        return
-    if not isinstance(node.target, ast.Name):
-        return
-    value, array = node.target.id, node.iter.id
-    subscripts = [inner for inner in ast.walk(node) if isinstance(inner, ast.Subscript)]
-    # A value that has indices of its own, as in change[ray[:-1]], is no index itself.
-    names = {part for inner in subscripts for part in ast.walk(inner.slice) if isinstance(part, ast.Name)}
-    if any(name.id == value for name in names - {inner.value for inner in subscripts}):
-        yield SAYS["values as indices"].format(value=value, array=array)

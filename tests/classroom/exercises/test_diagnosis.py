@@ -109,11 +109,9 @@ VALUES = [
         "The parts are right, and their numbers, 1, 2, 3 and so on, are not.",
     ),
     ((SIGNED, GRAY.astype("i4")), (GRAY.astype("i4"), SIGNED), "but in the wrong order: exchange the first"),
-    ((1.5, 2.5, 0.1), (0.1, 1.5, 2.5), "Your results are right, but in the wrong order."),
     (0.5, 1.0, "Your number is twice the expected number, in every check."),
     (81, 80, "Your number is one too small, in every check."),
     (0.25, 25.0, "100 times the expected number (is it in percent?)"),
-    ("a b", "ab ", "Only the spaces or line ends differ."),
     (GRAY, GRAY * 0, "Every value of your result is 0: where do they become 0?"),
     (SIGNED, -SIGNED, "All signs are exchanged"),
     (SIGNED, np.abs(SIGNED), "negative values must stay negative, without abs()"),
@@ -126,8 +124,6 @@ VALUES = [
     (SIGNED, SIGNED - MASK, "Some values are one too small"),
 ]
 PLACES = [
-    (GRAY, changed(GRAY, np.s_[:, -1]), "All wrong values lie in the last column."),
-    (GRAY, changed(GRAY, np.s_[0]), "All wrong values lie in the first row."),
     (GRAY, changed(changed(GRAY, 0), np.s_[:, 0]), "Only values on the border of the image are wrong."),
     (GRAY, np.pad(GRAY[1:-1, 1:-1], 1), "and there your result is 0: is the border never computed?"),
 ]
