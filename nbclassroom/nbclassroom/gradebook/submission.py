@@ -102,7 +102,10 @@ def read_submission(data, catalog, reader, name=""):
         content.reason = f"{named} is not, or no longer, one of {', '.join(catalog.lessons)}"
         return content
     lesson = catalog.describe(content.lesson, content.version)
-    _inspect_notebook(notebook, cells, lesson, content)
+    if content.version != lesson.version:
+        version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
+        version = f"{sanitize_line(version)} of the lesson, not from version {lesson.version}"
+        content.add(f"it was made from {version}")
     answers = _answer_cells(cells, lesson, reader, content)
     for exercise in lesson.exercises:
         content.states[exercise.id] = state = _inspect_answer(exercise, answers[exercise.id], content)
@@ -175,13 +178,13 @@ def _recognize(notebook, cells, catalog, name, content):
     metadata_lesson = lesson_name(notebook["lesson"] or "")
     claim = metadata_lesson if metadata_lesson in catalog.lessons else None
     named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
-    lesson = claim if claim and marked[claim] else _most(marked)
-    if lesson is None:
-        lesson = claim if metadata_lesson else _recognize_unmarked(named_lesson, functions, content)
-    elif (claim or named_lesson) not in (None, lesson):
-        says = "it says" if claim else "its name says"
-        text = f"{says} that it is {claim or named_lesson}, but its answer cells are those of {lesson}"
-        content.add(f"{text}; it is graded as {lesson}")
+    signs = {"metadata": claim if claim and marked[claim] else None, "answer cells": _most(marked)}
+    signs["name"] = claim or named_lesson
+    signs["functions"] = None if metadata_lesson else _most(functions)
+    sign, lesson = next(((sign, lesson) for sign, lesson in signs.items() if lesson), ("", None))
+    if lesson != signs["name"]:
+        says = f", and not as {signs['name']}" if signs["name"] else ""
+        content.add(f"it was recognized as {lesson} by its {sign}{says}")
     others = [other for other, ids in marked.items() if ids and other != lesson]
     if lesson and marked[lesson] and others:
         content.add(f"it also has answer cells of {', '.join(others)}; {ONE_LESSON}")
@@ -200,37 +203,12 @@ def _signs_of_lessons(cells, catalog):
     return marked, functions
 
 
-def _recognize_unmarked(named, functions, content):
-    """The lesson of a notebook without marks, by its name, then by {lesson: its functions in it}."""
-    by_functions = _most(functions)
-    if named is None and by_functions:
-        listed = _listed(functions[by_functions])
-        content.add(f"it was recognized as {by_functions} by its functions: {listed}")
-    if named and by_functions not in (None, named) and not functions[named]:
-        text = f"its name says that it is {named}, but it defines functions of {by_functions}"
-        content.add(f"{text} ({_listed(functions[by_functions])}); it is graded as {named}, by its name")
-    return named or by_functions
-
-
 def _most(sets):
     """The key whose set is the largest; None if all are empty, or two are equally large."""
     sizes = sorted(((len(values), key) for key, values in sets.items()), reverse=True)
     if not sizes or not sizes[0][0] or (len(sizes) > 1 and sizes[0][0] == sizes[1][0]):
         return None
     return sizes[0][1]
-
-
-def _listed(functions):
-    return ", ".join(f"{sanitize_line(name, 60)}()" for name in sorted(functions)[:_MOST_NAMES])
-
-
-def _inspect_notebook(notebook, cells, lesson, content):
-    if content.version != lesson.version:
-        version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
-        version = f"{sanitize_line(version)} of the lesson, not from version {lesson.version}"
-        content.add(f"it was made from {version}")
-    if len(cells) < len(notebook["cells"]):
-        content.add(f"{len(notebook['cells']) - len(cells)} of its cells are not cells", kind="odd")
 
 
 def _inspect_answer(exercise, answer, content):
@@ -314,8 +292,8 @@ def _report_place(exercise, answer, content):
     """Report an answer that does not stand where it was handed out, or not there alone."""
     name = exercise.answer_name
     if answer.cell not in answer.marked and not any(cell in answer.marked for cell in answer.others):
-        text = f"graded from another cell ({_place(answer.cell)}), which defines {name}: "
-        content.add(text + _state_of_marked(exercise, answer.marked), exercise.id)
+        missing = "" if answer.marked else f": its answer cell (answer-{exercise.id}) is missing"
+        content.add(f"graded from {_place(answer.cell)}, which defines {name}{missing}", exercise.id)
     elif answer.cell["type"] != "code" and answer.cell in answer.marked:
         text = f"its answer cell is a {_kind(answer.cell)} cell; its text is graded"
         content.add(f"{text} (key Y makes it code again)", exercise.id)
@@ -327,28 +305,8 @@ def _report_place(exercise, answer, content):
         content.add(f"{len(others) + 1} cells define {name}: {text}", exercise.id)
 
 
-def _state_of_marked(exercise, own):
-    """What is wrong with the cell that is marked as the answer cell."""
-    text = f"its answer cell (answer-{exercise.id})"
-    if not own:
-        return f"{text} is missing"
-    if own[0]["type"] != "code":
-        return f"{text} is a {_kind(own[0])} cell"
-    if own[0]["source"] is None:
-        return f"{text} holds no text"
-    return _problem(exercise, own[0])[0] or f"{text} holds the stub"
-
-
 def _place(cell):
-    return sanitize_line(cell["id"], 80) or f"cell number {cell['number'] + 1}"
-
-
-def _places(cells):
-    """The places of cells; their numbers if two of them have one id."""
-    places = list(map(_place, cells))
-    if len(set(places)) == len(places):
-        return places
-    return [f"cell number {cell['number'] + 1}" for cell in cells]
+    return f"cell number {cell['number'] + 1}"
 
 
 def _kind(cell):

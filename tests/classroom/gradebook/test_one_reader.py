@@ -405,8 +405,7 @@ NODE_STUB = "class Doubler(Node):\n    def __init__(self):\n        f = 2\n     
             NODE_STUB,
             [NODE.format(2)],
             "answered",
-            "graded from another cell (mine), which defines Doubler: its answer cell (answer-nodes-double)"
-            " holds the stub",
+            "graded from cell number 6, which defines Doubler",
         ),
     ],
 )

@@ -88,7 +88,7 @@ def test_an_answer_in_another_cell(read, made, light, kind):
     content = read(made)
     assert content.answers == answers_of(light, "right")
     assert texts(content, "message") == [
-        f"graded from another cell (mine), which defines double(): its answer cell ({DOUBLE}) is missing"
+        f"graded from cell number 4, which defines double(): its answer cell ({DOUBLE}) is missing"
     ]
 
 
@@ -270,7 +270,7 @@ def test_without_metadata_the_answer_cells_name_the_lesson(read, made):
     content = read(made, "21_sound.ipynb")
     assert (content.lesson, content.version) == ("light", None)
     assert texts(content) == [
-        "its name says that it is sound, but its answer cells are those of light; it is graded as light",
+        "it was recognized as light by its answer cells, and not as sound",
         "it was made from an unknown version of the lesson, not from version 0.1.0",
     ]
 
@@ -280,15 +280,8 @@ def test_without_any_mark_the_name_decides_and_then_the_functions(read, made):
     for number, cell in enumerate(made["cells"]):
         cell["id"] = str(number)
     assert texts(read(made, "20_light.ipynb"))[0].startswith("it was made from an unknown version")
-    assert texts(read(made, "final.ipynb"))[0] == (
-        "it was recognized as light by its functions: double(), halves()"
-    )
-    content = read(made, "21_sound.ipynb")
-    assert content.lesson == "sound"
-    assert texts(content)[0] == (
-        "its name says that it is sound, but it defines functions of light (double(), halves());"
-        " it is graded as sound, by its name"
-    )
+    assert texts(read(made, "final.ipynb"))[0] == "it was recognized as light by its functions"
+    assert read(made, "21_sound.ipynb").lesson == "sound"
 
 
 def test_without_metadata_and_answer_cells_the_file_name_names_the_lesson(read, made):
@@ -322,7 +315,7 @@ def test_a_lesson_with_the_answer_cells_of_another_one(read, made):
     made["metadata"]["imgproc_course"]["lesson"] = "21_sound"
     content = read(made)
     assert content.lesson == "light"
-    assert "it is graded as light" in texts(content, "message")[0]
+    assert texts(content, "message")[0] == "it was recognized as light by its answer cells, and not as sound"
 
 
 def test_a_notebook_with_answers_of_two_lessons_says_which_one_counts(read, made):
@@ -386,7 +379,6 @@ def test_entries_that_are_not_cells(read, made, light):
     made["metadata"]["imgproc_course"]["version"] = ["0.1.0"]
     content = read(made)
     assert content.answers == answers_of(light, "right")
-    assert "4 of its cells are not cells" in texts(content, "odd")
 
 
 def test_lone_surrogates_pass_through_as_data(read, made):
