@@ -18,6 +18,7 @@ from nbclassroom.authoring.minutes import read_sections
 from nbclassroom.exercises.cell_syntax import names_used
 from nbclassroom.exercises.percent_script import read_script
 from needed_cells import names_of
+from ways_to_run import ways_of
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 MASTERS = find_masters(NOTEBOOKS / "masters")
@@ -46,6 +47,20 @@ def names_of_deeper_cells(cells):
 def test_no_core_cell_needs_a_name_of_a_deeper_cell(path):
     cells = [cell for cell in read_master(path).cells if cell.kind == "code"]
     assert names_of_deeper_cells(cells) == []
+
+
+@pytest.mark.parametrize("way", ["visible", "begin"])
+@pytest.mark.parametrize("path", [pytest.param(path, id=path.stem) for path in MASTERS])
+def test_no_cell_needs_a_name_that_no_cell_on_a_learners_way_binds(path, way):
+    notebook = lesson_notebook(read_master(path))
+    names = {cell.id: names_of(cell.source) for cell in notebook.cells if cell.cell_type == "code"}
+    for cells in ways_of(notebook, way):
+        left_out = names.keys() - {cell.id for cell in cells}
+        missing = set().union(*(names[id][1] for id in left_out))
+        for cell in cells:
+            for statement in names_used(TransformerManager().transform_cell(cell.source)):
+                assert statement.reads & missing == set(), cell.id
+                missing -= statement.binds
 
 
 def parts_of(cell):

@@ -19,11 +19,12 @@ import itertools
 import subprocess
 
 from nbclassroom.authoring.execute import CELL_SECONDS, kernel_environment
-from nbclassroom.authoring.rules import BEGIN_HERE, RAISING_TAGS
+from nbclassroom.authoring.rules import RAISING_TAGS
 from nbclient import NotebookClient
 from nbclient.exceptions import CellTimeoutError, DeadKernelError
 from nbformat.v4 import new_code_cell
 
+BEGIN_HERE = "You can begin here"  # below it, a lesson needs only the cells before its first section
 # Runs after each cell, in the learner's kernel.
 MOVE_SLIDERS = """
 import ipywidgets as _w

@@ -5,12 +5,11 @@ import re
 from collections import Counter
 
 from .. import course
-from ..exercises.cell_syntax import bound_names, names_used, top_level
+from ..exercises.cell_syntax import bound_names, top_level
 
 VARYING_TAG = "nbval-ignore-output"
 RAISING_TAGS = ("nbval-raises-exception", "raises-exception")
 CHECK_LINE = "# Check: "  # JupyterLab shows only this first line of the cell
-BEGIN_HERE = "You can begin here"  # below it, a lesson needs only the cells before its first section
 MOST_LINES = 12  # of code in a cell
 _FIGURES = ("show", "show_figure", "tune")
 HINTS = 3  # of every exercise
@@ -27,7 +26,7 @@ def master_problems(master):
     for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=False):
         first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
         problems += [f"{cell.id}: {problem}\n    {first_line}" for problem in _cell_problems(cell, next_cell)]
-    problems += [*_prediction_problems(master), *_way_problems(master)]
+    problems += _prediction_problems(master)
     for exercise in master.exercises:
         rules = _exercise_rules(exercise)
         problems += [f"exercise {exercise.id} {problem}" for is_broken, problem in rules if is_broken]
@@ -189,27 +188,6 @@ def _is_compared(guess, cell):
         case [ast.Expr(ast.Call(ast.Name("compare_guess"), [ast.Name(name), value, *_]))]:
             return name == guess and any(isinstance(node, ast.Name) for node in ast.walk(value))
     return False
-
-
-def _way_problems(master):
-    """The names that are missing if the folded cells are skipped, or if a learner begins where the text says.
-
-    Then only the cells before the second text, the imports, and those below it have run.
-    """
-    texts = [number for number, cell in enumerate(master.cells) if cell.kind == "markdown"]
-    ways = {"folded cells are skipped": [cell for cell in master.cells if not cell.folded]}
-    for number in texts:
-        if BEGIN_HERE in master.cells[number].source:
-            cells = [*master.cells[: texts[1]], *master.cells[number:]]
-            ways[f"a learner begins at {master.cells[number].id}"] = cells
-    for way, cells in ways.items():
-        left_out = [cell for cell in master.cells if cell.kind == "code" and cell not in cells]
-        missing = {name for cell in left_out for name in bound_names(cell.source)}
-        for cell in cells:
-            for statement in names_used(cell.source) if cell.kind == "code" else ():
-                for name in sorted(statement.reads & missing):
-                    yield f"{cell.id} reads {name}, which no cell has bound if {way}"
-                missing -= statement.binds
 
 
 def _asserts(cell):

@@ -170,44 +170,6 @@ def test_the_texts_of_figures_stand_in_a_cell_that_no_lesson_has(write_master):
     assert master.cells[-1].source == figure
 
 
-WAYS = """
-# %%
-first = 1
-
-# %%
-# Check: the numbers in this section
-second = 2
-assert first < second
-
-# %% [markdown]
-# **You can begin here**: run the first code cell, then go on below.
-
-# %%
-third = LIMIT
-"""
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "message"),
-    [
-        ("LIMIT", "second", "template-10 reads second, which no cell has bound if folded cells are skipped"),
-        (
-            "LIMIT",
-            "first",
-            "template-10 reads first, which no cell has bound if a learner begins at template-9",
-        ),
-        ("LIMIT", "double(3)", "reads double, which no cell has bound if a learner begins at template-9"),
-        ("third = LIMIT", "def third():\n    return first", "template-10 reads first, which no cell"),
-    ],
-)
-def test_a_name_that_is_missing_on_a_learners_way_is_named(write_master, old, new, message):
-    read_master(write_master(add=WAYS))
-    read_master(write_master(add=WAYS.replace(old, "second = 3; second")))
-    with pytest.raises(MasterError) as error:
-        read_master(write_master(add=WAYS.replace(old, new)))
-    assert message in str(error.value)
-
-
 def test_guesses_are_read_by_the_exercises(write_master):
     path = write_master(("from imgproc_course.exercises import check", "check = print"), add=PREDICTION)
     with pytest.raises(MasterError, match="predict-template-1: no cell above imports imgproc_course"):
