@@ -5,11 +5,8 @@ the line that raised: `thinned > high and thinned < 9` needs another sentence th
 """
 
 import ast
-import math
 import re
 from pathlib import Path
-
-import numpy as np
 
 from nbclassroom import course
 
@@ -114,32 +111,6 @@ def _typographic(match, _source):
     return f"{origin} in the place of {written}. Type {written} there."
 
 
-def _reshape(match, source):
-    size, shape = int(match[1]), [int(part) for part in re.findall(r"-?\d+", match[2])]
-    count, product = math.prod(shape), " × ".join(map(str, shape))
-    if count < 0 or "newaxis" in match[2]:
-        return f"{size} values cannot be divided evenly in this way. Is there padding at the end of the rows?"
-    written = [part for part in shape if part > 4 and re.search(rf"\b{part}\b", source)]
-    if written:
-        return _ADVICE["<size as a number>"].format(size, product, written[0])
-    if size > count:
-        return _ADVICE["<too many values>"].format(size, product, count)
-    text = f"{size} values are too few for {product} = {count}."
-    if "step" in source:
-        return f"{text} step is the number of bytes of a row; an image has width columns."
-    question = " Is this one value for each pixel? A colour pixel has 3 bytes."
-    return text + question if count == 3 * size else text
-
-
-def _does_not_fit(match, source):
-    number, limits = match[1], np.iinfo(match[2])
-    text = f"{number} does not fit into {limits.dtype}, which holds {limits.min} to {limits.max}."
-    operands = [part for node in _nodes(source) if isinstance(node, ast.BinOp) for part in ast.walk(node)]
-    if number in [ast.unparse(part) for part in operands]:
-        return f"{text} So the values would overflow: widen the array first, as in astype(np.uint32)."
-    return text if operands or number in source else f"{text} Is it right? Then widen the array with astype."
-
-
 _IMPORTS = dict.fromkeys(("math", "cv2", "os", "sys", "random", "itertools", "struct", "time"), "import {}")
 _FROM_MATH = "sqrt log10 log floor ceil pi inf sin cos tan atan2 hypot radians"
 _IMPORTS |= dict.fromkeys(_FROM_MATH.split(), "from math import {}")
@@ -161,9 +132,7 @@ _RULES = {
     "ValueError: .*truth value of an (?:empty )?array": _ambiguous,
     r"IndexError: .*index -?\d+ is out of bounds for axis (\d) with size (\d+)": _index_outside,
     "ValueError: (.*could not (?:be )?broadcast.*)": _broadcast,
-    r"ValueError: cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)": _reshape,
     r"NameError: name '(\w+)' is not defined": _unknown,
-    r"OverflowError: .*Python integer (-?\d+) out of bounds for (u?int\d+)": _does_not_fit,
     r"SyntaxError: invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)": _typographic,
 }
 
