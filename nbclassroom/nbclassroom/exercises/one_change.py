@@ -90,8 +90,6 @@ def _find_change(function, passes):
     ]
     for changes in _groups(possible, nodes):
         if helps(changes):
-            like = [change for change in possible if _is_like(change, changes[0], nodes)]
-            changes = like if len(like) > len(changes) and helps(like) else changes
             places = [nodes[change.number] for change in changes]
             return _sentence(places, changes[0].question, source.split("\n"), code.co_firstlineno - 1)
     return ""
@@ -140,13 +138,6 @@ def _form(place):
     if isinstance(place, ast.Constant):
         return text, place.lineno
     return text if len(text) > 2 else place, type(getattr(place, "ctx", None))
-
-
-def _is_like(change, other, nodes):
-    """Whether two changes do the same, at places of one form."""
-    if (change.rule, change.kind, change.question) != (other.rule, other.kind, other.question):
-        return False
-    return _form(nodes[change.number]) == _form(nodes[other.number])
 
 
 def _changed(tree, changes):

@@ -101,9 +101,3 @@ def test_the_time_of_all_changes_is_limited(monkeypatch):
 def test_a_change_that_never_ends_costs_no_more_than_its_time():
     source = "def f(a):\n    n = 0\n    while n <= a:\n        n += 1\n    return n"
     assert "n <= a" in sentence(source, ((3,), 3), ((5,), 5))
-
-
-def test_all_likely_places_are_named_if_one_is_enough():
-    """The calls do not show that the second line is wrong too."""
-    text = sentence("def f(a, b):\n    a = a // 2\n    b = b // 2\n    return a, b", ((1, 4), (0.5, 2)))
-    assert "lines 2, 3" in text
