@@ -113,25 +113,13 @@ def check_lesson(path, folders=None):
 
 
 def _read(path):
-    if path.is_dir():
-        lessons = sorted(path.glob("*.ipynb"))
-        example = lessons[0] if lessons else "my_lessons/03_images_as_messages.ipynb"
-        raise LessonFileError(f"{path} is a folder; give the lesson itself, such as {example}")
-    if not path.is_file():
-        raise LessonFileError(
-            f"{path}: no such file; give the lesson that you want to submit, such as"
-            " my_lessons/03_images_as_messages.ipynb"
-        )
-    if not notebook_name(path.name).endswith(".ipynb"):
-        advice = "its name does not end in .ipynb; give the lesson's own file"
-        raise LessonFileError(f"{path} is not a notebook: {advice}")
+    if not path.is_file() or not notebook_name(path.name).endswith(".ipynb"):
+        problem = "is a folder" if path.is_dir() else "is no notebook" if path.exists() else "does not exist"
+        example = "such as my_lessons/03_images_as_messages.ipynb"
+        raise LessonFileError(f"{path} {problem}; give the lesson that you want to submit, {example}")
     if path.stat().st_size > LARGEST:
         raise LessonFileError(f"{path}: {too_large(path.stat().st_size, LARGEST)}")
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        reason = f"it cannot be read ({error.strerror}); change its permissions"
-        raise LessonFileError(f"{path}: {reason}") from error
+    return path.read_bytes()
 
 
 def run_answers(lesson_check):

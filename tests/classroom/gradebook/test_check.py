@@ -140,19 +140,17 @@ def test_a_notebook_that_a_browser_saved_as_text_is_checked(lesson):
     assert check_lesson(path.rename(path.with_name("my_lesson.ipynb.txt"))).ready
 
 
-def test_a_file_of_another_kind_and_a_folder_are_one_line(tmp_path):
+@pytest.mark.parametrize(
+    ("name", "problem"),
+    [("notes.txt", "is no notebook"), ("", "is a folder"), ("20_light.ipynb", "does not exist")],
+)
+def test_what_is_no_lesson_is_one_line(tmp_path, name, problem):
     (tmp_path / "notes.txt").write_text("hello")
-    done = CliRunner().invoke(check, [str(tmp_path / "notes.txt")])
+    done = CliRunner().invoke(check, [str(tmp_path / name)])
     assert done.exit_code == 1 and done.output == (
-        f"Error: {tmp_path / 'notes.txt'} is not a notebook: its name does not end in .ipynb;"
-        " give the lesson's own file\n"
+        f"Error: {tmp_path / name} {problem}; give the lesson that you want to submit, such as"
+        " my_lessons/03_images_as_messages.ipynb\n"
     )
-    folder = f"Error: {tmp_path} is a folder; give the lesson itself, such as"
-    done = CliRunner().invoke(check, [str(tmp_path)])
-    assert done.exit_code == 1 and done.output == f"{folder} my_lessons/03_images_as_messages.ipynb\n"
-    (tmp_path / "03_mine.ipynb").write_text("")
-    done = CliRunner().invoke(check, [str(tmp_path)])
-    assert done.exit_code == 1 and done.output == f"{folder} {tmp_path / '03_mine.ipynb'}\n"
 
 
 # ---------------------------------------------------------------- running the answers
@@ -251,5 +249,5 @@ def test_an_answer_that_ends_python_is_named(lesson):
 
 def test_of_several_lessons_a_missing_one_does_not_hide_the_others(lesson):
     done = CliRunner().invoke(check, ["nothing.ipynb", str(lesson())])
-    assert done.exit_code == 1 and "Error: nothing.ipynb: no such file" in done.output
-    assert "template-double: " in done.output.split("no such file")[1]
+    assert done.exit_code == 1 and "Error: nothing.ipynb does not exist" in done.output
+    assert "template-double: " in done.output.split("does not exist")[1]
