@@ -1,4 +1,4 @@
-"""Sources that are Python but for a slip: a wrong character, or characters that a word processor has changed.
+"""Sources that are Python but for a slip: a letter of a keyword, or characters that a word processor changes.
 
 Only the standard library is imported: the process that reads notebooks loads this file.
 """
@@ -25,17 +25,6 @@ _PLAIN = {
     **{"\u3001": ",", "\u3002": "."},
 }
 _PLAIN_BY_CODE = str.maketrans(_PLAIN)
-# What may be missing or wrong at the place of an error, by a part of Python's message.
-_MISSING = (
-    ("':'", ":"),
-    ("was never closed", ")]}"),
-    ("does not match", ")]}"),
-    ("unmatched", ""),
-    ("unterminated string", "\"'"),
-    ("instead of '='", "="),
-    ("forgot a comma", ","),
-    ("invalid syntax", ":)],="),
-)
 
 
 def plain_character(character):
@@ -70,21 +59,11 @@ def _candidates(source, error):
 
 
 def _mended_lines(line, error):
-    """Lines with one letter of a keyword mended, or one character more, less, or another, near the error."""
+    """Lines with one letter of a keyword mended, or one space more or less."""
     if isinstance(error, IndentationError):
         yield from (f" {line}", line[1:])
-        return
-    characters = next((characters for part, characters in _MISSING if part in error.msg), None)
-    if characters is None:
-        return
-    if "invalid syntax" in error.msg:
+    elif "invalid syntax" in error.msg:
         yield from _lines_with_keyword(line)
-    start, last = (error.offset or 1) - 1, len(line.rstrip())
-    before, end = len(line[:start].rstrip()), max((error.end_offset or 1) - 1, start + 1)
-    places = list(dict.fromkeys([before, last, last - 1, *range(start, min(end, start + 10) + 1)]))
-    for character in characters:
-        yield from (line[:place] + character + line[place:] for place in places)
-    yield from (line[:start] + character + line[start + 1 :] for character in ["", *characters])
 
 
 def _lines_with_keyword(line):

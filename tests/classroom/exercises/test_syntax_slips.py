@@ -7,27 +7,12 @@ from nbclassroom.exercises import syntax_slips
 from nbclassroom.exercises.syntax_slips import plain_character, without_slip
 
 SLIPS = {
-    "def f(x)\n    return x": "def f(x):\n    return x",
-    "def f(x)  # why\n    return x": "def f(x):  # why\n    return x",
-    "def f(x);\n    return x": "def f(x):\n    return x",
-    "def f(x)::\n    return x": "def f(x):\n    return x",
-    "def f(x:\n    return x": "def f(x):\n    return x",
     "dfe f(x):\n    return x": "def f(x):\n    return x",
     "Def f(x):\n    return x": "def f(x):\n    return x",
     "def f(x):\n    retrun x": "def f(x):\n    return x",
     "def f(x):\n    retrn x": "def f(x):\n    return x",
     "def f(x):\n    returnn x": "def f(x):\n    return x",
     "if x:\n    y = 1\nesle:\n    y = 2": "if x:\n    y = 1\nelse:\n    y = 2",
-    "if (x > 3:\n    y = 1": "if (x > 3):\n    y = 1",
-    "if x = 3:\n    y = 1": "if x == 3:\n    y = 1",
-    "y = (x": "y = (x)",
-    "y = x)": "y = x",
-    "y = x[1)": "y = x[1]",
-    "y = f(x, [1, 2)": "y = f(x, [1, 2])",
-    "y = {'a': 1, 'b' 2}": "y = {'a': 1, 'b': 2}",
-    "y = f(a b)": "y = f(a, b)",
-    "print('abc)\ny = 1": "print('abc')\ny = 1",
-    'y = "abc': 'y = "abc"',
     "def f(x):\n    y = 1\n     return y": "def f(x):\n    y = 1\n    return y",
     "def f(x):\n    y = 1\n   return y": "def f(x):\n    y = 1\n    return y",
     "def f(x):\n\ty = 1\n        return y": "def f(x):\n        y = 1\n        return y",
@@ -64,7 +49,7 @@ def test_a_slip_is_mended(source, mended):
 
 
 def test_a_long_source_is_not_searched(monkeypatch):
-    source = "y = x)"
+    source = "retrun x"
     monkeypatch.setattr(syntax_slips, "_MOST_CHARACTERS", len(source))
     assert without_slip(source, error_in(source))
     assert without_slip(source + " ", error_in(source + " ")) is None
@@ -81,7 +66,7 @@ def test_no_line_is_tried_often(monkeypatch):
 
 
 def test_an_error_outside_the_lines_is_no_slip():
-    assert without_slip("y = x)", SyntaxError("unmatched ')'", ("", 9, 90, "", 9, 91))) is None
+    assert without_slip("retrun x", SyntaxError("invalid syntax", ("", 9, 90, "", 9, 91))) is None
 
 
 def test_what_a_keyboard_writes_for_a_typographic_character():

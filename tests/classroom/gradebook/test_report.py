@@ -221,7 +221,7 @@ def alike(light, key_path, tmp_path_factory):
 @pytest.mark.parametrize(
     ("name", "cause", "advice"),
     [
-        ("syntax", "(expected ':'). One change makes it Python: 'def double(", "run the cell in the lesson"),
+        ("syntax", "statement in its cell fails: SyntaxError: expected ':'", "run the cell in the lesson"),
         ("quotes", "SyntaxError: invalid character '\u2019' (U+2019)", "Type ' or \" there."),
         ("unknown", "statement in its cell fails: NameError: name 'cv'", "Nothing has the name cv here."),
         ("refused", "Write this exercise without cv2", "write it by hand"),
@@ -229,7 +229,7 @@ def alike(light, key_path, tmp_path_factory):
         (
             "overflow",
             "OverflowError: Python integer 300 out of bounds for uint8\nin your line 2: return",
-            "300 does not fit into uint8, which holds 0 to 255.",
+            "300 does not fit into uint8. So the values would overflow",
         ),
         ("ending", "", "no os._exit()"),
         ("deleted", "Its answer cell (answer-light-double) is missing.", "<code>imgproc-course check</code>"),

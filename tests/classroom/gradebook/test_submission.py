@@ -183,10 +183,10 @@ def test_the_state_of_an_answer(read, made, source, state, text):
             " 'return p'",
         ),
         (
-            "from numpy import *\ndef double(p)\n    return p",
+            "from numpy import *\ndef double(p):\n    retrun p",
             "broken",
-            "line 2 of its answer cell is not Python: def double(p) (expected ':'). One change makes it"
-            " Python: 'def double(p):'",
+            "line 3 of its answer cell is not Python: retrun p (invalid syntax). One change makes it Python:"
+            " 'return p'",
         ),
         (
             "def double(p):\n    print(\u201cA\u201d)\n    return p",
