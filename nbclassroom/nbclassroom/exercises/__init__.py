@@ -9,10 +9,10 @@ from .error_advice import advise_everywhere
 from .guesses import GuessComparison, ask, compare_guess
 from .help_steps import hint, solution
 from .kinds.node.ros_double import offer_modules
-from .overview import Certificate, Overview, certificate, overview
+from .overview import Overview, certificate, overview
 from .progress_bar import with_progress
 
-__all__ = ["Certificate", "CheckFileError", "CheckResult", "GuessComparison", "MasterError", "Overview"]
+__all__ = ["CheckFileError", "CheckResult", "GuessComparison", "MasterError", "Overview"]
 __all__ += ["array_of", "ask", "certificate", "check", "compare_guess", "exercise", "hint", "offer_modules"]
 __all__ += ["overview", "read_exercises", "run_cases", "solution", "with_progress"]
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from .. import course
 from .check_files import DAMAGED, CheckFileError, checks_folders, read_check_file
+from .help_steps import Help
 from .kinds import kind_of
 from .progress import read_progress
 
@@ -209,21 +210,7 @@ def _points_of_checks(entry):
     return None if is_by_person else sum(case["points"] for case in entry["cases"])
 
 
-class Certificate:
-    """The page that was written; a notebook shows a link to it."""
-
-    def __init__(self, path: Path):
-        self.path = path
-
-    def __repr__(self):
-        return f"{self.path.name} is written; open it in a browser, and print it there (Ctrl+P)"
-
-    def _repr_html_(self):
-        link = f'<a href="{self.path.name}" target="_blank">{self.path.name}</a>'
-        return f"Written: {link}. Open it in the browser, and print it there (<b>Ctrl+P</b>)."
-
-
-def certificate(name: str, folder: Path | str | None = None) -> Certificate:
+def certificate(name: str, folder: Path | str | None = None) -> Help:
     """Writes certificate.html beside the lessons: lessons with exercises that passed, points and date.
 
     Parameters
@@ -233,7 +220,7 @@ def certificate(name: str, folder: Path | str | None = None) -> Certificate:
 
     Returns
     -------
-    Certificate, which a notebook shows as a link. ValueError: no name, no lessons, or nothing has passed
+    Help, which says where it is. ValueError: no name, no lessons, or nothing has passed
     """
     if not isinstance(name, str) or not name.strip():
         raise ValueError(f'name is {name!r}, expected your name as a text: certificate("Ada Lovelace")')
@@ -242,7 +229,7 @@ def certificate(name: str, folder: Path | str | None = None) -> Certificate:
         raise ValueError("nothing has passed yet; run the checks of a lesson, then call certificate again")
     path = Path(folder or Path.cwd()) / CERTIFICATE
     path.write_text(_page(name.strip(), lessons), encoding="utf-8")
-    return Certificate(path)
+    return Help(f"{path.name} is written", "Open it in a browser, and print it there (Ctrl+P).")
 
 
 def _page(name, lessons):
