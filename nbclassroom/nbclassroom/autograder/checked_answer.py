@@ -7,21 +7,10 @@ from ..exercises.document import Html, Paragraphs
 from ..exercises.error_advice import advice_on
 from ..exercises.feedback import blocks_of
 from ..exercises.judging import CheckResult, judge
-from .outcomes import TEXTS, Outcome
+from .outcomes import PHRASES, TEXTS, Outcome
 from .sanitize import reproducible_text, sanitize_text
 
 _LONGEST = 2_000  # characters of a text, and of what an answer printed
-_CELL_ADVICE = (
-    "No check could use your answer: run the cell in the lesson, and fix what Python reports there."
-)
-_FOREIGN_VALUE = (
-    "Your answer reads a value that another cell makes with a module that is not allowed here. In the lesson"
-    " it works; in grading nothing has this module. Compute with the arguments of your function."
-)
-_NAME_ADVICE = (
-    "Grading runs your notebook as Restart & Run All does, from its top to the check of the exercise, and if"
-    " a name is missing the cells below, too. Is the name misspelled, or does no cell define it?"
-)
 # Cases that ended so are explained by the outcome, and not by a call.
 _NO_CALL = (Outcome.HOSTILE, Outcome.NOT_ATTEMPTED, Outcome.REFUSED_MODULE, Outcome.NOT_GRADED)
 
@@ -154,8 +143,8 @@ def _advice(cases, message):
     if outcome != Outcome.RAISED:
         return TEXTS[outcome].advice
     if ": RefusedModule: " in message:
-        return _FOREIGN_VALUE
+        return PHRASES["value: advice"]
     if message:
         error, _, text = message.partition(": ")[2].partition(": ")
-        return f"{advice_on(error, text)} {_CELL_ADVICE}".strip()
-    return _NAME_ADVICE if cases[0].message.startswith("NameError") else ""
+        return f"{advice_on(error, text)} {PHRASES['cell: advice']}".strip()
+    return PHRASES["name: advice"] if cases[0].message.startswith("NameError") else ""

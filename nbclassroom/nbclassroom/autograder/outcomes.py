@@ -2,8 +2,10 @@
 
 from dataclasses import dataclass
 from enum import StrEnum
+from pathlib import Path
 
 from .. import course
+from ..exercises.error_advice import read_phrases
 
 
 class Outcome(StrEnum):
@@ -38,51 +40,14 @@ class OutcomeTexts:
 BUDGET_MESSAGE = "it was not run: the checks before it took too much time"
 # How the message of a case begins whose function is not there, because its cell raised an exception.
 CELL_FAILS = "its cell does not run"
+# The key of a text is an outcome, with the field if it is not the label; of other advice, what it is about.
+PHRASES = {
+    key: text.format(command=course.command)
+    for key, text in read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")).items()
+}
 TEXTS = {
-    Outcome.PASSED: OutcomeTexts("passed"),
-    Outcome.WRONG: OutcomeTexts("returns another value"),
-    Outcome.RAISED: OutcomeTexts("raised an exception"),
-    Outcome.NOT_ATTEMPTED: OutcomeTexts(
-        "not attempted",
-        advice="You have not started this exercise yet, and that is fine. Begin with the example in the"
-        " lesson, and run its check as often as you like.",
-    ),
-    Outcome.MISSING: OutcomeTexts(
-        "the answer is missing",
-        advice="No cell of the notebook defines a function or class of this name, with a def or class that"
-        " begins at the left edge. Write it into its answer cell (a fresh copy of the lesson has one), and"
-        f" run `{course.command} check` on the notebook before you submit it.",
-    ),
-    Outcome.REFUSED_MODULE: OutcomeTexts(
-        "uses a module that this exercise does not allow",
-        advice="The task is to write it by hand, without the modules that do it for you. If the module is a"
-        " file of your own, copy its functions into a cell of the notebook: only the notebook is graded.",
-    ),
-    Outcome.TIME: OutcomeTexts(
-        "did not finish in time",
-        message="it did not finish in time",
-        advice="It does not finish in time, whatever its input is. Is there a loop whose condition stays"
-        " true, or a loop that visits every pixel again for each pixel?",
-    ),
-    Outcome.MEMORY: OutcomeTexts(
-        "needed too much memory",
-        message="it used more memory than an answer may use",
-        advice="It needs too much memory, whatever its input is. What grows with every turn of a loop?",
-    ),
-    Outcome.OUTPUT: OutcomeTexts(
-        "printed too much",
-        message="it printed more than the autograder reads",
-        advice="Remove the print calls from your answer.",
-    ),
-    Outcome.CRASHED: OutcomeTexts(
-        "ended the Python process",
-        message="it ended its process",
-        advice="Nothing in your answer may end Python: no exit(), no quit(), no os._exit().",
-    ),
-    Outcome.HOSTILE: OutcomeTexts(
-        "sent something that no answer sends",
-        message="it sent something that is not a message of a notebook's kernel",
-    ),
-    Outcome.OPEN: OutcomeTexts("your teacher has not graded it yet"),
-    Outcome.NOT_GRADED: OutcomeTexts("could not be graded; your teacher will look at it"),
+    outcome: OutcomeTexts(
+        PHRASES[outcome], PHRASES.get(f"{outcome}: message", ""), PHRASES.get(f"{outcome}: advice", "")
+    )
+    for outcome in Outcome
 }
