@@ -13,7 +13,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from ..exercises.canonical import MATRIX, MOST_CHARACTERS, MOST_INT_BITS, PLAIN_TYPES, SCALARS
+from ..exercises.canonical import MOST_CHARACTERS, MOST_INT_BITS, PLAIN_TYPES, SCALARS
 from ..exercises.running import CallResult
 
 _MOST_DEPTH = 10  # one more than `canonical` writes
@@ -51,8 +51,7 @@ class _FormReader:
             return _array(data)
         if data.get("opaque") is True:
             _require(kind not in PLAIN_TYPES and kind not in _SCALARS)
-            array = {"array": _matrix(data["array"])} if kind == MATRIX and "array" in data else {}
-            return {"type": kind, "opaque": True} | array
+            return {"type": kind, "opaque": True}
         if kind in _CONTAINERS:
             return {"type": kind, "items": self._items(kind, data.get("items"), depth)}
         if kind == "bytes":
@@ -125,13 +124,6 @@ def _array(data):
         return form | {"opaque": True}
     _require(name in _DTYPES)
     return form | _data(data, 0 if 0 in shape else size)
-
-
-def _matrix(data):
-    _require(isinstance(data, dict))
-    form = _array(data)
-    _require(len(form["shape"]) == 2)
-    return form
 
 
 def _data(data, size):

@@ -25,7 +25,6 @@ _MOST_NAME_CHARACTERS = 100
 
 # Types whose forms have keys of their own, beside NumPy's scalars.
 PLAIN_TYPES = ("None", "bool", "int", "float", "str", "bytes", "tuple", "list", "dict", "ndarray")
-MATRIX = "numpy.matrix"
 _MATRIX_TYPE = np.matrix
 
 # Types that hold the same values as a plain one, and are given as that one.
@@ -58,10 +57,9 @@ def canonical(value, limit=None, most=None):
         ndarray                          "dtype", "shape", and "data" (base64, little-endian, C order) or
                                          "digest"
         ROS message, SimpleNamespace     "fields": {name: form}
-        numpy.matrix                     "opaque": True, and "array": the form of its values, with two axes
         anything else, and subclasses    "opaque": True, and only the name of the type
     A named tuple is given as a tuple, NumPy's text and a StrEnum as a str, a Counter as a dict, a Decimal, a
-    Fraction and a longdouble as a float, a masked array without a mask as an array.
+    Fraction and a longdouble as a float, a matrix, and a masked array without a mask, as an array.
     A value that is too deep, too long or too large has "too_large": True.
 
     In this form NaN equals NaN and -0.0 equals 0.0; byte order and memory layout make no difference.
@@ -99,8 +97,6 @@ class _Writer:
             return {"type": "bytes", "length": len(value), **self._data(value)}
         if kind is np.ndarray:
             return self._array(value)
-        if kind is _MATRIX_TYPE:
-            return {"type": MATRIX, "opaque": True, "array": self._array(np.ndarray.view(value, np.ndarray))}
         if kind in SCALARS:
             return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
         if kind in (tuple, list, dict):
@@ -192,7 +188,7 @@ def _plain(value):
             return float(value)
         except (ValueError, OverflowError):  # a signalling nan of Decimal, a great Fraction
             return math.nan
-    if kind is np.ma.MaskedArray and not np.ma.is_masked(value):
+    if kind is _MATRIX_TYPE or (kind is np.ma.MaskedArray and not np.ma.is_masked(value)):
         return np.ndarray.view(value, np.ndarray)
     if issubclass(kind, (enum.StrEnum, enum.IntEnum)):  # by the methods of str and int, not a learner's
         return str.__str__(value) if issubclass(kind, str) else int.__int__(value)

@@ -40,9 +40,8 @@ def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
 
     If the type need not be exact, right values may also come as a float for an integer, in another number
     type of an array, as a list for a tuple, as a list (of lists or arrays) for an array, and the other way
-    round, as a matrix for an array, and as an array of one element for a number. True and False never stand
-    for numbers: a mask selects pixels, and 0 and 1 do not. Whether numbers in float32 are right is decided
-    with its rounding.
+    round, and as an array of one element for a number. True and False never stand for numbers: a mask selects
+    pixels, and 0 and 1 do not. Whether numbers in float32 are right is decided with its rounding.
 
     The tolerance is absolute, in the unit of the answer; `path` is that of the two inside the whole answer.
     """
@@ -144,7 +143,6 @@ def kind_of(form):
 
 def as_type_of(expected, actual):
     """The same values in the container of the expected form, if it can hold them; else the form as it is."""
-    actual = actual.get("array", actual)  # of a matrix
     kind, actual_kind = kind_of(expected), kind_of(actual)
     if kind in ("tuple", "list") and actual_kind in ("tuple", "list"):
         return actual | {"type": kind}
@@ -167,7 +165,6 @@ def _array_form(form, depth):
 
 def _numbers(form):
     """The numbers of a list, whose items may be lists or arrays; ValueError if it holds anything else."""
-    form = form.get("array", form)  # of a matrix
     if form["type"] in ("tuple", "list") and "items" in form:
         return [_numbers(item) for item in form["items"]]
     number = array_of(form) if form["type"] == "ndarray" else form.get("value")

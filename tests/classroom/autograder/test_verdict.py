@@ -101,7 +101,6 @@ def nested(depth):
 
 
 DATA = {"type": "bytes", "length": 1, "data": "AA=="}
-MATRIX = {"type": "int", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "opaque": 1}
 FORGED = {  # {name: (what a kernel sends, the keys that stay)}
     "an object": (
         {"type": "types.SimpleNamespace", "opaque": True, "fields": {"data": 7}, "items": 5, "shape": "x"},
@@ -116,8 +115,6 @@ FORGED = {  # {name: (what a kernel sends, the keys that stay)}
         {"type": "ndarray", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "summary": "x"},
         ["type", "dtype", "shape", "digest"],
     ),
-    "a matrix": ({"type": "numpy.matrix", "opaque": True, "array": MATRIX}, ["type", "opaque", "array"]),
-    "a matrix without values": ({"type": "numpy.matrix", "opaque": True, "value": 3}, ["type", "opaque"]),
     "a message without a size": (
         {"type": "image", "fields": {"data": {"type": "image", "fields": {"data": DATA}}, "height": DATA}},
         ["type", "fields"],
@@ -194,8 +191,6 @@ def test_what_a_call_says_is_bounded():
         # Opaque or too large, with the type of a form that a reader would open.
         {"type": "list", "opaque": True},
         {"type": "ndarray", "opaque": True},
-        {"type": "numpy.matrix", "opaque": True, "array": {"dtype": "uint8", "shape": [1], "data": "AA=="}},
-        {"type": "numpy.matrix", "array": {"dtype": "uint8", "shape": [1, 1], "data": "AA=="}},
         {"type": "ndarray", "too_large": True},
         # Shapes and dtypes that NumPy refuses.
         {"type": "ndarray", "dtype": "uint8", "shape": [2**39, 2**39, 0], "data": ""},

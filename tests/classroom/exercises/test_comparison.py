@@ -214,6 +214,5 @@ def test_any_answer_can_be_compared_with_any_expected_one(expected, exact_type):
     assert len(equal) <= 5 and all(difference is None or difference.message for difference in differences)
 
 
-@pytest.mark.parametrize(("expected", "actual"), [(44, np.array([44])), (ARRAY, ARRAY.view(np.matrix))])
-def test_an_exact_type_refuses_a_matrix_and_an_array_for_a_number(expected, actual):
-    assert compare(canonical(expected), canonical(actual)).kind == "type"
+def test_an_exact_type_refuses_an_array_for_a_number():
+    assert compare(canonical(44), canonical(np.array([44]))).kind == "type"
