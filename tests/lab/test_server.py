@@ -109,23 +109,6 @@ def test_the_port_of_the_environment_variable_is_used(configured, monkeypatch):
     assert configured("--port=9002")[0].port == 9002
 
 
-@pytest.mark.parametrize(
-    ("port", "error"),
-    [("no", "expected an int"), ("-1", "--port -1 is not a port"), ("65536", "is not a port")],
-)
-def test_a_number_that_is_not_a_port_is_refused_in_one_line(configured, capsys, port, error):
-    with pytest.raises(SystemExit):
-        configured(f"--port={port}")
-    (line,) = capsys.readouterr().err.splitlines()
-    assert error in line
-
-
-def test_a_port_that_most_users_may_not_use_is_tried_once(configured, monkeypatch):
-    monkeypatch.delenv("JUPYTER_PORT_RETRIES", raising=False)
-    assert configured("--port=80")[0].port_retries == 0
-    assert configured("--port=1024")[0].port_retries == configured()[0].port_retries == 50
-
-
 @pytest.mark.parametrize("user", [0, 1000])
 def test_root_is_allowed_only_if_root_starts_it(configured, monkeypatch, user):
     monkeypatch.setattr(os, "geteuid", lambda: user, raising=False)

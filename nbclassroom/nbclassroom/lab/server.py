@@ -11,7 +11,7 @@ import nbformat
 from jupyter_core.paths import jupyter_runtime_dir
 from jupyter_server.serverapp import ServerApp, list_running_servers
 from nbformat.sign import NotebookNotary
-from traitlets import TraitError, default, validate
+from traitlets import default
 
 from nbclassroom import course
 from nbclassroom.lab.working_copies import LabError, update_lessons
@@ -26,25 +26,11 @@ class CourseServer(ServerApp):
 
     Jupyter Server 2.21 logs this at the level INFO only, among much that no learner needs. This class can go
     when a release of Jupyter Server logs it at the level WARNING.
-
-    It also refuses a number that is not a port: the system would take 65536 for 0, which means any free port.
     """
-
-    @validate("port")
-    def _check_port(self, proposal):
-        port = proposal["value"]
-        if not 0 <= port <= 65535:
-            raise TraitError(f"--port {port} is not a port; give a number from 1024 to 65535: --port 8888")
-        return port
 
     @default("static_custom_path")
     def _static_custom_path_default(self):
         return [str(CONFIGURATION / "custom")]  # custom.css; LabApp.custom_css switches it on
-
-    @default("port_retries")
-    def _port_retries_default(self):
-        # Below 1024 most users may not listen, and each of 50 more tries would log a warning.
-        return 0 if 0 < self.port < 1024 else super()._port_retries_default()
 
     def init_httpserver(self):
         configured_port = self.port
