@@ -23,7 +23,7 @@ from .teacher_tables import plain_number
 COLUMNS = (
     *("learner", "lesson", "points", "max_points", "percent", "late", "submitted_at", "submissions"),
     *("status", "findings", "file", "platform_id", "autograded_points", "days_late", "late_deduction"),
-    *("decisions", "page", "open_points"),
+    *("page", "open_points"),
 )
 CHECK_COLUMNS = (
     *("learner", "lesson", "exercise", "check", "title", "hidden", "points", "max_points"),
@@ -73,19 +73,9 @@ def _grades_row(learner, lesson):
         "submitted_at": lesson["submitted_at"] or "",
         "submissions": 1 + len(lesson["earlier"]),
         "findings": "; ".join(texts),
-        "decisions": "; ".join(_decision_texts(lesson)),
         "page": learner["page"],
     }
     return [row[column] for column in COLUMNS]
-
-
-def _decision_texts(lesson):
-    for entry, name in [(lesson, ""), *((exercise, exercise["id"]) for exercise in lesson["exercises"])]:
-        decision = entry["decision"]
-        if decision:
-            points = "" if decision["points"] is None else f"{decision['points']} points"
-            cells = ("excused" if decision["excused"] else points, decision["comment"])
-            yield f"{name or 'the lesson'}: {', '.join(filter(None, cells))}"
 
 
 def platform_points(lesson, excused=""):

@@ -63,7 +63,6 @@ def fill_table(table, grades):
     if missing:
         names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
         lines.append(f"  graded, but in no row of the table: {names}")
-    lines += _graded_in_part(columns, grades)
     lines += _different_points(table, columns, grades)
     # Numbers, and the dash for no points, are no formulas.
     cells = (
@@ -85,14 +84,6 @@ def _graded_lessons(grades):
         }
         for learner in grades["learners"]
     }
-
-
-def _graded_in_part(columns, grades):
-    """The line that says how many lessons are not filled in, because a person has still to grade a part."""
-    lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
-    count = sum(one["open_points"] > 0 and one["lesson"] in columns.values() for one in lessons)
-    text = f"  {count} not filled in: a person has still to grade an answer; --open-as-zero fills them in"
-    return [text] if count and not grades["open_as_zero"] else []
 
 
 def _lesson_columns(table, grades):
