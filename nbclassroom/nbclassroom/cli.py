@@ -294,8 +294,7 @@ def _would_be_committed(path):
     help="Afterwards, serve the pages on this machine until Ctrl-C, and count what you decide on them.",
 )
 @option("--forget-rules", is_flag=True, help="Do not use the rules of the run before.")
-@option("--yes", is_flag=True, help="Ask nothing, even if a rule of the run before gets lost.")
-def grade(submissions, keys, out, review, forget_rules, yes, dry_run, **options):
+def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
     """Grade everything in SUBMISSIONS: a folder, or the zip file of a learning platform.
 
     A submission that was graded before, with the same key and the same answers, is not graded again: after an
@@ -307,7 +306,7 @@ def grade(submissions, keys, out, review, forget_rules, yes, dry_run, **options)
     from nbclassroom.autograder.worker_threads import usual_workers
     from nbclassroom.gradebook.answer_keys import load_keys
 
-    rules = _rules_of_run(out, options | {"keys": keys}, forget_rules, yes)
+    rules = _rules_of_run(out, options | {"keys": keys}, forget_rules)
     options |= rules.rules
     keys = options.pop("keys")
     if dry_run:
@@ -348,16 +347,13 @@ def _grade_and_review(submissions, keys, out, rules, review, options):
     return report
 
 
-def _rules_of_run(out, given, forget, yes):
-    """The RunRules; asks if a rule of the run before would be lost."""
+def _rules_of_run(out, given, forget):
+    """The RunRules; prints which are those of the run before."""
     from nbclassroom.gradebook.run_rules import NAMES, RunRules
 
     rules = RunRules(out, {name: given[name] for name in NAMES}, forget=forget)
     if rules.kept:
         click.echo(f"As in the run before: {', '.join(rules.kept)}.")
-    if rules.lost and not yes:
-        text = f"The run before had {', '.join(rules.lost)}; this one would not. Grade all the same (--yes)?"
-        click.confirm(text, abort=True, err=True)
     return rules
 
 

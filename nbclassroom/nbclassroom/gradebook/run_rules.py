@@ -32,21 +32,15 @@ class RunRules:
 
     rules  {name: value}, as the command `grade` takes them
     kept   texts: the rules that were not given, and are those of the run before
-    lost   texts: the rules that the run before had, and this one has not
     """
 
     def __init__(self, out, given, *, forget=False):
         self._path = Path(out) / FILE
-        before = _read(self._path)
+        before = {} if forget else _read(self._path)
         given = {name: value for name, value in given.items() if value}
-        usable = {} if forget else {name: _usable(name, value) for name, value in before.items()}
-        self.rules = dict.fromkeys(_RULES) | usable | given
+        self.rules = dict.fromkeys(_RULES) | before | given
         self.rules["keys"] = self.rules["keys"] or [Path("key")]
-        self.kept = [_text(name, value) for name, value in usable.items() if value and name not in given]
-        keys = {Path(key).resolve() for key in self.rules["keys"]}
-        lost = {name: value for name, value in before.items() if not self.rules[name]}
-        lost |= {"keys": [key for key in before.get("keys", ()) if key not in keys]}
-        self.lost = [_text(name, lost[name]) for name in _RULES if lost.get(name)]
+        self.kept = [_text(name, value) for name, value in before.items() if name not in given]
 
     def keep(self):
         """Write the rules into the folder of grades."""
@@ -70,13 +64,6 @@ def _read(path):
 
 def _plain(value):
     return str(value.resolve()) if isinstance(value, Path) else value.isoformat()
-
-
-def _usable(name, value):
-    """A rule without the paths that are not there any more; None if it is one of them."""
-    if name == "keys":
-        return [key for key in value if key.exists()]
-    return None if isinstance(value, Path) and not value.exists() else value
 
 
 def _text(name, value):
