@@ -3,7 +3,6 @@
 import statistics
 from collections import Counter
 from itertools import chain
-from pathlib import PurePosixPath
 
 import numpy as np
 
@@ -31,7 +30,6 @@ def summary_page(grades, failed_pages=()):
     learners = [_with_handed_out(learner, grades, submitted) for learner in grades["learners"]]
     graded = [lesson for lesson in submissions if lesson["status"] == "graded"]
     missing = grades["roster"]["missing"] if grades["roster"] else ()
-    own_modules = {PurePosixPath(path).stem for path in grades["ignored"] if path.endswith(".py")}
     return render_page(
         "summary.html",
         grades=grades,
@@ -47,7 +45,7 @@ def summary_page(grades, failed_pages=()):
         mistakes=_mistake_counts(graded),
         sent={name: sum(squeezed(name) in squeezed(path) for path in grades["ignored"]) for name in missing},
         **_mean_and_median(learners),
-        **_lists_of_concerns(grades["learners"], own_modules),
+        **_lists_of_concerns(grades["learners"]),
         equal=_equal_to_solution(grades["learners"]),
         lessons=list(_lesson_rows(graded, lesson_names(grades))),
     )
@@ -56,13 +54,13 @@ def summary_page(grades, failed_pages=()):
 # ---------------------------------------------------------------- what to look at
 
 
-def _lists_of_concerns(learners, own_modules):
-    """{list: what the teacher should look at in it}; `own_modules` are files that were submitted too."""
+def _lists_of_concerns(learners):
+    """{list: what the teacher should look at in it}."""
     names = "unfair hostile dishonest others broken modules"
     lists: dict[str, list] = {name: [] for name in names.split()}
     for learner in learners:
         for lesson in _lessons_to_look_at(learner):
-            for name, concern in _concerns(learner, lesson, own_modules):
+            for name, concern in _concerns(learner, lesson):
                 lists[name].append(concern)
     return lists
 
@@ -89,10 +87,10 @@ def _lessons_to_look_at(learner):
     return [lesson for lesson in learner["lessons"] if lesson["lesson"] and not lesson["decision"]] + shown
 
 
-def _concerns(learner, lesson, own_modules):
+def _concerns(learner, lesson):
     """(list, what the page shows of a concern); what cost nothing is one entry for each submission."""
     grouped: dict[tuple, dict] = {}
-    about_answers = chain(_about_exercises(lesson, own_modules), _about_broken_cells(lesson))
+    about_answers = chain(_about_exercises(lesson), _about_broken_cells(lesson))
     for name, exercise, text in chain(_about_submission(lesson), _about_findings(lesson), about_answers):
         texts = grouped.setdefault((name, exercise if name != "others" else ""), {})
         texts[text] = None
@@ -140,7 +138,7 @@ def _about_findings(lesson):
             yield ("unfair" if lost_points else "others"), finding["exercise"], finding_text(finding)
 
 
-def _about_exercises(lesson, own_modules):
+def _about_exercises(lesson):
     for exercise in lesson["exercises"]:
         id, cases = exercise["id"], exercise["cases"]
         if exercise["cause"] not in ("", id):  # it is told with that one
@@ -148,11 +146,8 @@ def _about_exercises(lesson, own_modules):
         outcomes = sorted({Outcome(case["outcome"]) for case in cases} & _LIST_OF.keys())
         for outcome in outcomes:
             module = _refused_module(cases) if outcome is Outcome.REFUSED_MODULE else ""
-            is_own = module.partition(".")[0] in own_modules
             text = f"{TEXTS[outcome].label}: {module}" if module else TEXTS[outcome].label
-            if is_own:
-                text = f"it imports {module}, a file of their own; only notebooks are graded"
-            yield "unfair" if is_own else _LIST_OF[outcome], id, f"{id}: {text}"
+            yield _LIST_OF[outcome], id, f"{id}: {text}"
         is_elsewhere = exercise["cause"] and exercise["message"]
         if is_elsewhere:
             yield "unfair", id, f"{id}: {exercise['message']}"
