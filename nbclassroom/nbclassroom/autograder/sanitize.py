@@ -13,7 +13,6 @@ _MOST_READ = 4  # characters that are read of a text, for each one that is kept
 _FORMULA_STARTS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 _FORMULA_START = rf"(?=[{re.escape(''.join(_FORMULA_STARTS))}])"
 _AFTER_SEMICOLON = re.compile(rf"(;[ '\"]*){_FORMULA_START}")
-_APOSTROPHE = re.compile(rf"(^|;[ \"]*)'{_FORMULA_START}")
 
 
 def sanitize_text(text, max_length=300):
@@ -58,8 +57,3 @@ def without_formulas(text):
     # A spreadsheet that separates cells by semicolons takes what follows one for a cell.
     text = _AFTER_SEMICOLON.sub(r"\1'", text)
     return f"'{text}" if text.lstrip(" '\"\t\r\n").startswith(_FORMULA_STARTS) else text
-
-
-def without_apostrophes(text):
-    """The text without the apostrophes that `spreadsheet_text` put before what looks like a formula."""
-    return _APOSTROPHE.sub(r"\1", text)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
 
 from ..authoring.lesson_names import lesson_name
-from ..autograder.sanitize import sanitize_line, spreadsheet_text, without_apostrophes
+from ..autograder.sanitize import sanitize_line, spreadsheet_text
 from .anonymity import anonymous_id
 from .csv_table import TableError, is_comment, read_csv
 from .roster import names_in_roster
@@ -95,10 +95,8 @@ def _by_learner(rows, names):
     as_written = {spreadsheet_text(name): name for name in names}
     for row in rows:
         # As grades.csv writes it: an apostrophe keeps a spreadsheet from taking a name for a formula.
-        copied = as_written.get(row.learner, row.learner)
-        written = (copied, row.learner.removeprefix("'"), without_apostrophes(row.learner))
-        name = next((text for text in written if text in names), None)
-        if name is None:
+        name = as_written.get(row.learner, row.learner)
+        if name not in names:
             raise TableError(f"{row.place}: there is no learner {_unknown(row.learner, names)}")
         if names[name] is not None:
             assigned.setdefault(names[name], []).append(row)
