@@ -12,7 +12,7 @@ from ..exercises.running import MEANT
 from .csv_table import csv_text
 from .grades_json import lesson_names
 from .lms_export import lessons_of
-from .report import count_of, finding_text, render_page
+from .report import finding_text, render_page
 from .roster import squeezed
 from .submission import EQUALS, ONE_LESSON
 from .teacher_tables import plain_number
@@ -79,12 +79,8 @@ def _equal_to_solution(learners):
 
 def _lessons_to_look_at(learner):
     """Those not decided; a hundred files that belong to no lesson would hide all other learners'."""
-    unknown = [lesson for lesson in learner["lessons"] if not lesson["lesson"]]
-    shown, left_out = unknown[:_MOST_UNKNOWN], len(unknown) - _MOST_UNKNOWN
-    if left_out > 0:
-        files = f"{count_of(left_out, 'more file')} of theirs could not be graded"
-        shown[-1] = shown[-1] | {"reason": f"{shown[-1]['reason']}; {files}"}
-    return [lesson for lesson in learner["lessons"] if lesson["lesson"] and not lesson["decision"]] + shown
+    unknown = [lesson for lesson in learner["lessons"] if not lesson["lesson"]][:_MOST_UNKNOWN]
+    return [lesson for lesson in learner["lessons"] if lesson["lesson"] and not lesson["decision"]] + unknown
 
 
 def _concerns(learner, lesson):

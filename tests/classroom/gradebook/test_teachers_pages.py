@@ -117,7 +117,6 @@ def test_a_hundred_files_of_one_learner_do_not_hide_the_others(light, submission
     grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
     rows = rows_of(tmp_path / "out", "May have lost points unfairly")
     assert [("eve" in row, "zoe" in row) for row in rows] == [(True, False)] * 3 + [(False, True)]
-    assert "47 more files of theirs could not be graded" in rows[2]
 
 
 def test_practice_is_no_reason_for_a_decision_on_the_whole_lesson(masters, submissions, key_path, tmp_path):
