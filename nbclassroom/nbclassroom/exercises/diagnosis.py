@@ -273,7 +273,8 @@ def _diagnose_values(calls, names):
         return Diagnosis(f"Your result is equal to the input {names[0]}: no value has changed.")
     forms = _forms(calls)
     kinds = {kind_of(form) for pair in forms for form in pair}
-    if kinds == {"tuple"} and all(_are_exchanged(*pair, calls[0].case.tolerance) for pair in forms):
+    tolerance = calls[0].case.tolerance
+    if kinds == {"tuple"} and all(_are_exchanged(one, other, tolerance) for one, other in forms):
         text = "Both results are right, but in the wrong order: exchange the first and the second."
         return Diagnosis(text, replaces_hint=True)
     if any(form.get("too_large") for pair in forms for form in pair):
