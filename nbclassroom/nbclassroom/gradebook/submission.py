@@ -300,7 +300,7 @@ def _report_place(exercise, answer, content):
     # The answer of another exercise may hold this one again, which it calls.
     others = [cell for cell in answer.others if "answer" not in cell or cell in answer.marked]
     if others:
-        graded, *places = _places([answer.cell, *others[:_MOST_NAMES]])
+        graded, *places = map(_place, [answer.cell, *others[:_MOST_NAMES]])
         text = f"{graded} is graded, and not {', '.join(places)}"
         content.add(f"{len(others) + 1} cells define {name}: {text}", exercise.id)
 
