@@ -186,17 +186,6 @@ def test_a_dead_subscriber_is_noticed_and_the_others_still_receive(
     assert node.leave() == 0
 
 
-def test_a_profile_that_does_not_exist_is_logged_and_images_still_arrive(
-    start_node, collect, camera, tools, tmp_path
-):
-    node = start_node(GRAY, FASTRTPS_DEFAULT_PROFILES_FILE=str(tmp_path / "lost.xml"))
-    node.wait_for(r"\[WARN\].*DDS profile: your own choice .*names a file that does not exist; unset it")
-    frame = tools.make_frame(11)
-    result = camera.get_result(collect(f"/{GRAY}/gray"), tools.message_of(frame))
-    assert (tools.pixels(result) == gray_of(frame)).all()
-    assert node.leave() == 0
-
-
 def test_a_node_without_images_logs_its_profile_and_why_nothing_arrives_or_leaves(start_node, collect):
     no_choice = dict.fromkeys(("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"))
     node = start_node(GRAY, **no_choice)
@@ -208,15 +197,6 @@ def test_a_node_without_images_logs_its_profile_and_why_nothing_arrives_or_leave
     node.wait_for(r"no node publishes this topic or any other image \(domain \d+, .*imgproc-course play")
     assert node.leave() == 0
     assert count("received", node) == 0
-
-
-def test_without_a_subscriber_nothing_is_processed(start_node, camera, tools):
-    node = start_node(EDGE)
-    node.wait_for("has 1 publisher")
-    camera.send_until(lambda: camera.sent >= 20, tools.message_of(tools.make_frame(12)))
-    assert node.leave() == 0
-    assert count("ignored", node) == count("received", node) >= 3
-    assert (count("processed", node), count("failed", node)) == (0, 0)
 
 
 @pytest.mark.parametrize(

@@ -75,15 +75,3 @@ def test_a_topic_remapped_to_a_compressed_one_is_read_as_compressed(
     assert play.published == 0  # the raw topic had no subscriber
     assert process.leave() == 0
     assert compare_with_drive(collector, "gray", drive, tools) >= 10 * 1280 * 720
-
-
-def test_both_nodes_in_a_namespace_and_under_another_name(start_node, collect, camera, tools):
-    gray = start_node(GRAY, "-r", "__ns:=/robot", "-r", "__node:=mono")
-    edge = start_node(EDGE, "-r", "__ns:=/robot", "-p", "low:=20", "-p", "high:=60")
-    collectors = collect("/robot/mono/gray"), collect(f"/robot/{EDGE}/edges")
-    frame = tools.make_frame(1)
-    results = [camera.get_result(collector, tools.message_of(frame)) for collector in collectors]
-    expected = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
-    assert (tools.pixels(results[0]) == expected).all()
-    assert (tools.pixels(results[1]) == cv2.Canny(expected, 20, 60)).all()
-    assert (gray.leave(), edge.leave()) == (0, 0)
