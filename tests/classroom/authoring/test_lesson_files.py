@@ -89,21 +89,6 @@ def test_feedback_from_a_file_is_that_from_the_master(stored, write_master, func
     assert (from_file.mistake is not None) == (function is wraps)
 
 
-def test_every_field_survives(stored, write_master):
-    _, folder = stored()
-    exercise = read_check_file(folder / CHECKS).exercise("template-double")
-    assert (exercise.function, exercise.names, exercise.allowed) == ("double", ("pixels",), ("scipy",))
-    assert (exercise.hidden_count, exercise.hidden_points, exercise.points) == (1, 2, 1)
-    assert (exercise.time_limit, exercise.practice) == (5.0, False)
-    assert {"LIMIT", "np"} <= set(exercise.provided) and exercise.namespace()["LIMIT"] == 255
-    (case,) = exercise.cases
-    (call,) = case.calls
-    (expected_call,) = (
-        read_master(write_master()).exercises[0].arguments(read_master(write_master()).exercises[0].public[0])
-    )
-    np.testing.assert_array_equal(call.arguments[0], expected_call[0])
-
-
 def test_an_argument_that_is_no_data_is_made_again(stored):
     files, folder = stored(
         ("return (rng.integers(100, 256, (3, 4), dtype=np.uint8),)", "return (make(rng), scale)"),

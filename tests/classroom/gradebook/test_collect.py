@@ -207,16 +207,6 @@ def test_a_broken_zip_is_one_file_with_a_reason(files_by_source, submissions):
     assert by_name["bob.ipynb"].read() == b"{}"
 
 
-def test_files_beside_a_notebook_are_listed_and_ignored(submissions):
-    write(submissions / "ada" / "x.ipynb", b"{}")
-    for name in ("conftest.py", "pytest.ini", "numpy.py", "sitecustomize.py", "x.pth"):
-        write(submissions / "ada" / name, b"raise SystemExit")
-    write(submissions / "ada" / ".ipynb_checkpoints" / "x-checkpoint.ipynb", b"{}")
-    with Collection(submissions, LESSONS) as collection:
-        assert [file.source for file in collection.files] == ["ada/x.ipynb"]
-        assert len(collection.ignored) == 5
-
-
 def test_control_characters_in_names_become_visible(files_by_source, submissions):
     name = "=cmd|' ,\u202eadA\n<b>-p x::[1]"
     write(submissions / name / "x.ipynb", b"{}")
@@ -226,8 +216,9 @@ def test_control_characters_in_names_become_visible(files_by_source, submissions
     json.dumps(sorted(learners)).encode("utf-8")
 
 
-def test_a_hidden_folder_is_listed(submissions):
+def test_a_hidden_folder_is_listed_unless_jupyter_made_it(submissions):
     write(submissions / "ada" / "20_light.ipynb", b"{}")
+    write(submissions / "ada" / ".ipynb_checkpoints" / "20_light-checkpoint.ipynb", b"{}")
     write(submissions / ".eve" / "20_light.ipynb", b"{}")
     with Collection(submissions, LESSONS) as collection:
         assert [file.learner for file in collection.files] == ["ada"]

@@ -50,14 +50,6 @@ def test_lessons_are_in_the_order_of_the_course():
     assert lesson_names({"keys": [course, mine]}) == ["z", "b", "a"]
 
 
-def test_a_submission_under_an_older_number_is_graded_as_its_lesson(grade, light, submissions):
-    made = notebook(light, answers_of(light, "right"))
-    made["metadata"]["imgproc_course"]["lesson"] = "21_light"
-    write(submissions / "ada" / "21_light.ipynb", made)
-    (lesson,) = grade(submissions)["learners"][0]["lessons"]
-    assert (lesson["lesson"], lesson["points"], lesson["findings"]) == ("light", 6, [])
-
-
 def test_thirty_submissions_get_the_right_points(graded, classroom):
     grades = json.loads((graded[0] / "grades.json").read_text())
     points = {"light": 6, "sound": 4}
