@@ -1,5 +1,6 @@
 """A controller that looks at nothing passes hardly a scenario: fixed speeds, a repeated drive."""
 
+from dataclasses import replace
 from itertools import islice
 
 import pytest
@@ -21,7 +22,7 @@ def test_a_blind_controller_passes_few_scenarios(path):
     drives = [exercise for exercise in master.exercises if exercise.subject == "drive"]
     assert drives
     for exercise in drives:
-        repeated = public_drives(exercise)[0]
+        (repeated,) = public_drives(replace(exercise, cases=exercise.public[:1]))
         drawn = [scenario for ((scenario,),) in islice(exercise.draws(exercise.hidden[0], KEY_SEED), DRAWS)]
         passed = [is_passed_by_repeating(exercise, [repeated], scenario) for scenario in drawn]
         assert sum(passed) <= (exercise.id == "tracking-drive")  # a ball rolls in few ways

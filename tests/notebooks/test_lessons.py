@@ -13,6 +13,7 @@ import sys
 import sysconfig
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import nbformat
 import pytest
@@ -21,6 +22,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 
 sys.path.append(str(Path(__file__).parent))
 from cells_of_ros import cells_of_ros
+from nbclassroom.authoring import validation
 from nbclassroom.authoring.build import (
     INDEX,
     build_lesson,
@@ -31,12 +33,11 @@ from nbclassroom.authoring.build import (
 from nbclassroom.authoring.execute import execute
 from nbclassroom.authoring.lesson_files import lesson_file_differences, lesson_files
 from nbclassroom.authoring.masters import find_masters, read_master
-from nbclassroom.authoring.validation import validate_exercise
 from nbclassroom.exercises.check_files import read_check_file
 from nbclassroom.exercises.checking import run_cases, run_check
 from nbclassroom.exercises.kinds.drive import kind as drive_kind
 from selection import IS_SHORT
-from solved_twin import solved_twin
+from solved_twin import assert_passing, solved_twin
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 MASTERS = [*find_masters(NOTEBOOKS / "masters"), NOTEBOOKS / "masters" / f"{INDEX}.py"]
@@ -124,13 +125,26 @@ def test_nbval_finds_the_lesson_as_shipped_and_every_check_of_its_solved_twin_pa
     if path.stem == INDEX or pytestconfig.stash[IS_SHORT]:
         copies = copies[:1]
     else:
-        nbformat.write(solved_twin(master, nbformat.read(shipped, as_version=4)), copies[1])
-    outputs = run_nbval(copies, tmp_path)[str(copies[0])]
+        twin = solved_twin(master, nbformat.read(shipped, as_version=4))
+        nbformat.write(twin, copies[1])
+    outputs, *solved_outputs = run_nbval(copies, tmp_path).values()
+    for recorded in solved_outputs:
+        assert_passing(twin, recorded)
+    assert_stubs_that_drive_earn_nothing(master, outputs)
     executed = lesson_notebook(master)
     for cell in executed.cells:
         if cell.cell_type == "code":
             cell.outputs = outputs.get(cell.id, [])
     assert differences(build_lesson(master, shipped, executed), shipped) == []
+
+
+def assert_stubs_that_drive_earn_nothing(master, outputs):
+    """By the output of each exercise's check, which nbval does not compare."""
+    for exercise in master.exercises:
+        if exercise.subject == "drive":
+            (result,) = outputs[f"check-{exercise.id}-1"]
+            text = result.data["text/plain"]
+            assert re.findall(r"(\d+) of 1\n", text) == ["0"] * len(exercise.public), text
 
 
 def assert_points(exercise):
@@ -146,10 +160,18 @@ def assert_points(exercise):
 def one_mistake_drives(monkeypatch):
     """Of an exercise that drives, the last mistake does; the others are believed to drive as it is stored.
 
+    nbval's run of the lesson asserts that the stub fails everywhere, and that the solution passes.
     A drive takes a second, and one lesson has 27 of them. The benchmark `term` lets all drive, and so does a
     build.
     """
-    drive = drive_kind._drives_of_mistake
+    drive, run = drive_kind._drives_of_mistake, validation.run_cases
+
+    def run_others(exercise, function, **options):
+        if exercise.subject != "drive" or os.environ.get("WHOLE_TERM"):
+            return run(exercise, function, **options)
+        is_stub = function.__code__ == exercise.function_of(exercise.stub, "stub").__code__
+        result = SimpleNamespace(passed=not is_stub)
+        return SimpleNamespace(results=[result] * len(exercise.public))
 
     def drive_the_last(exercise, mistake, cases):
         (declared,) = (one for one in read_master(exercise.master).exercises if one.id == exercise.id)
@@ -162,6 +184,7 @@ def one_mistake_drives(monkeypatch):
         return [(None, *results[case.id]) for case in cases]
 
     monkeypatch.setattr(drive_kind, "_drives_of_mistake", drive_the_last)
+    monkeypatch.setattr(validation, "run_cases", run_others)
 
 
 @pytest.mark.parametrize("path", by_lesson(MASTERS))
@@ -182,9 +205,9 @@ def test_the_exercises_are_valid_and_their_stored_checks_say_the_same(path, tmp_
         if exercise.subject == "drive":
             is_whole = os.environ.get("WHOLE_TERM")
             driven = exercise if is_whole else replace(exercise, mistakes=exercise.mistakes[-1:])
-            assert validate_exercise(driven) == []
+            assert validation.validate_exercise(driven) == []
             continue
-        assert validate_exercise(exercise, seeds=50) == []
+        assert validation.validate_exercise(exercise, seeds=50) == []
         if exercise.kind.graded_by_person:
             continue
         assert_points(exercise)
