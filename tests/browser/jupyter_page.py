@@ -182,7 +182,7 @@ def running_lab(folder, scratch):
     finally:
         server.terminate()
         try:
-            server.wait(20)
+            server.wait(60)
         except subprocess.TimeoutExpired:
             server.kill()
             server.wait()
@@ -252,7 +252,7 @@ class NotebookPage:
 
     def _request(self, method, resource):
         url = f"{self._address}/api/{resource}?token={TOKEN}"
-        return urllib.request.urlopen(urllib.request.Request(url, method=method), timeout=30)
+        return urllib.request.urlopen(urllib.request.Request(url, method=method), timeout=60)
 
     def run_all(self, timeout=240):
         """Runs all cells from the menu, and waits until they have run."""
@@ -294,7 +294,7 @@ class NotebookPage:
         prompts = self.page.locator(".jp-CodeCell .jp-InputPrompt:not(.jp-Placeholder-prompt)")
         return prompts.all_text_contents()
 
-    def wait_until(self, condition, timeout=30):
+    def wait_until(self, condition, timeout=60):
         """Waits until a function returns true."""
         deadline = time.monotonic() + timeout
         while not condition():

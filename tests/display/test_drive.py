@@ -11,7 +11,7 @@ import pytest
 
 pytestmark = pytest.mark.ros
 
-PATIENCE = 20
+PATIENCE = 60
 
 
 class Commands:

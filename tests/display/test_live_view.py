@@ -10,7 +10,7 @@ import pytest
 from imgproc_course.display import live_view
 
 module = sys.modules["imgproc_course.display.live_view"]
-PATIENCE = 20
+PATIENCE = 60
 
 
 class Drive:

@@ -15,14 +15,14 @@ def test_only_the_calling_threads_prints_are_captured(capsys):
         with captured_prints() as pieces:
             print("from the thread")
             is_capturing.set()
-            assert other_printed.wait(20)
+            assert other_printed.wait(60)
             print("a\nb\nc")
             collected.append(last_lines(pieces))
             assert pieces == []
 
     thread = threading.Thread(target=work)
     thread.start()
-    assert is_capturing.wait(20)
+    assert is_capturing.wait(60)
     print("from the cell", flush=True)
     other_printed.set()
     thread.join()

@@ -53,14 +53,14 @@ def test_while_the_function_runs_only_the_newest_values_wait():
         calls.append(level)
         if len(calls) == 2:
             is_busy.set()
-            assert may_return.wait(20)
+            assert may_return.wait(60)
         return np.full((4, 4), level, np.uint8)
 
     tuner = tune(slow, GRAY, level=(0, 255))
     for level in range(1, 100):
         tuner["level"].value = level
         if level == 1:
-            assert is_busy.wait(20)
+            assert is_busy.wait(60)
     may_return.set()
     assert (tuner.value == 99).all()
     assert calls[1:] == [1, 99]

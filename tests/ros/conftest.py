@@ -40,7 +40,7 @@ def no_robot_of_another_module():
         time.sleep(0.1)  # its last user has just left
     for process in _robot_processes():
         process.kill()
-        process.wait(10)
+        process.wait(60)
 
 
 def _robot_processes(domain=None):

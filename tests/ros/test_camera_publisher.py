@@ -101,7 +101,7 @@ def test_another_of_the_recordings_cameras_can_be_played(start_camera):
         recorded_frames = {labels.frame(k).tobytes() for k in range(len(labels))}
     start_camera(images=open_images("drive", camera_topic="/truth/labels"))
     with ImageSubscriber(TOPIC) as subscriber:
-        assert subscriber.wait(20).tobytes() in recorded_frames
+        assert subscriber.wait(60).tobytes() in recorded_frames
     with pytest.raises(NotRecordedError, match="holds no images on /back, but on: "):
         open_images("drive", camera_topic="/back")
 

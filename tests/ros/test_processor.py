@@ -172,7 +172,7 @@ def test_the_oldest_waiting_images_are_dropped_first(session, make_node, subscri
 
     def process(frame):
         started.set()
-        may_continue.wait(30)
+        may_continue.wait(60)
         levels.append(int(frame[0, 0, 0]))
         return {"gray": frame}
 
@@ -195,7 +195,7 @@ def test_the_oldest_waiting_images_are_dropped_first(session, make_node, subscri
         )
     )
     send(100)
-    assert started.wait(30)
+    assert started.wait(60)
     for k in range(20):
         send(k)
     may_continue.set()

@@ -76,7 +76,7 @@ class Program:
 
     def receive(self):
         """The shape of a frame that the program receives."""
-        return self.evaluate("ImageSubscriber(camera.topic).wait(30).shape")
+        return self.evaluate("ImageSubscriber(camera.topic).wait(60).shape")
 
     def read_error_line(self):
         return self._stderr.readline()

@@ -534,10 +534,10 @@ def test_another_room_is_what_the_simulation_has_at_the_same_time(robot, collect
 def test_the_evening_is_darker_and_the_robot_stays_where_it_is(robot, collect, wait_until):
     robot.restart(start=np.array([0.4, -0.3, 0.2]), lighting="day")
     with ImageSubscriber(f"{CAMERA}/image_raw") as subscriber:
-        day = subscriber.wait(30).mean()
+        day = subscriber.wait(60).mean()
         poses = collect("/truth/pose/robot", PoseStamped)
         robot.restart(lighting="evening")
-        evening = subscriber.wait(30).mean()
+        evening = subscriber.wait(60).mean()
     assert evening < day - 20
     wait_until(lambda: poses)
     np.testing.assert_allclose(vector(poses[-1])[:2], (0.4, -0.3), atol=1e-6)
@@ -645,7 +645,7 @@ def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, ca
     robot.drive(0.2, 0.0, seconds=1.0)
     assert robot.pose[0] > 0.05
     with ImageSubscriber(f"{CAMERA}/image_raw") as subscriber:
-        subscriber.wait(30)
+        subscriber.wait(60)
         for process in robot_processes():
             process.kill()
         wait_until(lambda: any("ended unexpectedly" in record.message for record in caplog.records))

@@ -206,7 +206,7 @@ def test_the_other_depth_camera_waits_and_a_room_is_closed_after_its_depth(room,
 
     def slow_depth(self, camera="front"):
         if threading.current_thread() is not threading.main_thread():
-            may_end.wait(10)
+            may_end.wait(60)
         events.append(camera)
         return np.zeros((2, 3), np.uint16)
 

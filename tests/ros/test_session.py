@@ -191,7 +191,7 @@ def test_adding_a_node_of_the_same_name_replaces_it(session, wait_until, capfd, 
     wait_until(lambda: session.node.count_publishers("/mine/gray") == 1)
     # Images of the nodes before may still lie in the queue; a node that still ran would mix its own in.
     levels = []
-    wait_until(lambda: levels.append(int(images.wait(20)[0, 0])) or levels[-8:] == [3] * 8)
+    wait_until(lambda: levels.append(int(images.wait(60)[0, 0])) or levels[-8:] == [3] * 8)
     assert session.node.get_node_names_and_namespaces().count(("mine", "/")) == 1
     services = session.node.get_service_names_and_types_by_node("mine", "/")
     assert sum(name == "/mine/set_parameters" for name, _ in services) == 1
@@ -394,10 +394,10 @@ def test_a_node_whose_callback_computes_for_long_is_removed_after_it(session):
 
         def read(self):
             began.set()
-            ends.wait(30)
+            ends.wait(60)
 
     node = session.add_node(Reader)
-    assert began.wait(30)
+    assert began.wait(60)
     with pytest.raises(TimeoutError, match=r"a callback has not returned for 0\.1 s; wait until it does"):
         session.run(list, 0.1)
     threading.Timer(5.5, ends.set).start()  # others wait 5 s for a callback

@@ -57,7 +57,7 @@ def jupyter_server(folder, runtime, environment):
         yield json.loads(texts[0])["url"]
     finally:
         process.terminate()
-        process.wait(30)
+        process.wait(60)
 
 
 def post(url, data):

@@ -66,7 +66,7 @@ def test_an_endless_loop_is_stopped_outside_the_main_thread(function):
     results = []
     thread = threading.Thread(target=lambda: results.append(run(function, 1)))
     thread.start()
-    thread.join(30)
+    thread.join(60)
     assert results[0].timed_out and not results[0].stuck
 
 

@@ -272,12 +272,12 @@ def test_an_attack_of_form_gains_nothing_harms_nobody_and_is_reported(attacked, 
 
 
 def test_the_bar_shows_the_seconds_of_one_submission_and_ends_with_its_run():
-    text, end = io.StringIO(), time.monotonic() + 30
+    text, end = io.StringIO(), time.monotonic() + 60
     with tqdm(total=2, file=text) as bar:
         ticking = threading.Thread(target=show_time, args=(bar,))
         ticking.start()
         while "00:02" not in text.getvalue() and time.monotonic() < end:
             time.sleep(0.05)
     assert "| 0/2 [00:01<" in text.getvalue() and "| 0/2 [00:02<" in text.getvalue()
-    ticking.join(30)
+    ticking.join(60)
     assert not ticking.is_alive()
