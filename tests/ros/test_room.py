@@ -192,7 +192,7 @@ def test_it_drives_and_stops_by_itself_after_half_a_second(robot, collect, wait_
 def test_a_node_that_sees_depth_alone_brakes_before_the_wall(robot, collect, wait_until):
     robot.restart(start=(0.2, -0.3, math.pi), seed=1)
     node = subprocess.run(
-        [sys.executable, Path(__file__).with_name("closed_loop_nodes.py"), "depth"],
+        [sys.executable, Path(__file__).with_name("brake_by_depth.py")],
         capture_output=True,
         text=True,
         timeout=200,
