@@ -86,7 +86,7 @@ def print_live(lesson):
     """Prints a minute in the room, with the node in another process; whether it failed."""
     with tempfile.TemporaryDirectory() as folder, room((0.45, -1.0, 0.0), rate=5) as live:
         visitors = Visitors(lesson["people"])
-        with program("anonymiser.py", VISITOR) as node:
+        with program("lesson_nodes.py", "faces") as node:
             wait_for(lambda: visitors.count(HIDING), node)
             first = len(visitors.sent)
             with record(HIDING, f"{folder}/hidden") as recorder:

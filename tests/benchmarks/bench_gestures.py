@@ -63,7 +63,7 @@ def print_live():
     """Prints a minute in which the robot obeys a person of another process; whether it failed."""
     with room(START, rate=10) as live:
         topics = Topics({NAMES: String, COMMANDS: Twist, POSE: PoseStamped})
-        with program("obey_gestures.py") as node:
+        with program("lesson_nodes.py", "gestures") as node:
             wait_for(lambda: topics.node.count_publishers(NAMES), node)
             with program("show_gestures.py", SECONDS, 0) as person:
                 person.process.wait()

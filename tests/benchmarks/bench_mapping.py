@@ -51,7 +51,7 @@ def print_live(seed):
     """Prints a minute of circles in the room, with the node in another process; whether it failed."""
     with room(START, seed, rate=10) as live:
         topics = Topics({MAP: OccupancyGrid, PATH: PathMessage, ODOMETRY: Odometry, TRUTH: PoseStamped})
-        with program("mapping.py") as node:
+        with program("lesson_nodes.py", "mapping_and_slam") as node:
             wait_for(lambda: topics.node.count_publishers(PATH), node)
             drive_circles(live.robot, LINEAR, ANGULAR)
             time.sleep(2.0)  # for the last keyframe's map

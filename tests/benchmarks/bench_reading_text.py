@@ -15,10 +15,9 @@ import os
 import cv2
 import numpy as np
 from in_the_room import SECONDS, Topics, nanoseconds, print_rows, program, room, verdict
-from lesson_nodes import run_assignments
+from lesson_nodes import names_of_reading_text, run_assignments
 from sensor_msgs.msg import Image
 from std_msgs.msg import String
-from text_reader import reading_text
 from tqdm import tqdm
 
 from imgproc_course.recording import open_recording
@@ -67,7 +66,7 @@ def print_live():
     """Prints what the node read in the room, from another process; whether messages were lost."""
     with room((3.4, -0.3, 0.0), rate=10, size=(1280, 720)):
         topics = Topics({TEXTS: String, IMAGES: Image})
-        with program("text_reader.py", SECONDS) as node:
+        with program("lesson_nodes.py", "reading_text", SECONDS) as node:
             node.process.wait()
     looks = int(node.printed)
     texts = [msg.data.split(maxsplit=3) for msg in topics.messages[TEXTS]]
@@ -79,6 +78,6 @@ def print_live():
 
 
 if __name__ == "__main__":
-    has_failed = print_network(run_assignments("reading_text", TABLES, reading_text()))
+    has_failed = print_network(run_assignments("reading_text", TABLES, names_of_reading_text()))
     has_failed |= SECONDS > 0 and print_live()
     raise SystemExit(verdict(has_failed))

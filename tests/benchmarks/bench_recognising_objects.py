@@ -64,7 +64,7 @@ def print_live():
         poses = [TRUTH, *(f"/truth/pose/{name}" for name in MOVERS)]
         kinds = {LABELS: MarkerArray, ODOMETRY: Odometry, INFO: CameraInfo}
         topics = Topics(kinds | dict.fromkeys(poses, PoseStamped))
-        with program("object_recogniser.py", "inf") as node:
+        with program("lesson_nodes.py", "recognising_objects") as node:
             wait_for(lambda: topics.count(LABELS), node)
             before = topics.count(INFO)
             drive_circles(live.robot, LINEAR, ANGULAR)

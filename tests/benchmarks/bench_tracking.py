@@ -21,7 +21,7 @@ def follow(seed, start):
     """Prints a minute in the room; whether it failed."""
     with room(start, seed, rate=10) as live:
         topics = Topics(RESULTS | {BALL: PoseStamped, CAMERA: PoseStamped})
-        with program("follow_ball.py", SECONDS) as node:
+        with program("lesson_nodes.py", "object_tracking", SECONDS) as node:
             node.process.wait()
         bumps = live.bumps()
     balls, cameras = topics.poses(BALL), topics.poses(CAMERA)

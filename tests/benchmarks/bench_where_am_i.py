@@ -44,7 +44,7 @@ def print_live():
     """Prints a minute of circles in the room; whether it failed."""
     with room(START, rate=10) as live:
         topics = Topics({SEEN: Odometry, ODOMETRY: Odometry, TRUTH: PoseStamped})
-        with program("visual_odometry.py", "inf") as node:
+        with program("lesson_nodes.py", "where_am_i") as node:
             wait_for(lambda: topics.count(SEEN), node)  # it begins while the robot stands
             drive_circles(live.robot, LINEAR, ANGULAR)
         bumps = live.bumps()

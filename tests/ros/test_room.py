@@ -58,9 +58,9 @@ def robot():
 
 
 @contextlib.contextmanager
-def lesson_node(program, *arguments):
-    """Runs a program of this folder, ends it with Ctrl-C, and keeps what it prints in its `printed`."""
-    command = [sys.executable, Path(__file__).with_name(program), *arguments]
+def lesson_node(lesson):
+    """Runs the node of a lesson, ends it with Ctrl-C, and keeps what it prints in its `printed`."""
+    command = [sys.executable, Path(__file__).with_name("lesson_nodes.py"), lesson]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as node:
         try:
             yield node
@@ -222,7 +222,7 @@ def test_the_lessons_node_follows_the_ball_from_another_process(robot, collect, 
         places = [vector(one[-1])[:2].round(2) for one in (true_balls, cameras, balls) if one]
         return f"after {len(balls)} balls, {len(tracks)} tracks: {places}"
 
-    with lesson_node("follow_ball.py", "inf") as node:  # on a busy machine it looks seldom, and drives slowly
+    with lesson_node("object_tracking") as node:  # on a busy machine it looks seldom, and drives slowly
         # It begins with the largest red thing: the ball, if it looks before the car drives into view.
         wait_until(lambda: tracks, 60)
         assert not tracks[-1].markers  # it faces a wall
@@ -252,7 +252,7 @@ def test_the_lessons_node_sees_from_another_process_where_the_robot_drives(robot
             if stamp(msg) in truth
         ]
 
-    with lesson_node("visual_odometry.py", "inf") as node:
+    with lesson_node("where_am_i") as node:
         wait_until(places)
         while places()[-1][1][0] < start[0] + 0.35:
             newest = stamp(true_poses[-1])
@@ -284,7 +284,7 @@ def test_the_lessons_node_closes_a_loop_from_another_process(robot, collect, wai
             for before, after in itertools.pairwise(places)
         )
 
-    with lesson_node("mapping.py") as node:
+    with lesson_node("mapping_and_slam") as node:
         wait_until(has_snapped, 150)
         robot.stop()
         wait_until(lambda: grids[-1].header.stamp == paths[-1].header.stamp)
@@ -307,7 +307,7 @@ def test_the_lessons_node_closes_a_loop_from_another_process(robot, collect, wai
 def test_the_lessons_node_reads_the_sign_from_another_process(robot, collect, wait_until):
     robot.restart(start=(3.4, -0.3, 0.0), seed=1, lighting="day")
     texts, images = collect("/text_reader/text", String), collect(f"{CAMERA}/image_raw", Image)
-    with lesson_node("text_reader.py", "inf") as node:
+    with lesson_node("reading_text") as node:
         wait_until(lambda: len([msg for msg in texts if msg.data.endswith(" KITCHEN")]) >= 2, 150)
     looks = int(node.printed)
     read = [msg.data.split(maxsplit=3) for msg in texts if msg.data.endswith(" KITCHEN")]
@@ -328,7 +328,7 @@ def test_the_lessons_node_names_things_above_them_from_another_process(robot, co
     def named(name):
         return [marker for msg in list(labels) for marker in msg.markers if marker.text == name]
 
-    with lesson_node("object_recogniser.py", "inf") as node:
+    with lesson_node("recognising_objects") as node:
         wait_until(lambda: poses and all(len(named(name)) >= 2 for name in ("chair", "marker", "table")), 150)
     looks = int(node.printed)
     assert len(labels) <= looks + 1  # ended between sending and counting
@@ -352,7 +352,7 @@ def test_the_lessons_node_hides_a_face_before_anything_stores_it(robot, collect,
 
     images = session.node.create_subscription(Image, f"{CAMERA}/image_raw", visit, qos_profile_sensor_data)
     anonymised = collect("/anonymiser/image", Image)
-    with lesson_node("anonymiser.py", "/visitor/image") as node:
+    with lesson_node("faces") as node:
         wait_until(lambda: anonymised or node.poll() is not None, 150)
         with record("/anonymiser/image", tmp_path / "stored") as recorder:
             wait_until(lambda: recorder.counts["/anonymiser/image"] >= 5)
@@ -409,7 +409,7 @@ def test_the_lessons_node_obeys_a_hand_from_another_process(robot, collect, wait
     def stands():
         return wheels[-1].twist.twist.angular.z == 0
 
-    with lesson_node("obey_gestures.py") as node:
+    with lesson_node("gestures") as node:
         wait_until(lambda: images.get_subscription_count())
         assert [look_at(room) for _ in range(5)] == [0] * 5  # no hand, no motion
         show("swipe left", 2)
@@ -436,7 +436,7 @@ def test_the_lessons_node_leaves_the_corner_from_another_process(robot, collect,
     commands = collect("/kachaka/manual_control/cmd_vel", Twist)
     poses = collect("/truth/pose/robot", PoseStamped)
     wait_until(lambda: poses)
-    with lesson_node("do_errand.py") as node:
+    with lesson_node("the_errand") as node:
         wait_until(lambda: math.dist(vector(poses[-1])[:2], start[:2]) > 0.4, 150)
     looks, tasks, place, name = node.printed.rstrip("\n").split("\t")
     assert 0 < len(commands) <= int(looks)
