@@ -157,15 +157,6 @@ def test_poses_are_the_rendered_ones(drive, name, k, expected):
     assert np.linalg.norm(pose[3:]) == pytest.approx(1, abs=1e-6)
 
 
-def test_the_quaternion_of_a_pose_is_in_the_order_x_y_z_w(drive):
-    assert drive.pose("camera", 45)[3:].tolist() == [
-        -0.42205947637557983,
-        0.5663168430328369,
-        -0.5676221251487732,
-        0.42303207516670227,
-    ]
-
-
 def test_messages_are_of_the_classes_that_publishers_accept(drive):
     for topic, message in _first_messages(drive):
         package, _, kind = drive.topics[topic].split("/")

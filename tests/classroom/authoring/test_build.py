@@ -10,7 +10,6 @@ from importlib.metadata import version
 import nbformat
 import pytest
 from nbclassroom.authoring.build import build, compare_lessons
-from nbclassroom.exercises import MasterError
 
 # Cells whose output is hard to reproduce.
 EXTRAS = """
@@ -276,8 +275,3 @@ def test_the_kernel_sees_no_other_robot_and_no_backend_setting(write_master, tmp
         == "module://matplotlib_inline.backend_inline\nLOCALHOST\n['.ipython', 'checks', 'solutions']\n"
     )
     assert os.environ["MPLBACKEND"] == "agg"
-
-
-def test_no_masters_is_an_error_of_one_line(tmp_path):
-    with pytest.raises(MasterError, match="no masters in"):
-        build(tmp_path, tmp_path, tmp_path, progress=str)

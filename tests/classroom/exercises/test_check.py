@@ -417,13 +417,6 @@ def test_large_arrays_are_drawn_with_the_first_differing_pixel_named(tmp_path):
     assert alt == f"{count} of 400 pixels differ, the first at {place}"
 
 
-def test_hidden_cases_draw_from_another_seed(tmp_path):
-    (exercise,) = read_exercises(tmp_path / "80_doubling.py")
-    public = run_cases(exercise, wraps, cases=exercise.hidden).results[0].failed_call.arguments[0]
-    secret = run_cases(exercise, wraps, cases=exercise.hidden, seed=99).results[0].failed_call.arguments[0]
-    assert not np.array_equal(public, secret)
-
-
 def test_a_value_that_is_no_function_is_refused_with_the_remedy():
     with pytest.raises(
         TypeError,

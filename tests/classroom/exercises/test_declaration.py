@@ -60,12 +60,6 @@ def test_inputs_depend_on_the_seed_alone(write_master):
     np.testing.assert_array_equal(moved.arguments(moved.public[0])[0][0], first)
 
 
-def test_practice_has_no_points(write_master):
-    heading = '# %% role="exercise"\nexercise("test-double", function="double", practice=True)\nSIDE = 3'
-    (exercise_read,) = read_exercises(write_master(exercise=heading))
-    assert exercise_read.points == 0 and exercise_read.practice
-
-
 def test_a_changed_master_is_read_again(write_master):
     read_exercises(write_master())
     path = write_master(answer='# %% role="answer"\ndef double(pixels): ...')
