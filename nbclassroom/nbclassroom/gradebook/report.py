@@ -149,6 +149,5 @@ def _exercise_view(exercise, notes, key_exercise):
     is_said |= bool(notes) and {case.outcome for case in exercise.cases} == {Outcome.MISSING}
     notes = notes if is_said or not exercise.message else [*notes, exercise.message]
     above = "".join(_NOTE.format(html.escape(_shown(_capital(note)))) for note in notes)
-    safe = _environment().filters["safe"]
-    checks = {"body": safe(above + exercise.body), "review": safe(above + exercise.review)}
+    checks = {"body": safe_html(above + exercise.body), "review": safe_html(above + exercise.review)}
     return {"function": key_exercise.function} | checks

@@ -245,10 +245,9 @@ def _inspect_answer(exercise, answer, content):
 
 
 def _inspect_source(exercise, answer, content):
-    source = answer.cell["source"]
     if answer.cell not in answer.marked:
         return AnswerState.ANSWERED
-    if source.strip() == exercise.stub.strip():
+    if answer.cell["source"].strip() == exercise.stub.strip():
         return AnswerState.NOT_ATTEMPTED
     problem, is_slip = _problem(exercise, answer.cell)
     if problem:
@@ -318,17 +317,13 @@ def _kind(cell):
 
 def _compare_given(exercise, cells, lesson, content):
     """Report check and given cells that were changed or removed."""
-    cells_by_id: dict[str, dict] = {}
-    cells_by_source: dict[str, dict] = {}
-    for cell in cells:
-        cells_by_id.setdefault(cell["id"], cell)
-        cells_by_source.setdefault((cell.get("source") or "").strip(), cell)
+    cells_by_id = {cell["id"]: cell for cell in reversed(cells)}
+    cells_by_source = {(cell.get("source") or "").strip(): cell for cell in reversed(cells)}
     for id, source in sorted(lesson.cells.items()):
         if source is None or not id.startswith((f"check-{exercise.id}-", f"given-{exercise.id}-")):
             continue
         cell = cells_by_id.get(id) or cells_by_source.get(source.strip())  # some tools rewrite ids
-        change = _change(cell, source)
-        if change:
+        if change := _change(cell, source):
             role = "check cell" if id.startswith("check-") else "given cell"
             content.add(f"its {role} ({id}) {change}; grading uses its own", exercise.id)
 

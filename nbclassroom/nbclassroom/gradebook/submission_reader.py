@@ -59,8 +59,7 @@ def read_notebook(data):
            `exercise` (the id in its metadata, or `by_place` that of the check below; or "") and `functions`
            (names, see `cell_syntax.definitions`; of a cell that is no code only if its text is). A code cell
            and a cell of the course have `source` (str, at most one character more than MOST_CHARACTERS; None
-           if it is not text, or after MOST_CODE).
-           An answer cell has `answer` (see `_parsed_answer`)
+           if it is not text, or after MOST_CODE), an answer cell also `answer` (see `_parsed_answer`)
     """
     notebook = _parsed(data)
     nbformat = notebook.get("nbformat")
@@ -98,8 +97,7 @@ def _parsed(data):
     except RecursionError as error:
         raise UnreadableError("it is nested too deep to be a notebook") from error
     except ValueError as error:
-        line = getattr(error, "lineno", None)
-        place = f" (line {line})" if line else ""
+        place = f" (line {error.lineno})" if isinstance(error, json.JSONDecodeError) else ""
         raise UnreadableError(f"it is not a notebook: its JSON is broken{place}; {_SAVE}") from error
     if not isinstance(notebook, dict):
         raise UnreadableError("it is not a notebook: its JSON holds something else")
@@ -240,11 +238,10 @@ def serve(requests, replies, most_memory, seconds):
             return
         body = requests.read(int(length))
         signal.setitimer(signal.ITIMER_PROF, seconds)  # nobody handles its signal, which ends the process
-        reply: dict
         try:
             if kind == b"read":
                 notebook = read_notebook(body)
-                reply = {"notebook": notebook}
+                reply: dict = {"notebook": notebook}
             else:
                 cells = [cell for cell in notebook["cells"] if cell is not None]
                 made, places = page.page_of_notebook(cells, *json.loads(body))
