@@ -2,7 +2,8 @@
 
 Required: the course's wheel brings NumPy, SciPy and OpenCV and nothing else, at most 450 MB; tests of
 messages, imaging and geometry pass there. With the extra `ros` and what they compare with, all of them pass;
-the tests of nbclassroom pass with its wheel. No test sees the checkout.
+the tests of nbclassroom pass with its wheel, and its unit tests with both wheels, beside this course's
+lessons. No test sees the checkout.
 
     .venv/bin/python tests/benchmarks/bench_install.py [--dist FOLDER]    FOLDER keeps sdists and wheels
 """
@@ -24,6 +25,7 @@ MOST_MEGABYTES = 450
 BARE = ("messages/test_encodings.py", "messages/test_copied_folder.py", "imaging/test_bad_images.py")
 BARE += ("geometry/test_camera_model.py", "geometry/test_planes.py", "geometry/test_poses.py")
 TOOLS = ("pytest", "hypothesis")
+UNIT = ("authoring", "exercises")  # folders of tests/classroom
 COMPARED_WITH = ("scikit-image", "gtsam", "pillow", "backports.zstd", "opencv-python-headless<5")
 
 
@@ -67,7 +69,8 @@ def megabytes(folder):
 def run_tests(python, folder, *names):
     """Run tests in a copy, which has no checkout around it."""
     print(f"{Path(python).parents[1].name}: {' '.join(names)}", flush=True)
-    options = ("-q", "--import-mode=importlib", "-p", "no:cacheprovider")
+    # Without the tests' own conftest.py: the profile by which no test asserts on a clock is given here.
+    options = ("-q", "--import-mode=importlib", "-p", "no:cacheprovider", "--hypothesis-profile=ci")
     run(python, "-m", "pytest", *options, *names, folder=folder)
 
 
@@ -90,6 +93,13 @@ def main(dist, folder):
     run_tests(python, tests, "messages", "imaging", "geometry")
     python = install(folder / "classroom", classroom, *TOOLS)
     run_tests(python, tests, "nbclassroom")
+    lessons = folder / "lessons"
+    for name in ("tests", "notebooks"):
+        shutil.copytree(ROOT / name, lessons / name)
+    shutil.copy(ROOT / "pyproject.toml", lessons)  # pytest's settings
+    python = install(folder / "both", "-r", ROOT / "environment" / "requirements-test.txt")
+    install(folder / "both", "--no-deps", course, classroom)
+    run_tests(python, lessons, "-n2", *(f"tests/classroom/{name}" for name in UNIT))
 
 
 if __name__ == "__main__":
