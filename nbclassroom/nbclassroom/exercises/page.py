@@ -37,21 +37,6 @@ def page_of(answers, lesson):
     return _page(dict(answers), cells, checks, functions)
 
 
-def page_below(page, other, exercises):
-    """A page, and another one below it for these exercises: a lesson in two files."""
-    count = len(page["cells"])
-    return {
-        "answers": page["answers"] | {id: other["answers"][id] for id in exercises},
-        "cells": page["cells"] + other["cells"],
-        "checks": page["checks"] | {id: _moved(other["checks"][id], count) for id in exercises},
-        "left_out": page["left_out"] + [_moved(place, count) for place in other["left_out"]],
-    }
-
-
-def _moved(place, count):
-    return [place[0] + count, place[1]]
-
-
 def page_of_notebook(cells, lesson_cells, exercises):
     """(The page of a notebook, {exercise id: numbers of the cells that answer it, the first one counts}).
 

@@ -15,6 +15,7 @@ from textwrap import dedent
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.autograder.pool import Limits, autograde
 from nbclassroom.autograder.results import NO_DETAILS, GradedSubmission
+from nbclassroom.exercises.page import page_of
 
 MASTERS = Path(__file__).parent / "masters"
 LESSON = "attacked"
@@ -26,6 +27,13 @@ RIGHT = {
     "    return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)",
     "attacked-mean": "def mean(values):\n    return sum(values) / len(values)",
 }
+
+
+def page_with(key, own, right):
+    """The page of right answers, below a cell of the learner's own."""
+    page = page_of(right, key.lessons[LESSON])
+    cells = [{"kind": "own", "source": own, "exercise": "", "file": ""}, *page["cells"]]
+    return page | {"cells": cells, "checks": {id: [cell + 1, 0] for id, (cell, _) in page["checks"].items()}}
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,13 @@
 from unittest.mock import patch
 
 import pytest
-from attacks import LESSON, SHORT
+from attacks import LESSON, SHORT, page_with
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox import fork_server_client
 from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
-from nbclassroom.exercises.page import page_below, page_of
+from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox
 OWN_CELLS = {
@@ -28,14 +28,6 @@ OWN_CELLS = {
     "seeds and print options": "np.random.seed(3)\nnp.set_printoptions(precision=1)",
     "it is not Python": "def f(:\n",
 }
-
-
-def page_with(key, own, right):
-    """The page of right answers, below a cell of the learner's own."""
-    lesson = key.lessons[LESSON]
-    cell = {"kind": "own", "source": own, "exercise": "", "file": ""}
-    above = {"answers": {}, "cells": [cell], "checks": {}, "left_out": []}
-    return page_below(above, page_of(right, lesson), right)
 
 
 def test_own_cells_cost_the_checks_nothing(key, right):

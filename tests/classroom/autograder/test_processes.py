@@ -6,12 +6,12 @@ from pathlib import Path
 
 import psutil
 import pytest
-from attacks import LESSON
+from attacks import LESSON, page_with
 from nbclassroom.autograder.nbval_process import NbvalProcess
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 from nbclassroom.exercises.input_encoding import encode
-from nbclassroom.exercises.page import page_below, page_of
+from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox
 REPLACED = """
@@ -66,20 +66,13 @@ def test_only_the_nbval_process_has_seen_the_key(key, right):
         process.stop()
 
 
-def own_cell(key, right, source):
-    """The page of right answers, below a cell of the learner's own."""
-    cell = {"kind": "own", "source": source, "exercise": "", "file": ""}
-    above = {"answers": {}, "cells": [cell], "checks": {}, "left_out": []}
-    return page_below(above, page_of(right, key.lessons[LESSON]), right)
-
-
 def test_a_page_has_no_inputs_of_a_check(key, right):
     source = (
         "from nbclassroom.autograder.sandbox.inside import check_cell\nseen = str(check_cell.delivered())"
     )
     exercise = key.lessons[LESSON].exercises[0]
     with KernelFactory() as factory:
-        kernels = PageKernels(own_cell(key, right, source), factory)
+        kernels = PageKernels(page_with(key, source, right), factory)
         process, _ = kernels.open_check(exercise, 1.0)
         seen = process.run("print(seen)").printed
         process.stop()
@@ -91,7 +84,7 @@ def test_what_the_kernel_itself_calls_was_looked_up_before_a_learners_code(key, 
     exercise = key.lessons[LESSON].exercises[0]
     inputs = [encode(call.arguments) for call in exercise.cases[0].calls]
     with KernelFactory() as factory:
-        kernels = PageKernels(own_cell(key, right, REPLACED), factory)
+        kernels = PageKernels(page_with(key, REPLACED, right), factory)
         process, answer = kernels.open_check(exercise, 1.0)
         assert (answer.ended, answer.error) == ("", ("", ""))
         check = "from nbclassroom.autograder.sandbox.inside.check_cell import emit\n\nemit(double)"
