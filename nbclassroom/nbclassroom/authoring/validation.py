@@ -142,8 +142,11 @@ def _passes_by_chance(guesses, answers, agree):
     return sum(passed) > _MOST_BY_CHANCE
 
 
-def _agree(answer, guess, **options):
-    return compare(answer, guess, **options) is None
+def _agree(answer, guess, tolerance, exact_type):
+    """Whether two answers of the solution agree; they have the same types, and mostly differ at once."""
+    if not tolerance:
+        return answer == guess
+    return compare(answer, guess, tolerance, exact_type=exact_type) is None
 
 
 def _size_problems(exercise, case):
