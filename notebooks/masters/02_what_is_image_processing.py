@@ -10,8 +10,8 @@
 # *[[term:image processing|Image processing]]* improves an image, or extracts information from it. A robot needs both: its camera gives it 2.8 million numbers, ten times per second, and none of them says "floor", "person" or "stop".
 #
 # **You will be able to**
+# - name four uses of images on a home robot,
 # - recognise four basic operations by what they do to the numbers, and write one of them,
-# - deeper: name four uses of images on a home robot,
 # - deeper: name the four steps of a program that processes a robot's images, and its libraries.
 #
 # **Time** [[minutes]]. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
@@ -82,6 +82,8 @@ assert frame.size == 2_764_800 and recording.rate == 10
 
 # %% [markdown]
 # ## Part one: what a robot needs to know
+#
+# A home robot asks its images: where can I drive (*environment recognition*)? Who is there (*object detection*)? Where am I (*position estimation*)? What is in my way (*obstacle avoidance*)? The first question is answered here, the others in deeper sections.
 #
 # For each frame, the recording also has the right answers, the *[[term:ground truth]]*: the *[[term:label image]]* says what each pixel shows (1 is floor), the *[[term:depth image]]* says how far away it is.
 #

@@ -159,8 +159,6 @@ if ros_available():
 assert not ros_available() or view.error is None
 
 # %% [markdown]
-# ### Change the parameter from outside ([[minutes]], deeper)
-#
 # If you have the command `ros2`, you change the parameter in a terminal:
 #
 # ```

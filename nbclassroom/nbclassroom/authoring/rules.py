@@ -140,7 +140,7 @@ def _figure_problems(cell):
     for name, call in [(getattr(call.func, "id", ""), call) for call in calls]:
         keywords = {keyword.arg for keyword in call.keywords}
         if name in _FIGURES and "text" not in keywords and not {"caption", "alt"} <= keywords:
-            yield f'{name}(...) needs text="<lesson>/<name>", or caption= and alt='
+            yield f'{name}(...) needs text="<lesson>/<name>"'
 
 
 def _belongs_to_asserts(node):

@@ -146,7 +146,7 @@ TEXTS = '\n# %% role="texts"\nfigure_texts = {"a": ("A.", "B.")}\n\n# %%\n'
 @pytest.mark.parametrize(
     ("added", "message"),
     [
-        ("# %%\nshow(image)\n", 'show(...) needs text="<lesson>/<name>", or caption= and alt='),
+        ("# %%\nshow(image)\n", 'show(...) needs text="<lesson>/<name>"'),
         ('# %%\nshow(image, alt="an image")\n', 'show(...) needs text="<lesson>/<name>"'),
         (f"{TEXTS}x = 1\n", 'no figure takes text="template/a"; delete it'),
         (f'{TEXTS}live_view(x, text="a")\n', 'text="a": no role="texts" cell has it; there are: template/a'),
