@@ -12,9 +12,9 @@ from pathlib import Path
 # Ceilings in lines. A change that needs more takes something away.
 CEILINGS = {
     "imgproc_course": 16_200,
-    "nbclassroom/nbclassroom": 20_480,
+    "nbclassroom/nbclassroom": 20_000,
     "notebooks/masters": 24_960,
-    "tests": 47_650,  # with those of nbclassroom
+    "tests": 46_500,  # with those of nbclassroom
 }
 MOST_COMPLEX = 19
 TEXTS = (".py", ".toml", ".yaml", ".txt", ".json")
