@@ -89,9 +89,12 @@ def _index_outside(match, source):
     advice = f"Python counts from 0, so {size - 1} is the last index of axis {axis}."
     if axis == "2":
         return f"{advice} Axis 2 of a colour image holds its channels."
-    indices = [node.slice for node in _nodes(source) if isinstance(node, ast.Subscript)]
-    parts = [part for index in indices for part in getattr(index, "elts", [index])]
-    steps = dict.fromkeys(ast.unparse(part) for part in parts if isinstance(part, ast.BinOp))
+    places = [node for node in _nodes(source) if isinstance(node, ast.Subscript)]
+    read = [place for place in places if isinstance(place.ctx, ast.Load)] or places
+    indices = [getattr(place.slice, "elts", [place.slice])[int(axis) :][:1] for place in read]
+    sums = [part for index in indices for part in index if isinstance(getattr(part, "op", None), ast.Add)]
+    is_one_array = len({ast.unparse(place.value) for place in read}) == 1
+    steps = dict.fromkeys(ast.unparse(part) for part in sums if is_one_array)
     text = _ADVICE["<index with a sum>" if steps else "<index>"].format(" or ".join(steps))
     return f"{advice} {text}"
 

@@ -47,7 +47,7 @@ ADVICE = {
     "a.shape[2]": "The shape of a gray image has two numbers",
     "a * kernel": "equal shapes. A kernel needs a window of its own size for each pixel.",
     "np.zeros(8).reshape(3, 3)": "8 values do not fill the shape (3,3). A colour pixel has 3 bytes,",
-    "a[number, number + 1]": "so 4 is the last index of axis 0. Here number + 1 goes further.",
+    "a[number + 1, number]": "so 4 is the last index of axis 0. Here number + 1 goes further.",
     "np.zeros(3, np.uint8)[0] = 256": "256 does not fit into uint8. Is it right?",
     "a.rows": "An array has no .rows: the number of its rows is .shape[0]",
     "a.length": "An array has no .length: the number of its values is .size",
@@ -96,6 +96,7 @@ ADVICE = {
     "text + 1": "An f-string writes both into a text.",
     "rows, cols = colour.shape": "A colour image has three, rows, columns and channels",
     "for name, value in names:\n    pass": "For keys and values write dictionary.items().",
+    "for x, y, z in [names]:\n    pass": "There are 3 names between for and in, and a value of this loop has",
     "for x, y in values, values:\n    pass": "To go through two sequences together write zip",
     "np.zeros(number, number)": "The shape is one argument, in parentheses of its own",
     "x, y = values": "There are 2 names on the left",
@@ -172,6 +173,12 @@ def test_the_number_256_needs_another_number_and_not_a_wider_array():
 
 def test_what_a_loop_over_the_image_itself_reads_needs_no_padding():
     assert "must be padded" not in advice_on(*error_of("a[number, number]"))
+    for line in (
+        "a[number, number + 1]",
+        "a[number - 1, 0] + a[number, 0]",
+        "a[number, 0] + GIVEN['a'][number + 1, 0]",
+    ):
+        assert "goes further" not in advice_on(*error_of(line))
 
 
 def test_a_close_name_comes_before_general_advice_but_not_before_a_missing_import():
