@@ -5,6 +5,7 @@ more than none.
 """
 
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
@@ -31,6 +32,8 @@ _NOUNS = {
 }
 _AROUND = dict.fromkeys((2, 4), ": the border of the image is missing.")
 _AROUND |= dict.fromkeys((-2, -4), ": is it padding?")
+_SIDES = {"in the first row": np.s_[:1], "in the last row": np.s_[-1:]}
+_SIDES |= {"in the first column": np.s_[:, :1], "in the last column": np.s_[:, -1:]}
 _ONE_FACTOR = (
     "In each call, all your values are the expected ones times one number. Is a division or a multiplication"
     " missing at the end, or one too many?"
@@ -384,8 +387,16 @@ def _place(calls):
     if _lie_on_border(pixels):
         zeros = all(not values[mask].any() for mask, values in wrong)
         left = ", and there your result is 0: is the border never computed?" if zeros else "."
-        return Diagnosis(f"Only values on the border of the image are wrong{left}", on_border=True)
+        text = f"Only values {_sides(pixels)} are wrong{left}"
+        return Diagnosis(text, on_border=all(map(_keeps_size, calls)))
     return Diagnosis()
+
+
+def _keeps_size(call):
+    """Whether a result has the rows and columns of the first argument, if that is an image."""
+    size = getattr(next(iter(call.arguments), None), "shape", ())[:2]
+    forms = [form for form, _ in side_by_side(call.expected.value, call.result.value)]
+    return len(size) < 2 or all(tuple(form["shape"][:2]) == size for form in forms)
 
 
 def _wrong_elements(arrays):
@@ -394,6 +405,20 @@ def _wrong_elements(arrays):
         return []
     masks = [(differing(*array), array[1]) for array in arrays]
     return [(mask, values) for mask, values in masks if mask.any()]
+
+
+def _sides(masks):
+    """Where all True values lie, as exactly as two sides can tell it."""
+    groups = [names for count in (1, 2) for names in combinations(_SIDES, count)]
+    near = (names for names in groups if all(_count_on(mask, names) == mask.sum() for mask in masks))
+    return " and ".join(next(near, ["on the border of the image"]))
+
+
+def _count_on(mask, names):
+    on_sides = np.zeros_like(mask)
+    for name in names:
+        on_sides[_SIDES[name]] = True
+    return (mask & on_sides).sum()
 
 
 def _lie_on_border(masks):

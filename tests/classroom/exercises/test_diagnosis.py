@@ -12,6 +12,7 @@ RNG = np.random.default_rng(7)
 GRAY = RNG.integers(20, 200, (5, 6), dtype=np.uint8)
 COLOUR = RNG.integers(20, 200, (4, 5, 3), dtype=np.uint8)
 SIGNED = RNG.integers(-300, 300, (5, 6), dtype=np.int32)
+WIDE = np.hstack([GRAY, GRAY])
 MASK = RNG.random((5, 6)) > 0.5
 
 
@@ -117,7 +118,8 @@ VALUES = [
     (GRAY / 7, GRAY / 21, "are the expected ones times one number."),
 ]
 PLACES = [
-    (GRAY, changed(changed(GRAY, 0), np.s_[:, 0]), "Only values on the border of the image are wrong."),
+    (GRAY, changed(changed(GRAY, 0), np.s_[:, 0]), "Only values in the first row and in the first column"),
+    (WIDE, np.pad(WIDE[:-1], ((0, 1), (0, 0))), "Only values in the last row are wrong, and there your"),
     (GRAY, np.pad(GRAY[1:-1, 1:-1], 1), "and there your result is 0: is the border never computed?"),
 ]
 
@@ -165,7 +167,7 @@ def test_of_a_wrong_dtype_beside_wrong_values_nothing_is_certain():
 def test_what_is_certain_about_values(expected, actual, text):
     diagnosis = say(expected, actual, argument=None)
     assert text in diagnosis.text
-    assert diagnosis.on_border == ("border" in text)
+    assert diagnosis.on_border == any(text is place for *_, place in PLACES)
 
 
 def test_a_wrong_dtype_with_wrong_values_is_not_called_right():
@@ -219,6 +221,15 @@ def test_axis_0_of_a_gray_image():
     diagnosis = say(GRAY.mean(axis=1), GRAY.mean(axis=0))
     assert diagnosis.text.endswith("axis=0 goes along the rows, and axis=1 along the columns.")
     assert "channels" not in diagnosis.text
+
+
+def test_a_result_of_another_size_than_the_image_has_no_neighbours_outside_it():
+    larger = np.pad(GRAY, 1, mode="edge")
+    diagnosis = say(larger, np.pad(GRAY, 1))
+    assert diagnosis.text.startswith(
+        "Only values on the border of the image are wrong, and there your result is 0"
+    )
+    assert not diagnosis.on_border and not diagnosis.replaces_hint
 
 
 def test_a_few_wrong_values_on_the_border_of_a_small_array_tell_nothing():
