@@ -74,7 +74,8 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         text = _advice_on_shape(expected, actual, shown.arguments, names)
         return Diagnosis(text, replaces_hint=not text.startswith("Your result has"))
     other_pair = next(pair for difference, pair in differences if difference and difference.kind != "value")
-    return Diagnosis(_advice_on_type(*other_pair), replaces_hint=True)
+    text = _advice_on_type(*other_pair)
+    return Diagnosis(text, replaces_hint=bool(text))
 
 
 def side_by_side(expected: dict, actual: dict) -> list[tuple[dict, dict]]:
@@ -118,7 +119,7 @@ def _wanted(expected, actual):
     if kind in (*_NUMBERS, "bool") and actual_kind == "str":
         return "a number: return it without quotes, not an f-string"
     if kind in _NUMBERS and actual_kind == "ndarray":
-        return "a number: is a sum or a mean missing, or an axis too many?"
+        return "a number: is a sum, a mean or an index missing, or an axis too many?"
     if kind in (*_NUMBERS, "bool") and actual_kind in _SEQUENCES:
         return "one number alone"
     return _noun(expected) if kind in (*_NUMBERS, *_SEQUENCES, "bool", "ndarray") else ""

@@ -5,6 +5,7 @@ the line that raised: `thinned > high and thinned < 9` needs another sentence th
 """
 
 import ast
+import math
 import re
 from pathlib import Path
 
@@ -70,18 +71,23 @@ def _broadcast(match, source):
     shapes_as_text = re.findall(r"\([\d,]*\)", match[1])
     # a += b names the shape of a twice
     shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in shapes_as_text))
-    advice = next((advice for holds, advice in _broadcast_rules(shapes, source) if holds), "")
-    return f"{_ADVICE['<equal shapes>']} {advice}".rstrip()
+    rules = _broadcast_rules(*shapes, source) if len(shapes) == 2 else ()
+    advice = next((advice for holds, advice in rules if holds), "")
+    rule = "<shape of a place>" if "input array" in match[1] else "<equal shapes>"
+    return f"{_ADVICE[rule]} {advice}".rstrip()
 
 
-def _broadcast_rules(shapes, source):
-    """(whether it holds, advice) of each rule about the different shapes of arrays in a line."""
-    if len(shapes) != 2 or len(shapes[0]) != len(shapes[1]):
+def _broadcast_rules(first, second, source):
+    """(whether it holds, advice) of each rule about the different shapes of two arrays in a line."""
+    yield len(first) == 1 < len(second) and first[0] == math.prod(second), _ADVICE["<all in one row>"]
+    yield len(first) == 2 and second == first[:1], _ADVICE["<number of each row>"]
+    if len(first) != len(second):
         return
-    has_kernel = any(shape in ((3, 3), (5, 5)) for shape in shapes) and re.search("kernel|:", source)
+    has_kernel = any(shape in ((3, 3), (5, 5)) for shape in (first, second)) and re.search("kernel|:", source)
     yield has_kernel, _ADVICE["<kernel>"]
-    gap = max((abs(a - b) for a, b in zip(*shapes, strict=True)), default=0)
+    gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     yield gap <= 2, _ADVICE["<nearly one shape>"].format(gap)
+    yield len(first) == 2 and first[1] == second[1] < 5, _ADVICE["<rows with rows>"]
 
 
 def _index_outside(match, source):

@@ -41,7 +41,7 @@ def changed(array, where, value=7):
 TYPES = [
     (80, "80", "return it without quotes, not an f-string"),
     (80, (5, 16), "You return 2 values (a tuple), and the task asks for one number alone."),
-    (80, GRAY, "You return an array, and the task asks for a number: is a sum or a mean missing"),
+    (80, GRAY, "You return an array, and the task asks for a number: is a sum, a mean or an index missing"),
     ("a", len, "You return a function itself, and the task asks for a text, such as its name."),
     ("a", {"b"}, "You return a set, and the task asks for a single text."),
     (GRAY, np.sum, "You return a function itself, and the task asks for an array."),
@@ -134,6 +134,11 @@ def test_a_wrong_form_is_named_without_a_hint_about_values(expected, actual, tex
 def test_a_wrong_size_alone_says_no_cause_and_leaves_the_hint(expected, actual, text):
     diagnosis = say(expected, actual)
     assert diagnosis.text.startswith(text) and not diagnosis.replaces_hint
+
+
+def test_a_value_in_place_of_none_leaves_the_hint():
+    diagnosis = say(None, 0.0)
+    assert diagnosis.text == "" and not diagnosis.replaces_hint
 
 
 def test_a_none_that_was_printed_needs_no_hint():
