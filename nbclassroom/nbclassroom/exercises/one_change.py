@@ -192,8 +192,22 @@ def _order(node, _tree):
     if isinstance(node, ast.BinOp) and isinstance(node.left, ast.BinOp):
         left = ast.BinOp(node.left.left, node.op, node.right)
         yield _FIRST, _setting(node, left=left, op=node.left.op, right=node.left.right)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
+        yield from _parentheses(node)
     if isinstance(node, ast.Call) and len(node.args) > 1:
         yield _FIRST, _setting(node, args=[*node.args[:-2], *node.args[:-3:-1]])
+
+
+def _parentheses(node):
+    """a * b - c + d becomes a * (b - c + d)."""
+    first, later = node, []
+    while isinstance(first, ast.BinOp) and isinstance(first.op, ast.Add | ast.Sub):
+        first, later = first.left, [(first.op, first.right), *later]
+    if isinstance(first, ast.BinOp):
+        total = first.right
+        for operator, part in later:
+            total = ast.BinOp(total, operator, part)
+        yield "are parentheses missing?", _setting(node, left=first.left, op=first.op, right=total)
 
 
 def _operator(node, _tree):
@@ -213,6 +227,10 @@ def _call(node, _tree):
         yield "is it the right function?", _setting(node, func=function)
     if name in _QUESTIONS and node.args:
         yield _QUESTIONS[name], _replacing(node, node.args[0])
+    for operator in (ast.Add(), ast.Sub()) if name == "range" and node.args else ():
+        start, stop, step = node.args[:-1][:1], node.args[:2][-1], node.args[2:]
+        one_further = ast.BinOp(stop, operator, ast.Constant(1))
+        yield "does it end at the right place?", _setting(node, args=[*start, one_further, *step])
 
 
 def _constant(node, _tree):

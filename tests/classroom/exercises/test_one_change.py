@@ -66,6 +66,19 @@ CASES = {
         "line 2",
         "4 in return a[1:4][:4]: is this number right?",
     ),
+    "the end of two loops": (
+        "def f(a, b):\n    k = 0\n    for i in range(1, len(a)):\n        for j in range(1, len(b)):\n"
+        "            k += i * j\n    return k",
+        [(("ab", "abc"), 18)],
+        "lines 3, 4",
+        "range(1, len(a)) and range(1, len(b)): does it end at the right place?",
+    ),
+    "parentheses": (
+        "def f(a, b, c, d):\n    return a * b - c + d",
+        [((2, 7, 4, 1), 8)],
+        "line 2",
+        "a * b - c + d: are parentheses missing?",
+    ),
     "a part too many": ("def f(a, b):\n    return a * b + b", [((2, 3), 6)], "is the second part needed?"),
 }
 
