@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections import Counter
 from pathlib import Path
 
 from .error_advice import read_phrases
@@ -32,7 +33,7 @@ def remarks_on_source(function, errors=(), unheeded=()):
 
 
 def unused_arguments(source, name):
-    """The arguments that the function of this name in a source does not use."""
+    """What the function of this name in a source gets and does not use."""
     functions = [part for part in _body(source) if isinstance(part, ast.FunctionDef) and part.name == name]
     return tuple(argument for function in functions for argument in _unused(function))
 
@@ -64,9 +65,12 @@ def _why_none(tree):
 
 
 def _unused(tree):
-    read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    read |= {"memory"}  # of a controller, which needs none
-    return [argument.arg for argument in tree.args.args if argument.arg not in read]
+    count = Counter(node.id for node in ast.walk(tree) if isinstance(node, ast.Name))
+    names = [argument.arg for argument in tree.args.args]
+    loops = [node for node in ast.walk(tree) if isinstance(node, ast.For) and ast.unparse(node.iter) in names]
+    parts = [part for loop in loops for part in getattr(loop.target, "elts", ())]
+    unused = [name for name in names if not count[name] and name != "memory"]  # a controller may need none
+    return [*unused, *(part.id for part in parts if isinstance(part, ast.Name) and count[part.id] == 1)]
 
 
 def _reaches_end(body):

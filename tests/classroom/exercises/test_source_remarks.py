@@ -33,6 +33,13 @@ def test_of_other_lines_nothing_is_said(line):
     assert remarks(f"def f(a, b):\n    {line}\n") == []
 
 
+def test_what_a_loop_over_an_argument_gives_should_be_used():
+    source = "def f(boxes):\n    for left, top, width in boxes:\n        print(left, {})\n"
+    texts = remarks(source.format("top"), {""})
+    assert texts == ["f() does not use what it gets: width."]
+    assert remarks(source.format("top, width"), {""}) == []
+
+
 def test_a_source_that_is_not_known_gives_no_remark():
     assert remarks_on_source(len) == []
 
