@@ -4,6 +4,7 @@ A sentence is given only if it is true of the values in every call: a wrong name
 more than none.
 """
 
+import math
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -34,6 +35,10 @@ _AROUND = dict.fromkeys((2, 4), ": the border of the image is missing.")
 _AROUND |= dict.fromkeys((-2, -4), ": is it padding?")
 _SIDES = {"in the first row": np.s_[:1], "in the last row": np.s_[-1:]}
 _SIDES |= {"in the first column": np.s_[:, :1], "in the last column": np.s_[:, -1:]}
+_ONE_BESIDE = {
+    (1,): "Each wrong value is one too large: is it rounded up, or counted from the wrong number?",
+    (-1,): "Each wrong value is one too small: is it rounded down, or counted from the wrong number?",
+}
 _ONE_FACTOR = (
     "In each call, all your values are the expected ones times one number. Is a division or a multiplication"
     " missing at the end, or one too many?"
@@ -108,7 +113,7 @@ def _advice_on_type(expected, actual):
         return "reversed() gives no array. A slice with the step -1 goes backwards: ::-1."
     wanted = _wanted(expected, actual)
     text = f"You return {_noun(actual)}, and the task asks for {wanted}."
-    return text.replace("?.", "?") if wanted else ""
+    return text.replace("?.", "?") if wanted not in ("", _noun(actual)) else ""
 
 
 def _wanted(expected, actual):
@@ -283,6 +288,11 @@ def _diagnose_values(calls, names):
         return Diagnosis(text, replaces_hint=True)
     if any(form.get("too_large") for pair in forms for form in pair):
         return Diagnosis()
+    pairs = [pair for whole in forms for pair in side_by_side(*whole) if compare(*pair, tolerance)]
+    if pairs and all(kind_of(form) in _NUMBERS for pair in pairs for form in pair):
+        text = _relation_of_angles(pairs)
+        if text:
+            return Diagnosis(text, replaces_hint=True)
     if kinds <= {*_NUMBERS}:
         return Diagnosis(_relation_of_numbers(forms))
     text = _relation_of_arrays(calls)
@@ -314,10 +324,27 @@ def _are_exchanged(expected, actual, tolerance):
     return len(expected["items"]) == 2 and compare(exchanged, actual, tolerance) is None
 
 
-def _relation_of_numbers(forms):
+def _number_pairs(forms):
+    """(expected, actual) numbers, two arrays; of nan if one of them is not finite."""
     numbers = np.array([[as_float(form["value"]) for form in pair] for pair in forms])
-    expected, actual = numbers.T
-    if not np.isfinite(numbers).all():
+    return numbers.T if np.isfinite(numbers).all() else numbers.T * np.nan
+
+
+def _relation_of_angles(wrong_pairs):
+    """How wrong numbers are right as angles; "" if they are not."""
+    expected, actual = _number_pairs(wrong_pairs)
+    turns = ((actual - expected) / math.tau).round()
+    if turns.all() and np.allclose(actual, expected + turns * math.tau, rtol=0, atol=1e-6):
+        return "Your angle is a whole turn (2π) away: bring it into the range that the task asks for."
+    for name, other, change in (("degrees", "radians", np.degrees), ("radians", "degrees", np.radians)):
+        if np.allclose(actual, change(expected), rtol=1e-6, atol=0):
+            return f"Your angle is in {name}, and the task asks for {other}."
+    return ""
+
+
+def _relation_of_numbers(forms):
+    expected, actual = _number_pairs(forms)
+    if np.isnan(expected).any():
         return ""
     if kind_of(forms[0][0]) == "int" and abs(np.unique(actual - expected)).tolist() == [1.0]:
         return f"Your number is one too {'large' if actual[0] > expected[0] else 'small'}, in every check."
@@ -346,7 +373,11 @@ def _relation_of_arrays(calls):
     for text, change in _RELATIONS:
         if all(_same(change(_wide(expected)), _wide(actual)) for expected, actual in arrays):
             return text
-    return _ONE_FACTOR if all(_is_multiple(*pair) for pair in arrays) else ""
+    if all(_is_multiple(*pair) for pair in arrays):
+        return _ONE_FACTOR
+    gaps = {gap for expected, actual in arrays for gap in np.unique(_wide(actual) - _wide(expected))} - {0}
+    has_levels = all(expected.dtype.kind in "iu" and len(np.unique(expected)) > 2 for expected, _ in arrays)
+    return _ONE_BESIDE.get(tuple(gaps), "") if has_levels else ""
 
 
 def _is_multiple(expected, actual):

@@ -115,6 +115,10 @@ VALUES = [
     (SIGNED, SIGNED[:, ::-1], "mirrored from left to right"),
     (SIGNED, SIGNED[::-1], "upside down"),
     (COLOUR, COLOUR[..., ::-1], "the first and the last are exchanged"),
+    (SIGNED, changed(SIGNED, 2, SIGNED[2] - 1), "Each wrong value is one too small: is it rounded down,"),
+    ((2, -1.2), (2, 2 * np.pi - 1.2), "Your angle is a whole turn (2π) away: bring it into the range"),
+    ((2, 0.5), (2, np.degrees(0.5)), "Your angle is in degrees, and the task asks for radians."),
+    (90.0, np.pi / 2, "Your angle is in radians, and the task asks for degrees."),
     (GRAY / 7, GRAY / 21, "are the expected ones times one number."),
 ]
 PLACES = [
@@ -136,9 +140,9 @@ def test_a_wrong_size_alone_says_no_cause_and_leaves_the_hint(expected, actual, 
     assert diagnosis.text.startswith(text) and not diagnosis.replaces_hint
 
 
-def test_a_value_in_place_of_none_leaves_the_hint():
-    diagnosis = say(None, 0.0)
-    assert diagnosis.text == "" and not diagnosis.replaces_hint
+def test_of_another_number_or_a_value_in_place_of_none_the_hint_tells_more():
+    for diagnosis in (say(None, 0.0), say(80, 1.5)):
+        assert diagnosis.text == "" and not diagnosis.replaces_hint
 
 
 def test_a_none_that_was_printed_needs_no_hint():
