@@ -289,12 +289,10 @@ def _diagnose_values(calls, names):
     if any(form.get("too_large") for pair in forms for form in pair):
         return Diagnosis()
     pairs = [pair for whole in forms for pair in side_by_side(*whole) if compare(*pair, tolerance)]
-    if pairs and all(kind_of(form) in _NUMBERS for pair in pairs for form in pair):
-        text = _relation_of_angles(pairs)
-        if text:
-            return Diagnosis(text, replaces_hint=True)
-    if kinds <= {*_NUMBERS}:
-        return Diagnosis(_relation_of_numbers(forms))
+    are_numbers = pairs and all(kind_of(form) in _NUMBERS for pair in pairs for form in pair)
+    text = _relation_of_angles(pairs) if are_numbers else ""
+    if text or kinds <= {*_NUMBERS}:
+        return Diagnosis(text or _relation_of_numbers(forms))
     text = _relation_of_arrays(calls)
     # A sentence that only asks ("Is it ...?") leaves the hint in.
     return Diagnosis(text, replaces_hint="?" not in text) if text else _place(calls)
