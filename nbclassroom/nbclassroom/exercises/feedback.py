@@ -9,8 +9,6 @@ from .values import answer_parts, describe_value, differing_elements, table_rows
 
 _MOST_LINES = 12  # of the function's own prints
 
-_BORDER = "Pixels there have neighbours outside the image: how does the task treat those?"
-
 
 def _labelled_forms(result, call):
     """(label, form, which of its elements differ) of what was given, and returned and expected."""
@@ -129,8 +127,8 @@ def _advice(result, call, graded):
         return
     diagnosis = result.diagnosis
     yield diagnosis.text
-    if diagnosis.on_border:
-        yield result.exercise.border_hint or _BORDER
+    if diagnosis.on_border and result.exercise.border_hint:
+        yield result.exercise.border_hint
     elif call.case.hint and not diagnosis.replaces_hint:
         yield f"Hint: {call.case.hint}"
 

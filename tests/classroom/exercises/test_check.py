@@ -468,10 +468,10 @@ def test_a_wrong_border_gets_the_border_hint(write_master):
     assert "Hint: Widen." in text and "Repeat the border." not in text
 
 
-def test_a_wrong_border_without_a_border_hint_gets_a_question(write_master):
+def test_a_wrong_border_without_a_border_hint_gets_the_hint(write_master):
     write_border_master(write_master, "")
     text = repr(check("test-double", border_left_out))
-    assert "Pixels there have neighbours outside the image: how does the task treat those?" in text
+    assert "is the border never computed?\n    Hint: Widen." in text
 
 
 def test_a_numpy_scalar_gets_the_hint(write_master):

@@ -51,7 +51,7 @@ ADVICE = {
     "np.zeros(3, np.uint8)[0] = 256": "256 does not fit into uint8. Is it right?",
     "np.ones((3, 4))[:] = np.ones((2, 4))": "Values are stored in a place of their own shape",
     "np.ones((3, 4))[:] = np.cumsum(np.ones((3, 4)))": "All values are in one row here.",
-    "a / a.sum(axis=1)": "One number for each row needs a second axis here: numbers[:, None]",
+    "a / a.sum(axis=1)": "It needs a second axis then: numbers[:, None]",
     "np.ones((9, 3)) - np.ones((3, 3))": "write a[:, None] - b: a third axis.",
     "''[0] == text[0]": "This string is empty, and has neither a first nor a last element.",
     "values.upper()": "A list has no .upper(). Do its elements have it?",
