@@ -60,8 +60,6 @@ def _ambiguous(_match, source):
         return "& is computed before > and <=. Put each comparison in parentheses: (a > low) & (a <= high)."
     if chains:
         return _ADVICE["<chained comparison>"]
-    if re.match("(el)?if|while", source) and parts and all(isinstance(part, ast.Name) for part in parts):
-        return "An array is neither True nor False. To ask whether it has any values, write array.size > 0."
     if parts:
         return _ADVICE["<and, or>"]
     return _ADVICE["<if, while>"]
@@ -125,7 +123,6 @@ _FROM_MATH = "sqrt log10 log floor ceil pi inf sin cos tan atan2 hypot radians"
 _IMPORTS |= dict.fromkeys(_FROM_MATH.split(), "from math import {}")
 _IMPORTS |= {"np": "import numpy as {}", "plt": "import matplotlib.pyplot as {}"}
 _IMPORTS |= {"ndimage": "from scipy import {}", "norm": "from numpy.linalg import {}"}
-_IMPORTS |= {"Path": "from pathlib import {}", "SimpleNamespace": "from types import {}"}
 
 
 def _unknown(match, _source):

@@ -118,8 +118,6 @@ def _advice(result, call, graded):
         return
     if call.result.timed_out:
         yield "" if graded else SAYS["time is up"]
-        if "overflow" in call.result.warning:
-            yield SAYS["overflow in a loop"]
     elif call.result.error:
         yield kind.advice_on_error(result.exercise, call.result)
     yield result.one_change
