@@ -231,7 +231,7 @@ exercise(
     "text-components",
     title="Label the components",
     function="label",
-    hint="For each pixel of ink without a number: the next number, and a flood fill with a stack and eight neighbours.",
+    hint="For each pixel of ink without a number: the next number, from 1 on, and a flood fill with a stack and eight neighbours.",
     hints=(
         "How does the flood fill on a line change if a pixel has a row and a column, and eight neighbours?",
         "1. Begin with labels full of zeros, and the count 0.\n"
@@ -541,7 +541,7 @@ exercise(
     "text-distance",
     title="Edit distance",
     function="edit_distance",
-    hint="A table with len(a) + 1 rows and len(b) + 1 columns; the first row and column count up; the result is the last number.",
+    hint="A table with len(a) + 1 rows and len(b) + 1 columns; the first row and column count up from 0, which is also the result for an empty text; the loops go to the last row and column, and the result is the last number.",
     hints=(
         "How large is the table for texts of any length, and which of its numbers is the result?",
         "1. A table of zeros with len(a) + 1 rows and len(b) + 1 columns.\n"

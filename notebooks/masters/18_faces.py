@@ -287,7 +287,7 @@ exercise(
     "faces-haar",
     title="A Haar feature",
     function="haar_feature",
-    hint="For each box: four numbers of sums, at the corners row + top, col + left, and height rows and width columns farther; times the weight; all boxes added up.",
+    hint="For each box: four numbers of sums, at the corners row + top, col + left, and height rows and width columns farther; their whole sum times the weight; all boxes added up.",
     hints=(
         "Where in the image are the first row and the first column of a box, if the window begins in row, col?",
         "1. Begin with 0.\n"
@@ -652,7 +652,7 @@ def inputs(rng):
     ]
 
 
-# %% role="case" title="over the border" points=1 hint="Cut each box to the image first: max(..., 0), and min(..., height or width of the image)."
+# %% role="case" title="over the border" points=1 hint="Cut each box to the image first: it ends at min(left + width, width of the image), with the given left, and begins at max(left, 0). So also for the rows."
 def inputs(rng):
     return [
         (view(rng, 9, 12), [(-2, -1, 7, 5), (8, 5, 7, 8)], 3),
