@@ -66,7 +66,7 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
     # The first pair of each kind of difference
     wrong = {difference.kind: pair for difference, pair in reversed(differences) if difference}
     returned = [call for call in calls if call.result.finished]
-    advice = _advice_on_constant(returned)
+    advice = _advice_on_constant(calls)
     if advice:
         return Diagnosis(advice)
     # If the type need not be exact, a dtype that cannot hold the values shows as wrong values.
@@ -75,8 +75,7 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         return advice if advice.text or "dtype" in wrong else _diagnose_values(returned)
     if "shape" in wrong:
         expected, actual = wrong["shape"]
-        text = _advice_on_shape(expected, actual, shown.arguments, names)
-        return Diagnosis(text, replaces_hint=not text.startswith("Your result has"))
+        return _diagnose_shape(expected, actual, shown.arguments, names)
     other_pair = next(pair for difference, pair in differences if difference and difference.kind != "value")
     text = _advice_on_type(*other_pair)
     if other_pair[0] is not expected:
@@ -203,10 +202,11 @@ def _same(values, actual, tolerance=0.0):
 # ---------------------------------------------------------------- shape
 
 
-def _advice_on_shape(expected, actual, arguments, names):
+def _diagnose_shape(expected, actual, arguments, names):
     given = [np.shape(value) for value in arguments if isinstance(value, np.ndarray)]
     rules = _shape_rules(expected, actual, given, names[0] if names else "")
-    return next((advice for holds, advice in rules if holds), "")
+    text = next((advice for holds, advice in rules if holds), "")
+    return Diagnosis(text, replaces_hint=bool(text) and not text.startswith("Your result has"))
 
 
 def _shape_rules(expected, actual, given, name):
@@ -280,6 +280,8 @@ def _forms(calls):
 def _advice_on_constant(calls):
     forms = _forms(calls)
     if len(forms) < 2 or all(expected == forms[0][0] for expected, _ in forms):
+        return ""
+    if not all(call.result.finished for call in calls):
         return ""
     if any(actual != forms[0][1] or actual.get("opaque") for _, actual in forms):
         return ""

@@ -198,6 +198,14 @@ def test_a_fixed_number_is_named():
     assert diagnose(calls, calls[0]).text.startswith("Your function returns 921600 for every input")
     calls = [call_of(80, 921600), call_of(80, 921600)]
     assert diagnose(calls, calls[0]).text == ""
+    calls = [call_of(80, 921600), call_of(12, 921600), call_of(7, None)]
+    calls[-1].result.finished = False  # it raised
+    assert diagnose(calls, calls[0]).text == ""
+
+
+def test_a_shape_of_which_nothing_is_certain_leaves_the_hint_in():
+    diagnosis = say(GRAY[:, 0] > 99, COLOUR[0] > 99)
+    assert diagnosis.text == "" and not diagnosis.replaces_hint
 
 
 def test_numpy_scalars_count_as_numbers():
