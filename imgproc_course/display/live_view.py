@@ -289,11 +289,12 @@ class _Pacer:
         self._fastest = 0.85 / MAX_RATE  # so that a frame that comes a little early is not dropped
         self._interval = self._fastest
         self._ping_time = self._reply_time = 0.0
+        self._begin = time.monotonic()
 
     def interval(self):
         """Seconds from one frame to the next."""
-        if not self._reply_time:
-            return WITHOUT_BROWSER
+        if not self._reply_time:  # no browser; or its cell still runs, and no reply can come
+            return WITHOUT_REPLY if time.monotonic() - self._begin < NO_BROWSER_AFTER else WITHOUT_BROWSER
         silence = time.monotonic() - self._ping_time if self._is_waiting() else 0
         if silence > NO_BROWSER_AFTER:
             return WITHOUT_BROWSER
