@@ -129,7 +129,7 @@ assert not ros_available() or view.error is None
 guess_right = None  # your guess: how many metres per second?
 
 # %%
-v, w = 0.2, 0.5
+v, w = 0.2, 0.5  # w stands for ω
 half = 0.20 / 2  # metres from the centre to a wheel
 left = v - w * half
 right = v + w * half
