@@ -81,7 +81,7 @@ def iou(a, b):
 def bins_of(hue, weights):
     return hue.astype(int) * len(weights) // 180
 
-# %% role="mistake" name="always 18 bins" says="You always divide by 10, which is right for 18 bins only. The number of bins is len(weights)."
+# %% role="mistake" name="always 18 bins" says="Your bins are right for 18 bins only. The number of bins is len(weights)."
 def backproject(hue, weights):
     return weights[np.minimum(hue // 10, len(weights) - 1)]
 
@@ -124,6 +124,11 @@ def covariance(samples):
 # %% role="mistake" name="mean not subtracted" says="The means are not subtracted. First compute the deviations: samples - samples.mean(axis=0)."
 def covariance(samples):
     return samples.T @ samples / len(samples)
+
+# %% role="mistake" name="one mean of all" says="You subtracted one mean of all numbers. Each column has its own mean: mean(axis=0)."
+def covariance(samples):
+    d = samples - samples.mean()
+    return d.T @ d / len(samples)
 
 # %% role="mistake" name="mean of the rows" says="You subtracted the mean of each row. The numbers of one kind stand in a column: mean(axis=0)."
 def covariance(samples):
@@ -205,6 +210,11 @@ def update(state, covariance, measurement, H, R):
 def update(state, covariance, measurement, H, R):
     gain = gain_of(covariance, H, R)
     return state + gain @ (measurement - H @ state), gain @ H @ covariance
+
+# %% role="mistake" name="1 as the identity matrix" says="1 - gain @ H subtracts from 1 in every place. The identity matrix np.eye(n) has 1 on its diagonal alone."
+def update(state, covariance, measurement, H, R):
+    gain = gain_of(covariance, H, R)
+    return state + gain @ (measurement - H @ state), (1 - gain @ H) @ covariance
 
 # %% role="mistake" name="state used twice" says="You computed the difference with the corrected state and added it once more. Correct the state once."
 def update(state, covariance, measurement, H, R):

@@ -97,7 +97,7 @@ show([with_box(frames[0], true_boxes[0]), frames[60]], ["frame 0", "frame 60"],
      text="object_tracking/task")
 
 # %% [markdown]
-# How good is a box that a tracker gives us? You know the *IoU* (intersection over union) from [[edge_detection_node]]. For two boxes it is the area that both cover, divided by the area that at least one of them covers. It is 1 for equal boxes, and 0 for boxes that do not touch.
+# How good is a box that a tracker gives us? You know the *IoU* (intersection over union) of two masks from [[obstacles_ahead#5]]. For two boxes it is the area that both cover, divided by the area that at least one of them covers. It is 1 for equal boxes, and 0 for boxes that do not touch.
 #
 # Two boxes of 10 × 10 pixels; the second is 5 columns to the right of the first. **Predict** their IoU, in percent.
 
@@ -276,7 +276,7 @@ exercise(
     title="Back-projection",
     function="backproject",
     exact_type=True,
-    hint="weights[hue.astype(int) * len(weights) // 180]",
+    hint="Widen hue with astype(int), compute the bin of each pixel, and use the array of bins as an index of weights.",
     hints=(
         "In which bin is each pixel, and in which dtype do you compute this?",
         "1. Widen the hue: hue.astype(int).\n"
@@ -414,7 +414,7 @@ print("ball", true_ball[20].round(2), "  car", true_car[20].round(2))
 # %%
 distances = []
 for k in range(90):
-    from_ball = np.linalg.norm(places[k] - true_ball[k], axis=1)
+    from_ball = np.linalg.norm(places[k] - true_ball[k], axis=1)  # of each row
     distances.append(100 * from_ball.min())
 print("nearest to the ball: median", round(np.median(distances), 1), "cm")
 print("at most", round(max(distances), 1), "cm")
@@ -481,7 +481,7 @@ compare_guess(guess_place, round(combined, 2), "m")
 
 # %%
 balls = np.array([[0.0, 0.1], [0.2, 0.3], [0.1, 0.1], [0.5, 0.7]])  # m, m/s
-d = balls - balls.mean(axis=0)
+d = balls - balls.mean(axis=0)  # axis=0: the mean of each column
 print(d.round(2))
 print("variance of the place", (d[:, 0] * d[:, 0]).mean().round(3))
 print("variance of the speed", (d[:, 1] * d[:, 1]).mean().round(3))
@@ -692,7 +692,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# **With the measurement**: it is the same as with one number, with matrices instead of numbers. The matrix H says what we measure: here only the place, the first number of the state. *R* is the variance of the measurement. In place of a division, there is the *[[term:inverse]]* matrix, `np.linalg.inv(S)`: multiplied with S, it gives the *identity matrix*, with 1 on the diagonal and 0 beside it.
+# **With the measurement**: it is the same as with one number, with matrices instead of numbers. The matrix H says what we measure: here only the place, the first number of the state. The measured number minus the expected one is the *innovation*. *R* is the variance of the measurement. In place of a division, there is the *[[term:inverse]]* matrix, `np.linalg.inv(S)`: multiplied with S, it gives the *identity matrix*, with 1 on the diagonal and 0 beside it.
 
 # %%
 state, C = F @ state, F @ C @ F.T + Q
@@ -700,9 +700,9 @@ H = np.array([[1.0, 0.0]])
 R = np.array([[0.01]])
 S = H @ C @ H.T + R  # variance of prediction and measurement together
 gain = C @ H.T @ np.linalg.inv(S)
-surprise = np.array([2.15]) - H @ state  # measured minus expected
-print("S", S.round(4), "  gain", gain.ravel().round(3), "  surprise", surprise.round(3))
-print("state", (state + gain @ surprise).round(3))
+innovation = np.array([2.15]) - H @ state
+print("S", S.round(4), "  gain", gain.ravel().round(3), "  innovation", innovation.round(3))
+print("state", (state + gain @ innovation).round(3))
 
 # %% [markdown]
 # We measured only the place, but the speed was corrected too: from 0.5 m/s to 0.611 m/s. The ball was farther than expected, so it is probably faster. This is what the number beside the diagonal is for. The covariance becomes smaller, as with one number: (1 − gain) · variance, where 1 is now the identity matrix, `np.eye(n)`, and the gain is `gain @ H`.
@@ -735,7 +735,7 @@ print("state", kalman.statePost.ravel().round(3))
 # Check: the numbers, and OpenCV's filter has the same
 assert np.allclose(after.T @ after / len(after), [[0.185, 0.105], [0.105, 0.06]]) and round(0.035 + 2 * 0.045 + 0.06, 3) == 0.185
 assert round(gain[1, 0], 3) == 1.106 and C.round(4).tolist() == [[0.0126, 0.025], [0.025, 0.26]]
-assert (state + gain @ surprise).round(3).tolist() == [2.106, 0.611]
+assert (state + gain @ innovation).round(3).tolist() == [2.106, 0.611]
 kalman = new_filter([2.0, 1.0])
 x, P, T = kalman.statePost.copy(), kalman.errorCovPost.copy(), kalman.transitionMatrix
 for place in np.random.default_rng(0).normal(0, 1, (50, 2, 1)):
@@ -825,7 +825,7 @@ def inputs(rng):
 #
 # Two *tracks*, of ball and car, and in each frame several red things. Which thing belongs to which track?
 #
-# A distance in metres is not a good measure. An error of 10 cm is large for a track that knows its place to 3 cm, and small for a track that has not been seen for a second. So we divide by the uncertainty S: surprise · S⁻¹ · surprise is the squared distance in units of the doubt. (With one number it is surprise² / variance.) If the noise has the usual bell shape, 1 % of the right pairs have more than 9.21. A pair beyond this limit is refused. The limit is called a *[[term:gate]]*.
+# A distance in metres is not a good measure. An error of 10 cm is large for a track that knows its place to 3 cm, and small for a track that has not been seen for a second. So we divide by the uncertainty S: innovation · S⁻¹ · innovation is the squared distance in units of the expected error. (With one number it is innovation² / variance.) For two numbers with Gaussian noise, 1 % of the right pairs have more than 9.21. A pair beyond this limit is refused. The limit is called a *[[term:gate]]*.
 
 # %%
 def costs_of(filters, places):
@@ -833,9 +833,9 @@ def costs_of(filters, places):
     costs = np.zeros((len(filters), len(places)))
     for number, kalman in enumerate(filters):
         S = kalman.errorCovPre[:2, :2] + kalman.measurementNoiseCov
-        surprise = places - kalman.statePre[:2].T
-        weighted = surprise @ np.linalg.inv(S)
-        costs[number] = (weighted * surprise).sum(axis=1)
+        innovation = places - kalman.statePre[:2].T
+        weighted = innovation @ np.linalg.inv(S)
+        costs[number] = (weighted * innovation).sum(axis=1)
     return costs
 
 # %% [markdown]
@@ -957,7 +957,7 @@ assert ball.max() < 9 and car.max() < 9 and switches == 0 and linear_sum_assignm
 #
 # ## 6 · Follow the ball ([[minutes]])
 #
-# Now the robot in the room follows the ball. It knows its own pose from odometry. The camera stands 0.21 m before the axle, 0.20 m above the floor, and looks ahead: its right is the robot's −y, its down is −z, its ahead is x. These are the columns of the rotation. The command turns the robot towards the ball, and keeps 0.8 m between camera and ball.
+# Now the robot in the room follows the ball. It knows its own pose from odometry. The camera stands 0.21 m before the axle, 0.20 m above the floor, and looks ahead: its right is the robot's −y, its down is −z, its ahead is x. These are the columns of the rotation. `@` puts two poses together, the robot in the room and the camera on the robot; `inverse()` goes back, from the room to the robot. The command turns the robot towards the ball, and keeps 0.8 m between camera and ball.
 
 # %% tags=["long"]
 def camera_pose(robot_pose):
@@ -1130,7 +1130,7 @@ assert not ros_available() or node.looks > 0
 # | `"image"` | (180, 320, 3) uint8 BGR: the image of the front camera |
 # | `"time"` | float: seconds since the start |
 #
-# The function `red_spots` is given. It finds the red spots of the image by their hue and saturation, as in section 2, and returns their boxes. At this size of the image, the focal length is 176.25 pixels, and column 160 is straight ahead. A ball is 0.22 m wide, so the width of its box gives its distance, as in section 5. Which spot is the right ball? The robot stands still for half a second. What lies still stays in its columns:
+# The function `red_spots` is given. It finds the red spots of the image by their hue and saturation, as in section 2, and returns their boxes. At this size of the image, the focal length is 176.25 pixels, and column 160 is straight ahead. A ball is 0.22 m wide, so the width of its box gives its distance, as in section 3. Which spot is the right ball? The robot stands still for half a second. What lies still stays in its columns:
 
 # %% role="given" exercise="tracking-drive" tags=["long"]
 import cv2
