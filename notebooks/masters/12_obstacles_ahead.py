@@ -228,7 +228,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# The course's camera has the rays of all pixels: `camera.rays()`. It also uses three more numbers of the lens. Their effect is small: it moves each pixel of the depth image by at most one pixel. With one multiplication, every pixel becomes a point:
+# The course's camera has the rays of all pixels: `camera.rays()`. It also uses three more numbers of the lens. Their effect is small: it moves each pixel of the depth image by at most one pixel. With one multiplication, every pixel becomes a point. (`np.newaxis`: one depth multiplies x, y and 1.)
 
 # %%
 rays = camera.rays()  # (360, 640, 3): x, y, 1
@@ -358,7 +358,7 @@ def inputs(rng):
 # A depth image has 230,400 points; we use every fourth row and column. Most of them are walls and furniture. A plane through the middle of *all* points is useless:
 
 # %%
-many = points[::4, ::4].reshape(-1, 3)
+many = points[::4, ::4].reshape(-1, 3)  # one row for each point
 unknowns = np.column_stack([many[:, 0], many[:, 2], np.ones(len(many))])
 slope_x, slope_z, height = np.linalg.lstsq(unknowns, many[:, 1])[0]
 print(len(many), "points")
@@ -411,7 +411,7 @@ print("camera", round(float(offset), 3), "m above the floor")
 print("tilt", round(tilt, 1), "degrees")
 
 # %% [markdown]
-# About five of 100 draws are enough. The camera is 0.200 m above the floor, and the floor is level to 0.1 degrees. There are more inliers (43 %) than points of the floor, because the rug lies on it, and is only 12 mm high.
+# In about five of 100 draws, all three points are floor, and one such draw is enough. The camera is 0.200 m above the floor, and the floor is level to 0.1 degrees. There are more inliers (43 %) than points of the floor, because the rug lies on it, and is only 12 mm high.
 
 # %%
 # Check: the numbers in this section, against the truth
@@ -525,14 +525,14 @@ def inputs(rng):
 # %% [markdown]
 # ## 5 · What stands on the floor, and a planned failure ([[minutes]])
 #
-# Now the height of every point is one line. What is more than 3 cm above the floor is an obstacle; the rug is not.
+# Now every height is one line. What is more than 3 cm above the floor is an obstacle; the rug is not. The *[[term:IoU]]* (intersection over union) compares this mask with the right one.
 
 # %%
 height = points @ normal + offset  # (360, 640), metres
 is_obstacle = height > 0.03
 true_obstacle = (labels != 1) & (labels != 14)  # neither floor nor rug
 both = (is_obstacle & true_obstacle).sum()
-iou = both / (is_obstacle | true_obstacle).sum()
+iou = both / (is_obstacle | true_obstacle).sum()  # in both, divided by in at least one
 print("IoU with the ground truth:", round(iou, 2))
 show(height.round(2), limits=(0, 0.5), cmap="viridis", text="obstacles_ahead/height")
 
@@ -546,7 +546,7 @@ assert height.shape == (360, 640) and round(iou, 2) == 0.98
 assert recording.label_names[14] == "rug"
 
 # %% [markdown]
-# Now the **planned failure**. Somebody knows that the camera is level and 0.20 m above the floor, so a height is just 0.20 − y, without RANSAC. This is right. But the rays are those of a pinhole camera: the lens was forgotten. We look at frame 66. **Predict** how many of the 48,154 points *of the floor* become "obstacles".
+# Now the **planned failure**. Somebody knows that the camera is level and 0.20 m above the floor, so a height is just 0.20 − y, without RANSAC. This is right. But the rays are those of a pinhole camera: the lens was forgotten. **Predict** how many of the 48,154 points *of the floor* in frame 66 become "obstacles".
 
 # %% role="predict"
 guess_phantom = None  # your guess: how many of 48154 points?
@@ -569,7 +569,7 @@ show([right_height > 0.03, wrong_height > 0.03], ["with the lens", "pinhole"],
 print("with the lens:", ((right_height > 0.03) & floor_66).sum(), "phantoms")
 
 # %% [markdown]
-# Near the corners, the floor itself seems to stand up, because the pinhole rays do not go down far enough there. A robot brakes for these *phantom obstacles*. **Repair it**: use the rays of the lens, as above. Many programs *undistort* the whole image first; that is the same correction.
+# Near the corners, the floor seems to stand up, because the pinhole rays do not go down far enough there. A robot brakes for these *phantom obstacles*. **Repair it**: use the rays of the lens. Many programs *undistort* the whole image first: the same correction.
 
 # %%
 # Check: the numbers in this section
@@ -740,7 +740,7 @@ for k in (66, 76, 86):
 # %% [markdown]
 # ## 8 · Brake! ([[minutes]])
 #
-# When must the robot brake? The first idea: when an obstacle is nearer than a fixed distance, say 0.06 m. We try it in the simulation, at three speeds. It measures once in each *step* of 0.1 s. (Its front is 0.03 m ahead of its camera.)
+# When must the robot brake? The first idea: when an obstacle is nearer than a fixed distance, say 0.06 m. We try it in the simulation, at three speeds. The robot measures once in each *step* of 0.1 s. (Its front is 0.03 m ahead of its camera.)
 
 # %%
 robot = Simulation(seed=1, start=(0.95, -1.3, 0.0), time=5.0)
@@ -754,7 +754,9 @@ def free_distance(depth):
     forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
     measured = forward > 0  # False where the depth is 0 or NaN
     mask = measured & (np.abs(left) <= 0.20) & (height > 0.03) & (height < 0.40)
-    return forward[mask].min(initial=np.inf) - 0.03 if measured.mean() > 0.5 else 0.0
+    if measured.mean() <= 0.5:
+        return 0.0
+    return forward[mask].min(initial=np.inf) - 0.03  # inf if nothing is in the corridor
 
 
 def drive_and_brake(speed, limit):
@@ -798,7 +800,7 @@ assert all(0.15 <= kept[speed] < 0.19 for speed in kept)
 # %% [markdown]
 # Now it keeps its distance at every speed. How large must the margin be? This camera sees the floor straight ahead only from a distance of 0.38 m. A toy that is nearer is below the image. So with low obstacles, use a margin of 0.35 m or more.
 #
-# The node below does this with the laser scanner.
+# The node below uses the laser scanner. It has one speed, so one distance is enough.
 
 # %%
 # Check: where the image begins to show the floor; and what a missing depth changes
@@ -1011,10 +1013,10 @@ if ros_available():
 # %%
 # Check: the live view had no error; and the numbers below
 assert not ros_available() or view.error is None
-assert round(0.4 - 0.084 - (0.2 * 0.2 + 0.2**2 / 1.2), 2) == 0.24 and round(0.2 * 0.2 + 0.2**2 / 1.2, 2) == 0.07
+assert round(0.4 - 0.084 - (0.2 * 0.2 + 0.2**2 / 1.2), 2) == 0.24 and round(0.2 * 0.2 + 0.2**2 / 1.2, 3) == 0.073
 
 # %% [markdown]
-# The robot's front is 0.08 m ahead of the scanner, and its stopping distance about 0.07 m: 0.24 m are left. **On the real robot** this node runs unchanged. The scanner misses what is lower or higher than its plane.
+# The robot's front is 0.084 m ahead of the scanner, and its stopping distance is 0.073 m, so 0.24 m are left. **On the real robot** this node runs unchanged. The scanner misses what is lower or higher than its plane.
 
 # %% [markdown]
 # ## 9 · Drive through rooms that you have not seen ([[minutes]], deeper)
