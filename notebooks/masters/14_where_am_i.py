@@ -388,7 +388,7 @@ print("right, down, ahead:", seen.position.round(2))
 # So the marker is more than two metres ahead. We want the opposite: where is the *camera* in the room? We know where the marker is in the room. Its pose, and then the inverse of what the camera sees: this is the pose of the camera.
 
 # %% tags=["long"]
-right, back, up = Pose.from_vector(recording.pose("marker", 0)).rotation.T
+right, back, up = Pose.from_vector(recording.pose("marker", 0)).rotation.T  # its z is -back
 marker = Pose(np.column_stack([right, up, -back]), recording.pose("marker", 0)[:3])
 true_poses = [Pose.from_vector(recording.pose("camera", k)) for k in range(90)]
 true_places = np.array([pose.position for pose in true_poses])
@@ -1017,6 +1017,7 @@ class VisualOdometry:
         if way > 0.5:  # no robot jumps so far
             return True
         self.pose = self.key_pose @ motion.inverse()
+        # the diagonal of a rotation adds up to 1 + 2 cos(angle)
         angle = math.acos(min(1.0, (np.trace(motion.rotation) - 1) / 2))
         return bool(way > 0.15 or angle > math.radians(10) or near.sum() < 40)
 
