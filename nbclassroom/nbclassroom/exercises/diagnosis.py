@@ -7,6 +7,7 @@ more than none.
 import math
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 
@@ -32,7 +33,7 @@ _NOUNS = {
 }
 _AROUND = dict.fromkeys((2, 4), ": the border of the image is missing.")
 _AROUND |= dict.fromkeys((-2, -4), ": is it padding?")
-_SIDES = {"in the first row": np.s_[:1], "in the last row": np.s_[-1:]}
+_SIDES: dict[str, Any] = {"in the first row": np.s_[:1], "in the last row": np.s_[-1:]}
 _SIDES |= {"in the first column": np.s_[:, :1], "in the last column": np.s_[:, -1:]}
 _ONE_BESIDE = {
     (1,): "Each wrong value is one too large: is it rounded up, or counted from the wrong number?",
@@ -77,9 +78,7 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         expected, actual = wrong["shape"]
         return _diagnose_shape(expected, actual, shown.arguments, names)
     other_pair = next(pair for difference, pair in differences if difference and difference.kind != "value")
-    text = _advice_on_type(*other_pair)
-    if other_pair[0] is not expected:
-        text = text.replace("You return", "There you return")
+    text = _advice_on_part(expected, *other_pair)
     return Diagnosis(text, replaces_hint=bool(text))
 
 
@@ -94,6 +93,11 @@ def side_by_side(expected: dict, actual: dict) -> list[tuple[dict, dict]]:
 
 
 # ---------------------------------------------------------------- type
+
+
+def _advice_on_part(whole, expected, actual):
+    text = _advice_on_type(expected, actual)
+    return text if expected is whole else text.replace("You return", "There you return")
 
 
 def _advice_on_type(expected, actual):

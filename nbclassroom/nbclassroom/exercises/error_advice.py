@@ -69,7 +69,7 @@ def _broadcast(match, source):
     shapes_as_text = re.findall(r"\([\d,]*\)", match[1])
     # a += b names the shape of a twice
     shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in shapes_as_text))
-    rules = _broadcast_rules(*shapes, source) if len(shapes) == 2 else ()
+    rules = _broadcast_rules(shapes[0], shapes[-1], source) if len(shapes) == 2 else ()
     advice = next((advice for holds, advice in rules if holds), "")
     rule = "<shape of a place>" if "input array" in match[1] else "<equal shapes>"
     return f"{_ADVICE[rule]} {advice}".rstrip()

@@ -200,13 +200,14 @@ def _order(node, _tree):
 
 def _parentheses(node):
     """a * b - c + d becomes a * (b - c + d)."""
-    first, later = node, []
-    while isinstance(first, ast.BinOp) and isinstance(first.op, ast.Add | ast.Sub):
-        first, later = first.left, [(first.op, first.right), *later]
+    sums = [node]
+    while isinstance(sums[0].left, ast.BinOp) and isinstance(sums[0].left.op, ast.Add | ast.Sub):
+        sums = [sums[0].left, *sums]
+    first = sums[0].left
     if isinstance(first, ast.BinOp):
         total = first.right
-        for operator, part in later:
-            total = ast.BinOp(total, operator, part)
+        for part in sums:
+            total = ast.BinOp(total, part.op, part.right)
         yield "are parentheses missing?", _setting(node, left=first.left, op=first.op, right=total)
 
 
