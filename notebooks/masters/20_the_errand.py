@@ -7,7 +7,7 @@
 # %% [markdown]
 # # The errand
 #
-# The robot stands in the corner by the sofa, and gets an errand: go to the kitchen door, read its sign, and come back. On the way there are a ball and a toy car, and a person walks through the room. You know already everything that the robot needs: each lesson since [[drive_the_robot]] has built a part of it. Four small functions are missing between these parts, and you write them here.
+# The robot stands in the corner by the sofa, and gets an errand: go to the kitchen door, read its sign, and come back. On the way there are a ball and a toy car, and a person walks through the room. You already know everything that the robot needs: each lesson since [[drive_the_robot]] has built a part of it. Four small functions are missing between these parts, and you write them here.
 #
 # **You will be able to**
 # - correct a drifting odometry by what a marker says, as ROS does it,
@@ -18,7 +18,7 @@
 # - write a robot that explores a room which nobody has shown to it,
 # - report in ten lines what a robot did, what failed, and what you would change.
 #
-# **Time** [[minutes]], with a long pause after section 4. **You need** the lessons since [[drive_the_robot]], above all [[obstacles_ahead]], [[mapping_and_slam]] and [[reading_text]].
+# **Time** [[minutes]], with a long pause after section 4. **You need** the lessons since [[drive_the_robot]] without the optional ones, above all [[obstacles_ahead]], [[where_am_i]] and [[reading_text]].
 
 # %% role="given" exercise=["errand-frame", "errand-speed", "errand-direction", "errand-believe", "errand-drive", "errand-explore"]
 import math
@@ -333,7 +333,7 @@ exercise(
     title="The safe speed",
     function="safe_speed",
     tolerance=1e-6,
-    hint="If free <= 0, return 0.0. Otherwise h = deceleration * reaction and q = 2 * deceleration * free; the smaller one of -h + math.sqrt(h ** 2 + q) and limit.",
+    hint="If free <= 0, return 0.0. Multiply the equation by 2 * deceleration: then v has the factor 2 * h, and q is alone on the right side. The speed is at most limit.",
     hints=(
         "What are h and q, if you multiply reaction * v + v ** 2 / (2 * deceleration) = free by 2 * deceleration? And which speed is right if nothing is free?",
         "1. If free is not larger than 0, return 0.0.\n"
@@ -395,7 +395,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 3 · Around things ([[minutes]])
 #
-# Boxes stand in front of the robot, and the goal is behind them, a little to the left. The laser scanner sees all around: one ray for each degree, counterclockwise from straight ahead. It is mounted 0.156 m in front of the axle. As in [[mapping_and_slam#1]], the ends of the rays become points: x ahead of the axle, y to its left.
+# Boxes stand in front of the robot, and the goal is behind them, a little to the left. The laser scanner sees all around: one ray for each degree, counterclockwise from straight ahead. It is mounted 0.156 m in front of the axle. As in [[obstacles_ahead#8]], the ends of the rays become points: x ahead of the axle, y to its left.
 
 # %%
 robot = Simulation(seed=2, start=(0.95, -1.3, 0.0), time=5.0)
@@ -456,7 +456,7 @@ compare_guess(guess_direction, enough[np.argmin(off)], "degrees")
 # %% [markdown]
 # Between the box and the wall, at −30 degrees, there is enough free way too, but 45 degrees is nearer to the goal. The robot will choose again at each look. As soon as it is past the boxes, the direction to the goal is free.
 #
-# Two things can go wrong. After some turns, the goal may be *behind* the robot. If it is at 170 degrees, and a free direction is at −170 degrees, they are 20 degrees apart, not 340: **wrap** the difference, as in [[mapping_and_slam#5]]. And it can happen that **no** direction has enough free way. Then the robot must not take the best of the bad ones; it must know that there is none.
+# Two things can go wrong. After some turns, the goal may be *behind* the robot. If it is at 170 degrees, and a free direction is at −170 degrees, they are 20 degrees apart, not 340: **wrap** the difference with `math.remainder`, as in [[drive_the_robot#3]]. And it can happen that **no** direction has enough free way. Then the robot must not take the best of the bad ones; it must know that there is none.
 
 # %%
 # Check: the numbers in this section
@@ -778,7 +778,7 @@ def inputs(rng):
 # |---|---|---|
 # | `Parts` | holds the four functions of your exercises; `course_parts` are those of the course | sections 1 to 4 |
 # | `Place` | knows where the robot is | [[object_tracking#4]], [[where_am_i#4]] |
-# | `nearest_marker`, `scan_points`, `low_points` | turn what the sensors see into places | [[where_am_i]], [[mapping_and_slam]], [[obstacles_ahead]] |
+# | `nearest_marker`, `scan_points`, `low_points` | turn what the sensors see into places | [[where_am_i]], [[obstacles_ahead]] |
 # | `Errand` | decides what the robot does next | sections 2 to 4 |
 # | `run_errand`, `run_live` | let it run, in simulated time and in ROS, and give points | |
 #
@@ -848,7 +848,7 @@ print(inspect.getsource(Errand.come_back))
 # %% [markdown]
 # `read_sign` turns to the sign and waits until the robot has stood still for three looks, so that the image is sharp. Then it reads. Each look is added to `readings`, and `believe` counts the votes. After eight looks without a result, the robot gives up and comes back without a name.
 #
-# To drive somewhere, the robot draws an [[term:occupancy grid]] of what it has seen ([[mapping_and_slam#3]]). `LocalMap` of the course's package finds the cheapest route through the free cells: a cell near an obstacle costs more. `towards` looks at the point of this route that is half a metre ahead, and `choose_direction` finds a free direction near it. So the robot also gets around what has moved since the route was planned.
+# To drive somewhere, the robot draws an [[term:occupancy grid]] of what it has seen: a map of small cells, each free, occupied or unknown (the optional [[mapping_and_slam#3]] builds one). `LocalMap` of the course's package finds the cheapest route through the free cells: a cell near an obstacle costs more. `towards` looks at the point of this route that is half a metre ahead, and `choose_direction` finds a free direction near it. So the robot also gets around what has moved since the route was planned.
 
 # %%
 print(inspect.getsource(Errand.towards))
