@@ -1,62 +1,34 @@
 """Does a test fail by chance? `environment/test` on a quiet machine, and beside two busy processes.
 
-Each run's time, and every failure. It takes five times ten minutes, twice.
+Each run's time, and every failure. It takes five times nine minutes, and then five times about twenty.
 
-    .venv/bin/python tests/benchmarks/bench_chance.py [--runs 5]
+    .venv/bin/python tests/benchmarks/bench_chance.py [RUNS]
 """
 
-import contextlib
 import re
 import subprocess
 import sys
 import time
 from pathlib import Path
 
-import click
-from rich.console import Console
-from rich.table import Table
-
-ROOT = Path(__file__).parents[2]
+COMMAND = Path(__file__).parents[2] / "environment" / "test"
 BUSY = [sys.executable, "-c", "while True: pass"]
-FAILURE = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.MULTILINE)
 
 
-@contextlib.contextmanager
-def busy_processes(count):
-    processes = [subprocess.Popen(BUSY) for _ in range(count)]
-    try:
-        yield
-    finally:
-        for process in processes:
-            process.kill()
-            process.wait()
+def run_tests(beside, run):
+    """Print how long a run takes and what failed; whether something did."""
+    begin = time.monotonic()
+    done = subprocess.run([COMMAND], capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
+    failed = re.findall(r"^(?:FAILED|ERROR) \S+", done.stdout, re.MULTILINE) or [done.stderr[-500:]]
+    text = "; ".join(failed) if done.returncode else "nothing failed"
+    print(f"run {run} beside {beside}: {(time.monotonic() - begin) / 60:.1f} minutes, {text}", flush=True)
+    return done.returncode != 0
 
 
-def run_tests():
-    """(minutes, failed tests) of one run."""
-    began = time.monotonic()
-    command = [str(ROOT / "environment" / "test")]
-    process = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
-    failed = sorted(set(FAILURE.findall(process.stdout)))
-    if process.returncode and not failed:
-        failed = [f"exit {process.returncode}: {process.stdout[-500:]}{process.stderr[-500:]}"]
-    return (time.monotonic() - began) / 60, failed
-
-
-@click.command()
-@click.option("--runs", default=5, help="Runs of each kind.")
-def main(runs):
-    table, failures = Table("run", "beside", "minutes", "failed"), 0
-    for count in (0, 2):
-        for run in range(1, runs + 1):
-            with busy_processes(count):
-                minutes, failed = run_tests()
-            failures += len(failed)
-            table.add_row(str(run), f"{count} busy processes", f"{minutes:.1f}", "\n".join(failed) or "–")
-            print(f"{run} beside {count}: {minutes:.1f} minutes, {len(failed)} failed", flush=True)
-    Console(width=110).print(table)
-    raise SystemExit(failures > 0)
-
-
-if __name__ == "__main__":
-    main()
+runs, failures = int([*sys.argv, "5"][1]), 0
+for beside in (0, 2):
+    busy = [subprocess.Popen(BUSY) for _ in range(beside)]
+    failures += sum(run_tests(beside, run) for run in range(1, runs + 1))
+    for process in busy:
+        process.kill()
+raise SystemExit(failures > 0)
