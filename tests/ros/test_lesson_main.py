@@ -4,7 +4,6 @@ import html
 import re
 import signal
 from pathlib import Path
-from textwrap import dedent
 
 import pytest
 
@@ -14,7 +13,7 @@ LESSON = next(MASTERS.glob("*_grayscale_node.py")).read_text(encoding="utf-8")
 (MAIN,) = (block.replace("# ", "") for block in re.findall(r"# ```python\n(.*?)# ```", LESSON, re.S))
 PAGE = html.unescape((MASTERS / "cheat_sheet.html").read_text(encoding="utf-8"))
 SOURCES = {
-    "lesson": dedent(re.search(r"\n(    class GrayNode.*?)\n\n# %%", LESSON, re.S)[1]) + f"\n{MAIN}",
+    "lesson": re.search(r"\n(class GrayNode.*?)\n\n# %%", LESSON, re.S)[1] + f"\n{MAIN}",
     "cheat sheet": MAIN.partition("def")[0] + re.search(r">(class EdgeDetector.*?)</pre>", PAGE, re.S)[1],
 }
 NAMES = """
