@@ -429,6 +429,7 @@ attack(
     """,
     "wrong",
     "raised",
+    "hostile",  # where os.fork() fails, a copy may answer, too
 )
 
 # ---------------------------------------------------------------- more than an answer may use
