@@ -119,7 +119,11 @@ def _read(path):
         raise LessonFileError(f"{path} {problem}; give the lesson that you want to submit, {example}")
     if path.stat().st_size > LARGEST:
         raise LessonFileError(f"{path}: {too_large(path.stat().st_size, LARGEST)}")
-    return path.read_bytes()
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        text = f"{path}: it cannot be read ({error.strerror}); change its permissions"
+        raise LessonFileError(text) from error
 
 
 def run_answers(lesson_check):

@@ -247,6 +247,13 @@ def test_an_answer_that_ends_python_is_named(lesson):
     assert run(lesson(edit(ANSWER, source=source))).exercises[0].notes[0] == "It ended its process."
 
 
+def test_a_lesson_that_cannot_be_read_is_one_line(lesson, monkeypatch):
+    path = lesson()
+    monkeypatch.setattr(type(path), "read_bytes", lambda _path: path.parent.open("rb"))
+    with pytest.raises(LessonFileError, match=r"cannot be read \(Is a directory\); change its permissions"):
+        check_lesson(path)
+
+
 def test_of_several_lessons_a_missing_one_does_not_hide_the_others(lesson):
     done = CliRunner().invoke(check, ["nothing.ipynb", str(lesson())])
     assert done.exit_code == 1 and "Error: nothing.ipynb does not exist" in done.output
