@@ -1,8 +1,6 @@
 """Does a test fail by chance? `environment/test` on a quiet machine, and beside two busy processes.
 
-Each run's time, and every failure. It takes five times nine minutes, and then five times about twenty.
-
-    .venv/bin/python tests/benchmarks/bench_chance.py [RUNS]
+.venv/bin/python tests/benchmarks/bench_chance.py [RUNS]
 """
 
 import re
@@ -12,10 +10,9 @@ import time
 from pathlib import Path
 
 COMMAND = Path(__file__).parents[2] / "environment" / "test"
-BUSY = [sys.executable, "-c", "while True: pass"]
 runs, failures = int([*sys.argv, "5"][1]), 0
 for beside in (0, 2):
-    busy = [subprocess.Popen(BUSY) for _ in range(beside)]
+    busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(beside)]
     for run in range(1, runs + 1):
         begin = time.monotonic()
         done = subprocess.run(
