@@ -346,3 +346,9 @@ def test_one_on_another_folder_is_not_mentioned(server, folders, tmp_path, monke
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(folders[1] / "runtime"))
     assert lab.running_on(tmp_path) == []
     assert lab.running_on(folders[0]) == [f"{server.url}lab?token={server.token}"]
+
+
+def test_a_number_that_is_not_a_port_is_refused_in_one_line(configured, capsys):
+    with pytest.raises(SystemExit):
+        configured("--port=65536")
+    assert capsys.readouterr().err.count("--port 65536 is not a port") == 1

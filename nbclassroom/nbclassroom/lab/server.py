@@ -11,7 +11,7 @@ import nbformat
 from jupyter_core.paths import jupyter_runtime_dir
 from jupyter_server.serverapp import ServerApp, list_running_servers
 from nbformat.sign import NotebookNotary
-from traitlets import default
+from traitlets import TraitError, default, validate
 
 from nbclassroom import course
 from nbclassroom.lab.working_copies import LabError, update_lessons
@@ -27,6 +27,13 @@ class CourseServer(ServerApp):
     Jupyter Server 2.21 logs this at the level INFO only, among much that no learner needs. This class can go
     when a release of Jupyter Server logs it at the level WARNING.
     """
+
+    @validate("port")
+    def _check_port(self, proposal):
+        port = proposal["value"]
+        if not 0 <= port <= 65535:  # the system would take 65536 for 0, any free port
+            raise TraitError(f"--port {port} is not a port; give a number from 1024 to 65535: --port 8888")
+        return port
 
     @default("static_custom_path")
     def _static_custom_path_default(self):
