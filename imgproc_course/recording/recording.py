@@ -1,6 +1,7 @@
 """A recorded drive: frames, messages, camera info, depth, labels, poses."""
 
 import array
+import contextlib
 import dataclasses
 import json
 import re
@@ -9,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,7 +65,7 @@ def open_recording(source: str | Path = "drive", *, camera_topic: str | None = N
     return Recording(source, camera_topic=camera_topic)
 
 
-class Recording:
+class Recording(contextlib.AbstractContextManager["Recording"]):
     """An open recording: see `open_recording`.
 
     Iterating yields (topic, message) lazily, in the order of recording; a warning names each topic of which
@@ -107,9 +108,6 @@ class Recording:
         except RecordingError:
             self.close()
             raise
-
-    def __enter__(self) -> Self:
-        return self
 
     def __exit__(self, *exception):
         self.close()

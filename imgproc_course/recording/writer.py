@@ -6,7 +6,7 @@ from binascii import crc32
 from collections.abc import Sequence
 from pathlib import Path
 from types import MappingProxyType
-from typing import Final, Self
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,7 +57,7 @@ def offered_qos(reliability: str = "BEST_EFFORT", durability: str = "VOLATILE") 
     )
 
 
-class RecordingWriter:
+class RecordingWriter(contextlib.AbstractContextManager["RecordingWriter"]):
     """A new recording: a folder that gets metadata.yaml and one .mcap file.
 
     It can be read after `close`; a recording without messages leaves no folder behind.
@@ -178,9 +178,6 @@ class RecordingWriter:
             raise RecordingError(
                 f"{self.path} cannot be completed: {error.strerror}; open_recording opens what it has"
             ) from error
-
-    def __enter__(self) -> Self:
-        return self
 
     def __exit__(self, *exception):
         self.close()

@@ -1,10 +1,11 @@
 """A client of the robot's topics, for a notebook: send commands, read odometry and scan."""
 
+import contextlib
 import math
 import threading
 import time
 from collections.abc import Sequence
-from typing import Any, Self
+from typing import Any
 
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
@@ -27,7 +28,7 @@ _START_IT = 'open_camera("room") starts a simulated robot'
 _START_ANY = f"{_START_IT}, or start a real robot's bridge in this ROS domain"
 
 
-class Robot:
+class Robot(contextlib.AbstractContextManager["Robot"]):
     """The robot of this domain: the one in the room, or a real Kachaka.
 
     Commands go to the topic `COMMANDS`. The robot stops by itself if no command comes for 0.5 s. Any thread
@@ -185,9 +186,6 @@ class Robot:
         """Stops the robot, and its use. A second call does nothing."""
         self.stop()
         self._entities.close()
-
-    def __enter__(self) -> Self:
-        return self
 
     def __exit__(self, *exception):
         self.close()

@@ -268,10 +268,7 @@ class RosSession:
             return
         self._was_forked = True
         ctypes.pythonapi.Py_IncRef(ctypes.py_object(self._spinner))
-        if sys.platform == "linux":
-            # Fast DDS's static destructors crash in a process without its threads: exit before they run.
-            libc = ctypes.CDLL(None)
-            libc.on_exit(libc._exit, None)
+        _exit_without_destructors()
 
 
 class _Spinner:
@@ -464,8 +461,25 @@ def _check_domain():
 
 @atexit.register
 def _stop_at_exit():
-    if RosSession._instance is not None:
-        RosSession._instance.stop()
+    session = RosSession._instance
+    if session is None or session._spinner is None or session._was_forked:
+        return
+    session.stop()
+    thread = session._spinner.thread
+    if thread.is_alive():
+        # Python aborts if a thread comes back to it from C while it ends: end the callback's loop.
+        ident = ctypes.c_ulong(thread.ident)
+        ctypes.pythonapi.PyThreadState_SetAsyncExc(ident, ctypes.py_object(SystemExit))
+        thread.join(CALLBACK_TIMEOUT)
+        if thread.is_alive():
+            _exit_without_destructors()
+
+
+def _exit_without_destructors():
+    """Fast DDS's static destructors crash where its threads are gone, or still run: exits before them."""
+    if sys.platform == "linux":
+        libc = ctypes.CDLL(None)
+        libc.on_exit(libc._exit, None)
 
 
 def _after_fork_in_child():

@@ -1,8 +1,9 @@
 """The simulated robot in the room of the recorded drive."""
 
+import contextlib
 import math
 from collections.abc import Collection, Sequence
-from typing import Any, Self
+from typing import Any
 
 import cv2
 import numpy as np
@@ -32,7 +33,7 @@ LONGEST_PINNED = 3.0  # seconds in which it only moves to and fro in some centim
 DEPTH_WIDTH = 640
 
 
-class Simulation:
+class Simulation(contextlib.AbstractContextManager["Simulation"]):
     """A robot that drives through the room of the recorded drive; the same calls always give the same.
 
     There is no clock and no ROS: `step` moves robot, person, car and ball, everything else looks. Several
@@ -317,9 +318,6 @@ class Simulation:
         """Frees the images; the simulation cannot be used any more."""
         if not self._shares_scene:
             self._scene.close()
-
-    def __enter__(self) -> Self:
-        return self
 
     def __exit__(self, *exception):
         self.close()

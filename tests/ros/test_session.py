@@ -307,12 +307,14 @@ def test_after_rclpys_own_signal_handlers_it_can_be_started_again(run_python):
     assert out == "a frame arrived\nFalse True\n(720, 1280, 3)\n"
 
 
-def test_a_callback_that_never_returns_cannot_keep_the_interpreter_alive(run_python):
+@pytest.mark.parametrize("callback", ["time.sleep(3600)", "[other.spin_once(0.01) for _ in range(360_000)]"])
+def test_a_callback_that_never_returns_cannot_keep_the_interpreter_alive(run_python, callback):
     code, out, err = run_python(
         "import time\nfrom imgproc_course.ros import session as module\n"
         "module.CALLBACK_TIMEOUT = 0.5\n"
         "session = module.RosSession.current()\n"
-        "session.post(lambda: time.sleep(3600))\n"
+        "other = module._Executor(context=session.context)\n"
+        f"session.post(lambda: {callback})\n"
         "print('leaving', flush=True)"
     )
     assert (code, out) == (0, "leaving\n")
