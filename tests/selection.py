@@ -25,9 +25,7 @@ IN_EVERY_RUN = {
 }
 
 # Long tests start first: if they started last, the other workers would wait for them without work.
-LONGEST_FIRST = (
-    *("ros_packages", "browser", "classroom/gradebook/test_teach", "classroom", "notebooks", "simulation"),
-)
+LONGEST_FIRST = ("ros_packages", "browser", "environment", "classroom", "notebooks", "simulation")
 # Files whose tests wait more than they compute are spread among the others, which use the cores meanwhile.
 WAITING = ("ros/",)
 # A worker takes one file at a time. Of WHOLE_FOLDERS it takes all files, because what they share (a colcon

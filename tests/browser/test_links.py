@@ -34,13 +34,12 @@ SHOW = """async ([path, text]) => {
 def click(page, source, link, heading):
     """Clicks a link of the notebook `source`, and waits until JupyterLab is at the heading.
 
-    JupyterLab 4.6 draws the cells of a notebook while the browser is idle, and waits ten seconds for the one
-    that a link names: on a busy machine another click leads on. The later ones need no mouse; only the time
-    limit of the test ends them.
+    JupyterLab 4.6 draws the cells of a notebook while the browser is idle, and may end beside the one that a
+    link names: another click leads on. The later ones need no mouse; the test's time limit ends them.
     """
     for attempt in itertools.count(1):
         try:
-            timeout = 20_000 * attempt
+            timeout = 6_000 * attempt
             go(page, source, link, mouse=attempt <= 2, timeout=timeout)
             page.wait_for_function(AT_HEADING, arg=heading, polling=200, timeout=timeout)
             return
