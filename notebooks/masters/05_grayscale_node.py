@@ -504,7 +504,12 @@ assert view.error is None
 # | instead of `cv2.cvtColor`: `gray = frame[..., 2]`, the red channel | Is the red ball brighter or darker than before? | the ball, and the blue things |
 # | in your `QoSProfile`: `ReliabilityPolicy.RELIABLE` | How many images arrive? | whether a second image appears; what the check says |
 #
-# At the end, undo your changes: your class is graded as it stands. Then write down what you saw at each change, and why: one or two sentences each. Save (Ctrl+S) before you run the check: it shows an answer, and what to look for in yours. In a class, a person grades it.
+# At the end, undo your changes: your class is graded as it stands.
+
+# %% [markdown]
+# ### Write down what you saw ([[minutes]], deeper)
+#
+# What did you see at each change, and why? Write one or two sentences each. Save (Ctrl+S) before you run the check: it shows an answer, and what to look for in yours. In a class, a person grades it.
 
 # %% role="exercise"
 exercise(

@@ -405,8 +405,11 @@ assert view.running
 # | `high` to the right, until no line is left | There are still weak edge pixels. Do they give lines? | which lines stay longest |
 # | `low` to 0 | More lines, or longer lines? | where a line ended before |
 # | `low` up to 150 | Whole lines, or pieces? | the long lines |
+
+# %% [markdown]
+# ### Write down what you saw ([[minutes]], deeper)
 #
-# Then write down what you saw at each change, and why: one or two sentences each. Save the notebook (Ctrl+S) before you run the check.
+# What did you see at each change, and why? Write one or two sentences each. Save the notebook (Ctrl+S) before you run the check.
 
 # %% role="exercise"
 exercise(
