@@ -196,7 +196,7 @@ def key(lessons, seed, out, masters, replace, unsafe):
     """Make the answer key: run the solutions on inputs drawn from a secret seed.
 
     LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons, which
-    take about ten minutes on two quiet cores. After Ctrl-C, the same command goes on where it stopped.
+    take about five minutes on two quiet cores. After Ctrl-C, the same command goes on where it stopped.
     """
     from nbclassroom.autograder import key_seed
     from nbclassroom.autograder.make_answer_key import make_key

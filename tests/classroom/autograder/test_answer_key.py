@@ -27,6 +27,7 @@ def one_fork_server():
     """All keys of this module are made with one fork server, which takes a second to start."""
     with KernelFactory() as shared, pytest.MonkeyPatch.context() as patch:
         patch.setattr(make_answer_key, "KernelFactory", lambda unsafe: contextlib.nullcontext(shared))
+        patch.setattr(make_answer_key, "_AT_A_TIME", 1)
         yield
 
 
@@ -91,24 +92,23 @@ def test_a_key_is_overwritten_only_with_replace(copy):
 
 
 def test_a_second_run_goes_on_where_the_first_one_stopped(tmp_path, monkeypatch):
-    """Of three exercises the second one is interrupted; the same seed gives the key of one run."""
-    run, begun, said = KernelFactory.start, [], []
+    """Of three exercises the last one is interrupted; the same seed gives the key of one run."""
+    run, said = make_answer_key._Solutions.exercise, []
 
-    def interrupted(factory, *arguments, **options):
-        begun.append(arguments)
-        if len(begun) == 3:
+    def interrupted(solutions):
+        if solutions._exercise.id == "attacked-apply":
             raise KeyboardInterrupt
-        return run(factory, *arguments, **options)
+        return run(solutions)
 
     whole = make_key(MASTERS, SEED, tmp_path / "whole", say=said.append)
     out = tmp_path / "key"
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
-        patch.setattr(KernelFactory, "start", interrupted)
+        patch.setattr(make_answer_key._Solutions, "exercise", interrupted)
         make_key(MASTERS, SEED, out, say=said.append)
     assert not out.exists()
     key = make_key(MASTERS, SEED, out, say=said.append)
     assert files(key.path) == files(whole.path)
-    assert [text.split(" exercises")[0] for text in said] == ["3 of 3", "3 of 3", "2 of 3"]
+    assert [text.split(" exercises")[0] for text in said] == ["3 of 3", "3 of 3", "1 of 3"]
     assert "about 1 min on two quiet cores" in said[0]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["key", "whole"]
 

@@ -10,8 +10,6 @@ import itertools
 from collections import namedtuple
 from dataclasses import replace
 
-from tqdm import tqdm
-
 from nbclassroom.exercises.declaration import MasterError
 from nbclassroom.exercises.kinds.drive.drive import LARGE, SLOW, passes, sentences_of
 from nbclassroom.exercises.kinds.drive.graded import GradedDrive
@@ -32,13 +30,11 @@ def draw_for_key(exercise, seed, run_solution):
     def drive_solution(scenario):
         return run_solution(GradedDrive(exercise, scenario)).record
 
-    drawn, least = {}, number_of_drives(exercise)
-    with tqdm(total=least, desc=exercise.id, unit=" drives", delay=2, leave=False) as bar:
-        public = public_drives(exercise)
-        for case in exercise.cases:
-            one = draw_scenario(exercise, case, seed, drive_solution, public, bar.update)
-            mistakes = {name: [result] for name, result in one.mistakes.items()}
-            drawn[case.id] = [ExpectedCall((one.scenario,))], mistakes
+    drawn, public = {}, public_drives(exercise)
+    for case in exercise.cases:
+        one = draw_scenario(exercise, case, seed, drive_solution, public)
+        mistakes = {name: [result] for name, result in one.mistakes.items()}
+        drawn[case.id] = [ExpectedCall((one.scenario,))], mistakes
     return drawn
 
 
@@ -48,10 +44,10 @@ def number_of_drives(exercise):
     return len(exercise.cases) + hidden * (1 + len(exercise.mistakes))
 
 
-def draw_scenario(exercise, case, seed, drive_solution, public, on_drive):
+def draw_scenario(exercise, case, seed, drive_solution, public):
     """The first DrawnScenario of a case's draws that fits.
 
-    `drive_solution` gives a scenario's record; `public` are `public_drives`; `on_drive` counts drives.
+    `drive_solution` gives a scenario's record; `public` are `public_drives`.
     MasterError: no draw fits; it says why.
     """
     tried, problem = [], ""
@@ -64,11 +60,9 @@ def draw_scenario(exercise, case, seed, drive_solution, public, on_drive):
             continue
         stricter = with_margin(scenario)
         record = drive_solution(stricter)
-        on_drive(1)
         if problem := _problem_of_solution(record, stricter):
             continue
         drives = drive_wrong_answers(exercise, scenario) if case.hidden else {}
-        on_drive(len(drives))
         if not drives or not passes(drives[""][0], scenario):
             return DrawnScenario(scenario, record, {name: result for name, (_, result) in drives.items()})
         problem = "the stub passes"

@@ -22,7 +22,7 @@ from .drive import (
 )
 
 _CHECK = "from nbclassroom.autograder.sandbox.inside.drive_cell import drive\n\ndrive({function})"
-_SECONDS_PER_DRIVE = 2.2  # of the solution or a mistake, while a key is made
+_SECONDS_PER_DRIVE = 1.5  # of the solution or a mistake, while a key is made, two exercises at a time
 
 
 class Kind(AnyKind):
