@@ -76,15 +76,9 @@ def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
 def compare_other_files(masters_dir, lessons_dir):
     """How the pages differ from their sources, and which files have no master; a list of str."""
     try:
-        paths = {Path(lessons_dir) / name: text for name, text in build_pages(masters_dir).items()}
+        problems = lesson_file_differences(build_pages(masters_dir), Path(lessons_dir))
     except MasterError as error:
         problems = [str(error)]
-    else:
-        problems = [
-            f"{path.name}: it differs from its source in masters/; run {course.command} build"
-            for path, text in paths.items()
-            if not path.is_file() or path.read_text(encoding="utf-8") != text
-        ]
     return problems + _orphans(masters_dir, lessons_dir)
 
 
@@ -151,8 +145,13 @@ def build_lesson(master, stored_path=None, executed=None, *, solved=False):
         notebook = lesson_notebook(master, solved=solved)
         execute(notebook, master.path, files=lesson_files(master))
     normalize(notebook, master)
-    if stored_path:
-        _keep_varying_outputs(notebook, stored_path, master)
+    if stored_path:  # a cell whose output varies keeps its stored output if no code up to it has changed
+        stored = _read_stored(stored_path) or new_notebook()
+        outputs = {code: cell.outputs for cell, code in _code_cells(stored)}
+        varying = {cell.id for cell in master.cells if cell.varies}
+        for cell, code in _code_cells(notebook):
+            if cell.id in varying:
+                cell.outputs = outputs.get(code, cell.outputs)
     refuse_traces(notebook, master)
     return notebook
 
@@ -191,16 +190,6 @@ def _cell_metadata(cell):
     if cell.role == "answer":  # survives merging and splitting, and tools that rewrite ids
         metadata[course.name] = {"exercise": cell.exercise}
     return metadata
-
-
-def _keep_varying_outputs(notebook, stored_path, master):
-    """A cell whose output varies keeps its stored output if no code up to it has changed."""
-    stored = _read_stored(stored_path) or new_notebook()
-    outputs = {code: cell.outputs for cell, code in _code_cells(stored)}
-    varying = {cell.id for cell in master.cells if cell.varies}
-    for cell, code in _code_cells(notebook):
-        if cell.id in varying:
-            cell.outputs = outputs.get(code, cell.outputs)
 
 
 def _code_cells(notebook):

@@ -112,8 +112,12 @@ def _normalize_output(output, count):
         output.traceback = frames
     data = output.get("data", {})
     data.pop(_WIDGET, None)
-    if "image/png" in data:
-        data["image/png"] = _remove_png_metadata(data["image/png"])
+    if "image/png" in data:  # the same pixels, without what names the program or the date
+        file = io.BytesIO()
+        with Image.open(io.BytesIO(base64.b64decode(data["image/png"]))) as image:
+            image.info.clear()
+            image.save(file, format="PNG")
+        data["image/png"] = base64.b64encode(file.getvalue()).decode("ascii")
 
 
 def _merge_streams(outputs):
@@ -128,15 +132,6 @@ def _merge_streams(outputs):
             neighbours = [new_output(kind, name=name, text=text) for name, text in texts.items() if text]
         merged += neighbours
     return merged
-
-
-def _remove_png_metadata(encoded):
-    """A PNG (base64) with the same pixels, without what names the program or the date."""
-    file = io.BytesIO()
-    with Image.open(io.BytesIO(base64.b64decode(encoded))) as image:
-        image.info.clear()
-        image.save(file, format="PNG")
-    return base64.b64encode(file.getvalue()).decode("ascii")
 
 
 def refuse_traces(notebook, master):

@@ -27,7 +27,7 @@ def validate_exercise(exercise, seeds=BUILD_SEEDS):
         return [f"{exercise.id}: {text}"] if exercise.mistakes else []
     solution = exercise.function_of(exercise.solution, "solution")
     if not exercise.kind.expects_values:
-        return [*_refusals(exercise), *_problems_of_thresholds(exercise, solution)]
+        return [*_refusals(exercise, solution), *_problems_of_thresholds(exercise, solution)]
     problems = [
         f"{case_result.case.id}: the solution does not pass it a second time; is the solution random?"
         for seed in (PUBLIC_SEED, _ANOTHER_SEED)
@@ -35,7 +35,7 @@ def validate_exercise(exercise, seeds=BUILD_SEEDS):
         for case_result in _in_time(exercise, result).results
         if not case_result.passed
     ]
-    problems += _refusals(exercise)
+    problems += _refusals(exercise, solution)
     stub, arguments = exercise.function_of(exercise.stub, "stub"), exercise.arguments(exercise.cases[0])[0]
     result = _in_time(exercise, exercise.call(stub, arguments))
     if result.error != "NotImplementedError" and result.value != {"type": "None"}:
@@ -44,7 +44,7 @@ def validate_exercise(exercise, seeds=BUILD_SEEDS):
     for mistake in exercise.mistakes:
         problems += _mistake_problems(exercise, mistake)
     for case in exercise.cases:
-        problems += _size_problems(exercise, case)
+        problems += _size_problems(exercise, case, solution)
         if case.points:
             problems += _seed_problems(exercise, case, solution, [PUBLIC_SEED, *range(1, seeds)])
     return problems
@@ -60,8 +60,7 @@ def _in_time(exercise, result):
     return result
 
 
-def _refusals(exercise):
-    solution = exercise.function_of(exercise.solution, "solution")
+def _refusals(exercise, solution):
     return [
         f"{exercise.id}: the solution uses {module}; name it in allowed=(...), or solve it without"
         for module in NamesRead(solution).refused(exercise.allowed, set(exercise.provided))
@@ -149,9 +148,8 @@ def _agree(answer, guess, tolerance, exact_type):
     return compare(answer, guess, tolerance, exact_type=exact_type) is None
 
 
-def _size_problems(exercise, case):
+def _size_problems(exercise, case, solution):
     """Grading carries large arrays as digests, and a tolerance has no meaning for a digest."""
-    solution = exercise.function_of(exercise.solution, "solution")
     for arguments in exercise.arguments(case):
         answer = array_of(_in_time(exercise, exercise.call(solution, arguments)).value)
         if answer is None or answer.nbytes <= _MOST_BYTES:

@@ -21,6 +21,7 @@ from .. import course
 from ..authoring.lesson_files import exercise_files, stored_exercise
 from ..authoring.masters import find_masters, read_master
 from ..exercises.atomic_write import write_file, write_folder
+from ..exercises.case_call import explain_call
 from ..exercises.expected_results import with_results
 from ..exercises.input_encoding import encode
 from ..exercises.lesson import ExpectedCall
@@ -194,9 +195,11 @@ class _Solutions:
         if calls is None:
             raise MasterError(f"{about} shows no values")
         for call in calls:
-            problem = _comparison_problem(call)
-            if problem:
-                raise MasterError(f"{about} returns nothing that can be compared: {problem}")
+            if not call.finished or call.changed:
+                raise MasterError(f"{about} fails. {explain_call(call, None, exercise.answer_name)}")
+            if not _is_whole(call.value):
+                kind = call.value["type"]
+                raise MasterError(f"{about} returns nothing that can be compared: a value of type {kind}")
         if not verdict_on(run.answers, [call.value for call in calls], case.tolerance).passed:
             raise MasterError(f"{about} does not equal itself")
         return map(ExpectedCall, drawn, calls)
@@ -213,17 +216,6 @@ class _Solutions:
 def _require_run(run, about):
     if run.ended or run.error[0]:
         raise MasterError(f"{about} fails in grading: {run.ended} {': '.join(run.error)}".strip())
-
-
-def _comparison_problem(call):
-    """Why a call of the solution gives nothing to compare with, "" if it does."""
-    if call.timed_out:
-        return "it does not finish in time"
-    if call.error:
-        return f"{call.error}: {call.message}" if call.message else call.error
-    if call.changed:
-        return f"it changes its input {', '.join(call.changed)}"
-    return "" if _is_whole(call.value) else f"a value of type {call.value['type']}"
 
 
 def _is_whole(form):

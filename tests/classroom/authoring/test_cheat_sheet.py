@@ -143,7 +143,7 @@ def test_build_writes_the_page_and_reports_a_difference(source, tmp_path):
     assert written == "<p>42 lesson 01 a text</p>\n"
     assert not any("cheat_sheet" in problem for problem in compare_lessons(masters, lessons).problems)
     source(names="number = 1\n")
-    difference = "cheat_sheet.html: it differs from its source in masters/; run imgproc-course build"
+    difference = "cheat_sheet.html: differs from the master; run imgproc-course build"
     assert difference in compare_lessons(masters, lessons).problems
     (masters / "cheat_sheet.html").unlink()
     problems = compare_lessons(masters, lessons).problems

@@ -84,7 +84,7 @@ def test_build_writes_the_glossary_and_reports_a_difference(glossary, tmp_path):
     assert (lessons / "glossary.md").read_text() == build_pages(masters)["glossary.md"]
     assert not any("glossary" in problem for problem in compare_lessons(masters, lessons).problems)
     glossary(GLOSSARY.replace("A border.", "A line."))
-    difference = "glossary.md: it differs from its source in masters/; run imgproc-course build"
+    difference = "glossary.md: differs from the master; run imgproc-course build"
     assert difference in compare_lessons(masters, lessons).problems
     glossary("[")
     assert any("not TOML" in problem for problem in compare_lessons(masters, lessons).problems)

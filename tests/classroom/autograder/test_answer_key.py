@@ -133,10 +133,10 @@ def test_a_failure_leaves_the_old_key(copy, tmp_path):
             "case-attacked-apply-1.*cannot be sent.*practice=True",
         ),
         ("return float(np.mean(values))", "return object()", "nothing that can be compared"),
-        ("return float(np.mean(values))", "return values.pop()", "changes its input"),
+        ("return float(np.mean(values))", "return values.pop()", "fails. .* changed its input"),
         ("return float(np.mean(values))", "import os; os._exit(1)", "crashed"),
-        ("return float(np.mean(values))", "return [].index(3)", "compared: ValueError: 3 is not in list$"),
-        ("return float(np.mean(values))", "while True: pass", "compared: it does not finish in time$"),
+        ("return float(np.mean(values))", "return [].index(3)", " raised ValueError: 3 is not in list"),
+        ("return float(np.mean(values))", "while True: pass", "fails. .* did not finish in time"),
     ],
 )
 def test_a_master_that_cannot_be_graded_is_refused(tmp_path, old, new, message):
