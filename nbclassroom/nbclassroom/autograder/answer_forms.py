@@ -61,7 +61,10 @@ class _FormReader:
             return {"type": kind}
         if kind in PLAIN_TYPES or kind in _SCALARS:
             return {"type": kind, "value": _plain(kind, data.get("value"))}
-        return {"type": kind, "fields": self._fields(data.get("fields"), depth)}
+        fields = data.get("fields")
+        _require(isinstance(fields, dict))
+        read = {_text(name, _MOST_NAME): self.read(field, depth + 1) for name, field in fields.items()}
+        return {"type": kind, "fields": read}
 
     def _items(self, kind, items, depth):
         _require(isinstance(items, list))
@@ -69,10 +72,6 @@ class _FormReader:
             return [self.read(item, depth + 1) for item in items]
         _require(all(isinstance(pair, list) and len(pair) == 2 for pair in items))
         return [[self.read(part, depth + 1) for part in pair] for pair in items]
-
-    def _fields(self, fields, depth):
-        _require(isinstance(fields, dict))
-        return {_text(name, _MOST_NAME): self.read(field, depth + 1) for name, field in fields.items()}
 
 
 def _require(condition):

@@ -88,9 +88,8 @@ def _ended_alike(cases):
 
 def _result(exercise, graded, runs, mistake, *, is_said):
     """The CheckResult of some cases of an exercise; `is_said`: how all of them ended is said above."""
-    by_call = [
-        case for case in exercise.cases if case.id in runs and _is_told_by_call(exercise, graded[case.id])
-    ]
+    untold = {*_NO_CALL} | ({Outcome.TIME} if exercise.kind.expects_values else set())
+    by_call = [case for case in exercise.cases if case.id in runs and graded[case.id].outcome not in untold]
     calls = [_readable(call) for case in by_call for call in runs[case.id].verdict.case_calls(exercise, case)]
     result = judge(exercise, calls, mistake)
     cases = [graded[case.id] for case in exercise.cases]
@@ -105,11 +104,6 @@ def _result(exercise, graded, runs, mistake, *, is_said):
         for case_result, case in zip(result.results, cases, strict=True)
     ]
     return replace(result, results=tuple(results))
-
-
-def _is_told_by_call(exercise, case):
-    is_late = case.outcome == Outcome.TIME and exercise.kind.expects_values
-    return case.outcome not in _NO_CALL and not is_late
 
 
 def _readable(call):

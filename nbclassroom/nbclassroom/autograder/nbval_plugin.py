@@ -57,16 +57,13 @@ class ExerciseKernel:
 
     def execute_cell_input(self, cell_input, allow_stdin=None):
         if self.case is not None:
-            self._run_case(cell_input)
+            run = self._exercise_run.run(self.case, cell_input)
+            self._add_message("display_data", data={MIME: ShownAnswer(run)}, metadata={})
+            name, text = (run.ended, "") if run.ended else run.check.error
+            if name:
+                self._add_message("error", ename=name, evalue=text, traceback=[])
         self._add_message("status", execution_state="idle")
         return _MESSAGE_ID
-
-    def _run_case(self, source):
-        run = self._exercise_run.run(self.case, source)
-        self._add_message("display_data", data={MIME: ShownAnswer(run)}, metadata={})
-        name, text = (run.ended, "") if run.ended else run.check.error
-        if name:
-            self._add_message("error", ename=name, evalue=text, traceback=[])
 
     def _add_message(self, kind, **content):
         parent = {"msg_id": _MESSAGE_ID}
@@ -111,18 +108,14 @@ class ExerciseRun:
         else:
             run = self._run_in_same_process(case, source)
             if run is None or run.ended:
-                run = self._run_in_new_processes(case, source)
+                run = self._run_in_new_process(case, source)
+                for endings in _RUN_AGAIN_AFTER:
+                    if run.ended in endings:
+                        run = self._run_in_new_process(case, source, alone=True)
         if run.ended == "gone":
             self.faults[case.id] = "the process that starts kernels ended, three times"
         else:
             self.runs[case.id] = run
-        return run
-
-    def _run_in_new_processes(self, case, source):
-        run = self._run_in_new_process(case, source)
-        for endings in _RUN_AGAIN_AFTER:
-            if run.ended in endings:
-                run = self._run_in_new_process(case, source, alone=True)
         return run
 
     def _run_in_same_process(self, case, source):
@@ -154,12 +147,18 @@ class ExerciseRun:
         return run
 
     def _run_check(self, process, run, case, source):
+        """Run a check, perhaps with a partner. What fails in the partner is raised: no answer causes it."""
         exercise = self.exercise
         partner = exercise.kind.partner(exercise, case)
-        if partner is not None:
-            return self._run_with(process, partner, run, source)
-        inputs = [encode(call.arguments) for call in case.calls]
-        run.check = process.run_check(source, inputs, exercise.time_limit)
+        if partner is None:
+            inputs = [encode(call.arguments) for call in case.calls]
+            run.check = process.run_check(source, inputs, exercise.time_limit)
+        else:
+            run.check = process.run_with(source, partner)
+            run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
+            self._drives_too_long = run.check.ended == "time" or partner.is_slow
+            self.stop_at += partner.seconds
+            run.verdict, run.is_measured = partner.verdict(), True
         self._kernels.note_attempts(run.check, exercise.id)
         if not run.ended:
             run.verdict = self.stored(case).verdict(run)
@@ -168,15 +167,6 @@ class ExerciseRun:
         """The StoredAnswer of a case, with which nbval compares."""
         expected = [call.result.value for call in case.calls]
         return StoredAnswer(expected, case.tolerance, self.exercise.exact_type)
-
-    def _run_with(self, process, partner, run, source):
-        """Run a check that talks to a partner. What fails in the partner is raised: no answer causes it."""
-        run.check = process.run_with(source, partner)
-        self._kernels.note_attempts(run.check, self.exercise.id)
-        run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
-        self._drives_too_long = run.check.ended == "time" or partner.is_slow
-        self.stop_at += partner.seconds
-        run.verdict, run.is_measured = partner.verdict(), True
 
     def close(self):
         """End its process, if it has one."""

@@ -117,9 +117,17 @@ class _Queue:
         if not result.exercises_with(Outcome.TIME):
             return result
         wait([future for *_, future in self.waiting])
-        left_out = [exercise for exercise in result.exercises if _was_left_out(exercise)]
+        # Those are out of time only because others had used all of it. Now no case of theirs can use the time
+        # of another one; an answer that needs more than its share is among the late ones afterwards.
+        left_out = [
+            exercise
+            for exercise in result.exercises
+            if {case.message for case in exercise.cases if case.outcome == Outcome.TIME} == {BUDGET_MESSAGE}
+        ]
         if left_out:
-            limits = _one_share_each(self._options["limits"], left_out)
+            limits = self._options["limits"] or Limits()
+            share = limits.submission / sum(len(exercise.cases) for exercise in left_out)
+            limits = replace(limits, wall_factor=0, wall_grace=share)
             ids = {exercise.id for exercise in left_out}
             result = self._graded_again(submission, key, result, ids, limits=limits)
         late = result.exercises_with(Outcome.TIME)
@@ -150,21 +158,6 @@ class _Queue:
         for *_, future in self.waiting:
             future.cancel()
         wait([future for *_, future in self.waiting])
-
-
-def _was_left_out(exercise):
-    """Whether an exercise is out of time only because others had used all of it."""
-    return {case.message for case in exercise.cases if case.outcome == Outcome.TIME} == {BUDGET_MESSAGE}
-
-
-def _one_share_each(limits, exercises):
-    """Limits with which no case of these exercises can use the time of another one.
-
-    An answer that needs more than its share is among the late ones afterwards, with the usual limits.
-    """
-    limits = limits or Limits()
-    share = limits.submission / sum(len(exercise.cases) for exercise in exercises)
-    return replace(limits, wall_factor=0, wall_grace=share)
 
 
 def grade_one(

@@ -9,7 +9,8 @@ HTML: what the notebook's `check` would show.
 
 import builtins
 import hashlib
-from dataclasses import dataclass, is_dataclass, replace
+import json
+from dataclasses import dataclass, replace
 from itertools import chain
 
 import msgspec
@@ -110,12 +111,7 @@ class GradedSubmission:
 
 def to_json(result):
     """A GradedSubmission, or a part of one, as data for json.dumps."""
-    # dataclasses.asdict would copy every value too, which takes much longer; msgspec keeps tuples.
-    if isinstance(result, tuple):
-        return [to_json(part) for part in result]
-    if is_dataclass(result):
-        return {name: to_json(value) for name, value in vars(result).items()}
-    return result
+    return json.loads(json.dumps(msgspec.to_builtins(result)))  # which keeps tuples, and json does not
 
 
 def from_json(data):
@@ -159,12 +155,7 @@ def checked_exercise(exercise, exercise_run, cause=None, is_hostile=False):
     A Cause replaces the calls. A hostile answer gets no advice about its loops.
     """
     runs = exercise_run.runs
-    cases = tuple(
-        _case_of_run(exercise, case, runs[case.id], case.id in exercise_run.passed)
-        if case.id in runs
-        else _faulty_case(case, exercise_run.faults[case.id])
-        for case in exercise.cases
-    )
+    cases = tuple(_case_of_run(exercise, case, exercise_run) for case in exercise.cases)
     mistake = None if all(case.passed for case in cases) else _known_mistake(exercise, runs)
     advises = not (is_hostile and cases[0].outcome in (Outcome.TIME, Outcome.MEMORY))
     error = next(iter(runs.values()), CaseRun()).answer.error  # it costs nothing if the function is defined
@@ -207,21 +198,20 @@ def _graded_case(case, outcome, message=""):
     return GradedCase(case.id, case.title, case.hidden, points, case.points, outcome, message)
 
 
-def _case_of_run(exercise, case, run, passed):
+def _case_of_run(exercise, case, exercise_run):
+    if case.id not in exercise_run.runs:  # the autograder itself failed to run it
+        # An exception of ours may quote what the function returned: of a hidden case only its name is told.
+        fault = exercise_run.faults[case.id]
+        fault = fault.partition(":")[0] if case.hidden else fault
+        return _graded_case(case, Outcome.NOT_GRADED, reproducible_text(f"the autograder failed: {fault}"))
+    run = exercise_run.runs[case.id]
     verdict, outcome, message = run.verdict, Outcome.PASSED, ""
-    if not passed:
+    if case.id not in exercise_run.passed:
         outcome, message = _outcome_of_run(exercise, case, run)
         message = _message_of_hidden(outcome, message, verdict) if case.hidden else message
     if verdict.measured:
         message = f"{message.rstrip('.')} ({verdict.measured})" if message else verdict.measured
     return _graded_case(case, outcome, message)
-
-
-def _faulty_case(case, fault):
-    """The GradedCase of a case that the autograder itself failed to run."""
-    # An exception of ours may quote what the function returned: of a hidden case only its name is told.
-    fault = fault.partition(":")[0] if case.hidden else fault
-    return _graded_case(case, Outcome.NOT_GRADED, reproducible_text(f"the autograder failed: {fault}"))
 
 
 def _outcome_of_run(exercise, case, run):

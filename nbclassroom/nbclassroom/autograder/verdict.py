@@ -105,15 +105,10 @@ def verdict_on(payloads, expected, tolerance, *, exact_type=True):
     calls = read_answer(payloads)
     if calls is None:
         return Verdict()
-    failed_call, difference = _first_failed_call(expected, calls, tolerance, exact_type)
-    return Verdict(calls, failed_call, difference)
-
-
-def _first_failed_call(expected, calls, tolerance, exact_type):
     for number, form in enumerate(expected):
         if number >= len(calls) or calls[number].value is None or calls[number].changed:
-            return number, None
+            return Verdict(calls, number)
         difference = compare(form, calls[number].value, tolerance, exact_type=exact_type)
         if difference is not None:
-            return number, difference
-    return (len(expected), None) if len(calls) > len(expected) else (None, None)
+            return Verdict(calls, number, difference)
+    return Verdict(calls, len(expected) if len(calls) > len(expected) else None)

@@ -138,7 +138,13 @@ def sandbox_command(confined):
     command = [shutil.which("bwrap") or "bwrap", "--die-with-parent", "--new-session", "--clearenv"]
     for name, value in environment(confined=True).items():
         command += ["--setenv", name, value]
-    command += [*_namespace_options(), *_system_folders()]
+    command += ["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--unshare-cgroup-try"]
+    command += ["--hostname", "course", "--cap-drop", "ALL"]
+    if os.geteuid() != 0:
+        command += ["--unshare-user", "--uid", "0", "--gid", "0"]
+    for name in _CAPABILITIES:
+        command += ["--cap-add", f"CAP_{name}"]
+    command += _system_folders()
     command += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--tmpfs", "/dev/shm"]
     command += ["--perms", "1777", "--tmpfs", "/tmp", *_site_packages(), *_course_packages()]
     # If the user does not really change, kernels own these folders: the next kernel would find what one
@@ -147,16 +153,6 @@ def sandbox_command(confined):
     base, mount_point = python_folder()
     interpreter = mount_point / Path(sys.executable).resolve().relative_to(base)
     return [*command, "--chdir", "/tmp", str(interpreter), *_PYTHON_OPTIONS]
-
-
-def _namespace_options():
-    options = ["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--unshare-cgroup-try"]
-    options += ["--hostname", "course", "--cap-drop", "ALL"]
-    if os.geteuid() != 0:
-        options += ["--unshare-user", "--uid", "0", "--gid", "0"]
-    for name in _CAPABILITIES:
-        options += ["--cap-add", f"CAP_{name}"]
-    return options
 
 
 def _new_folders(*paths):

@@ -139,16 +139,11 @@ def _drop_privileges(user):
         os.setgroups([])
         os.setresgid(user, user, user)
         os.setresuid(user, user, user)
-    _drop_capabilities()
+    # Empty the effective, permitted and inheritable sets (capset, version 3).
+    header, no_capabilities = (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)(0, 0, 0, 0, 0, 0)
+    _check(_capset(header, no_capabilities), "capset")
     _check(_prctl(_PR_SET_DUMPABLE, 1, 0, 0, 0), "dumpable")
     refuse_system_calls()
-
-
-def _drop_capabilities():
-    """Empty the effective, permitted and inheritable sets (capset, version 3)."""
-    header = (ctypes.c_uint32 * 2)(0x20080522, 0)
-    no_capabilities = (ctypes.c_uint32 * 6)(0, 0, 0, 0, 0, 0)
-    _check(_capset(header, no_capabilities), "capset")
 
 
 def leave_session_keyring():

@@ -216,17 +216,13 @@ class _Server:
         if "to" in request:
             self._page_run.run_to(request["to"])
         else:
-            self._find_below(request["below"])
+            names, name = self._shell.user_ns, request["below"]
+            self._page_run.run_below(lambda: name in names and not is_missing(names[name]))
+            if is_missing(names.get(name)):  # in the end, too: then it is not bound
+                del names[name]
         flush()
         WRITER.send("errors", errors=self._page_run.errors[:_MOST_ERRORS])
         self._finish()
-
-    def _find_below(self, name):
-        """Run the cells below until a name is there; one that is missing in the end is not bound."""
-        names = self._shell.user_ns
-        self._page_run.run_below(lambda: name in names and not is_missing(names[name]))
-        if is_missing(names.get(name)):
-            del names[name]
 
     def _fork_check(self, request, descriptor):
         """Fork a process that answers the requests of another socket; none beside threads and processes."""
