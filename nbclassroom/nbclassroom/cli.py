@@ -305,8 +305,12 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
     """
     from nbclassroom.autograder.worker_threads import usual_workers
     from nbclassroom.gradebook.answer_keys import load_keys
+    from nbclassroom.gradebook.run_rules import NAMES, RunRules
 
-    rules = _rules_of_run(out, options | {"keys": keys}, forget_rules)
+    given = options | {"keys": keys}
+    rules = RunRules(out, {name: given[name] for name in NAMES}, forget=forget_rules)
+    if rules.kept:
+        click.echo(f"As in the run before: {', '.join(rules.kept)}.")
     options |= rules.rules
     keys = options.pop("keys")
     if dry_run:
@@ -345,16 +349,6 @@ def _grade_and_review(submissions, keys, out, rules, review, options):
             options["fresh"] = False
             report = grade_submissions(submissions, keys, out, **options)
     return report
-
-
-def _rules_of_run(out, given, forget):
-    """The RunRules; prints which are those of the run before."""
-    from nbclassroom.gradebook.run_rules import NAMES, RunRules
-
-    rules = RunRules(out, {name: given[name] for name in NAMES}, forget=forget)
-    if rules.kept:
-        click.echo(f"As in the run before: {', '.join(rules.kept)}.")
-    return rules
 
 
 @main.command()

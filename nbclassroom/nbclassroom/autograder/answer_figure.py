@@ -1,8 +1,6 @@
 """The figure of an answer that a person grades: made in the sandbox, and encoded again from its pixels."""
 
-import base64
 import html
-import io
 
 from ..exercises.canonical import array_of
 from .answer_forms import read_answer
@@ -26,7 +24,15 @@ def figure_html(exercise, page, kernels):
     process.stop()
     why = f" ({html.escape(reproducible_text(': '.join(filter(None, (run.ended, *run.error)))))})"
     pixels = _pixels_of(run.answers)
-    return _NO_FIGURE.format(why.replace(" ()", "")) if pixels is None else _image(pixels)
+    if pixels is None:
+        return _NO_FIGURE.format(why.replace(" ()", ""))
+    from PIL import Image  # only here: most processes that grade draw nothing
+
+    from ..exercises.answer_images import encode_image
+
+    image = encode_image("", "The figure of this answer", Image.fromarray(pixels))
+    size = f'width="{image.width}" height="{image.height}"'
+    return f'<figure><img src="{image.url}" alt="{image.alt}" {size}></figure>'
 
 
 def _pixels_of(answers):
@@ -37,13 +43,3 @@ def _pixels_of(answers):
     if pixels is None or pixels.dtype != "uint8" or pixels.ndim != 3 or pixels.shape[2] != 3:
         return None
     return pixels if pixels.size else None
-
-
-def _image(pixels):
-    from PIL import Image  # only here: most processes that grade draw nothing
-
-    file = io.BytesIO()
-    Image.fromarray(pixels).save(file, "PNG")
-    data, (height, width, _) = base64.b64encode(file.getvalue()).decode("ascii"), pixels.shape
-    size = f'width="{width}" height="{height}"'
-    return f'<figure><img src="data:image/png;base64,{data}" alt="The figure of this answer" {size}></figure>'

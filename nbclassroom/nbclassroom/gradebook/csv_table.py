@@ -34,7 +34,13 @@ class CsvTable:
 def read_csv(path, text=None):
     """The CsvTable in a file, or in the text that it shall have; TableError: it cannot be read."""
     path = Path(path)
-    text = _text(path) if text is None else text
+    if text is None:
+        try:
+            text = path.read_bytes().decode("utf-8")
+        except UnicodeDecodeError as error:
+            raise TableError(f"{path}: it is not UTF-8; export it again, or save it as CSV UTF-8") from error
+        except OSError as error:
+            raise TableError(f"{path}: it cannot be read ({error.strerror})") from error
     byte_order_mark = "\ufeff" if text.startswith("\ufeff") else ""
     text = text.removeprefix(byte_order_mark)
     first_line = next((line for line in text.splitlines() if not is_comment([line.strip(' "')])), "")
@@ -53,15 +59,6 @@ def read_csv(path, text=None):
 def is_comment(cells):
     """Whether a row is empty, or begins with #."""
     return not any(map(str.strip, cells)) or cells[0].strip().startswith("#")
-
-
-def _text(path):
-    try:
-        return path.read_bytes().decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise TableError(f"{path}: it is not UTF-8; export it again, or save it as CSV UTF-8") from error
-    except OSError as error:
-        raise TableError(f"{path}: it cannot be read ({error.strerror})") from error
 
 
 def csv_text(rows, **options):

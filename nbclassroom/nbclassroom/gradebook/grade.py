@@ -18,7 +18,6 @@ from .grades_json import count_not_graded, count_open, faults_of, grades_of
 from .learners import read_all
 from .lms_import import fill_table, read_tables
 from .report import count_of, prepare_templates
-from .result_store import GradesFolderError
 from .roster import read_roster, roster_report
 from .teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
@@ -57,8 +56,7 @@ def grade_submissions(
     quiet     True for no progress bars; None: none if stderr is no terminal
     options   unsafe, workers, limits, executor, as `autograde` takes them
 
-    CollectError, KeyFolderError, SandboxError, GradesFolderError and other ValueErrors are one line with the
-    remedy.
+    CollectError, KeyFolderError, SandboxError and other ValueErrors are one line with the remedy.
     """
     out, submissions = Path(out), Path(submissions)
     answer_keys = load_keys(keys)
@@ -88,16 +86,9 @@ def grade_submissions(
         threading.Thread(target=prepare_templates, daemon=True).start()
         options |= {"fresh": fresh, "quiet": quiet, "on_result": pages.result_stored}
         graded_now = result_store.grade_missing(learners, answer_keys, store, **options)
-        grades = grades_of(
-            pages.finish(),
-            answer_keys,
-            sandbox=not unsafe,
-            rules=rules,
-            collection=collection,
-            roster=roster_report(roster, learners) if roster is not None else None,
-            anonymous=anonymous,
-            open_as_zero=open_as_zero,
-        )
+        about = {"sandbox": not unsafe, "anonymous_pages": anonymous, "open_as_zero": open_as_zero}
+        about["roster"] = roster_report(roster, learners) if roster is not None else None
+        grades = grades_of(pages.finish(), answer_keys, rules, collection, about)
         changes = write_grades(out, grades, pages)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, changes, table_lines, pages.failed)
@@ -133,7 +124,7 @@ def _require_separate_folder(submissions, keys, out):
     folder = out.resolve()
     for path in (submissions.resolve(), *(Path(key).resolve() for key in keys)):
         if folder == path or folder.is_relative_to(path):
-            raise GradesFolderError(f"{out}: lies in {path}; name a folder outside it, --out grades")
+            raise ValueError(f"{out}: lies in {path}; name a folder outside it, --out grades")
 
 
 def _fill_tables(platform_tables, grades, out):

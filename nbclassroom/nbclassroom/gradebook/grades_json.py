@@ -18,21 +18,20 @@ from .teacher_tables import plain_number
 FORMAT = 8
 
 
-def grades_of(entries, answer_keys, *, sandbox, rules, collection, roster, anonymous, open_as_zero):
-    """The content of grades.json; `entries` are from `learner_entry`, `roster` from `roster_report`."""
-    return {
+def grades_of(entries, answer_keys, rules, collection, about):
+    """The content of grades.json; `entries` are from `learner_entry`.
+
+    `about` has the fields "sandbox", "anonymous_pages", "open_as_zero", and "roster" of `roster_report`.
+    """
+    return about | {
         "format": FORMAT,
         "course": course.release(),
-        "sandbox": sandbox,
         "deadline": rules.deadline.isoformat() if rules.deadline else None,
         "late_policy": rules.policy.text if rules.policy else None,
-        "anonymous_pages": anonymous,
-        "open_as_zero": open_as_zero,
         "keys": [_key_entry(key) for key in answer_keys.keys],
         "learners": entries,
         "layout": collection.layout,
         "ignored": collection.ignored,
-        "roster": roster,
     }
 
 
@@ -176,6 +175,9 @@ def _lesson_entry(learner, submission, answer_keys, store, rules):
     result = store.result(submission.answers_digest) if submission.answers_digest else None
     attempts = result.tried if result else ()
     findings = content.findings + [Finding("hostile", id, f"it tried to {text}") for id, text in attempts]
+    exercises = [to_json(one) | {"points": one.points} for one in (result.exercises if result else ())]
+    for exercise in exercises:  # without their HTML: that is on the pages and in the store
+        del exercise["body"], exercise["review"]
     earlier = learner.earlier.get(content.lesson, ())
     earlier = [_file_entry(learner, one, rules) | {"reason": one.content.reason} for one in earlier]
     return {
@@ -189,7 +191,7 @@ def _lesson_entry(learner, submission, answer_keys, store, rules):
         "key": submission.key.digest if submission.key else None,
         **_file_entry(learner, submission, rules),
         "findings": [asdict(finding) for finding in findings],
-        "exercises": _exercise_entries(result) if result else [],
+        "exercises": exercises,
         "earlier": earlier,
     }
 
@@ -205,11 +207,3 @@ def _file_entry(learner, submission, rules):
         "platform": file.platform,
         "platform_id": file.platform_id,
     }
-
-
-def _exercise_entries(result):
-    """The exercises without their HTML: that is on the pages and in the store."""
-    exercises = [to_json(exercise) | {"points": exercise.points} for exercise in result.exercises]
-    for exercise in exercises:
-        del exercise["body"], exercise["review"]
-    return exercises

@@ -34,16 +34,9 @@ EXCUSED = "EX"  # what Canvas writes
 
 def grades_csv(grades):
     """The text of grades.csv."""
-    return _text(COLUMNS, [_grades_row(*about) for about in _lessons(grades)])
-
-
-def _lessons(grades):
-    """(learner, lesson) of all; of a lesson that is graded in part, points and percent are ""."""
-    for learner in grades["learners"]:
-        for lesson in learner["lessons"]:
-            percent = round(100 * lesson["points"] / lesson["max_points"], 1) if lesson["max_points"] else 0
-            is_whole = not lesson["open_points"] or grades["open_as_zero"]
-            yield learner, lesson | ({"percent": percent} if is_whole else {"points": "", "percent": ""})
+    any_counts = grades["open_as_zero"]
+    rows = [_grades_row(one, lesson, any_counts) for one in grades["learners"] for lesson in one["lessons"]]
+    return _text(COLUMNS, rows)
 
 
 def checks_csv(grades):
@@ -63,10 +56,13 @@ def checks_csv(grades):
     return _text(CHECK_COLUMNS, rows)
 
 
-def _grades_row(learner, lesson):
+def _grades_row(learner, lesson, any_counts):
+    percent = round(100 * lesson["points"] / lesson["max_points"], 1) if lesson["max_points"] else 0
+    is_whole = any_counts or not lesson["open_points"]  # else it is graded in part
     texts = [lesson["reason"]] if lesson["reason"] else []
     texts += [finding_text(finding) for finding in lesson["findings"]]
-    row = lesson | {
+    row = lesson | ({"percent": percent} if is_whole else {"points": "", "percent": ""})
+    row |= {
         "learner": learner["name"],
         "lesson": lesson["lesson"] or "(unknown)",
         "late": "late" if lesson["late"] else "",

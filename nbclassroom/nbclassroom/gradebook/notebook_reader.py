@@ -43,7 +43,9 @@ class NotebookReader(contextlib.AbstractContextManager):
         """The reply to a request, a dict; None if it takes too much, or is ended too often."""
         for _ in range(_TRIES):  # somebody else may end it
             if self._process is None:
-                self._start()
+                command = [sys.executable, "-I", "-S", "-B", str(_READER), *self._arguments]
+                pipe, nowhere = subprocess.PIPE, subprocess.DEVNULL
+                self._process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=nowhere)
                 if kind == b"page":  # a new process does not know the notebook
                     self._exchange(b"read", self._last_read)
             line = self._exchange(kind, data)
@@ -59,11 +61,6 @@ class NotebookReader(contextlib.AbstractContextManager):
             self._process.stdin.flush()
             return self._process.stdout.readline()
         return b""
-
-    def _start(self):
-        command = [sys.executable, "-I", "-S", "-B", str(_READER), *self._arguments]
-        pipe, nowhere = subprocess.PIPE, subprocess.DEVNULL
-        self._process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=nowhere)
 
     def close(self):
         """End the process; returns how it ended, as `Popen.returncode` says it."""

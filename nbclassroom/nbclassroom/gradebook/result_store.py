@@ -19,21 +19,17 @@ from ..exercises.atomic_write import write_file
 _FORMAT = 6  # of the files in the folder
 
 
-class GradesFolderError(ValueError):
-    """A folder of grades cannot be written; the message is one line with the remedy."""
-
-
 def write_grades_file(path, data):
-    """Write a file for its owner alone, whole, over the old one; GradesFolderError: it cannot be written."""
+    """Write a file for its owner alone, whole, over the old one; ValueError: it cannot be written."""
     try:
         write_file(path, data, permissions=0o600)
     except OSError as error:
-        raise GradesFolderError(f"{path}: cannot be written ({error.strerror})") from error
+        raise ValueError(f"{path}: cannot be written ({error.strerror})") from error
 
 
 @contextlib.contextmanager
 def open_grades_folder(folder):
-    """Make a folder for its owner, lock it, remove unfinished files; GradesFolderError: it is in use."""
+    """Make a folder for its owner, lock it, remove unfinished files; ValueError: it is in use."""
     with contextlib.ExitStack() as stack:
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -44,9 +40,9 @@ def open_grades_folder(folder):
                 path.unlink(missing_ok=True)
         except BlockingIOError as error:
             message = f"{folder}: another run is writing into it; wait for its end, or name another --out"
-            raise GradesFolderError(message) from error
+            raise ValueError(message) from error
         except OSError as error:
-            raise GradesFolderError(f"{folder}: cannot be made ({error.strerror})") from error
+            raise ValueError(f"{folder}: cannot be made ({error.strerror})") from error
         yield
 
 

@@ -124,28 +124,23 @@ def save_decisions(path, lines, answer_keys):
     TableError: a line has a mistake, and nothing is written.
     """
     with one_at_a_time(path.with_name(f".{path.name}.lock")):  # another tab, or another run, may save now
-        return _save_decisions(path, lines, answer_keys)
-
-
-def _save_decisions(path, lines, answer_keys):
-    table, saved = read_csv(path), saved_decisions(path)
-    if set(DECISION_COLUMNS) - {name.casefold() for name in table.columns}:
-        raise TableError(f"{path}: it needs the columns {', '.join(DECISION_COLUMNS)}")
-    new = []
-    for row in csv.reader(io.StringIO(lines, newline="")):
-        if len(row) not in (len(DECISION_COLUMNS), _VERSIONED):
-            raise TableError(f"a line has {len(row)} cells; expected {', '.join(DECISION_COLUMNS)}")
-        new.append(dict(zip(DECISION_COLUMNS, row, strict=False)))
-        is_there = saved.get(_line_of(new[-1]), ["", ""])
-        if len(row) == _VERSIONED and is_there != row[-2:]:
-            there = ", ".join(filter(None, is_there)) or "no decision"
-            raise ConflictError(f"{row[0]} has got {there!r} from another page; reload this one")
-    text = _without(table, {_target(row) for row in new})
-    cells_of = itemgetter(*map(str.casefold, table.columns))
-    decided = [cells_of(row) for row in new if row["points"] or row["comment"]]
-    text += csv_text(decided, delimiter=table.delimiter)
-    read_decisions(path, answer_keys, text)
-    write_grades_file(path, text)
+        table, saved, new = read_csv(path), saved_decisions(path), []
+        if set(DECISION_COLUMNS) - {name.casefold() for name in table.columns}:
+            raise TableError(f"{path}: it needs the columns {', '.join(DECISION_COLUMNS)}")
+        for row in csv.reader(io.StringIO(lines, newline="")):
+            if len(row) not in (len(DECISION_COLUMNS), _VERSIONED):
+                raise TableError(f"a line has {len(row)} cells; expected {', '.join(DECISION_COLUMNS)}")
+            new.append(dict(zip(DECISION_COLUMNS, row, strict=False)))
+            is_there = saved.get(_line_of(new[-1]), ["", ""])
+            if len(row) == _VERSIONED and is_there != row[-2:]:
+                there = ", ".join(filter(None, is_there)) or "no decision"
+                raise ConflictError(f"{row[0]} has got {there!r} from another page; reload this one")
+        text = _without(table, {_target(row) for row in new})
+        cells_of = itemgetter(*map(str.casefold, table.columns))
+        decided = [cells_of(row) for row in new if row["points"] or row["comment"]]
+        text += csv_text(decided, delimiter=table.delimiter)
+        read_decisions(path, answer_keys, text)
+        write_grades_file(path, text)
     return len(new)
 
 

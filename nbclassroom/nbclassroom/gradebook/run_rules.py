@@ -10,7 +10,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from .result_store import GradesFolderError, write_grades_file
+from .result_store import write_grades_file
 
 FILE = "rules.json"
 # {name: (what texts call it, how its text in rules.json is read)}
@@ -59,7 +59,7 @@ def _read(path):
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, TypeError) as error:
-        raise GradesFolderError(f"{path}: cannot be read; remove it, and give all options again") from error
+        raise ValueError(f"{path}: cannot be read; remove it, and give all options again") from error
 
 
 def _plain(value):

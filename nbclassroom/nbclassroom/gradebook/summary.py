@@ -4,8 +4,6 @@ import statistics
 from collections import Counter
 from itertools import chain
 
-import numpy as np
-
 from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from ..autograder.sanitize import spreadsheet_text
 from ..exercises.running import MEANT
@@ -17,7 +15,6 @@ from .roster import squeezed
 from .submission import EQUALS, ONE_LESSON
 from .teacher_tables import plain_number
 
-_BIN_COUNT = 10
 _MOST_UNKNOWN = 3  # files of one learner that belong to no lesson
 _LIST_OF = dict.fromkeys((Outcome.NOT_GRADED, Outcome.MEMORY, Outcome.OUTPUT), "unfair")
 _LIST_OF |= {Outcome.HOSTILE: "hostile", Outcome.CRASHED: "hostile", Outcome.REFUSED_MODULE: "modules"}
@@ -59,7 +56,10 @@ def _lists_of_concerns(learners):
     names = "unfair hostile dishonest others broken modules"
     lists: dict[str, list] = {name: [] for name in names.split()}
     for learner in learners:
-        for lesson in _lessons_to_look_at(learner):
+        # Those not decided; a hundred files that belong to no lesson would hide all other learners'.
+        unknown = [lesson for lesson in learner["lessons"] if not lesson["lesson"]][:_MOST_UNKNOWN]
+        known = [lesson for lesson in learner["lessons"] if lesson["lesson"] and not lesson["decision"]]
+        for lesson in known + unknown:
             for name, concern in _concerns(learner, lesson):
                 lists[name].append(concern)
     return lists
@@ -75,12 +75,6 @@ def _equal_to_solution(learners):
             for id in sorted(equal - decided):
                 found.setdefault(id, []).append(learner)
     return found
-
-
-def _lessons_to_look_at(learner):
-    """Those not decided; a hundred files that belong to no lesson would hide all other learners'."""
-    unknown = [lesson for lesson in learner["lessons"] if not lesson["lesson"]][:_MOST_UNKNOWN]
-    return [lesson for lesson in learner["lessons"] if lesson["lesson"] and not lesson["decision"]] + unknown
 
 
 def _concerns(learner, lesson):
@@ -141,7 +135,9 @@ def _about_exercises(lesson):
             continue
         outcomes = sorted({Outcome(case["outcome"]) for case in cases} & _LIST_OF.keys())
         for outcome in outcomes:
-            module = _refused_module(cases) if outcome is Outcome.REFUSED_MODULE else ""
+            is_module = outcome is Outcome.REFUSED_MODULE  # as the messages of its cases name it
+            messages = [case["message"] for case in cases if is_module and case["outcome"] == outcome]
+            module = next(filter(None, messages), "").rpartition(" ")[2]
             text = f"{TEXTS[outcome].label}: {module}" if module else TEXTS[outcome].label
             yield _LIST_OF[outcome], id, f"{id}: {text}"
         is_elsewhere = exercise["cause"] and exercise["message"]
@@ -170,12 +166,6 @@ def _about_broken_cells(lesson):
         if messages and not is_told and not any(finding["kind"] == "message" for finding in about):
             texts = [finding["text"] for finding in about if finding["kind"] == "answer"]
             yield "broken", exercise["id"], f"{exercise['id']}: {[*texts, *messages][0]}"
-
-
-def _refused_module(cases):
-    """The module that an answer must not use, as the messages of its cases name it, or ""."""
-    messages = (case["message"] for case in cases if case["outcome"] == Outcome.REFUSED_MODULE)
-    return next((message.rpartition(" ")[2] for message in messages if message), "")
 
 
 def _line_to_copy(name, learner, lesson, exercise, entry):
@@ -215,11 +205,10 @@ def _mean_and_median(entries):
 
 
 def _histogram(percentages):
-    """[{low, high, count, height}] of ten bins; the last one includes 100."""
-    counts, edges = np.histogram(percentages, _BIN_COUNT, (0, 100))
-    heights = np.round(100 * counts / max(1, *counts))
-    rows = zip(edges.astype(int), edges[1:].astype(int), counts, heights.astype(int), strict=False)
-    return [dict(zip(("low", "high", "count", "height"), map(int, row), strict=True)) for row in rows]
+    """[{low, high, count, height}] of ten bins; the last one includes 100, and what a bonus adds."""
+    counts = Counter(min(int(share // 10), 9) for share in percentages)
+    bins = [{"low": 10 * tenth, "high": 10 * tenth + 10, "count": counts[tenth]} for tenth in range(10)]
+    return [one | {"height": round(100 * one["count"] / max([1, *counts.values()]))} for one in bins]
 
 
 def _lesson_rows(graded, names):

@@ -6,7 +6,7 @@ import tempfile
 
 import pytest
 from click.testing import CliRunner
-from nbclassroom.gradebook.result_store import GradesFolderError, open_grades_folder
+from nbclassroom.gradebook.result_store import open_grades_folder
 from submissions import answers_of, notebook, write
 
 from imgproc_course.cli import main
@@ -69,9 +69,7 @@ def test_a_full_disk_is_one_line(light, key_path, submissions, tmp_path, monkeyp
 
 
 def test_two_runs_do_not_write_into_one_folder(tmp_path):
-    refusal = pytest.raises(
-        GradesFolderError, match="grades: another run is writing into it; wait for its end"
-    )
+    refusal = pytest.raises(ValueError, match="grades: another run is writing into it; wait for its end")
     with open_grades_folder(tmp_path / "grades"), refusal:
         open_grades_folder(tmp_path / "grades").__enter__()
     with open_grades_folder(tmp_path / "grades"):

@@ -14,7 +14,7 @@ from nbclassroom.autograder.answer_key import load_key
 from nbclassroom.autograder.results import from_json
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.grades_json import lesson_names
-from nbclassroom.gradebook.result_store import GradesFolderError, ResultStore, show_time
+from nbclassroom.gradebook.result_store import ResultStore, show_time
 from submissions import answers_of, notebook, thirty, write
 from tqdm import tqdm
 
@@ -189,7 +189,7 @@ def test_no_grades_among_the_submissions(light, key_path, submissions):
 def test_a_folder_that_cannot_be_written(light, key_path, submissions, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
     (tmp_path / "file").write_text("")
-    with pytest.raises(GradesFolderError, match="cannot be"):
+    with pytest.raises(ValueError, match="cannot be"):
         grade_submissions(submissions, [key_path], tmp_path / "file" / "grades", quiet=True)
 
 
