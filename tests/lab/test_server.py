@@ -20,7 +20,7 @@ from jupyter_client.kernelspec import KernelSpecManager
 from jupyter_core.application import JupyterApp
 from jupyterlab.labapp import LabApp
 from nbclassroom.lab import server as lab
-from nbclassroom.lab.server import CourseServer, LabError, check_runtime_folder, configure, run
+from nbclassroom.lab.server import CourseServer, check_runtime_folder, configure, run
 from nbformat.sign import NotebookNotary
 from tornado.httpclient import HTTPRequest
 from tornado.websocket import websocket_connect
@@ -150,14 +150,16 @@ def test_the_learners_configuration_path_is_kept_behind_ours(configured, monkeyp
 def test_a_home_that_cannot_be_written_is_reported_in_one_line(monkeypatch, tmp_path):
     (tmp_path / "home").write_text("a file")
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path / "home" / "runtime"))
-    with pytest.raises(LabError, match=r"home folder \(.*\); name a folder that you can write: HOME=FOLDER"):
+    with pytest.raises(
+        ValueError, match=r"home folder \(.*\); name a folder that you can write: HOME=FOLDER"
+    ):
         check_runtime_folder()
 
 
 def test_a_home_that_cannot_be_written_stops_it_before_jupyterlab_starts(monkeypatch, tmp_path):
     monkeypatch.setattr(lab, "jupyter_runtime_dir", lambda: "/dev/null/runtime")
     monkeypatch.setattr("jupyterlab.labapp.LabApp.launch_instance", lambda _: pytest.fail("started"))
-    with pytest.raises(LabError, match="home folder"):
+    with pytest.raises(ValueError, match="home folder"):
         run(tmp_path)
 
 
@@ -167,7 +169,7 @@ def test_a_home_on_a_full_disk_is_reported_in_one_line(monkeypatch, tmp_path):
 
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path))
     monkeypatch.setattr(lab.tempfile, "TemporaryFile", full)
-    with pytest.raises(LabError, match=r"\(No space left on device\); free some space there$"):
+    with pytest.raises(ValueError, match=r"\(No space left on device\); free some space there$"):
         check_runtime_folder()
 
 

@@ -15,22 +15,19 @@ from .masters import find_lessons
 _PAGES = (".ipynb", ".html")
 
 
-class HandoutError(RuntimeError):
-    """The lessons could not be handed out; the text is one line that says what to do."""
-
-
 def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     """Write what learners get into a folder, in which no file is replaced; after an error nothing.
 
     The source holds built lessons with checks/ and solutions/. Without names, all lessons are taken; other
     notebooks and pages, such as the glossary, go along, without links to what does not. Zipped, <folder>.zip
-    is written as well. Returns the number of lessons, and the Path of the zip file.
+    is written as well. Returns the number of lessons, and the Path of the zip file. ValueError: one line that
+    says what to do.
     """
     folder, source = Path(folder), Path(source)
     chosen = find_lessons(source, names)
     left_out = {path.name for path in set(find_lessons(source)) - set(chosen)}
     if source.resolve() in (folder.resolve(), *folder.resolve().parents):
-        raise HandoutError(f"{folder} is in the folder of the lessons, {source}; give another folder")
+        raise ValueError(f"{folder} is in the folder of the lessons, {source}; give another folder")
     # Nothing else: a teacher's folder may hold a key, or submissions.
     pages = [path for path in sorted(source.iterdir()) if path.suffix in _PAGES or path.name == GLOSSARY_PAGE]
     texts = {path.name: without_outputs(path.read_bytes()) for path in pages if path.name not in left_out}
@@ -60,26 +57,23 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
 
 def _exercise_files(source, lesson, with_solutions):
     """What check and hint need for a lesson, and what solution needs: {relative name: bytes}."""
-    if not any(cell.get("id", "").startswith("check-") for cell in _cells(lesson)):
+    try:
+        ids = [cell.get("id", "") for cell in json.loads(lesson.read_bytes())["cells"]]
+    except (ValueError, KeyError, TypeError) as error:
+        raise ValueError(f"{lesson.name} is not a notebook; build the lessons again") from error
+    if not any(id.startswith("check-") for id in ids):
         return {}
     files = {}
     for folder in (CHECKS, SOLUTIONS) if with_solutions else (CHECKS,):
         path = source / folder / f"{lesson_name(lesson.stem)}.json"
         if not path.is_file():
-            raise HandoutError(
+            raise ValueError(
                 f"{lesson.name} has exercises, but {folder}/{path.name} is missing beside it;"
                 f" build the lessons again: {course.command} build"
                 f"{' --with-solutions' * (folder == SOLUTIONS)}"
             )
         files[f"{folder}/{path.name}"] = path.read_bytes()
     return files
-
-
-def _cells(lesson):
-    try:
-        return json.loads(lesson.read_bytes())["cells"]
-    except (ValueError, KeyError, TypeError) as error:
-        raise HandoutError(f"{lesson.name} is not a notebook; build the lessons again") from error
 
 
 def _refuse_to_replace(outputs):
@@ -90,7 +84,7 @@ def _refuse_to_replace(outputs):
     ]
     if different:
         more = f" and {len(different) - 1} more" if len(different) > 1 else ""
-        raise HandoutError(
+        raise ValueError(
             f"{different[0]}{more} exists already and differs, and nothing was written;"
             " give another folder, or move the files away"
         )

@@ -14,7 +14,7 @@ from nbformat.sign import NotebookNotary
 from traitlets import TraitError, default, validate
 
 from nbclassroom import course
-from nbclassroom.lab.working_copies import LabError, update_lessons
+from nbclassroom.lab.working_copies import update_lessons
 
 CONFIGURATION = Path(__file__).with_name("jupyter_config")
 
@@ -56,7 +56,7 @@ class CourseServer(ServerApp):
 def start(options=(), say=print_now):
     """Copies the lessons into the learner's folder, then runs JupyterLab there until it is shut down.
 
-    `options` are JupyterLab's own. LabError: one line that says what to do.
+    `options` are JupyterLab's own. ValueError: one line that says what to do.
     """
     folder = course.learners_folder()
     changes = update_lessons(target=folder)
@@ -114,7 +114,7 @@ def running_on(folder):
 
 
 def check_runtime_folder():
-    """Raises LabError if JupyterLab cannot write its running state in the home folder, as it must."""
+    """Raises a ValueError if JupyterLab cannot write its running state in the home folder, as it must."""
     folder = Path(jupyter_runtime_dir())
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -125,4 +125,4 @@ def check_runtime_folder():
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
             remedy = "free some space there"
         text = f"JupyterLab cannot keep its running state in your home folder ({error.strerror})"
-        raise LabError(f"{text}; {remedy}") from error
+        raise ValueError(f"{text}; {remedy}") from error

@@ -29,10 +29,6 @@ LOCK = ".course.lock"
 _NUMBER = re.compile(r"(?<=^# )\d\d(?= · )|\b\d\d(?=_[a-z])|(?<=[Ll]esson )\d\d\b")
 
 
-class LabError(RuntimeError):
-    """The lessons cannot be copied, or JupyterLab not started; the text is one line that says what to do."""
-
-
 @dataclass
 class LessonChanges:
     """What has changed among the working copies: names of files, relative to my_lessons/."""
@@ -78,17 +74,18 @@ class Origin(NamedTuple):
 def update_lessons(source=None, target=None, version=None):
     """Creates or updates the working copies in `target`, by default my_lessons/; returns LessonChanges.
 
-    LabError: there are no lessons, or the folder cannot be written; then no work has changed.
+    ValueError, one line that says what to do: there are no lessons, or the folder cannot be written; then no
+    work has changed.
     """
     source = Path(source or course.folder())
     target = Path(target or course.learners_folder())
     lessons = [path.relative_to(source).as_posix() for path in files_for_learners(source)]
     if not any(name.endswith(".ipynb") for name in lessons):
-        raise LabError(
+        raise ValueError(
             f"there are no lessons in {source.name}/; run this from a clone of the course's repository"
         )
     if target.exists() and not target.is_dir():
-        raise LabError(
+        raise ValueError(
             f"{target.name} is a file, but the lessons need a folder of this name; rename the file"
         )
     try:
@@ -96,7 +93,7 @@ def update_lessons(source=None, target=None, version=None):
         with one_at_a_time(target / LOCK):
             return _update(source, target, lessons, version or course.release())
     except OSError as error:
-        raise LabError(_failure_text(target, error)) from error
+        raise ValueError(_failure_text(target, error)) from error
 
 
 def _update(source, target, lessons, version):
@@ -117,7 +114,8 @@ def _update(source, target, lessons, version):
         del origins[name]
         if name.endswith(".ipynb") and (target / name).exists():
             changes.no_longer_in_course.append(name)
-    _write(target / STATE, _state_text(origins).encode())
+    entries = {name: origin._asdict() for name, origin in sorted(origins.items())}
+    _write(target / STATE, json.dumps({"lessons": entries}, indent=1).encode())
     return changes
 
 
@@ -233,11 +231,6 @@ def _read_state(path):
         return {name: Origin(**entry) for name, entry in entries.items()}
     except (FileNotFoundError, ValueError, KeyError, TypeError, AttributeError):
         return {}
-
-
-def _state_text(origins):
-    entries = {name: origin._asdict() for name, origin in sorted(origins.items())}
-    return json.dumps({"lessons": entries}, indent=1)
 
 
 def _failure_text(target, error):

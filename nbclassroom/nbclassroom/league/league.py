@@ -39,10 +39,6 @@ _COLUMNS = ("rank", "alias", "name", "score", "coverage", "markers", "words", "b
 _SUMS = ("markers", "word", "bumps")
 
 
-class LeagueError(ValueError):
-    """A league cannot take place; one line with the remedy."""
-
-
 @dataclass
 class Controller:
     """A learner's controller; `best` and `worst` are (number of a room, its map, its film or None)."""
@@ -95,7 +91,7 @@ def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, 
     names     show names instead of aliases
     options   workers, None for one per core; unsafe: without a sandbox; quiet: no progress bar
 
-    LeagueError, SandboxError and other ValueErrors are one line with the remedy.
+    SandboxError and ValueErrors are one line with the remedy.
     """
     out, controllers = Path(out), read_controllers(Path(folder), baseline)
     if seed is not None:
@@ -121,10 +117,10 @@ def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, 
 def read_controllers(folder, baseline=None):
     """The Controllers in a folder, and the baseline; one that cannot drive has a reason."""
     if not folder.is_dir():
-        raise LeagueError(f"{folder}: there is no such folder; name the folder of the learners' controllers")
+        raise ValueError(f"{folder}: there is no such folder; name the folder of the learners' controllers")
     controllers = [_read(path) for path in sorted(folder.glob("*.py"))]
     if not controllers:
-        raise LeagueError(f"{folder}: no controller in it; expected one file for each learner, NAME.py")
+        raise ValueError(f"{folder}: no controller in it; expected one file for each learner, NAME.py")
     return controllers + ([_read(Path(baseline), alias=BASELINE)] if baseline else [])
 
 
@@ -168,15 +164,12 @@ def name_all(controllers, seed, *, with_names=False):
     for controller in controllers:
         if controller.alias:  # the baseline
             continue
-        alias = controller.name if with_names else _alias(controller.name, seed)
+        number = _secret_number(seed, f"alias of {controller.name}")
+        alias = f"{_COLOURS.split()[number % 16]} {_ANIMALS.split()[number // 16 % 32]}"
+        alias = controller.name if with_names else alias
         names = itertools.chain([alias], (f"{alias} {number}" for number in itertools.count(2)))
         controller.alias = next(name for name in names if name not in aliases)
         aliases.add(controller.alias)
-
-
-def _alias(name, seed):
-    number = _secret_number(seed, f"alias of {name}")
-    return f"{_COLOURS.split()[number % 16]} {_ANIMALS.split()[number // 16 % 32]}"
 
 
 def scenarios_of(seed, rooms):
@@ -197,24 +190,20 @@ def _drive_and_draw(controllers, scenarios, *, workers=None, unsafe=False, quiet
     context, start = get_context("spawn"), explorations.start
     executor = ProcessPoolExecutor(workers, context, start, (unsafe,))
     try:
-        _drive_all(executor, controllers, scenarios, quiet)
+        # One room after another: its images are made once in each process.
+        pairs = list(itertools.product(scenarios, controllers))
+        futures = [executor.submit(explorations.explore, one.source, scenario) for scenario, one in pairs]
+        bar = tqdm(futures, desc="driving", unit=" drives", disable=quiet, leave=False)
+        for (_, controller), future in zip(pairs, bar, strict=True):
+            controller.explorations.append(future.result())
         ranked = ranking(controllers)
         _draw_all(executor, ranked, scenarios)
     except BrokenProcessPool as error:
         reason = "a process of the league ended, perhaps because memory ran out"
-        raise LeagueError(f"{reason}; use fewer --workers") from error
+        raise ValueError(f"{reason}; use fewer --workers") from error
     finally:
         executor.shutdown(cancel_futures=True)
     return ranked
-
-
-def _drive_all(executor, controllers, scenarios, quiet):
-    """One room after another: its images are made once in each process."""
-    pairs = list(itertools.product(scenarios, controllers))
-    futures = [executor.submit(explorations.explore, one.source, scenario) for scenario, one in pairs]
-    bar = tqdm(futures, desc="driving", unit=" drives", disable=quiet, leave=False)
-    for (_, controller), future in zip(pairs, bar, strict=True):
-        controller.explorations.append(future.result())
 
 
 def ranking(controllers):
@@ -243,12 +232,11 @@ def _draw_all(executor, controllers, scenarios):
 
 def league_csv(ranked, excluded):
     """The table for the teacher: names beside aliases, and what went wrong."""
-    rows = [_row(entry) for entry in ranked]
+    rows = []
+    for entry in ranked:
+        scores = " ".join(map(str, entry.scores))
+        figures = [entry.score, round(entry.coverage, 3), *entry.sums.values(), scores]
+        messages = dict.fromkeys(drive.message for drive in entry.explorations if drive.message)
+        rows.append([entry.rank, entry.alias, entry.name, *figures, "; ".join([*entry.notes, *messages])])
     rows += [["", entry.alias, entry.name, *[""] * (len(_COLUMNS) - 4), entry.reason] for entry in excluded]
     return csv_text([_COLUMNS, *(map(spreadsheet_text, row) for row in rows)])
-
-
-def _row(entry):
-    figures = [entry.score, round(entry.coverage, 3), *entry.sums.values(), " ".join(map(str, entry.scores))]
-    messages = dict.fromkeys(drive.message for drive in entry.explorations if drive.message)
-    return [entry.rank, entry.alias, entry.name, *figures, "; ".join([*entry.notes, *messages])]
