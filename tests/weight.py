@@ -12,7 +12,7 @@ from pathlib import Path
 # Ceilings in lines. A change that needs more takes something away.
 CEILINGS = {
     "imgproc_course": 16_200,
-    "nbclassroom/nbclassroom": 20_040,
+    "nbclassroom/nbclassroom": 19_882,
     "notebooks/masters": 24_960,
     "tests": 46_500,  # with those of nbclassroom
 }
