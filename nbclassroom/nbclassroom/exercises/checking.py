@@ -118,7 +118,10 @@ def run_check(exercise, function, progress=None, *, searches=True):
     one_change = attempt(lambda: _one_change(result, function, calls), "", seconds=5) if searches else ""
     way = one_change and SAYS["way without return"].format(name=exercise.function)  # not the cause then
     remarks = tuple(remark for remark in result.remarks if remark != way)
-    remarks = (*_remark_on_name(exercise, function), *_remarks_on_program(function), *remarks)
+    cell = next(iter(cells_of(function).values()), "")
+    lines = attempt(lambda: program_lines(plain_python(cell)), ())[:_MOST_LINES]
+    in_cell = [SAYS["line of a program"].format(line=line, code=code) for line, code in lines]
+    remarks = (*_remark_on_name(exercise, function), *in_cell, *remarks)
     return replace(result, remarks=remarks, one_change=one_change)
 
 
@@ -143,13 +146,6 @@ def _remark_on_name(exercise, function):
     return (SAYS["another try"].format(name=exercise.answer_name, other=own_name),)
 
 
-def _remarks_on_program(function):
-    """What to delete from the cell of an answer: lines of a program."""
-    cell = next(iter(cells_of(function).values()), "")
-    lines = attempt(lambda: program_lines(plain_python(cell)), ())
-    return [SAYS["line of a program"].format(line=line, code=code) for line, code in lines[:_MOST_LINES]]
-
-
 def _one_change(result, function, calls):
     """Where one change would make a wrong answer right, unless only its type is wrong."""
     exercise, shown = result.exercise, result.shown
@@ -167,11 +163,6 @@ def _one_change(result, function, calls):
     return sentence_on_change(function, passes)
 
 
-def _is_stub(exercise, function):
-    """Whether an answer is still the stub; False if its source is not known."""
-    return is_whole_part(source_of(function), exercise.stub)
-
-
 def _end_of(call):
     """How a call ended, as `remarks_on_source` takes it."""
     is_none = call.difference is not None and call.result.value == _NONE
@@ -181,7 +172,7 @@ def _end_of(call):
 def _judge_calls(exercise, function, calls):
     """The CheckResult of the calls of a function."""
     errors = set(map(_end_of, calls))
-    is_stub = _is_stub(exercise, function)
+    is_stub = is_whole_part(source_of(function), exercise.stub)  # False if its source is not known
     if "NotImplementedError" in errors or (is_stub and exercise.kind.expects_values):
         of_class = () if is_stub else (STUB_LINE,)
         remarks = of_class if isinstance(function, type) else tuple(remarks_on_source(function))
@@ -196,12 +187,9 @@ def _judge_calls(exercise, function, calls):
 
 
 def _explanation(exercise, function, calls):
+    """The known mistake; None if an answer has all that it advises, or an overflow that it does not name."""
     mistake = exercise.kind.known_mistake(exercise, calls)
-    return None if mistake and _has_another_reason(mistake, function, calls) else mistake
-
-
-def _has_another_reason(mistake, function, calls):
-    """Whether an answer has all that a mistake tells to write, or an overflow that it does not name."""
+    says = mistake.says if mistake else ""
     warned = "".join(call.result.warning for call in calls)
-    overflows = "overflow" in warned and not re.search(r"overflow|int|25[56]", mistake.says)
-    return overflows or has_done(source_of(function), mistake.says)
+    overflows = "overflow" in warned and not re.search(r"overflow|int|25[56]", says)
+    return None if overflows or has_done(source_of(function), says) else mistake

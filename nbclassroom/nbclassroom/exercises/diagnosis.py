@@ -105,9 +105,14 @@ def _advice_on_type(expected, actual):
     if actual.get("too_large"):
         return ""
     if kind in _SEQUENCES and actual_kind in _SEQUENCES:
-        return _advice_on_items(expected, actual)
+        count = len(expected["items"])
+        is_right = len(actual["items"]) == count
+        return "" if is_right else f"You return {_noun(actual)}, and the task asks for {count}."
     if kind in _SEQUENCES and actual_kind == "ndarray":
-        return _advice_on_single_array(expected)
+        count = len(expected["items"])
+        both = "both" if count == 2 else "them"
+        text = f"You return one array, and the task asks for {count}: return {both}"
+        return f"{text}, with a comma between them."
     if kind == "ndarray" and actual_kind in _SEQUENCES:
         dtype = expected["dtype"]
         return f"A {actual['type']} is not an array. Make it one: np.array(..., dtype=np.{dtype})."
@@ -138,18 +143,6 @@ def _noun(form):
         count = len(form.get("items", ()))
         return f"{count} value{'s' * (count != 1)} (a {kind})"
     return _NOUNS.get(kind, f"a value of type {kind}")
-
-
-def _advice_on_items(expected, actual):
-    count = len(expected["items"])
-    is_right = len(actual["items"]) == count
-    return "" if is_right else f"You return {_noun(actual)}, and the task asks for {count}."
-
-
-def _advice_on_single_array(expected):
-    count = len(expected["items"])
-    both = "both" if count == 2 else "them"
-    return f"You return one array, and the task asks for {count}: return {both}, with a comma between them."
 
 
 # ---------------------------------------------------------------- dtype

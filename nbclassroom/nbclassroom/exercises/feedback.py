@@ -31,17 +31,13 @@ def _labelled_forms(result, call):
 def _remarks(result):
     """Sentences on the whole answer."""
     yield result.why_older
-    yield from _refusals(result)
+    reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
+    for used in result.refused.values():
+        text = f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
+        yield f"{text} You may use {', '.join(['numpy', *result.exercise.allowed])}."
     for name, end in result.gone.items():
         yield SAYS["gone"].format(answer=result.exercise.answer_name, name=name, end=end)
     yield from result.remarks
-
-
-def _refusals(result):
-    for used in result.refused.values():
-        reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
-        text = f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
-        yield f"{text} You may use {', '.join(['numpy', *result.exercise.allowed])}."
 
 
 def _cases(result):
@@ -155,19 +151,15 @@ def document_of(result):
 def blocks_of(result, *, graded=False):
     """The blocks on the checks of a CheckResult; `graded`: in a process that grades."""
     yield from map(Text, _remarks(result))
-    yield from _table_of_all(result.exercise.kind, result.calls, graded)
+    kind = result.exercise.kind
+    if rows := kind.table_of(result.calls):  # of a kind that has them: a table of all calls, and their images
+        draw = kind.images_in_grading if graded else kind.images_of_all
+        yield Table(rows, has_head=True)
+        yield Figures(lambda: draw(result.calls), SAYS["map of a drive"])
     for one, explanation, call in _cases(result):
         details = _details(result, call, graded) if call else ()
         blocks = (Text(explanation), *details)
         yield Check(one.case.title, one.passed, blocks, one.note, one.is_open)
-
-
-def _table_of_all(kind, calls, graded):
-    """The table of all calls, and their images, of a kind that has them."""
-    if rows := kind.table_of(calls):
-        draw = kind.images_in_grading if graded else kind.images_of_all
-        yield Table(rows, has_head=True)
-        yield Figures(lambda: draw(calls), SAYS["map of a drive"])
 
 
 def _details(result, call, graded):

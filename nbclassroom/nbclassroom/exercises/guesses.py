@@ -1,6 +1,5 @@
 """Compare a learner's guess with the result, and answer questions from earlier lessons: no points."""
 
-import ast
 import builtins
 import contextlib
 import html
@@ -13,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from .. import course
-from .cell_syntax import UNPARSABLE
+from .cell_syntax import names_used
 
 _NO_GUESS = {"", "?"}
 _CLOSE = 0.1  # of the result
@@ -125,7 +124,8 @@ def read_bare_guess(lines, names):
     source = "".join(lines)
     asked = _ASK_CELL.fullmatch(source.strip())
     match = asked or _PREDICT_CELL.fullmatch(source)
-    if not match or _is_readable(source, {*names, "ask"}):
+    statements, known = names_used(source), {*names, "ask", *dir(builtins)}
+    if not match or (statements and all(one.reads <= known for one in statements)):
         return lines
     text = match["guess"].strip().strip(_QUOTES)
     guess = json.dumps(text, ensure_ascii=False) if match["guess"] else None
@@ -135,15 +135,6 @@ def read_bare_guess(lines, names):
         f" text in quotes: {code.splitlines()[-1]}"
     )
     return [*([f"print({sentence!r})\n"] if guess else []), f"{code}\n"]
-
-
-def _is_readable(source, names):
-    try:
-        nodes = list(ast.walk(ast.parse(source)))
-    except UNPARSABLE:
-        return False
-    read = {node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
-    return all(name in names or hasattr(builtins, name) for name in read)
 
 
 def _plain(value):

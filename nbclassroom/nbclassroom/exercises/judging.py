@@ -86,15 +86,13 @@ class CheckResult:
 
 def judge(exercise, calls, mistake=None, remarks=(), *, attempted=True):
     """The CheckResult of the CaseCalls of an exercise's cases, with what is certain about their values."""
-    results = tuple(_case_result(case, calls) for case in exercise.cases)
-    result = CheckResult(exercise, attempted, results, mistake, remarks=remarks, calls=tuple(calls))
+    results = []
+    for case in exercise.cases:
+        own_calls = [case_call for case_call in calls if case_call.case is case]
+        failed_call = next((case_call for case_call in own_calls if not case_call.passed), None)
+        results.append(CaseResult(case, bool(own_calls) and failed_call is None, failed_call))
+    result = CheckResult(exercise, attempted, tuple(results), mistake, remarks=remarks, calls=tuple(calls))
     return replace(result, diagnosis=attempt(lambda: _diagnosis(result), Diagnosis()))
-
-
-def _case_result(case, calls):
-    own_calls = [case_call for case_call in calls if case_call.case is case]
-    failed_call = next((case_call for case_call in own_calls if not case_call.passed), None)
-    return CaseResult(case, bool(own_calls) and failed_call is None, failed_call)
 
 
 def _diagnosis(result):

@@ -143,7 +143,9 @@ def failure_fields(error, function):
     if isinstance(error, TimeUp):
         return {"timed_out": True, "stuck": bool(error.args)}
     closest = attempt(lambda: _closest(error, str(error.name or "")), "")
-    fields = {"error": error_name(error), "message": _message(error), "closest": closest}
+    text = attempt(lambda: str(error), "")  # its class may be the learner's
+    message = _ADDRESS.sub("0x…", text[:2_000])[:500]
+    fields = {"error": error_name(error), "message": message, "closest": closest}
     return fields | {"line": _own_line(error, function)}
 
 
@@ -266,12 +268,6 @@ def _in_thread(function, seconds):
     if "error" in outcome:
         raise outcome["error"]
     return outcome["value"]
-
-
-def _message(error):
-    """The beginning of its text; an exception class may be the learner's."""
-    text = attempt(lambda: str(error), "")
-    return _ADDRESS.sub("0x…", text[:2_000])[:500]
 
 
 def _closest(error, wanted):

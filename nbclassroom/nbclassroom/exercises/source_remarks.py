@@ -5,6 +5,7 @@ import re
 from collections import Counter
 from pathlib import Path
 
+from .cell_syntax import top_level
 from .error_advice import read_phrases
 from .running import source_of
 
@@ -19,7 +20,7 @@ def remarks_on_source(function, errors=(), unheeded=()):
     `errors` are the types that its calls raised, "None" if one of them returned None, "TimeUp" if one did not
     end in time. `unheeded` are arguments that the right answer does not use.
     """
-    tree = next(iter(_body(source_of(function))), None)
+    tree = next(iter(top_level(source_of(function))), None)
     parts = tree.body if isinstance(tree, ast.ClassDef) else [tree]
     functions = [part for part in parts if isinstance(part, ast.FunctionDef)]
     remarks = [text for function in functions for text in _remarks_on_function(function)]
@@ -34,8 +35,8 @@ def remarks_on_source(function, errors=(), unheeded=()):
 
 def unused_arguments(source, name):
     """What the function of this name in a source gets and does not use."""
-    functions = [part for part in _body(source) if isinstance(part, ast.FunctionDef) and part.name == name]
-    return tuple(argument for function in functions for argument in _unused(function))
+    functions = (part for part in top_level(source) if isinstance(part, ast.FunctionDef))
+    return tuple(argument for part in functions if part.name == name for argument in _unused(part))
 
 
 def has_done(source, sentence):
@@ -46,14 +47,6 @@ def has_done(source, sentence):
     )
     source, *advised = ("".join(text.split()).replace("'", '"') for text in (source, *advised))
     return bool(advised) and all(code in source for code in advised)
-
-
-def _body(source):
-    """The statements of a source; [] if it does not parse by itself, such as a part of a line."""
-    try:
-        return ast.parse(source).body
-    except (SyntaxError, ValueError):
-        return []
 
 
 def _why_none(tree):

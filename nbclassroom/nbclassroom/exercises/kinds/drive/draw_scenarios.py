@@ -60,7 +60,9 @@ def draw_scenario(exercise, case, seed, drive_solution, public):
             continue
         stricter = with_margin(scenario)
         record = drive_solution(stricter)
-        if problem := _problem_of_solution(record, stricter):
+        if not passes(record, stricter):
+            sentences = " ".join(sentences_of(record, stricter)).rstrip(".")
+            problem = f"the solution does not pass with a margin of {MARGIN:.0%}: {sentences}"
             continue
         drives = drive_wrong_answers(exercise, scenario) if case.hidden else {}
         if not drives or not passes(drives[""][0], scenario):
@@ -108,11 +110,3 @@ def with_margin(scenario):
         for name, (operator, limit) in scenario["thresholds"].items()
     }
     return scenario | {"thresholds": thresholds}
-
-
-def _problem_of_solution(record, scenario):
-    """Why the solution does not pass, "" if it does."""
-    if passes(record, scenario):
-        return ""
-    sentences = " ".join(sentences_of(record, scenario)).rstrip(".")
-    return f"the solution does not pass with a margin of {MARGIN:.0%}: {sentences}"

@@ -61,16 +61,15 @@ def self_assessment(exercise):
         return Help(f"{exercise.id}: your teacher has not released the answer to compare with yet.")
     with reading(path):
         entry = read_lesson_file(path)["solutions"][exercise.id]
-        model, lines = str(entry["code"]).strip(), [_line(*line) for line in entry["rubric"]]
+        model, lines = (
+            str(entry["code"]).strip(),
+            [text if worth > 0 else f"{text} (a mistake)" for text, worth in entry["rubric"]],
+        )
     if progress_of(exercise.id).ticks is None:
         note_progress(exercise.id, ExerciseProgress(ticks=()))
     heading = f"{exercise.id}: one good answer"
     more = f"{exercise.another_way}\nWhat of this does your answer have? Tick it. Ticks give no points."
     return SelfAssessment(heading, model, more=more.strip(), id=exercise.id, lines=tuple(lines))
-
-
-def _line(text, worth):
-    return text if worth > 0 else f"{text} (a mistake)"
 
 
 def _is_written(exercise):
