@@ -18,8 +18,7 @@ from nbclassroom.autograder.results import checked_exercise
 from nbclassroom.autograder.sandbox.inside import confine
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 from nbclassroom.autograder.verdict import CaseRun
-from nbclassroom.exercises.kinds.drive.drive import SENSORS
-from nbclassroom.exercises.kinds.drive.graded import environment
+from nbclassroom.exercises.kinds.drive.drive import SENSORS, environment
 from nbclassroom.exercises.kinds.drive.images import draw_film, draw_map
 from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
 from nbclassroom.exercises.page import page_of

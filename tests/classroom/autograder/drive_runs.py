@@ -9,7 +9,7 @@ from types import SimpleNamespace
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.results import graded_exercises
-from nbclassroom.exercises.kinds.drive.graded import environment
+from nbclassroom.exercises.kinds.drive.drive import environment
 from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
 from nbclassroom.exercises.page import page_of
 from plane_env import PlaneEnv, driving_on_a_plane

@@ -12,11 +12,13 @@ import re
 import reprlib
 import time
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 
 from nbclassroom import course
+from nbclassroom.exercises.canonical import canonical
 
 STEP = 0.1  # seconds from one observation to the next
 STEP_SECONDS = 0.5  # how long one call of `control` may take
@@ -26,6 +28,7 @@ _MOST_MEMORY = 1_000_000_000  # bytes by which this process may grow
 SLOW = f"takes longer than {MEAN_STEP_SECONDS} s for a step on average: do less in each call, do not sleep"
 SLOW += ", or keep results in memory"
 LARGE = "takes more than 1 GB of memory: keep only what later steps need"
+PLACE_PERIOD = 5  # steps between two places of a path that is stored or compared
 PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
 SENSORS = ("scan", "depth", "image", "odometry")
 DURATION = 40.0  # seconds, of a scenario that does not say it
@@ -95,6 +98,12 @@ def metric_text(name, value, limit=None):
     while limit not in (None, value) and shape.format(value) == shape.format(limit):
         shape = re.sub(r"\d+", lambda digits: str(int(digits[0]) + 1), shape)
     return shape.format(value)
+
+
+@lru_cache(maxsize=4)
+def environment(sensors):
+    """This process's environment for these sensors: the next drive in it begins at once."""
+    return course.load(course.drive_environment)(sensors)
 
 
 class Drive:
@@ -220,6 +229,13 @@ def _memory():
         return 0
 
 
+def form_of(record):
+    """What is compared of a drive: its path in short, and which thresholds it missed."""
+    path = np.array(record["path"])[::PLACE_PERIOD, :2].astype(np.float32)
+    missed = sorted(metric for metric, *_ in record["missed"])
+    return canonical({"path": path, "missed": missed}, limit=None)
+
+
 def decisive_moment(record):
     """What texts call the moment of a drive that is shown: "the bump", "the nearest place" or "the end"."""
     missed = {name for name, *_ in record["missed"]}
@@ -236,12 +252,6 @@ def steps_of(scenario):
 def seconds_of(scenario):
     """Processor time that a controller has for a whole drive, seconds."""
     return MEAN_STEP_SECONDS * steps_of(scenario)
-
-
-def metrics(record, scenario):
-    """The metrics of a drive that have a threshold, with their units."""
-    values, names = record["metrics"], scenario["thresholds"]
-    return ", ".join(f"{METRICS[name].title} {metric_text(name, values[name])}" for name in names)
 
 
 def passes(record, scenario):

@@ -7,24 +7,29 @@ at most be the next two numbers, and what is judged is the record that the envir
 import struct
 import time
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
-from .... import course
 from ...case_call import CaseCall
 from ...comparison import Difference
 from ...running import CallResult
-from .drive import LARGE, SLOW, STEP, STEP_SECONDS, Drive, metrics, passes, seconds_of, sentences_of, steps_of
-from .simulators import form_of
+from .drive import (
+    LARGE,
+    METRICS,
+    SLOW,
+    STEP,
+    STEP_SECONDS,
+    Drive,
+    environment,
+    form_of,
+    metric_text,
+    passes,
+    seconds_of,
+    sentences_of,
+    steps_of,
+)
 
 _LONGEST = 2_000  # characters of a text from a kernel
-
-
-@lru_cache(maxsize=4)
-def environment(sensors):
-    """This process's environment for these sensors: the next drive in it begins at once."""
-    return course.load(course.drive_environment)(sensors)
 
 
 class GradedDrive:
@@ -116,7 +121,9 @@ class DriveVerdict:
 
     @property
     def measured(self):
-        return metrics(self.record, self.scenario) if self.is_whole else ""
+        """The metrics of a whole drive that have a threshold, with their units."""
+        values, names = self.record["metrics"], self.scenario["thresholds"] if self.is_whole else ()
+        return ", ".join(f"{METRICS[name].title} {metric_text(name, values[name])}" for name in names)
 
     def case_calls(self, exercise, case):
         return [case_call(case, self.record, self.call or CallResult(value=form_of(self.record)))]

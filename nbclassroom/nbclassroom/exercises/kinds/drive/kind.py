@@ -5,12 +5,16 @@ import re
 from dataclasses import replace
 from functools import lru_cache
 
+import numpy as np
+
 from .... import course
+from ...canonical import array_of
 from ..kind import Kind as AnyKind
 from .drive import (
     COUNTS,
     METRICS,
     PATH_TOLERANCE,
+    PLACE_PERIOD,
     SENSORS,
     SLOW,
     STEP,
@@ -107,9 +111,20 @@ class Kind(AnyKind):
     # ---------------------------------------------------------------- judging and explaining
 
     def known_mistake(self, exercise, calls):
-        from .simulators import known_mistake
+        """One that drives as a learner's `control` does in each scenario in which that fails.
 
-        return known_mistake(exercise, calls)
+        It misses the same thresholds, and its path stays within PATH_TOLERANCE of the learner's until a
+        second after the decisive moment. If several do, the nearest one counts.
+        """
+        failed = [call for call in calls if not call.passed]
+        if all(np.ptp(call.record["path"], axis=0).max() < 0.02 for call in failed):
+            return None  # it stands, and so is near to a robot that turns on the spot
+        nearest, least = None, np.inf
+        for mistake in exercise.mistakes:
+            driven = [call for call in failed if call.case.id in mistake.results]  # a key: only hidden ones
+            distance = max((_distance(mistake, call) for call in driven), default=np.inf)
+            nearest, least = (mistake, distance) if distance < least else (nearest, least)
+        return nearest if least <= PATH_TOLERANCE else None
 
     def explain(self, exercise, call):
         return "\n".join(sentences_of(call.record, *call.arguments))
@@ -159,6 +174,21 @@ class Kind(AnyKind):
             points = call.case.points
             rows.append([*cells, (f"{points if call.passed else 0} of {points}", False)])
         return rows if calls else ()
+
+
+def _distance(mistake, call):
+    """How far the paths of a mistake and of a drive part, metres; infinite if they fail in other ways."""
+    (predicted,) = mistake.results[call.case.id]
+    if not (predicted.finished and call.result.finished):
+        return np.inf
+    end = (call.record["decisive"] + round(1 / STEP)) // PLACE_PERIOD + 1
+    ((_, missed), (_, path)), ((_, own_missed), (_, own_path)) = (
+        result.value["items"] for result in (predicted, call.result)
+    )
+    path, own_path = array_of(path), array_of(own_path)
+    if path is None or own_path is None or missed != own_missed or path[:end].shape != own_path[:end].shape:
+        return np.inf
+    return float(np.abs(path[:end] - own_path[:end]).max())
 
 
 def scenario_of(case):

@@ -9,19 +9,15 @@ import pickle
 import sys
 import traceback
 
-from nbclassroom import course
-from nbclassroom.exercises.kinds.drive.drive import Drive
+from nbclassroom.exercises.kinds.drive.drive import Drive, environment
 from nbclassroom.exercises.kinds.drive.images import draw_map, look_back
 
 
 class Simulator:
     """Answers requests; each of its methods is one, and `begin` comes before those of a drive."""
 
-    def __init__(self):
-        self._environments = {}
-
     def begin(self, sensors, scenario):
-        self._drive = Drive(self._environment(sensors), scenario)
+        self._drive = Drive(environment(sensors), scenario)
         return self._reply()
 
     def act(self, linear, angular):
@@ -36,16 +32,11 @@ class Simulator:
         return [draw_map(record, scenario)]
 
     def look_back(self, record, scenario):
-        return look_back(self._environment(()), record, scenario)
+        return look_back(environment(()), record, scenario)
 
     def _reply(self):
         """The next observation, or the record of a drive that is over."""
         return {"record": self._drive.record()} if self._drive.over else self._drive.observation
-
-    def _environment(self, sensors):
-        if sensors not in self._environments:
-            self._environments[sensors] = course.load(course.drive_environment)(sensors)
-        return self._environments[sensors]
 
 
 def main():

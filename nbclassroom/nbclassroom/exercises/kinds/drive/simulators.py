@@ -14,16 +14,12 @@ import warnings
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
-from ...canonical import array_of, canonical
 from ...running import CallResult, LimitedOutput, call_within, failure_fields
-from .drive import PATH_TOLERANCE, STEP, STEP_SECONDS, Cost, seconds_of, speeds_of, steps_of
+from .drive import STEP, STEP_SECONDS, Cost, form_of, seconds_of, speeds_of, steps_of
 
 _SIMULATORS = 2
 _SHOWN_STEPS = 20  # between two states of the progress bar
 _KEPT_LINES = 13  # of what a drive prints: one more than is shown
-_PLACE_PERIOD = 5  # steps between two places of a path that is stored or compared
 
 
 class SimulatorError(RuntimeError):
@@ -154,13 +150,6 @@ class _Run:
         return CallResult(printed="\n".join(lines[-_KEPT_LINES:]), warning=self.warning, **fields)
 
 
-def form_of(record):
-    """What is compared of a drive: its path in short, and which thresholds it missed."""
-    path = np.array(record["path"])[::_PLACE_PERIOD, :2].astype(np.float32)
-    missed = sorted(metric for metric, *_ in record["missed"])
-    return canonical({"path": path, "missed": missed}, limit=None)
-
-
 def _reason(failure, name):
     if failure.get("timed_out"):
         return f"{name} took longer than {STEP_SECONDS} s for one step"
@@ -202,35 +191,3 @@ def images_of_drive(request, call):
     with _all_simulators() as simulators:
         simulators[0].ask(request, call.record, *call.arguments)
         return simulators[0].reply()
-
-
-def known_mistake(exercise, calls):
-    """The declared mistake that drives as a learner's `control` does in each scenario in which that fails.
-
-    It misses the same thresholds, and its path stays within PATH_TOLERANCE of the learner's until a second
-    after the decisive moment. If several do, the nearest one counts. None if there is none.
-    """
-    failed = [call for call in calls if not call.passed]
-    if all(np.ptp(call.record["path"], axis=0).max() < 0.02 for call in failed):
-        return None  # it stands, and so is near to a robot that turns on the spot
-    nearest, least = None, np.inf
-    for mistake in exercise.mistakes:
-        driven = [call for call in failed if call.case.id in mistake.results]  # a key has hidden ones only
-        distance = max((_distance(mistake, call) for call in driven), default=np.inf)
-        nearest, least = (mistake, distance) if distance < least else (nearest, least)
-    return nearest if least <= PATH_TOLERANCE else None
-
-
-def _distance(mistake, call):
-    """How far the paths of a mistake and of a drive part, metres; infinite if they fail in other ways."""
-    (predicted,) = mistake.results[call.case.id]
-    if not (predicted.finished and call.result.finished):
-        return np.inf
-    end = (call.record["decisive"] + round(1 / STEP)) // _PLACE_PERIOD + 1
-    ((_, missed), (_, path)), ((_, own_missed), (_, own_path)) = (
-        result.value["items"] for result in (predicted, call.result)
-    )
-    path, own_path = array_of(path), array_of(own_path)
-    if path is None or own_path is None or missed != own_missed or path[:end].shape != own_path[:end].shape:
-        return np.inf
-    return float(np.abs(path[:end] - own_path[:end]).max())
