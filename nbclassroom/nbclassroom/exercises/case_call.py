@@ -32,18 +32,15 @@ def explain_call(result, difference, name):
         text = f"{name} raised {result.error}" + (f": {result.message}" if result.message else "")
         return text + (f"\nin your {result.line}" if result.line else "")
     if result.changed:
-        return _explain_change(name, result.changed[0])
+        argument = result.changed[0]
+        text = f"{name} changed its input {argument}."
+        if not argument.isidentifier():
+            return f"{text} Only read it, and store what you compute under new names."
+        advice = f"write the result into a new array, or begin with {argument} = {argument}.copy()."
+        return f"{text} Leave the input as it is: {advice}"
     if difference is None:
         return ""
     if result.value["type"] == "None" and result.printed:
         return f"{name} returned None. print only shows a value: write return in place of print."
     message = difference.message[0].upper() + difference.message[1:] + "."
     return f"In answer{difference.path}: {message}" if difference.path else message
-
-
-def _explain_change(name, argument):
-    text = f"{name} changed its input {argument}."
-    if not argument.isidentifier():
-        return f"{text} Only read it, and store what you compute under new names."
-    advice = f"write the result into a new array, or begin with {argument} = {argument}.copy()."
-    return f"{text} Leave the input as it is: {advice}"

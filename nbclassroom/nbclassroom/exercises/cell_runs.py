@@ -70,7 +70,9 @@ class CellRuns:
 
     def begin(self, info):
         """Record that IPython begins to run a cell."""
-        metadata = _metadata_of_request()
+        shell = sys.modules["IPython"].get_ipython()
+        request = shell.get_parent() if hasattr(shell, "get_parent") else {}
+        metadata = request.get("metadata", {})  # JupyterLab sends the cell's, and which cells were deleted
         about, deleted = metadata.get(course.name), metadata.get("deletedCells")
         exercise = about.get("exercise") if isinstance(about, dict) else None
         self._deleted |= {id for id in deleted if isinstance(id, str)} if isinstance(deleted, list) else set()
@@ -106,28 +108,18 @@ class CellRuns:
         run = next(own, None)
         if run is None:
             return ""
+        kind, marks, start = "function", "()", f"def {name}(...):"
+        if isinstance(function, type):
+            kind, marks, start = "class", "", f"class {name}(...):"
         if run.error:
             is_current = run.is_read and (source_of(function).strip() or "\0") in run.source
-            shown_name = name if isinstance(function, type) else f"{name}()"
-            return "" if is_current else _FAILED.format(error=run.error, name=shown_name)
+            return "" if is_current else _FAILED.format(error=run.error, name=f"{name}{marks}")
         # Under the name that is asked for there may also be a lambda, or an imported function.
         if re.search(rf"\b{name}\b", run.source):
             return ""
-        return _explain_name(run, name, "class" if isinstance(function, type) else "function")
-
-
-def _metadata_of_request():
-    """What JupyterLab sends with the cell that begins to run: its metadata, and which cells were deleted."""
-    shell = sys.modules["IPython"].get_ipython()
-    request = shell.get_parent() if hasattr(shell, "get_parent") else {}
-    return request.get("metadata", {})
-
-
-def _explain_name(run, name, kind):
-    defined_name = next(iter(run.definitions()), "")
-    marks, start = ("()", f"def {name}(...):") if kind == "function" else ("", f"class {name}(...):")
-    defined = f"defines {defined_name}{marks}" if defined_name else f"defines no {kind}"
-    return SAYS["another name"].format(defined=defined, kind=kind, name=f"{name}{marks}", start=start)
+        defined_name = next(iter(run.definitions()), "")
+        defined = f"defines {defined_name}{marks}" if defined_name else f"defines no {kind}"
+        return SAYS["another name"].format(defined=defined, kind=kind, name=f"{name}{marks}", start=start)
 
 
 RUNS = CellRuns()

@@ -35,6 +35,7 @@ _AROUND = dict.fromkeys((2, 4), ": the border of the image is missing.")
 _AROUND |= dict.fromkeys((-2, -4), ": is it padding?")
 _SIDES: dict[str, Any] = {"in the first row": np.s_[:1], "in the last row": np.s_[-1:]}
 _SIDES |= {"in the first column": np.s_[:, :1], "in the last column": np.s_[:, -1:]}
+_ANY_SIDE = ("on the border of the image",)
 _ONE_BESIDE = {
     (1,): "Each wrong value is one too large: is it rounded up, or counted from the wrong number?",
     (-1,): "Each wrong value is one too small: is it rounded down, or counted from the wrong number?",
@@ -374,13 +375,14 @@ def _place(calls):
     """Where the wrong values of all calls lie, if that tells something."""
     wrong = _wrong_elements(_arrays(calls))
     pixels = [mask.any(axis=2) if mask.ndim == 3 else mask for mask, _ in wrong]
-    if not wrong:
+    chances = (_on(mask, _SIDES).mean() ** mask.sum() for mask in pixels)
+    if not wrong or not _lie_on(pixels, _SIDES) or math.prod(chances) >= _COINCIDENCE:
         return Diagnosis()
-    if _lie_on_border(pixels):
-        zeros = all(not values[mask].any() for mask, values in wrong)
-        left = ", and there your result is 0: is the border never computed?" if zeros else "."
-        return Diagnosis(f"Only values {_sides(pixels)} are wrong{left}", on_border=True)
-    return Diagnosis()
+    groups = (names for count in (1, 2) for names in combinations(_SIDES, count))
+    sides = " and ".join(next((names for names in groups if _lie_on(pixels, names)), _ANY_SIDE))
+    zeros = all(not values[mask].any() for mask, values in wrong)
+    left = ", and there your result is 0: is the border never computed?" if zeros else "."
+    return Diagnosis(f"Only values {sides} are wrong{left}", on_border=True)
 
 
 def _wrong_elements(arrays):
@@ -389,13 +391,6 @@ def _wrong_elements(arrays):
         return []
     masks = [(differing(*array), array[1]) for array in arrays]
     return [(mask, values) for mask, values in masks if mask.any()]
-
-
-def _sides(masks):
-    """Where all True values lie, as exactly as two sides can tell it."""
-    groups = (names for count in (1, 2) for names in combinations(_SIDES, count))
-    near = (names for names in groups if _lie_on(masks, names))
-    return " and ".join(next(near, ["on the border of the image"]))
 
 
 def _on(mask, names):
@@ -408,9 +403,3 @@ def _on(mask, names):
 
 def _lie_on(masks, names):
     return not any((mask & ~_on(mask, names)).any() for mask in masks)
-
-
-def _lie_on_border(masks):
-    """Whether all True values lie on the border of each mask, and not by coincidence."""
-    chances = (_on(mask, _SIDES).mean() ** mask.sum() for mask in masks)
-    return _lie_on(masks, _SIDES) and math.prod(chances) < _COINCIDENCE

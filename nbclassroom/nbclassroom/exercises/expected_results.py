@@ -1,7 +1,7 @@
 """The expected results of a declared exercise: its solution and its known mistakes are run on its cases."""
 
 from dataclasses import replace
-from functools import lru_cache, wraps
+from functools import lru_cache
 
 from .case_call import explain_call
 from .lesson import PUBLIC_SEED, ExpectedCall
@@ -12,21 +12,15 @@ from .source_remarks import unused_arguments
 class MistakeResults(dict):
     """The results of a declared mistake: computed when asked for, because most checks ask for none."""
 
-    def __init__(self, exercise, mistake, cases, seed):
-        self._about = exercise, mistake, cases, seed
+    def __init__(self, exercise, mistake, cases):
+        self._about = exercise, mistake, cases
 
     def __contains__(self, case_id):
         return any(case.id == case_id for case in self._about[2])
 
     def __missing__(self, case_id):
-        self.update(_results_of_mistake(*self._about, case_id))
+        self.update(self._about[0].kind.results_of_mistake(*self._about, case_id))
         return self[case_id]
-
-
-def _cached(function):
-    """Caches what does not depend on the Exercise's other mistakes."""
-    cached = lru_cache(maxsize=1024)(function)
-    return wraps(function)(lambda exercise, *arguments: cached(replace(exercise, mistakes=()), *arguments))
 
 
 def with_results(exercise, cases, solve, results_of):
@@ -55,15 +49,12 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
     """
 
     def solve(exercise, case):
-        return _solve(exercise, case, seed)
+        return _solve(replace(exercise, mistakes=()), case, seed)  # it does not depend on them
 
-    def results_of(exercise, mistake, cases):
-        return MistakeResults(exercise, mistake, cases, seed)
-
-    return with_results(exercise, exercise.public if cases is None else cases, solve, results_of)
+    return with_results(exercise, exercise.public if cases is None else cases, solve, MistakeResults)
 
 
-@_cached
+@lru_cache(maxsize=1024)
 def _solve(exercise, case, seed):
     if not exercise.kind.expects_values:
         return tuple(ExpectedCall(arguments) for arguments in exercise.arguments(case, seed))
@@ -76,8 +67,3 @@ def _solve(exercise, case, seed):
             raise MasterError(f"{exercise.master.name}, {case.id}: the solution fails. {explanation}")
         calls.append(ExpectedCall(arguments, result))
     return tuple(calls)
-
-
-@_cached
-def _results_of_mistake(exercise, mistake, cases, _seed, case_id):
-    return exercise.kind.results_of_mistake(exercise, mistake, cases, case_id)

@@ -29,18 +29,12 @@ _WORDS = {"yes": True, "true": True, "no": False, "false": False}
 
 @dataclass(frozen=True)
 class GuessComparison:
-    """A guess beside the result; a notebook shows it as a line of text.
+    """A guess beside the result; a notebook shows it as a line of text."""
 
-    guess    the guess as text; "" if there is none yet
-    result   the result as text
-    verdict  "Right!", "Close." or ""
-    advice   what a guess can be, if this one cannot be read; else ""
-    """
-
-    guess: str
-    result: str
-    verdict: str = ""
-    advice: str = ""
+    guess: str  # as text; "" if there is none yet
+    result: str  # as text
+    verdict: str = ""  # "Right!", "Close." or ""
+    advice: str = ""  # what a guess can be, if this one cannot be read
 
     def __repr__(self):
         return self._sentence(str)

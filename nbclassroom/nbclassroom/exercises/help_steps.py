@@ -92,21 +92,17 @@ def solution(exercise_id: str, give_up: bool = False) -> Help:
         return exercise.kind.look_at(exercise)
     progress = progress_of(exercise_id)
     if not (give_up or progress.passed or len(progress.tries) >= TRIES):
-        return _not_yet(exercise, len(progress.tries))
+        quoted_id, count = json.dumps(exercise.id), len(progress.tries)
+        so_far = {0: "no try", 1: "1 try"}.get(count, f"{count} tries")
+        return Help(
+            f"The solution of {exercise.id} opens after {TRIES} tries of your own: {so_far} so far.",
+            f"A try is check({quoted_id}, {exercise.function}) with a changed {exercise.kind.noun} that runs"
+            f" and does not pass yet. hint({quoted_id}) gives help."
+            f" solution({quoted_id}, give_up=True) opens it now.",
+        )
     with reading(path):
         entry = read_lesson_file(path)["solutions"][exercise_id]
         code, explanation = str(entry["code"]).strip(), str(entry["explanation"]).strip()
     another_way = f"What else could be right:\n{exercise.another_way}" if exercise.another_way else ""
     more = "\n".join(part for part in (explanation, another_way) if part)
     return Help(f"{exercise_id}: one solution", code=code, more=more)
-
-
-def _not_yet(exercise, count):
-    quoted_id = json.dumps(exercise.id)
-    so_far = {0: "no try", 1: "1 try"}.get(count, f"{count} tries")
-    return Help(
-        f"The solution of {exercise.id} opens after {TRIES} tries of your own: {so_far} so far.",
-        f"A try is check({quoted_id}, {exercise.function}) with a changed {exercise.kind.noun} that runs"
-        f" and does not pass yet. hint({quoted_id}) gives help."
-        f" solution({quoted_id}, give_up=True) opens it now.",
-    )

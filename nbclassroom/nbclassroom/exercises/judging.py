@@ -32,30 +32,21 @@ class CaseResult:
 class CheckResult:
     """The result of `check`. A notebook shows it as HTML; `print(result)` gives the same as plain text.
 
-    exercise      Exercise
-    attempted     False for the unchanged stub
-    results       tuple of CaseResult, one for each public case
-    mistake       the known mistake that explains the answer, or None
-    refused       {module that the exercise does not allow: what the answer uses of it}
-    gone          {name that the answer reads: "changed" or "deleted", as is the cell that made it}
-    diagnosis     what is certain about the values of the shown call
-    remarks       what is certain from the source of the function, sentences
-    one_change    where one change would make it right, a sentence
-    why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
-    calls         tuple of CaseCall, those that passed too
+    `refused` is {module that the exercise does not allow: what the answer uses of it}, `gone` is {name that
+    the answer reads: "changed" or "deleted", as is the cell that made it}.
     """
 
     exercise: Exercise
-    attempted: bool
-    results: tuple[CaseResult, ...] = ()
-    mistake: Mistake | None = None
+    attempted: bool  # False for the unchanged stub
+    results: tuple[CaseResult, ...] = ()  # one for each public case
+    mistake: Mistake | None = None  # the known mistake that explains the answer
     refused: dict[str, str] = field(default_factory=dict)
     gone: dict[str, str] = field(default_factory=dict)
-    diagnosis: Diagnosis = field(default_factory=Diagnosis)
-    remarks: tuple[str, ...] = ()
-    one_change: str = ""
-    why_older: str = ""
-    calls: tuple[CaseCall, ...] = ()
+    diagnosis: Diagnosis = field(default_factory=Diagnosis)  # of the values of the shown call
+    remarks: tuple[str, ...] = ()  # what is certain from the source of the function, sentences
+    one_change: str = ""  # where one change would make it right, a sentence
+    why_older: str = ""  # why the function is older than the learner's cell, and was not run
+    calls: tuple[CaseCall, ...] = ()  # those that passed too
 
     @property
     def passed(self) -> bool:

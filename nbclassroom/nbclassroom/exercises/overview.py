@@ -227,15 +227,12 @@ def certificate(name: str, folder: Path | str | None = None) -> Help:
     lessons = [lesson for lesson in overview(folder).lessons if lesson.passed]
     if not lessons:
         raise ValueError("nothing has passed yet; run the checks of a lesson, then call certificate again")
-    path = Path(folder or Path.cwd()) / CERTIFICATE
-    path.write_text(_page(name.strip(), lessons), encoding="utf-8")
-    return Help(f"{path.name} is written", "Open it in a browser, and print it there (Ctrl+P).")
-
-
-def _page(name, lessons):
     import jinja2  # only here: an import of 50 ms that no other cell needs
 
     template = Path(__file__).with_name(CERTIFICATE).read_text(encoding="utf-8")
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
-    date = f"{dt.date.today():%d %B %Y}"
-    return environment.from_string(template).render(title=course.title, name=name, lessons=lessons, date=date)
+    facts = {"title": course.title, "name": name.strip(), "lessons": lessons}
+    page = environment.from_string(template).render(facts, date=f"{dt.date.today():%d %B %Y}")
+    path = Path(folder or Path.cwd()) / CERTIFICATE
+    path.write_text(page, encoding="utf-8")
+    return Help(f"{path.name} is written", "Open it in a browser, and print it there (Ctrl+P).")

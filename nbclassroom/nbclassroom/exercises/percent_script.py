@@ -70,7 +70,12 @@ def _read_script(path, _modified):
     for notebook_cell in notebook.cells:
         options, line = dict(notebook_cell.metadata), 0
         if _UNREADABLE in options:
-            _refuse_header(path, lines, options[_UNREADABLE])
+            header = options[_UNREADABLE]
+            line = next((number for number, text in enumerate(lines, 1) if text.endswith(header)), 0)
+            raise MasterError(
+                f"{path.name}, line {line}: cannot read the header {header!r}; write each value as JSON:"
+                ' key="text", key=3, key=0.5, key=true or key=["a", "b"]'
+            )
         role = options.pop("role", "")
         if role:
             headers = enumerate(lines[position:], position + 1)
@@ -80,14 +85,6 @@ def _read_script(path, _modified):
         _check_header(cell)
         cells.append(cell)
     return Script(notebook.metadata.get(course.name) or {}, tuple(cells))
-
-
-def _refuse_header(path, lines, header):
-    line = next((number for number, text in enumerate(lines, 1) if text.endswith(header)), 0)
-    raise MasterError(
-        f"{path.name}, line {line}: cannot read the header {header!r}; write each value as JSON:"
-        ' key="text", key=3, key=0.5, key=true or key=["a", "b"]'
-    )
 
 
 def _check_header(cell):

@@ -59,15 +59,10 @@ def _candidates(source, error):
 
 
 def _mended_lines(line, error):
-    """Lines with one letter of a keyword mended, or one space more or less."""
+    """Lines with one space more or less, or with one word made a keyword, which it nearly is: `retrun`."""
     if isinstance(error, IndentationError):
         yield from (f" {line}", line[1:])
     elif "invalid syntax" in error.msg:
-        yield from _lines_with_keyword(line)
-
-
-def _lines_with_keyword(line):
-    """The line with one word made a keyword, which it nearly is: `retrun`."""
-    for word in re.finditer(r"[A-Za-z]+", line):
-        for name in difflib.get_close_matches(word[0], keyword.kwlist, n=2):
-            yield line[: word.start()] + name + line[word.end() :]
+        for word in re.finditer(r"[A-Za-z]+", line):
+            for name in difflib.get_close_matches(word[0], keyword.kwlist, n=2):
+                yield line[: word.start()] + name + line[word.end() :]

@@ -126,11 +126,8 @@ class _Module(types.ModuleType):
 
 
 # They can be imported; what is in them cannot be used.
-_EMPTY_MODULES = re.findall(
-    r"\w+",
-    "action client clock context duration exceptions executors lifecycle logging publisher service"
-    " subscription task time timer utilities",
-)
+_EMPTY_MODULES = "action client clock context duration exceptions executors lifecycle logging publisher"
+_EMPTY_MODULES += " service subscription task time timer utilities"
 
 
 def _modules():
@@ -146,7 +143,7 @@ def _modules():
     return modules | {
         # Each is a function of its own: `feed` traps some.
         "rclpy": {name: lambda *_arguments, **_options: None for name in names} | {"ok": lambda: True},
-        **{f"rclpy.{name}": {} for name in _EMPTY_MODULES},
+        **{f"rclpy.{name}": {} for name in _EMPTY_MODULES.split()},
         "rclpy.node": {"Node": type("Node", (RecordingNode,), {"__module__": "rclpy.node"})},
         "rclpy.qos": policies
         | {
