@@ -1,6 +1,6 @@
 """A simulator: a process that holds the environment of a drive, so that a notebook's kernel does not.
 
-`drive_check` starts it as `python -m` this module. It reads requests, and writes a reply to each, as pickles;
+`simulators` starts it as `python -m` this module. It reads requests, and writes a reply to each, as pickles;
 it ends when nobody can send any more.
 """
 
