@@ -175,7 +175,8 @@ def otsu(gray):
 
 # %% role="mistake" name="the mean of an empty class" says="A class without pixels has the mean nan, and np.argmax takes nan for the largest value. Leave out every t that leaves a class empty, or give it the variance 0."
 def otsu(gray):
-    return 0 if gray.min() > 0 else int(gray.max())
+    splits = (gray <= t for t in range(256))
+    return int(np.argmax([variance_of(gray[below], gray[~below]) for below in splits]))
 
 # %% role="mistake" name="thresholds left out at both ends" says="The first and the last thresholds are not tried. Try every t from 0 to 255: range(256)."
 def otsu(gray):

@@ -156,9 +156,11 @@ def _one_change(result, function, calls):
     # The shown call first: most changes fail it.
     ordered = sorted(calls, key=lambda call: call is not shown)
     pairs = [(call.case, ExpectedCall(call.arguments, call.expected)) for call in ordered]
+    may_warn = any(call.result.warning for call in calls)  # else a nan would only hide the mistake
 
     def passes(changed, seconds):
-        return all(exercise.judged_call(changed, *pair, seconds).passed for pair in pairs)
+        judged = (exercise.judged_call(changed, *pair, seconds) for pair in pairs)
+        return all(call.passed and (may_warn or not call.result.warning) for call in judged)
 
     return sentence_on_change(function, passes)
 
@@ -187,9 +189,10 @@ def _judge_calls(exercise, function, calls):
 
 
 def _explanation(exercise, function, calls):
-    """The known mistake; None if an answer has all that it advises, or an overflow that it does not name."""
+    """The known mistake; None if an answer has all that it advises, an overflow not named by it, or no nan."""
     mistake = exercise.kind.known_mistake(exercise, calls)
     says = mistake.says if mistake else ""
     warned = "".join(call.result.warning for call in calls)
     overflows = "overflow" in warned and not re.search(r"overflow|int|25[56]", says)
-    return None if overflows or has_done(source_of(function), says) else mistake
+    has_no_nan = "the mean nan" in says and not warned  # the mean of no values warns
+    return None if overflows or has_no_nan or has_done(source_of(function), says) else mistake

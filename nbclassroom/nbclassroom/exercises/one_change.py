@@ -195,7 +195,7 @@ def _order(node, _tree):
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         yield from _parentheses(node)
     if isinstance(node, ast.Call) and len(node.args) > 1:
-        yield _FIRST, _setting(node, args=[*node.args[:-2], *node.args[:-3:-1]])
+        yield "is the order of arguments right?", _setting(node, args=[*node.args[:-2], *node.args[:-3:-1]])
 
 
 def _parentheses(node):
@@ -228,10 +228,10 @@ def _call(node, _tree):
         yield "is it the right function?", _setting(node, func=function)
     if name in _QUESTIONS and node.args:
         yield _QUESTIONS[name], _replacing(node, node.args[0])
-    for operator in (ast.Add(), ast.Sub()) if name == "range" and node.args else ():
+    for change in ("+ 1", "- 1", "* 2 + 1") if name == "range" and node.args else ():
         start, stop, step = node.args[:-1][:1], node.args[:2][-1], node.args[2:]
-        one_further = ast.BinOp(stop, operator, ast.Constant(1))
-        yield "does it end at the right place?", _setting(node, args=[*start, one_further, *step])
+        other = ast.parse(f"({ast.unparse(stop)}) {change}", mode="eval").body
+        yield "does it end at the right place?", _setting(node, args=[*start, other, *step])
 
 
 def _constant(node, _tree):
@@ -240,6 +240,8 @@ def _constant(node, _tree):
         for number in (value + 1, value - 1, -value, math.inf):
             if value or number > 0:
                 yield _NUMBER, _setting(node, value=number)
+    if isinstance(node, ast.Attribute) and re.fullmatch(r"u?int(8|16)|uint32", node.attr):
+        yield "can this type hold every value?", _setting(node, attr="int64")
 
 
 def _argument(node, tree):

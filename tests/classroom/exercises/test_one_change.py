@@ -23,22 +23,12 @@ ROWS = "def f(a):\n    found = []\n    for row in range(len(a)):\n        for co
 TABLE = [[0, 5, 0], [7, 0, 0]]
 CASES = {
     "a limit": ("def f(a, b):\n    return a < b", [((1, 1), True), ((2, 1), False)], "line 2", "the limit"),
-    "an order": (
-        "def f(a, b):\n    return a - b",
-        [((1, 3), 2)],
-        "line 2",
-        "a - b: which of them comes first?",
-    ),
+    "an order": ("def f(a, b):\n    return a - b", [((1, 3), 2)], "line 2", "which of them comes first?"),
     "an operator": ("def f(a):\n    return a // 2", [((3,), 1.5), ((4,), 2.0)], "line 2", "a // 2"),
     "a function": ("def f(a):\n    return int(a)", [((1.6,), 2), ((1.2,), 1)], "line 2", "int(a)"),
     "a number": ("def f(a):\n    return a[1:-1]", [(([1, 2, 3],), [1, 2])], "line 2", "1 in return a[1:-1]"),
     "a variable": ("def f(a, b):\n    return a * a", [((2, 5), 10)], "line 2", "a in return a * a"),
-    "an axis": (
-        "def f(a):\n    return a.sum(axis=0).tolist()",
-        [((np.eye(2, 3),), [1.0, 1.0])],
-        "line 2",
-        "0 in return a.sum(axis=0)",
-    ),
+    "an axis": ("def f(a):\n    return a.sum(0).tolist()", [((np.eye(2, 3),), [1.0, 1.0])], "line 2", "0 in"),
     "the dtype of an argument": (
         "def f(a):\n    return float(sum(a) / len(a))",
         [((np.array([200, 100], np.uint8),), 150)],
@@ -59,13 +49,10 @@ CASES = {
         "lines 2, 3",
         "a // 2 and b // 2: is it the right operator?",
     ),
-    "two of three": ("def f(a, b):\n    return int(np.where(a, b, 0))", [((True, 5), 0)], "comes first?"),
-    "one number at two places": (
-        "def f(a):\n    return a[1:4][:4]",
-        [((list(range(9)),), [1, 2, 3, 4])],
-        "line 2",
-        "4 in return a[1:4][:4]: is this number right?",
-    ),
+    "two of three": ("def f(a, b):\n    return int(np.where(a, b, 0))", [((True, 5), 0)], "order of arg"),
+    "a window": ("def f(a):\n    return [*range(a)]", [((1,), [0, 1, 2]), ((0,), [0])], "range(a)"),
+    "a dtype": ("def f(a):\n    return int(np.uint16(a))", [((70000,), 70000)], "can this type hold every"),
+    "one number twice": ("def f(a):\n    return a[1:4][:4]", [(("abcdefg",), "bcde")], "line 2", "4 in"),
     "the end of two loops": (
         "def f(a, b):\n    k = 0\n    for i in range(1, len(a)):\n        for j in range(1, len(b)):\n"
         "            k += i * j\n    return k",
