@@ -8,7 +8,6 @@ from nbclassroom.authoring.build import build
 from nbclassroom.authoring.lesson_files import lesson_file_differences, lesson_files
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.exercises.check_files import read_check_file
-from nbclassroom.exercises.checking import run_cases, run_check
 from template_master import write_carried_files
 
 CHECKS, SOLUTIONS, TEXTS = "checks/template.json", "solutions/template.json", "texts/template.json"
@@ -58,35 +57,6 @@ def test_a_module_beside_the_lesson_goes_along(stored, write_master):
 
 def test_the_same_master_gives_the_same_bytes(stored):
     assert stored() == stored()
-
-
-def double(pixels):
-    return np.minimum(pixels.astype(np.uint16) * 2, 255).astype(np.uint8)
-
-
-def wraps(pixels):
-    return pixels * 2
-
-
-def other(pixels):
-    return double(pixels) // 2
-
-
-def changes(pixels):
-    pixels[0] = 1
-    return double(pixels)
-
-
-@pytest.mark.parametrize("function", [double, wraps, other, changes, lambda pixels: None, lambda: 1])
-def test_feedback_from_a_file_is_that_from_the_master(stored, write_master, function):
-    _, folder = stored()
-    exercise = read_check_file(folder / CHECKS).exercise("template-double")
-    declared = read_master(write_master()).exercises[0]
-    from_file = run_check(exercise, function, searches=False)
-    from_master = run_cases(declared, function)
-    assert repr(from_file) == repr(from_master)
-    assert from_file._repr_html_() == from_master._repr_html_()
-    assert (from_file.mistake is not None) == (function is wraps)
 
 
 def test_an_argument_that_is_no_data_is_made_again(stored):

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from nbclassroom.exercises import check, checking, read_exercises, run_cases
+from nbclassroom.exercises import check, checking, read_exercises
 from nbclassroom.exercises.cell_runs import CellRuns
 from nbclassroom.exercises.check_files import find_check_file
 from nbclassroom.exercises.checking import run_check
@@ -211,6 +211,8 @@ def test_an_endless_loop_is_stopped():
     result = check("test-double", endless)
     assert [case_result.passed for case_result in result.results] == [False, False] and result.points == 0
     assert "double() did not finish in time and was stopped." in repr(result)
+    assert "the computer was busy: check again." in repr(result)
+    assert "A while loop may be endless" in repr(result)
     assert "✗ Dark\n    not run, because the call above did not finish\n" in repr(result)
     assert "not run, because" in result._repr_html_()
 
@@ -415,16 +417,6 @@ def test_feedback_is_the_same_each_time():
     assert first._repr_html_() == second._repr_html_()
 
 
-def test_large_arrays_are_drawn_with_the_first_differing_pixel_named(tmp_path):
-    (exercise,) = read_exercises(tmp_path / "80_doubling.py")
-    result = run_cases(exercise, wraps, cases=exercise.hidden)
-    html = result._repr_html_()
-    assert 'src="data:image/png;base64,' in html
-    *_, alt = re.findall(r'alt="([^"]*)"', html)
-    count, place = re.search(r"(\d+) of 400 values differ; the first at (.*?):", repr(result)).groups()
-    assert alt == f"{count} of 400 pixels differ, the first at {place}"
-
-
 def test_a_value_that_is_no_function_is_refused_with_the_remedy():
     with pytest.raises(
         TypeError,
@@ -528,16 +520,6 @@ def test_a_practice_exercise_speaks_of_no_grading(write_master):
     text = repr(check("test-double", uses))
     assert "the values are right, but this answer uses what is not allowed here" in text
     assert "rading" not in text and "Practice: no points." in text
-
-
-def test_an_endless_loop_says_what_may_not_end():
-    def endless(pixels):
-        level = np.uint8(0)
-        while level <= 255:
-            level += np.uint8(1)
-
-    text = repr(check("test-double", endless))
-    assert "the computer was busy: check again." in text and "A while loop may be endless" in text
 
 
 def raise_left_in(pixels):

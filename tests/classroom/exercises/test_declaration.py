@@ -146,10 +146,6 @@ def test_a_broken_declaration_is_named_with_its_place(write_master, changed, mes
             {"case": '# %% role="case" title="x"\ndef inputs(rng): return rng'},
             "must return a tuple of arguments",
         ),
-        (
-            {"case": '# %% role="case" title="x"\ndef inputs(rng): return []'},
-            "must return a tuple of arguments",
-        ),
         ({"case": '# %% role="case" title="x"\ndef inputs(rng): return (sides,)'}, "NameError"),
         ({"case": '# %% role="case" title="x"\ninput = 3'}, "does not define inputs(rng)"),
         (

@@ -405,22 +405,6 @@ def pids():
     return [simulator._process.pid for simulator in simulators._simulators]
 
 
-def test_the_simulators_are_kept_for_the_next_check(data):
-    checked(data, RIGHT)
-    first = pids()
-    checked(data, LATE)
-    assert len(first) == 2 and pids() == first
-
-
-def test_an_interrupt_ends_the_drives_and_leaves_no_process(data):
-    checked(data, RIGHT)
-    processes = [simulator._process for simulator in simulators._simulators]
-    with pytest.raises(KeyboardInterrupt):
-        checked(data, "def control(observation, memory):\n    raise KeyboardInterrupt\n")
-    assert [process.returncode for process in processes] == [-signal.SIGKILL] * 2 and pids() == []
-    assert checked(data, RIGHT).passed
-
-
 def test_a_simulator_that_ends_is_said_and_replaced(data):
     checked(data, RIGHT)
     for pid in pids():

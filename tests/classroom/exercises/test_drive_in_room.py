@@ -39,10 +39,14 @@ def data(tmp_path_factory):
     return check_data_of(declared)
 
 
-def checked(data, source):
+def control_in(source):
     names = {"np": np}
     exec(source, names)
-    return run_check(data, names["control"])
+    return names["control"]
+
+
+def checked(data, source):
+    return run_check(data, control_in(source))
 
 
 def test_a_controller_gets_what_its_sensors_see(data):
@@ -53,14 +57,8 @@ def test_a_controller_gets_what_its_sensors_see(data):
 
 def test_a_drive_is_the_same_again(data):
     scenario = data.cases[0].calls[0].arguments[0]
-    results = simulators.drive_scenarios(data, [scenario, scenario, scenario], lambda: _control(LOOKS))
+    results = simulators.drive_scenarios(data, [scenario, scenario, scenario], lambda: control_in(LOOKS))
     assert results[0][0] == results[1][0] == results[2][0] and results[0][0]["steps"] == 20
-
-
-def _control(source):
-    names = {"np": np}
-    exec(source, names)
-    return names["control"]
 
 
 def test_a_bump_is_shown_with_what_the_camera_saw_before(data):

@@ -202,13 +202,3 @@ def test_the_variable_comes_first_and_then_the_current_folder(lesson, monkeypatc
     assert "uint8" in repr(hint("test-double", 1))
     monkeypatch.setenv("NBCLASSROOM_CHECKS", str(other))
     assert "Another hint." in repr(hint("test-double", 1))
-
-
-def test_no_master_is_read(monkeypatch):
-    def refuse(*_arguments):
-        raise AssertionError("a master was read")
-
-    monkeypatch.setattr("nbclassroom.exercises.declaration.read_script", refuse)
-    monkeypatch.setattr("nbclassroom.exercises.declaration.read_exercises", refuse)
-    assert check("test-double", right).passed
-    assert repr(hint("test-double")) and repr(solution("test-double"))

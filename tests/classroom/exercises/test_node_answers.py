@@ -6,7 +6,6 @@ from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.exercises import progress
 from nbclassroom.exercises.cell_runs import CellRuns
-from nbclassroom.exercises.check_files import read_check_file
 from nbclassroom.exercises.checking import check, run_cases, run_check
 from nbclassroom.exercises.declaration import MasterError, read_exercises
 from nbclassroom.exercises.expected_results import check_data_of
@@ -111,16 +110,6 @@ def test_an_argument_without_a_name_is_numbered():
     assert result.changed == ("image", "argument 2")
 
 
-def test_the_subject_is_in_the_files_that_a_lesson_carries(node_master, tmp_path):
-    heading = NODE_PARTS["exercise"].replace(HINT, HINTS)
-    files = lesson_files(read_master(node_master(exercise=heading)))
-    path = tmp_path / "doubling.json"
-    path.write_text(files["checks/doubling.json"])
-    stored = read_check_file(path).exercise("test-double")
-    assert (stored.subject, stored.names) == ("node", ("part", "steps"))
-    assert run_check(stored, class_in(RIGHT)).passed and not run_check(stored, class_in(WRONG)).passed
-
-
 def test_a_functions_subject_is_not_stored(write_master):
     heading = NODE_PARTS["exercise"].replace('"Doubler", subject="node"', '"double"')
     text = lesson_files(read_master(write_master(exercise=heading.replace(HINT, HINTS))))[
@@ -152,12 +141,6 @@ def test_a_nodes_stub_must_define_its_class(node_master):
     with pytest.raises(MasterError) as error:
         read_master(node_master(answer='# %% role="answer"\nDoubler = None'))
     assert 'has subject="node"; its answer cell must define class Doubler(Node)' in str(error.value)
-
-
-def test_the_check_cell_of_a_key_names_the_subject(node_master, write_master):
-    exercises = [read_exercises(write())[0] for write in (node_master, write_master)]
-    node, function = (exercise.kind.check_source(exercise) for exercise in exercises)
-    assert node.endswith('\n\nemit(Doubler, "node")') and function.endswith("\n\nemit(double)")
 
 
 # ---------------------------------------------------------------- what `check` knows of a class
