@@ -252,15 +252,6 @@ def test_stop_start_and_stop_twice(make_view):
     assert threading.active_count() == thread_count
 
 
-def test_only_the_button_that_can_act_is_enabled(make_view):
-    view = make_view(Drive())
-    until(lambda: view.shown)
-    assert (view._start.disabled, view._stop.disabled) == (True, False)
-    view._stop.click()
-    assert not view.running
-    assert (view._start.disabled, view._stop.disabled) == (False, True)
-
-
 def test_a_snapshot_has_frame_result_and_file(make_view, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     view = make_view(Drive(), lambda frame: np.full((72, 128), 77, np.uint8))

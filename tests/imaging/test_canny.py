@@ -152,18 +152,13 @@ def test_the_stages_are_as_documented(gray_frames, aperture, l2_gradient):
     assert CannyStages._fields == tuple(dtypes)
     assert {name: getattr(stages, name).dtype.type for name in dtypes} == dtypes
     assert all(stage.shape == gray.shape for stage in stages)
-    scale = 16 if aperture == 7 else 1
     if l2_gradient:
         assert np.array_equal(
             stages.magnitude, stages.grad_row.astype(int) ** 2 + stages.grad_col.astype(int) ** 2
         )
-        low_in_unit, high_in_unit = (low / scale) ** 2, (high / scale) ** 2
     else:
         assert np.array_equal(stages.magnitude, abs(stages.grad_row) + abs(stages.grad_col))
-        low_in_unit, high_in_unit = low / scale, high / scale
     assert set(np.unique(stages.thinned[stages.thinned != stages.magnitude])) == {0}
-    assert np.array_equal(stages.strong, stages.thinned > high_in_unit)
-    assert np.array_equal(stages.weak, (stages.thinned > low_in_unit) & (stages.thinned <= high_in_unit))
     assert stages.weak.any() and stages.strong.any() and not (stages.weak & stages.strong).any()
     edges = stages.edges == 255
     assert edges[stages.strong].all() and (stages.weak | stages.strong)[edges].all()

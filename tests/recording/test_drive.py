@@ -123,25 +123,6 @@ def test_the_scene_has_label_names_and_marker(drive):
     assert "rendered" in drive.scene["made_by"]
 
 
-def test_the_marker_is_where_its_pose_says(drive):
-    """Projects the marker's centre through K, D and both poses: it must fall on pixels labelled marker."""
-    camera, marker = drive.pose("camera", 89), drive.pose("marker", 89)
-    x, y, z, w = camera[3:]
-    rotation = np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-    in_camera = rotation.T @ (marker[:3] - camera[:3])
-    k, d = np.reshape(drive.camera_info.k, (3, 3)), np.array(drive.camera_info.d)
-    (pixel,) = cv2.projectPoints(in_camera.reshape(1, 3), np.zeros(3), np.zeros(3), k, d)[0].reshape(-1, 2)
-    col, row = np.rint(pixel).astype(int)
-    assert drive.label_names[int(drive.labels(89)[row, col])] == "marker"
-    assert int(drive.depth(89)[row // 2, col // 2]) == pytest.approx(1000 * in_camera[2], abs=15)
-
-
 @pytest.mark.parametrize(
     ("name", "k", "expected"),
     [

@@ -327,16 +327,6 @@ def test_a_clock_that_jumps_back_costs_no_image(tmp_path, per_chunk):
         assert [int(recording.frame(k, "mono8")[0, 0]) // 40 for k in range(6)] == [3, 4, 5, 0, 1, 2]
 
 
-def test_iteration_yields_the_messages(raw_bag):
-    with open_recording(raw_bag) as recording:
-        entries = [(topic, np.array(msg.data), msg.encoding, msg.header.frame_id) for topic, msg in recording]
-    assert [(topic, encoding, frame) for topic, _, encoding, frame in entries] == [
-        ("/my/cam", "mono8", "lens")
-    ] * 6
-    for k, (_, data, _, _) in enumerate(entries):
-        np.testing.assert_array_equal(data, gray_pixels(k).ravel())
-
-
 def test_lists_in_messages_keep_their_elements(tmp_path):
     point, quaternion = (TYPES.types[f"geometry_msgs/msg/{kind}"] for kind in ("Point", "Quaternion"))
     pose = TYPES.types["geometry_msgs/msg/Pose"]

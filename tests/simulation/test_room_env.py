@@ -243,17 +243,6 @@ def test_who_stands_is_not_judged_by_the_clearance():
     env.close()
 
 
-def test_a_ball_that_rolls_away():
-    env = RoomEnv(())
-    env.reset(seed=0, options={"start": FREE, "balls": [BALL], "time": 20.0})
-    for _ in range(60):
-        env.step((0.0, 0.0))
-    x, y = env._simulation.pose("ball")[:2]
-    share = 0.88 * (1 - math.exp(-6.0 / 3.5))
-    assert (x, y) == pytest.approx((1.0 + 0.8 * share, 0.2 * share), abs=0.01)
-    env.close()
-
-
 def test_the_map_shows_path_and_bumps():
     drawn = draw_map([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)], [(3, 0.5, 0.5)], balls=[(0.5, -0.5, 1.0, 0.0)])
     x0, y0 = recorded_room().free_space.origin
