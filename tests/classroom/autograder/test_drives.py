@@ -78,13 +78,6 @@ def test_a_controller_that_misses_a_threshold_gets_nothing_and_a_sentence(drive)
     }
 
 
-def test_a_bump_is_named(drive):
-    (case,) = drive(
-        "def control(o, m):\n    return 0.3, 0.0", cases=(PUBLIC,), scenario={"duration": 8.0}
-    ).cases
-    assert case.points == 0 and case.message.startswith("The robot bumped into the wall at 6.0 s")
-
-
 def test_a_controller_sees_exactly_what_the_sensors_see(drive):
     seen = "str([str(observation[n].dtype) + str(observation[n].shape) for n in ('scan', 'odometry')])"
     seen += "+ str(observation['scan'][0]) + str(observation['odometry']) + repr(observation['time'])"

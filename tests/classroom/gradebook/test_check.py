@@ -55,11 +55,6 @@ def test_an_answered_lesson_is_ready(lesson):
     ]
 
 
-def test_the_stub_is_not_attempted(lesson):
-    lesson_check, state, _ = inspect(lesson(solved=False))
-    assert state == "not attempted" and not lesson_check.ready
-
-
 def test_a_deeper_exercise_can_be_left_open(lesson):
     path = lesson(solved=False)
     notebook = json.loads(path.read_text())

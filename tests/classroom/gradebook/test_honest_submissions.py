@@ -108,25 +108,10 @@ def both_answers_merged(made):
 
 
 @case()
-def split_between_an_import_and_the_function(made):
-    place = position_of(made, DOUBLE)
-    made["cells"][place]["source"] = f"import math\n\n{RIGHT[DOUBLE]}"
-    split(made, place, len("import math\n"))
-
-
-@case()
 def split_between_a_helper_and_the_function(made):
     place = position_of(made, DOUBLE)
     made["cells"][place]["source"] = f"{WIDE}\n\n{USES_WIDE}"
     split(made, place, len(WIDE) + 1)
-
-
-@case()
-def split_and_merged_again(made):
-    place = position_of(made, DOUBLE)
-    made["cells"][place]["source"] = f"{WIDE}\n\n{USES_WIDE}"
-    split(made, place, len(WIDE) + 1)
-    merge(made, place, place + 1, active=place + 1)
 
 
 @case(finding="its text is graded")
@@ -139,21 +124,9 @@ def made_raw(made):
     change_type(made, position_of(made, DOUBLE), "raw")
 
 
-@case()
-def made_markdown_and_code_again(made):
-    place = position_of(made, DOUBLE)
-    change_type(made, place, "markdown")
-    change_type(made, place, "code")
-
-
 @case(finding="2 cells define double()")
 def copied_and_the_copy_kept(made):
     copy_and_paste(made, position_of(made, DOUBLE))
-
-
-@case(finding="graded from cell number", double=STUB)
-def written_below_the_stub(made):
-    insert(made, position_of(made, DOUBLE) + 1, new_cell(RIGHT[DOUBLE]))
 
 
 @case(finding="graded from cell number", double=STUB)
@@ -266,18 +239,6 @@ def saved_as_utf_16_big_endian(made):
     return codecs.BOM_UTF16_BE + with_a_word_in_another_script(made).encode("utf-16-be")
 
 
-@case(finding="unknown version", name="my light (1).ipynb")
-def no_metadata_but_the_name(made):
-    without_ids_and_metadata(made)
-    made["metadata"] = {}
-
-
-@case(finding="recognized as light by its functions", name="final.ipynb")
-def no_metadata_and_another_name(made):
-    without_ids_and_metadata(made)
-    made["metadata"] = {}
-
-
 # ---------------------------------------------------------------- definitions in other cells
 
 
@@ -376,11 +337,8 @@ for number, line in enumerate(TYPES):
 
 
 def without_marks(made):
-    for cell in made["cells"]:
-        cell["metadata"] = {}
-        cell.pop("id")
+    without_ids_and_metadata(made)
     made["metadata"].pop("imgproc_course")
-    made["nbformat_minor"] = 4
 
 
 FORMS = (

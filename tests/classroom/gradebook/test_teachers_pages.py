@@ -309,6 +309,7 @@ def test_answers_of_another_lesson_in_one_notebook_are_listed(light, submissions
     grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
     (row,) = rows_of(tmp_path / "out", "May have lost points unfairly")
     assert "6 of 6" in row and "it also has answer cells of sound; a notebook counts for one lesson" in row
+    assert ": submit the others as notebooks of their own" in row
 
 
 def test_who_sent_only_other_files_is_named_with_them(light, submissions, key_path, tmp_path):
