@@ -1,8 +1,6 @@
 """The command imgproc-course: its commands, the options that they pass on, and errors of one line."""
 
 import importlib.metadata
-import os
-import signal
 import subprocess
 import sys
 
@@ -224,27 +222,6 @@ def test_bad_input_to_drive_and_record_is_one_line(call, arguments, line):
     result = call(*arguments)
     assert result.exit_code in (1, 2)
     assert result.output.splitlines()[-1].startswith(line)
-
-
-@pytest.mark.ros
-def test_play_prints_its_rate_and_ends_with_ctrl_c():
-    topic = f"/test_play_{os.getpid()}/image_raw"
-    environment = {**os.environ, "PYTHONUNBUFFERED": "1"}
-    command = [*COMMAND, "play", "--speed", "3", "--topic", topic]
-    player = subprocess.Popen(
-        command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    try:
-        first_line = player.stdout.readline()
-        assert first_line.startswith("started: playing drive at 30 Hz on ")
-        assert f"with {topic}/compressed, " in first_line
-        player.send_signal(signal.SIGINT)
-        out, errors = player.communicate(timeout=60)
-    finally:
-        player.kill()
-    assert player.returncode == 0
-    assert out.startswith("stopped after ")
-    assert errors == ""
 
 
 # ---------------------------------------------------------------------------------------- build, check

@@ -388,14 +388,7 @@ def test_a_webcam_is_published_like_the_robots_camera(start_camera, collect, wai
     assert len(CLOSED) == 1
 
 
-def test_a_missing_webcam_is_an_error_with_the_remedy(monkeypatch):
-    monkeypatch.setattr(FakeCapture, "isOpened", lambda self: False)
-    monkeypatch.setattr(cv2, "VideoCapture", FakeCapture)
-    with pytest.raises(RuntimeError, match=r"no webcam answers .*open_camera\(\) for the recorded drive"):
-        Webcam()
-
-
 def test_without_a_webcam_only_the_error_appears(capfd):
-    with pytest.raises(RuntimeError, match=r"camera 97\)"):
+    with pytest.raises(RuntimeError, match=r"camera 97\).*open_camera\(\) for the recorded drive"):
         Webcam(97)
     assert capfd.readouterr().err == ""  # OpenCV would print lines of its own
