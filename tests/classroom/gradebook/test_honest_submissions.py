@@ -179,13 +179,6 @@ def nbstripout_with_its_defaults(made):
             cell["outputs"], cell["execution_count"] = [], None
 
 
-@case()
-def saved_in_nbformat_4_4(made):
-    made["nbformat_minor"] = 4
-    for cell in made["cells"]:
-        del cell["id"]
-
-
 @case(finding="graded from cell number")
 def without_ids_and_metadata(made):
     made["nbformat_minor"] = 4
