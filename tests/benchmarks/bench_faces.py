@@ -90,7 +90,7 @@ def print_live(lesson):
             wait_for(lambda: visitors.count(HIDING), node)
             first = len(visitors.sent)
             with record(HIDING, f"{folder}/hidden") as recorder:
-                drive_circles(live.robot, 0.25, 0.25)
+                drive_circles(live.robot)
         with open_recording(f"{folder}/hidden") as stored:
             topics = list(stored.topics)
             shares = still_visible(stored, visitors.sent)

@@ -6,31 +6,15 @@ the node published. The lesson asserts the map before and after its closure.
 Run it with `environment/test --benchmarks mapping`; SECONDS_IN_THE_ROOM=20 is shorter.
 """
 
-import time
-
 import numpy as np
-from geometry_msgs.msg import PoseStamped
-from in_the_room import (
-    ODOMETRY,
-    SECONDS,
-    TRUTH,
-    Topics,
-    drive_circles,
-    nanoseconds,
-    nearest,
-    program,
-    room,
-    verdict,
-    wait_for,
-)
-from nav_msgs.msg import OccupancyGrid, Odometry
+from in_the_room import ODOMETRY, SECONDS, TRUTH, circles_in_the_room, nanoseconds, nearest, verdict
+from nav_msgs.msg import OccupancyGrid
 from nav_msgs.msg import Path as PathMessage
 
 from imgproc_course.geometry import Pose, ate
 
 SEEDS = (1, 2, 3)
 START = (0.45, -1.0, 0.0)
-LINEAR, ANGULAR = 0.25, 0.25  # m/s and rad/s: a circle of 1 m radius, to the left
 MAP, PATH = "/map", "/mapping/path"
 
 
@@ -49,14 +33,11 @@ def path_errors(topics):
 
 def print_live(seed):
     """Prints a minute of circles in the room, with the node in another process; whether it failed."""
-    with room(START, seed, rate=10) as live:
-        topics = Topics({MAP: OccupancyGrid, PATH: PathMessage, ODOMETRY: Odometry, TRUTH: PoseStamped})
-        with program("lesson_nodes.py", "mapping_and_slam") as node:
-            wait_for(lambda: topics.node.count_publishers(PATH), node)
-            drive_circles(live.robot, LINEAR, ANGULAR)
-            time.sleep(2.0)  # for the last keyframe's map
-        bumps = live.bumps()
-    _, keyframes, loops = map(int, node.printed.split())
+    kinds = {MAP: OccupancyGrid, PATH: PathMessage}
+    topics, printed, bumps = circles_in_the_room(
+        "mapping_and_slam", START, kinds, lambda topics: topics.node.count_publishers(PATH), seed=seed
+    )
+    _, keyframes, loops = map(int, printed.split())
     way, before, after = path_errors(topics)
     print(
         f"{SECONDS:.0f} s live, seed {seed}, way {way:.1f} m: {keyframes} keyframes, {loops} loops; "

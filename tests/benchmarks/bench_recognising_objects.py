@@ -8,20 +8,7 @@ Run it with `environment/test --benchmarks recognising_objects`; SECONDS_IN_THE_
 
 import numpy as np
 from geometry_msgs.msg import PoseStamped
-from in_the_room import (
-    ODOMETRY,
-    SECONDS,
-    TRUTH,
-    Topics,
-    drive_circles,
-    nanoseconds,
-    nearest,
-    program,
-    room,
-    verdict,
-    wait_for,
-)
-from nav_msgs.msg import Odometry
+from in_the_room import ODOMETRY, SECONDS, TRUTH, circles_in_the_room, nanoseconds, nearest, verdict
 from sensor_msgs.msg import CameraInfo
 from tqdm import tqdm
 from visualization_msgs.msg import MarkerArray
@@ -29,7 +16,6 @@ from visualization_msgs.msg import MarkerArray
 from imgproc_course.simulation.room_model import load_room
 
 START = (0.45, -1.0, 0.0)
-LINEAR, ANGULAR = 0.25, 0.25  # m/s and rad/s: a circle of 1 m radius, to the left
 LABELS, INFO = "/objects/labels", "/kachaka/front_camera/camera_info"
 MOVERS = {"person": "person", "ball": "ball", "toycar": "toy"}  # pose topic, and name of the class
 NEAR_ENOUGH = 0.4  # metres between a text and the thing of its name
@@ -60,16 +46,13 @@ def right_texts(topics):
 
 def print_live():
     """Prints a minute of circles in the room, with the node in another process; whether it failed."""
-    with room(START, rate=5) as live:
-        poses = [TRUTH, *(f"/truth/pose/{name}" for name in MOVERS)]
-        kinds = {LABELS: MarkerArray, ODOMETRY: Odometry, INFO: CameraInfo}
-        topics = Topics(kinds | dict.fromkeys(poses, PoseStamped))
-        with program("lesson_nodes.py", "recognising_objects") as node:
-            wait_for(lambda: topics.count(LABELS), node)
-            before = topics.count(INFO)
-            drive_circles(live.robot, LINEAR, ANGULAR)
-        bumps, images = live.bumps(), topics.count(INFO) - before
-    looks, received = int(node.printed), topics.count(LABELS)
+    kinds = {LABELS: MarkerArray, INFO: CameraInfo}
+    kinds |= {f"/truth/pose/{name}": PoseStamped for name in MOVERS}
+    topics, printed, bumps = circles_in_the_room(
+        "recognising_objects", START, kinds, lambda topics: topics.count(LABELS), rate=5
+    )
+    looks, received = int(printed), topics.count(LABELS)
+    images = sum(when >= topics.times[LABELS][0] for when in topics.times[INFO])
     right, texts = right_texts(topics)
     print(
         f"{SECONDS:.0f} s live: {looks} looks at {images} images, {received} MarkerArray received; "

@@ -6,25 +6,12 @@ Run it with `environment/test --benchmarks where_am_i`; SECONDS_IN_THE_ROOM=20 i
 """
 
 import numpy as np
-from geometry_msgs.msg import PoseStamped
-from in_the_room import (
-    ODOMETRY,
-    SECONDS,
-    TRUTH,
-    Topics,
-    drive_circles,
-    nearest,
-    program,
-    room,
-    verdict,
-    wait_for,
-)
+from in_the_room import ODOMETRY, SECONDS, TRUTH, circles_in_the_room, nearest, verdict
 from nav_msgs.msg import Odometry
 
 from imgproc_course.geometry import Pose, ate
 
 START = (0.3, -0.7, 0.0)
-LINEAR, ANGULAR = 0.25, 0.3  # m/s and rad/s: a circle of 1.7 m, to the left
 SEEN = "/visual_odometry/odometry"
 
 
@@ -42,13 +29,10 @@ def places(topics):
 
 def print_live():
     """Prints a minute of circles in the room; whether it failed."""
-    with room(START, rate=10) as live:
-        topics = Topics({SEEN: Odometry, ODOMETRY: Odometry, TRUTH: PoseStamped})
-        with program("lesson_nodes.py", "where_am_i") as node:
-            wait_for(lambda: topics.count(SEEN), node)  # it begins while the robot stands
-            drive_circles(live.robot, LINEAR, ANGULAR)
-        bumps = live.bumps()
-    looks, received = int(node.printed), topics.count(SEEN)
+    topics, printed, bumps = circles_in_the_room(
+        "where_am_i", START, {SEEN: Odometry}, lambda topics: topics.count(SEEN), angular=0.3
+    )
+    looks, received = int(printed), topics.count(SEEN)
     true, seen, wheels = places(topics)
     way = np.linalg.norm(np.diff(true, axis=0), axis=1).sum()
     print(

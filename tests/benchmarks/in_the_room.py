@@ -21,6 +21,8 @@ from tqdm import tqdm
 os.environ.setdefault("ROS_DOMAIN_ID", "97")
 os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
 sys.path.append(str(Path(__file__).parents[1] / "ros"))
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Odometry
 from rclpy.qos import qos_profile_sensor_data
 
 from imgproc_course.geometry import Pose
@@ -103,10 +105,33 @@ def wait_for(condition, running):
         time.sleep(0.1)
 
 
-def drive_circles(robot, linear, angular):
-    """Drives for SECONDS, at m/s and rad/s."""
+def drive_circles(robot, angular=0.25):
+    """Drives for SECONDS at 0.25 m/s, and at rad/s: a circle to the left."""
     for _ in tqdm(range(round(SECONDS)), "seconds in the room"):
-        robot.drive(linear, angular, seconds=1.0)
+        robot.drive(0.25, angular, seconds=1.0)
+
+
+def circles_in_the_room(name, start, kinds, begins, angular=0.25, seed=1, rate=10):
+    """Drives circles with a lesson's node in another process.
+
+    Parameters
+    ----------
+    name : of the lesson
+    kinds : dict of topic -> class of its messages, besides odometry and truth
+    begins : function of the Topics, true from when the node runs; the robot stands until then
+    angular : speed in rad/s
+
+    Returns
+    -------
+    Topics, what the node printed, number of bumps
+    """
+    with room(start, seed, rate=rate) as live:
+        topics = Topics(kinds | {ODOMETRY: Odometry, TRUTH: PoseStamped})
+        with program("lesson_nodes.py", name) as node:
+            wait_for(lambda: begins(topics), node)
+            drive_circles(live.robot, angular)
+            time.sleep(2.0)  # for the last result
+        return topics, node.printed, live.bumps()
 
 
 def print_rows(rows, *columns):
