@@ -7,6 +7,7 @@ import shutil
 import signal
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import pytest
@@ -57,6 +58,38 @@ MISSING = {
     "browser": (lambda: not shutil.which("chromium"), "chromium is missing: sudo apt-get install chromium"),
     "sandbox": (lambda: not shutil.which("bwrap"), "bubblewrap is missing: sudo apt-get install bubblewrap"),
 }
+
+
+@pytest.fixture(scope="session")
+def drive():
+    """The recording of the drive."""
+    from imgproc_course.recording import open_recording
+
+    with open_recording("drive") as recording:
+        yield recording
+
+
+@pytest.fixture
+def session():
+    from imgproc_course.ros import RosSession
+
+    with RosSession.current() as running:
+        yield running
+
+
+@pytest.fixture
+def wait_until():
+    """Waits for the value of a condition that others fulfil; fails after a timeout, with `state()`."""
+
+    def wait(condition, seconds=60.0, state=lambda: ""):
+        end = time.monotonic() + seconds
+        while not (result := condition()):
+            if time.monotonic() > end:
+                pytest.fail(f"the condition did not become true in time {state()}")
+            time.sleep(0.01)
+        return result
+
+    return wait
 
 
 def pytest_runtest_setup(item):

@@ -1,4 +1,4 @@
-"""A recording of the drive, and bags that the tests write themselves."""
+"""Bags that the tests write themselves."""
 
 import struct
 import zlib
@@ -6,20 +6,11 @@ from collections import Counter
 
 import lz4.frame
 import numpy as np
-import pytest
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 
-from imgproc_course.recording import open_recording
-
 TYPES = get_typestore(Stores.ROS2_JAZZY)
 START = 1_700_000_000_000_000_000
-
-
-@pytest.fixture(scope="session")
-def drive():
-    with open_recording("drive") as recording:
-        yield recording
 
 
 def header(stamp_ns, frame_id="lens"):

@@ -1,4 +1,4 @@
-"""Fixtures for the tests of imgproc_course.ros: a session that ends with its test, and child processes."""
+"""Fixtures for the tests of imgproc_course.ros: the processes of robots and of other programs."""
 
 import contextlib
 import importlib.util
@@ -18,14 +18,6 @@ import os, sys
 sys.stdout = os.fdopen(os.dup(1), "w", buffering=1, closefd=False)
 os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
 """
-
-
-@pytest.fixture
-def session():
-    from imgproc_course.ros import RosSession
-
-    with RosSession.current() as running:
-        yield running
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -105,20 +97,6 @@ def shared_camera(drive_of_another_program):
     """The drive at 30 Hz during all tests of a module: their programs join this camera, which is quick."""
     with drive_of_another_program(3.0):
         yield
-
-
-@pytest.fixture
-def wait_until():
-    """Waits for a condition that other threads or processes fulfil; fails after a timeout, with `state()`."""
-
-    def wait(condition, seconds=60.0, state=lambda: ""):
-        end = time.monotonic() + seconds
-        while not condition():
-            if time.monotonic() > end:
-                pytest.fail(f"the condition did not become true in time {state()}")
-            time.sleep(0.01)
-
-    return wait
 
 
 @pytest.fixture

@@ -158,29 +158,6 @@ def start_executable(start, workspace):
     return start_installed
 
 
-@pytest.fixture
-def session():
-    from imgproc_course.ros import RosSession
-
-    with RosSession.current() as running:
-        yield running
-
-
-@pytest.fixture
-def wait_until():
-    """Waits for a condition that other threads or processes fulfil; fails after a timeout."""
-
-    def wait(condition, seconds=60.0):
-        end = time.monotonic() + seconds
-        while not (result := condition()):
-            if time.monotonic() > end:
-                pytest.fail("the condition did not become true in time")
-            time.sleep(0.01)
-        return result
-
-    return wait
-
-
 class Collector:
     """Subscribes to a topic and keeps every message, in the order of arrival."""
 

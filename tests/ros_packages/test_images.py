@@ -13,14 +13,6 @@ GRAY, EDGE = "image_gray_processor", "image_edge_detection"
 
 
 @pytest.fixture
-def drive():
-    from imgproc_course.recording import open_recording
-
-    with open_recording("drive") as recording:
-        yield recording
-
-
-@pytest.fixture
 def play(session, drive):
     """Plays the drive with the stamps of its recording, so that each image can be identified."""
     from imgproc_course.ros import open_camera

@@ -2,14 +2,7 @@
 
 import pytest
 
-from imgproc_course.recording import open_recording
 from imgproc_course.simulation import Simulation
-
-
-@pytest.fixture(scope="session")
-def drive():
-    with open_recording("drive") as recording:
-        yield recording
 
 
 @pytest.fixture(scope="session")
