@@ -111,7 +111,7 @@ class GradedSubmission:
 
 def to_json(result):
     """A GradedSubmission, or a part of one, as data for json.dumps."""
-    return json.loads(json.dumps(msgspec.to_builtins(result)))  # which keeps tuples, and json does not
+    return json.loads(json.dumps(msgspec.to_builtins(result)))  # to_builtins keeps tuples
 
 
 def from_json(data):

@@ -189,7 +189,7 @@ def _judge_calls(exercise, function, calls):
 
 
 def _explanation(exercise, function, calls):
-    """The known mistake; None if an answer has all that it advises, an overflow not named by it, or no nan."""
+    """The known mistake, if the answer lacks what it advises, and warns of nothing else."""
     mistake = exercise.kind.known_mistake(exercise, calls)
     says = mistake.says if mistake else ""
     warned = "".join(call.result.warning for call in calls)
