@@ -69,6 +69,16 @@ def configured(monkeypatch, tmp_path):
     return initialize
 
 
+def test_it_serves_this_computer_alone_and_asks_nobody_for_news(configured, tmp_path):
+    server, lab_app = configured()
+    assert (server.ip, server.port, server.root_dir) == ("127.0.0.1", 8888, str(tmp_path))
+    assert lab_app.default_url == "/lab/tree/index.ipynb"
+    assert lab_app.news_url is None
+    assert lab_app.check_for_updates_class.__name__ == "NeverCheckForUpdate"
+    assert server.kernel_websocket_connection_class.__name__ == "PromptWebsocketConnection"
+    assert server.log_level == logging.WARNING
+
+
 @pytest.mark.parametrize(
     ("options", "name", "value"),
     [
