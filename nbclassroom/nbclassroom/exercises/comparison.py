@@ -92,6 +92,9 @@ def _first_difference(expected, actual):
     texts = [form.get("value", "") for form in (expected, actual)]
     if min(map(len, texts)) < _GLANCE:
         return ""
+    before, found, after = texts[1].partition(texts[0])
+    if before and found:
+        return f"; before the expected text stands {before!r}, and after it {after!r}"
     pairs = enumerate(zip(*texts, strict=False))
     start = next((place for place, (a, b) in pairs if a != b), min(map(len, texts)))
     before = "…" * (start > _CONTEXT) + texts[0][max(0, start - _CONTEXT) : start]

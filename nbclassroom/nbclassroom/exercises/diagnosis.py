@@ -216,6 +216,9 @@ def _shape_rules(expected, actual, given, name):
     has_shape = len(shape) > 1 and actual_shape == (*shape[1::-1], *shape[2:]) != shape
     text = "Rows and columns are exchanged in the shape of your result: the number of rows comes first."
     yield has_shape, text
+    if values is not None and actual_values is not None and len(np.unique(values)) > 2:
+        text = f"{_RIGHT} and in the right order; only the shape is not: reshape them."
+        yield _same(values.ravel(), actual_values.ravel()), text
     first = given[0] if given and name else ()
     if len(first) > len(shape) and actual_shape == first[1:]:
         text = "Axis 0, the rows, is gone from your result: "

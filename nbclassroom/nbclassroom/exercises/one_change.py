@@ -11,7 +11,7 @@ import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import groupby, pairwise
+from itertools import groupby, pairwise, product
 
 from .limited_fork import limit_memory, text_within
 from .running import code_of, globals_of, source_of
@@ -244,6 +244,13 @@ def _constant(node, _tree):
         yield "can this type hold every value?", _setting(node, attr="int64")
 
 
+def _size(node, tree):
+    is_size = isinstance(node, ast.Constant) and isinstance(node.value, int) and node.value > 2
+    for argument, size in product(tree.args.args, ("size", "shape[0]", "shape[1]")) if is_size else ():
+        part = ast.parse(f"{argument.arg}.{size}", mode="eval").body
+        yield "is it the same for every input?", _replacing(node, part)
+
+
 def _argument(node, tree):
     for argument in tree.args.args if node is tree else ():
         line = ast.parse(f"{argument.arg} = {argument.arg}.astype(int)").body[0]
@@ -259,4 +266,4 @@ def _name(node, tree):
 
 
 # The first change that helps counts.
-_RULES = (_argument, _compare, _order, _operator, _call, _constant, _name)
+_RULES = (_argument, _compare, _order, _operator, _call, _constant, _name, _size)

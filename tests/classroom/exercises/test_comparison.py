@@ -110,6 +110,8 @@ def test_long_texts_are_given_whole_with_their_first_difference():
     assert message.endswith(
         "they differ from character 95 on, after '…image_edge_detection': expected the end, got '.py'"
     )
+    message = compare(canonical(expected), canonical(f"'{expected}' ")).message
+    assert message.endswith("""; before the expected text stands "'", and after it "' \"""")
     message = compare(canonical(expected), canonical(expected.replace("/lib", ""))).message
     assert "differ from character 50 on, after '…mage_edge_detection/': expected 'lib/" in message
     assert "character" not in compare(canonical("rgb8"), canonical("bgr8")).message

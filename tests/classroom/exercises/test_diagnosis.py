@@ -86,6 +86,7 @@ SHAPES = [
         GRAY.T + 1,
         "Rows and columns are exchanged in the shape of your result: the number of rows comes",
     ),
+    (COLOUR, COLOUR.reshape(4, 15), "The values are right and in the right order; only the shape is not"),
     (COLOUR, COLOUR[..., 0], "The axis of the channels is missing: each pixel has 3 values."),
 ]
 # What says nothing of the cause, beside the case's hint

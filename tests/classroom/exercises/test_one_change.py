@@ -52,6 +52,11 @@ CASES = {
     "two of three": ("def f(a, b):\n    return int(np.where(a, b, 0))", [((True, 5), 0)], "order of arg"),
     "a window": ("def f(a):\n    return [*range(a)]", [((1,), [0, 1, 2]), ((0,), [0])], "range(a)"),
     "a dtype": ("def f(a):\n    return int(np.uint16(a))", [((70000,), 70000)], "can this type hold every"),
+    "a size": (
+        "def f(a):\n    return a.sum() / 25",
+        [((np.ones(6),), 1.0)],
+        "is it the same for every input?",
+    ),
     "one number twice": ("def f(a):\n    return a[1:4][:4]", [(("abcdefg",), "bcde")], "line 2", "4 in"),
     "the end of two loops": (
         "def f(a, b):\n    k = 0\n    for i in range(1, len(a)):\n        for j in range(1, len(b)):\n"
