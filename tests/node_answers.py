@@ -269,7 +269,7 @@ WRONG = (
     ("the callback in __init__", ORIGINAL[:INSIDE_INIT] + textwrap.indent(ORIGINAL[INSIDE_INIT:], "    "), "", "a method stands in the class"),
     ("try around publish", changed((TRY, '        frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")\n'), (PUBLISH, "        try:\n    " + PUBLISH + "        except CvBridgeError as error:\n            self.get_logger().error(str(error))\n")), "12", "Put try: around the conversion"),
     ("red and blue exchanged", changed(("COLOR_BGR2GRAY", "COLOR_RGB2GRAY")), "1", "Red and blue are exchanged"),
-    ("no encoding asked for", changed(('(msg, "bgr8")', "(msg)")), "123", ""),
+    ("no encoding asked for", changed(('(msg, "bgr8")', "(msg)")), "13", "Ask for bgr8"),
     ("no header", changed(("        gray_msg.header = msg.header\n", "")), "1", "not its header"),
     ("no encoding", changed(('(gray, "mono8")', "(gray)")), "1", "says 8UC1"),
     ("half the size", changed((PUBLISH, PUBLISH), ("cv2.COLOR_BGR2GRAY)", "cv2.COLOR_BGR2GRAY)[::2, ::2].copy()")), "1", "The height of the published"),

@@ -453,7 +453,7 @@ def inputs(rng):
 
 # %% role="case" title="step 2: answer" points=1 hint="Does image_callback publish a mono8 image with the header of msg?"
 def inputs(rng):
-    return ("images", [sent(blocks(rng), 1), sent(blocks(rng), 2)])
+    return ("images", [sent(blocks(rng), 1), sent(blocks(rng), 2, "rgb8")])
 
 
 # %% role="case" title="step 3: survive" points=1 hint="Put try around imgmsg_to_cv2. In except, log the error and return."

@@ -345,7 +345,7 @@ def inputs(rng):
             {"set": {"low": 10, "high": 30}},
             sent(blocks(rng), 1),
             sent(blocks(rng), 2, encoding="bgr16", bad=True),
-            sent(blocks(rng), 3),
+            sent(blocks(rng), 3, encoding="rgb8"),
         ],
     )
 

@@ -206,7 +206,7 @@ def nearest_obstacle(forward, left, height, width):
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, (np.abs(left) <= width / 2) & (height > 0) & (height < 0.40))
 
-# %% role="mistake" name="no height" says="The height is not used: floor and high things count too. Add height > 0.03 and height < 0.40."
+# %% role="mistake" name="no height" says="Floor and high things count too: both height > 0.03 and height < 0.40 must hold, joined by &."
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, np.abs(left) <= width / 2)
 
@@ -282,13 +282,13 @@ BrakeNode = with_scans(turn(math.pi))
 
 # %% role="mistake" name="drives backward" says="Your robot drives backward: by REP 103, x points forward, so linear.x is 0.2."
 class BrakeNode(solution):
-    def on_scan(self, msg):
-        self.commands, commands = self, self.commands
-        super().on_scan(msg)
-        self.commands = commands
+    def __init__(self):
+        super().__init__()
+        self.forward, self.commands = self.commands, self
 
     def publish(self, command):
         command.linear.x = -command.linear.x
+        self.forward.publish(command)
 
 # %% role="mistake" name="nan is near" says="nan stops your robot: a minimum with nan is nan, and each comparison with it is False. Leave out first what is not between range_min and range_max."
 BrakeNode = with_scans(nan_is_near)

@@ -890,7 +890,9 @@ def scan(rng, *things, rays=60, lowest=0.05, **more):
         ranges[round((degrees + 90) * rays / 360) % rays] = value
     fields = {"angle_min": -math.pi, "angle_increment": 2 * math.pi / rays, "range_min": lowest,
               "range_max": 8.0, "ranges": ranges.tolist()}
-    return {"topic": "/kachaka/lidar/scan", "message": "LaserScan", "fields": fields} | more
+    places = ", ".join(f"{degrees}: {value}" for degrees, value in things)
+    about = "this scan has walls" + f" and (degrees to the left of straight ahead: metres) {places}" * bool(things)
+    return {"topic": "/kachaka/lidar/scan", "message": "LaserScan", "fields": fields, "about": about} | more
 
 
 def shuffled(rng, steps):

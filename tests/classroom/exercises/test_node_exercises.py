@@ -9,10 +9,12 @@ from pathlib import Path
 
 import pytest
 from answer_names import names_of_answer
+from nbclassroom.exercises.canonical import canonical
 from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.declaration import read_exercises
 from nbclassroom.exercises.expected_results import check_data_of
 from nbclassroom.exercises.kinds.node.feed import feed
+from nbclassroom.exercises.kinds.node.feedback import sentence_on_node
 from nbclassroom.exercises.kinds.node.recording_node import NodeError, NotGradedError
 from nbclassroom.exercises.kinds.node.ros_double import offer_modules
 from node_answers import ANSWERS, STARTED, changed
@@ -172,3 +174,13 @@ def test_ros_stays_missing_where_the_double_takes_its_place():
         [sys.executable, "-c", program], capture_output=True, text=True, check=True, timeout=120
     )
     assert run.stdout.split("\n")[0] == "False ROS 2 is missing imgproc_course.messages.cv_bridge"
+
+
+def test_a_wrong_speed_is_told_with_what_the_step_shows():
+    right, wrong = (
+        canonical({"steps": [{"published": [{"fields": {"linear": {"x": x}}}]}]}) for x in (0.2, 0.0)
+    )
+    text = sentence_on_node(right, wrong, ("commands", [{"about": "this scan has walls"}]))
+    assert text.startswith("When this scan has walls, the robot must drive with 0.2 m/s, and the newest ")
+    text = sentence_on_node(wrong, right, ("commands", [{"seconds": 0.6}]))
+    assert text.startswith("When no message came for 0.6 s, the robot must stand, and the newest ")

@@ -7,6 +7,7 @@ The steps are dicts, in order:
                                  half of its data are missing; with "bad": True the node must survive it
     {"message": "LaserScan", "topic": "/scan", "fields": {"ranges": [1.0]}}       another message
     {"seconds": 1.2}             nothing comes; a step that sends takes 0.1 s, or its "seconds"
+                                 A step may have "about", what it shows: "this scan has walls"
     {"set": {"low": 20}}         parameters, as `ros2 param set` sets them
     {"get": ["low", "high"]}     parameters, as `ros2 param get` reads them
 

@@ -97,6 +97,13 @@ def _on_pixels(wanted, given, steps):
     return "An image of edges has only the values 0 and 255. Yours has more: publish what cv2.Canny returns."
 
 
+def _on_speed(wanted, given, steps):
+    silence = f"no message came for {steps[-1].get('seconds')} s"
+    when = steps[-1].get("about", silence)
+    must = f"drive with {wanted} m/s" if wanted else "stand"
+    return f"When {when}, the robot must {must}, and the newest command of your node says {given} m/s."
+
+
 def _is_of_edges(image):
     return set(np.unique(image)) == {0, 255}
 
@@ -118,4 +125,4 @@ _TEXT = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
 _PHRASES = read_phrases(_TEXT.replace("STEP", _STEP).replace("IMAGE", _IMAGE))
 _ADVICE = _PHRASES["<advice>"]
 # What makes a sentence of the two values and of the steps up to this one
-_RULES = {f"{_IMAGE}/pixels": _on_pixels}
+_RULES = {f"{_IMAGE}/pixels": _on_pixels, f"{_IMAGE}/fields/linear/x": _on_speed}
