@@ -8,8 +8,10 @@ import hashlib
 import json
 import multiprocessing
 import shutil
+import signal
 from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from multiprocessing.util import Finalize
 from pathlib import Path
@@ -119,12 +121,17 @@ def _run(jobs, *begin_arguments):
                     done, running = wait(running, timeout=1, return_when=FIRST_COMPLETED)
                     bar.update(sum(seconds[future] for future in done if future.result() is None))
                     bar.refresh()  # the time
-        finally:
-            executor.shutdown(cancel_futures=True)
+        except BaseException as error:
+            for process in multiprocessing.active_children():
+                process.terminate()
+            if isinstance(error, BrokenProcessPool):
+                raise MasterError("a process was killed (no memory?); run the command again") from error
+            raise
 
 
 def _begin(missing, seed, unsafe):
-    """In a process that runs exercises."""
+    """In a process that runs exercises; Ctrl-C ends it without a word."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     stack = contextlib.ExitStack()
     Finalize(None, stack.close, exitpriority=1)
     kernel_factory = stack.enter_context(KernelFactory(unsafe=unsafe))

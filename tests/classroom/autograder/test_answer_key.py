@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import os
 import shutil
 from pathlib import Path
 
@@ -106,6 +107,12 @@ def test_a_second_run_goes_on_where_the_first_one_stopped(tmp_path, monkeypatch)
     assert [text.split(" exercises")[0] for text in said] == ["3 of 3", "3 of 3", "1 of 3"]
     assert "about 1 min on two quiet cores" in said[0]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["key", "whole"]
+
+
+def test_a_killed_process_is_one_line_with_the_remedy(tmp_path, monkeypatch):
+    monkeypatch.setattr(make_answer_key._Solutions, "exercise", lambda _: os.kill(os.getpid(), 9))
+    with pytest.raises(MasterError, match="a process was killed"):
+        make_key(MASTERS, SEED, tmp_path / "key")
 
 
 def test_a_failure_leaves_the_old_key(copy, tmp_path):

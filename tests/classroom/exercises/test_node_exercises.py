@@ -182,5 +182,7 @@ def test_a_wrong_speed_is_told_with_what_the_step_shows():
     )
     text = sentence_on_node(right, wrong, ("commands", [{"about": "this scan has walls"}]))
     assert text.startswith("When this scan has walls, the robot must drive with 0.2 m/s, and the newest ")
+    text = sentence_on_node(right, wrong, ("commands", [{"topic": "/camera"}]))
+    assert text.startswith("When this message comes, the robot must drive")
     text = sentence_on_node(wrong, right, ("commands", [{"seconds": 0.6}]))
     assert text.startswith("When no message came for 0.6 s, the robot must stand, and the newest ")

@@ -98,8 +98,9 @@ def _on_pixels(wanted, given, steps):
 
 
 def _on_speed(wanted, given, steps):
-    silence = f"no message came for {steps[-1].get('seconds')} s"
-    when = steps[-1].get("about", silence)
+    step = steps[-1]
+    when = "this message comes" if "topic" in step else f"no message came for {step.get('seconds')} s"
+    when = step.get("about", when)
     must = f"drive with {wanted} m/s" if wanted else "stand"
     return f"When {when}, the robot must {must}, and the newest command of your node says {given} m/s."
 
