@@ -196,7 +196,7 @@ assert largest == 0  # red in rgb8, but the place of blue in bgr8
 assert (bgr == frame[..., ::-1]).all()
 
 # %% [markdown]
-# ## 4 · Planned failure: a padded row ([[minutes]])
+# ## 4 · Planned failure: a padded row ([[minutes+3]])
 #
 # Many cameras start every row at a multiple of, for example, 16 bytes, and fill the rest with bytes without a meaning: *[[term:padded rows|padding]]*. This image has five columns, but a step of eight: the last three bytes of each row (here 99) are padding.
 

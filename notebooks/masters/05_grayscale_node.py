@@ -320,7 +320,7 @@ assert view.error is None
 # **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 
 # %% [markdown]
-# ## 4 · Your turn: the whole node ([[minutes]])
+# ## 4 · Your turn: the whole node ([[minutes+6]])
 #
 # Most tutorials convert with `CvBridge` of *[[term:cv_bridge]]*. It has two methods: `imgmsg_to_cv2` (message to array) and `cv2_to_imgmsg` (array to message, with the header as its third argument). A message that cannot be converted raises `CvBridgeError`. (If `cv_bridge` is not installed, `offer_modules()` above makes the import work: you get the course's own class, and its `CvBridgeError` is another name of the `ConversionError` of section 3.)
 
@@ -494,7 +494,7 @@ check("node-class", ImageGrayProcessor)
 assert view.error is None
 
 # %% [markdown]
-# ### Change your node, and observe ([[minutes]])
+# ### Change your node, and observe ([[minutes+11]])
 #
 # Make one change after the other. Write down your guess, change your class, run its cell, and run the cell above: the new node replaces the old one. Was your guess right? Does the check see the change?
 #

@@ -829,7 +829,7 @@ assert (repaired > 0).sum() < (clean_edges > 0).sum() / 2
 assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 
 # %% [markdown]
-# ## 12 · Tune the three numbers ([[minutes]], deeper)
+# ## 12 · Tune the three numbers ([[minutes+4]], deeper)
 #
 # Move the sliders. Find values that keep the outlines of the ball, the chair and the marker, but remove the wood pattern of the floor. Below the sliders is a line of code with your values that you can copy.
 

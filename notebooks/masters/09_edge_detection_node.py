@@ -185,7 +185,7 @@ assert not ros_available() or node.get_parameter("level").value == 200
 assert not ros_available() or not node.set_parameters([Parameter("level", value=99.5)])[0].successful
 
 # %% [markdown]
-# ## 3 · Your turn: the edge-detection node ([[minutes]])
+# ## 3 · Your turn: the edge-detection node ([[minutes+1]])
 #
 # The answer cell holds the gray node of [[grayscale_node]]. Make an edge-detection node of it: topic, QoS and error handling stay. Each step is one part of the check.
 #
@@ -366,7 +366,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · Change the thresholds and observe ([[minutes]])
+# ## 4 · Change the thresholds and observe ([[minutes+7]])
 #
 # The next cell shows what your node publishes, beside the frame. The two ends of its slider set the parameters `low` and `high` of your node, with `set_parameters`. Below it, the check says what differs from the task. (Before you have begun, it sets those of `three_images`.)
 

@@ -205,7 +205,7 @@ if entry_result.passed:
     (workspace / setup_py).write_text(text, encoding="utf-8")
 
 # %% [markdown]
-# ## 3 · Build ([[minutes]])
+# ## 3 · Build ([[minutes+4]])
 #
 # The build tool of ROS 2 is [[term:colcon]]. It finds the packages in `src`, and builds and installs them. Open a terminal: **File → New → Terminal**. Drag its tab to the right edge, so that you see it beside this notebook. Type these lines, and press Enter after each:
 #
@@ -417,7 +417,7 @@ assert not ros_available() or edge_view.error is None
 # A node that the notebook started runs until the kernel stops.
 
 # %% [markdown]
-# ## 7 · Your turn: a package of your own ([[minutes]], deeper)
+# ## 7 · Your turn: a package of your own ([[minutes+5]], deeper)
 #
 # Write a third package, `image_negative`. Its node publishes the *negative* of each gray image, `255 - gray`: black becomes white. You write the three files that matter as texts; `package_files` returns them under their paths in the package. Each step is one line of the check.
 #

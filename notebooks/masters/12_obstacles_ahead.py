@@ -1021,7 +1021,7 @@ assert round(0.4 - 0.084 - (0.2 * 0.2 + 0.2**2 / 1.2), 2) == 0.24 and round(0.2 
 # The robot's front is 0.084 m ahead of the scanner, and its stopping distance is 0.073 m, so 0.24 m are left. **On the real robot** this node runs unchanged. The scanner misses what is lower or higher than its plane.
 
 # %% [markdown]
-# ## 9 · Drive through rooms that you have not seen ([[minutes]], deeper)
+# ## 9 · Drive through rooms that you have not seen ([[minutes+20]], deeper)
 #
 # Braking is not enough: a robot must also find a way past an obstacle. Your function drives the robot through furnished rooms that you do not know, for 40 s in each. Slippers or building blocks are in its way. A goal is behind them, 2.2 m straight ahead of the start. The robot drives to the goal, and then on through the room. In some rooms there is a way on the left only, in others on the right only, and in some the robot must first drive far to the side. A detour of a fixed shape touches something.
 #

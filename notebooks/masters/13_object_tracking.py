@@ -1119,7 +1119,7 @@ assert not ros_available() or node.looks > 0
 # **What you would start there**: the package `image_pipeline`. Its `image_proc` takes the distortion out of images, and `depth_image_proc` makes clouds of points of depth images, as you did with ray · depth. Both need a `camera_info` that belongs to the image. The front camera of this course has one, in full size; its depth image, which is half as large, has none.
 
 # %% [markdown]
-# ## 7 · Follow the ball that rolls away ([[minutes]], deeper)
+# ## 7 · Follow the ball that rolls away ([[minutes+20]], deeper)
 #
 # In section 6 the tracker was given, and the robot knew depth and odometry. In this exercise your function drives the robot with the image alone. **Several red balls lie in the room. The right one is the one that moves:** it rolls away in front of the robot, to the left or to the right, and slows down. Another ball lies nearer, and more in the middle of the image. The robot follows the ball that rolls, and keeps 0.6 m between the camera and the middle of this ball.
 #

@@ -956,7 +956,7 @@ assert parts_read == [["KIT"], ["K"], [], [], ["HEN"]]
 assert round(100 * np.linalg.norm(repaired.path - repaired.believed, axis=1).max()) == 33
 
 # %% [markdown]
-# ## 8 · Your own runs ([[minutes]])
+# ## 8 · Your own runs ([[minutes+16]])
 #
 # Now your functions. **Run the four `check` cells first**: all must pass. A wrong function gives an error in the middle of the errand, or a robot that does strange things.
 #
@@ -1027,7 +1027,7 @@ with tempfile.TemporaryDirectory() as folder:
 # **On the real robot**, the node would wait for ever: there is no depth image of the floor. You have to change three things. Do without `low_points`, and clear low things away. Give the place of the sign yourself (`errand.sign`), because `look_around` takes it from the depth image. And in place of `flat_markers`, write a dictionary with the poses of your own markers, measured in the same map as `START`. We have not tried this on a Kachaka; be ready to catch it.
 
 # %% [markdown]
-# ## 9 · An errand in a room that you have not seen ([[minutes]], deeper)
+# ## 9 · An errand in a room that you have not seen ([[minutes+20]], deeper)
 #
 # In this exercise your function does a whole errand: **find a sign in a furnished room, go nearer and read it, come back to the start, and tell the word**. You do not know these rooms. The robot has no voice: it tells the word by the direction in which it looks at the end. Each word has an angle, counted from the direction of the sign to the left:
 #
@@ -1314,7 +1314,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 10 · Explore a room ([[minutes]], deeper)
+# ## 10 · Explore a room ([[minutes+20]], deeper)
 #
 # In a room that you know, you can write down a route. In an unknown room, furniture, walls, markers and the sign are at other places each time: the robot must decide with what it sees now, and with what it remembers.
 #
@@ -1531,7 +1531,7 @@ def inputs(rng):
     return (unseen_room(rng),)
 
 # %% [markdown]
-# ## 11 · The league ([[minutes]], deeper)
+# ## 11 · The league ([[minutes+4]], deeper)
 #
 # Ten rooms that you know can be learned by heart, also without intention: you try numbers until they fit. So a fair comparison needs rooms that nobody has seen. `imgproc-course league controllers/` drives all files of a folder through secret rooms for 60 s, and writes a page with a table, maps and films. The robot need not come home there. What counts is
 #
@@ -1558,7 +1558,7 @@ assert given["scan"].shape == (360,) and given["scan"].dtype == np.float32
 assert given["depth"].shape == (90, 160) and given["depth"].dtype == np.uint16
 
 # %% [markdown]
-# ## 12 · A report of ten lines ([[minutes]])
+# ## 12 · A report of ten lines ([[minutes+14]])
 #
 # Who sends out a robot must be able to say afterwards what it did. Choose at least two of your runs, from section 8 (they are in `errand_runs.csv`) or from section 10. Write a report of about ten lines for somebody who was not there:
 #

@@ -76,7 +76,7 @@ def mixed_and_unmarked(cells):
     core_cells = {number for (number, _), is_deeper in zip(parts, deeper, strict=True) if not is_deeper}
     for (number, part), is_deeper in zip(parts, deeper, strict=True):
         line = part.source.split("\n", 1)[0]
-        is_unmarked = "[[minutes]]" in line and "deeper" not in line
+        is_unmarked = "[[minutes" in line and "deeper" not in line
         if is_deeper and (number in core_cells or is_unmarked):
             yield line
 

@@ -135,7 +135,7 @@ def read_master(path):
     title = str(script.front_matter.get("title", "")) + " (optional)" * optional
     match = LESSON_FILE.fullmatch(path.stem)
     with_asks, questions = with_questions(script.cells, path, references)
-    timed = timed_script(replace(script, cells=with_asks), match["number"] if match else "")
+    timed = timed_script(replace(script, cells=with_asks))
     cells = list(_lesson_cells(path, timed, exercises, references))
     if match and cells and cells[0].kind == "markdown" and cells[0].source.startswith("# "):
         heading, line_end, text = cells[0].source[2:].partition("\n")

@@ -6,7 +6,7 @@ import pytest
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.authoring.minutes import minutes_of
 
-WORDS = "word " * 110  # one minute
+WORDS = "word " * 70  # one minute
 LESSON = f"""
 # %% [markdown]
 # **Time** [[minutes]].
@@ -40,7 +40,7 @@ second = 2
 third = 3
 
 # %% [markdown]
-# ## 3 · Core again ([[minutes]])
+# ## 3 · Core again ([[minutes+5]])
 # {WORDS * 3}
 """
 
@@ -50,10 +50,9 @@ def sources(master):
 
 
 def test_minutes_are_those_of_the_rule():
-    counts = {"words": 1100, "code lines": 20, "predictions": 2, "exercises": 1, "solution lines": 4}
-    assert minutes_of(counts | {"terminal lines": 3}, "10") == pytest.approx(10 + 6.2 + 0.6 + 4.3 + 6.4 + 3.3)
-    assert minutes_of(counts, "11") == pytest.approx(0.57 * 27.5)
-    assert minutes_of({"written answers": 2, "live cells": 2}, "10") == 27
+    counts = {"words": 700, "code lines": 20, "predictions": 2, "exercises": 1, "solution lines": 4}
+    assert minutes_of(counts | {"terminal lines": 3}) == pytest.approx(10 + 2 + 3 + 3 + 4 + 4.5)
+    assert minutes_of({"written answers": 2, "further minutes": 2}) == 18
 
 
 def test_build_fills_in_the_minutes_of_sections_and_of_the_lesson(write_master):
@@ -63,9 +62,9 @@ def test_build_fills_in_the_minutes_of_sections_and_of_the_lesson(write_master):
     assert "### Deep (8 minutes, deeper)\n" in text
     assert "## 2 · Deep (1 minute, deeper)\n" in text
     assert "### Deep as its section (9 minutes, practice)\n" in text
-    assert "## 3 · Core again (3 minutes)" in text
-    assert (master.core_minutes, master.minutes) == (15, 35)
-    assert "**Time** about 15 minutes for the core, 35 with the deeper sections." in text
+    assert "## 3 · Core again (8 minutes)" in text
+    assert (master.core_minutes, master.minutes) == (20, 40)
+    assert "**Time** about 20 minutes for the core, 40 with the deeper sections." in text
 
 
 def test_a_deeper_section_ends_at_the_next_heading_of_its_level(write_master):
@@ -82,7 +81,7 @@ def test_lines_for_the_terminal_count_by_line(write_master):
     block = "\n".join(["```sh", *["cd folder"] * 9, "```"]).replace("\n", "\n# ")
     lesson = LESSON.replace(f"# {WORDS * 3}", f"# {block}")
     text = sources(read_master(write_master(add=lesson, name="09_template")))
-    assert "## 3 · Core again (10 minutes)" in text
+    assert "## 3 · Core again (19 minutes)" in text
 
 
 def test_an_exercise_in_a_deeper_section_is_deeper(write_master):
@@ -98,7 +97,7 @@ def test_what_the_stub_gives_is_not_written_by_the_learner(write_master):
     lines = "\n".join(f"    # {n}\n    x{n} = {n}" for n in range(40))
     longer = read_master(write_master((solution, f"{lines}\n{solution}"))).minutes
     given = read_master(write_master((solution, f"{lines}\n{solution}"), (stub, f"{lines}\n{stub}"))).minutes
-    assert (longer, given) == (40, 5)  # 40 lines of 1.6 minutes, of which a practised learner needs 0.57
+    assert (longer, given) == (45, 5)  # 40 lines of one minute
 
 
 def test_a_call_that_is_wrapped_in_a_solution_counts_as_one_line(write_master):
@@ -116,11 +115,11 @@ def test_of_code_to_read_a_wrapped_call_is_one_line_and_imports_are_none(write_m
         "one line": "first = 1\n",
     }
 
-    def minutes_of_ten_cells(kind):
-        section = "\n# %% [markdown]\n# ## 1 · Code ([[minutes]])\n" + f"\n# %%\n{kinds[kind]}" * 10
+    def minutes_of_fifty_cells(kind):
+        section = "\n# %% [markdown]\n# ## 1 · Code ([[minutes]])\n" + f"\n# %%\n{kinds[kind]}" * 50
         text = sources(read_master(write_master(add=section, name="09_template")))
         return int(re.search(r"## 1 · Code \((\d+) minute", text)[1])
 
-    minutes = {kind: minutes_of_ten_cells(kind) for kind in kinds}
-    # A line takes 0.31 minutes; of a wrapped call, the line with its parenthesis at the end counts.
-    assert minutes == {"ten lines": 31, "imports": 1, "wrapped": 6, "one line": 3}
+    minutes = {kind: minutes_of_fifty_cells(kind) for kind in kinds}
+    # A line takes 0.1 minutes; of a wrapped call, the line with its parenthesis at the end counts.
+    assert minutes == {"ten lines": 50, "imports": 1, "wrapped": 10, "one line": 5}

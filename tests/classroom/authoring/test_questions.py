@@ -68,11 +68,10 @@ def test_a_lesson_without_a_section_ends_with_its_questions(write_master):
 def test_the_questions_count_in_the_minutes(write_master):
     path = write_master(add=SECTION)
     path.with_name("questions.toml").write_text(TWO.replace("Which one?", "Which one of these? " * 200))
-    # 800 words and a few more at 120 a minute, and a quarter of a minute for each answer
-    assert (
-        "## Two questions from earlier lessons (8 minutes)\n" in cells_of(path)["question-template-1"].source
-    )
-    assert read_master(path).core_minutes == 10
+    # 800 words and a few more at 70 a minute, two answers of 1.5 minutes, and the exercise below them
+    heading = "## Two questions from earlier lessons (19 minutes)\n"
+    assert heading in cells_of(path)["question-template-1"].source
+    assert read_master(path).core_minutes == 20
 
 
 def test_the_answers_are_in_the_texts_of_the_lesson(write_master):
