@@ -508,7 +508,7 @@ assert psnr(gray, bilateral_filter(grainy, 80, 2)) > max(gaussian_scores)
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `gray`: (height, width) uint8 | a new (height, width) uint8 array | `cleaned = median3(tiny)` |
+# | `gray`: (height, width) uint8 | a new (height, width) uint8 array (the type counts) | `cleaned = median3(tiny)` |
 #
 # `np` is known in your cell. Import everything else that you use in this cell.
 
@@ -517,6 +517,7 @@ exercise(
     "noise-median",
     title="The 3 × 3 median",
     function="median3",
+    exact_type=True,
     time_limit=10,
     hint="For each pixel, sort the nine values of its 3 × 3 neighbourhood and take the fifth of them.",
     border_hint="Only values at the border of the image are wrong. Repeat the outermost rows and columns before you take the neighbours: np.pad(gray, 1, mode='edge').",

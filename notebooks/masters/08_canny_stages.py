@@ -181,7 +181,7 @@ assert (np.outer([1, 2, 1], [-1, 0, 1]) == kernel).all()
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `gray`: (height, width) uint8 | `grad_row, grad_col`, in this order: two (height, width) int32 arrays | `grad_row, grad_col = my_sobel(step)` |
+# | `gray`: (height, width) uint8 | `grad_row, grad_col`, in this order: two (height, width) arrays of a signed type | `grad_row, grad_col = my_sobel(step)` |
 #
 # - `grad_col` uses the kernel above: right minus left. `grad_row` uses the transposed kernel: the row below minus the row above.
 # - At the border use *replicate*: `np.pad(..., 1, mode="edge")` repeats the outermost rows and columns. Then pixel (row, col) of the image is the middle of the window `padded[row : row + 3, col : col + 3]`.
@@ -432,7 +432,7 @@ assert (wall_thinned > 0).sum(axis=1).tolist() == [1, 1, 1, 1, 1]
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `magnitude`: (height, width) int32; `sector`: (height, width) uint8, 0 to 3 | a new (height, width) int32 array: the magnitude where a pixel is kept, 0 elsewhere | `thinned = suppress(stages.magnitude, stages.direction)` |
+# | `magnitude`: (height, width) int32; `sector`: (height, width) uint8, 0 to 3 | a new (height, width) array: the magnitude where a pixel is kept, 0 elsewhere | `thinned = suppress(stages.magnitude, stages.direction)` |
 #
 # Use only NumPy; `np` is imported for you.
 
@@ -679,7 +679,7 @@ assert (growth(gray, 400) == stages.edges).all()
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `weak`, `strong`: two (height, width) bool arrays; no pixel is True in both | (height, width) uint8: 255 on edges, 0 elsewhere | `edges = grow(stages.weak, stages.strong)` |
+# | `weak`, `strong`: two (height, width) bool arrays; no pixel is True in both | (height, width) uint8: 255 on edges, 0 elsewhere (the type counts) | `edges = grow(stages.weak, stages.strong)` |
 #
 # - Another image can need more steps than this one. So repeat the step until nothing changes.
 # - If you use `grow_once`, copy its definition into the answer cell.
@@ -690,6 +690,7 @@ exercise(
     "canny-hysteresis",
     title="Hysteresis",
     function="grow",
+    exact_type=True,
     time_limit=10,
     hint="Start with the strong pixels. Grow by one step, again and again, until the number of edge pixels stops changing.",
     border_hint="Only pixels on the border are wrong. Pad with False, so that a pixel on the border has eight neighbours too, and visit every pixel.",

@@ -819,7 +819,7 @@ def inputs(rng):
     return [(edges, outlines, 0), some_edges(rng, 0)]
 
 
-# %% role="case" title="a line one pixel away" points=1 hint="An edge within the tolerance counts, for the precision and for the recall."
+# %% role="case" title="a line one pixel away" points=1 hint="With a tolerance: precision counts the edge pixels near an outline, recall counts the outline pixels near an edge."
 def inputs(rng):
     outlines = np.zeros((10, 12), dtype=bool)
     outlines[:, 4] = True
