@@ -25,7 +25,15 @@ from nbclassroom.exercises.progress import TEST_VARIABLE
 
 from imgproc_course import geometry
 from imgproc_course.display import show_figure
-from imgproc_course.geometry import CameraModel, LocalMap, Pose, compose_poses, free_way, relative_pose
+from imgproc_course.geometry import (
+    CameraModel,
+    LocalMap,
+    Pose,
+    compose_poses,
+    free_way,
+    relative_pose,
+    safe_speed,
+)
 from imgproc_course.ros import Robot, RosSession, ros_available
 from imgproc_course.simulation import Simulation
 
@@ -40,7 +48,7 @@ FRONT = 0.237  # m from the axle to the front of the robot
 MARGIN = 0.10  # m to keep in front of it
 
 
-# ---------------------------------------------------------------- the four functions
+# ---------------------------------------------------------------- the three functions
 
 
 def is_near(text, name):
@@ -60,15 +68,14 @@ def count_votes(readings, names, votes):
 
 
 class Parts(NamedTuple):
-    """The four functions of the exercises."""
+    """The three functions of the exercises."""
 
     map_to_odom: Callable
-    safe_speed: Callable
     choose_direction: Callable
     believe: Callable
 
 
-course_parts = Parts(geometry.map_to_odom, geometry.safe_speed, geometry.choose_direction, count_votes)
+course_parts = Parts(geometry.map_to_odom, geometry.choose_direction, count_votes)
 
 
 # ---------------------------------------------------------------- where the robot is
@@ -320,9 +327,7 @@ class Errand:
         if abs(direction) > math.radians(35):  # on the spot, if the corners of the body have room
             nearest = np.hypot(*points.T).min()
             return (-0.1 if nearest < 0.28 and has_room_behind else 0.0), turn if nearest > 0.27 else 0.0
-        speed = self.parts.safe_speed(free_way(points, 0.0, WIDTH) - FRONT - MARGIN, REACTION, 0.6, LIMIT)
-        if speed is None or not 0 <= speed <= LIMIT:
-            raise ValueError(f"safe_speed returned {speed}, not a number from 0 to {LIMIT} m/s")
+        speed = safe_speed(free_way(points, 0.0, WIDTH) - FRONT - MARGIN, REACTION, 0.6, LIMIT)
         return min(speed * math.cos(direction), max(0.06, far)), turn
 
     def free_direction(self, points, wanted, need):

@@ -112,98 +112,6 @@ def map_to_odom(place, counted):
     return tuple(round(value, 3) for value in solution(place, counted))
 
 # %% [markdown]
-# # errand-speed
-
-# %%
-def root_of(h, q):
-    return -h + math.sqrt(max(h * h + q, 0.0))
-
-def within(speed, free, limit):
-    return min(speed, limit) if free > 0 else 0.0
-
-# %% role="mistake" name="without braking" says="Your speed is too high: free / reaction leaves no way for braking. Solve the equation with both parts."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(free / reaction if reaction else math.inf, free, limit)
-
-# %% role="mistake" name="a negative speed" says="If free is negative, your speed is negative too: the robot would drive backward. Return 0.0."
-def safe_speed(free, reaction, deceleration, limit):
-    return min(root_of(deceleration * reaction, 2 * deceleration * free), limit)
-
-# %% role="mistake" name="plus h" says="You add h. The speed is -h + math.sqrt(h ** 2 + q)."
-def safe_speed(free, reaction, deceleration, limit):
-    h = deceleration * reaction
-    return within(2 * h + root_of(h, 2 * deceleration * free), free, limit)
-
-# %% role="mistake" name="not divided by 2" says="Your speed is twice as high as it should be: the formula for a * v ** 2 + b * v + c = 0 divides by 2 * a."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(2 * root_of(deceleration * reaction, 2 * deceleration * free), free, limit)
-
-# %% role="mistake" name="h not squared" says="Under the root, h is squared: h ** 2 + q."
-def safe_speed(free, reaction, deceleration, limit):
-    h = deceleration * reaction
-    return within(-h + math.sqrt(max(h + 2 * deceleration * free, 0.0)), free, limit)
-
-# %% role="mistake" name="h doubled, not squared" says="In Python, * 2 doubles a number, and ** 2 squares it: h ** 2 + q."
-def safe_speed(free, reaction, deceleration, limit):
-    h = deceleration * reaction
-    return within(-h + math.sqrt(max(2 * h + 2 * deceleration * free, 0.0)), free, limit)
-
-# %% role="mistake" name="without the root" says="The root is missing: -h + math.sqrt(h ** 2 + q)."
-def safe_speed(free, reaction, deceleration, limit):
-    h = deceleration * reaction
-    return within(-h + h**2 + 2 * deceleration * free, free, limit)
-
-# %% role="mistake" name="parentheses missing" says="You solved v ** 2 / 2 * deceleration. The way of braking is v ** 2 / (2 * deceleration): the robot that brakes harder needs less way."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(root_of(reaction / deceleration, 2 * free / deceleration), free, limit)
-
-# %% role="mistake" name="all or nothing" says="You return the limit or 0.0. Between them there is the speed at which the robot just stops in time."
-def safe_speed(free, reaction, deceleration, limit):
-    return limit if free >= way_of(limit, reaction, deceleration) else 0.0
-
-# %% role="mistake" name="in proportion" says="You take the same share of the limit as of its stopping distance. But half of the way is enough for more than half of the speed: solve the quadratic equation."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(limit * free / way_of(limit, reaction, deceleration), free, limit)
-
-# %% role="mistake" name="the stopping distance" says="You put free into the formula of the stopping distance, as if it were a speed. Here the distance is known, and the speed is asked."
-def safe_speed(free, reaction, deceleration, limit):
-    return within(way_of(free, reaction, deceleration), free, limit)
-
-# %% role="mistake" name="a fixed deceleration" says="You typed 0.6, the deceleration of our robot. Use the argument deceleration, so that the function works for other robots too."
-def safe_speed(free, reaction, deceleration, limit):
-    return solution(free, reaction, 0.6, limit)
-
-# %% role="mistake" name="a fixed reaction" says="You typed 0.16 s. Use the argument reaction, so that the function works for other robots too."
-def safe_speed(free, reaction, deceleration, limit):
-    return solution(free, 0.16, deceleration, limit)
-
-# %% role="mistake" name="a fixed limit" says="You typed 0.3 m/s, the limit of our robot. Use the argument limit."
-def safe_speed(free, reaction, deceleration, limit):
-    return solution(free, reaction, deceleration, 0.3)
-
-# %% role="mistake" name="only up to 1 m/s" says="You search among the speeds up to 1 m/s in steps of 0.001 m/s, so the result is rounded. Solve the equation instead."
-def safe_speed(free, reaction, deceleration, limit):
-    return min(limit, max((k / 1000 for k in range(1001) if way_of(k / 1000, reaction, deceleration) <= free), default=0.0))
-
-# %% role="mistake" name="steps of 0.01 m/s" says="You try speeds in steps of 0.01 m/s, so the result is rounded down. Solve the equation instead."
-def safe_speed(free, reaction, deceleration, limit):
-    speed = 0.0
-    while speed + 0.01 <= limit and way_of(speed + 0.01, reaction, deceleration) <= free:
-        speed += 0.01
-    return speed
-
-# %% role="mistake" name="rounded to millimetres" says="The result is rounded to three digits. Return the exact number, and leave round out: only the print in the lesson rounds."
-def safe_speed(free, reaction, deceleration, limit):
-    return round(solution(free, reaction, deceleration, limit), 3)
-
-# %% role="mistake" name="in steps of 0.01" says="You try speeds in steps of 0.01 m/s, so yours is up to 0.01 m/s too low. Solve the equation: -h + math.sqrt(h ** 2 + q)."
-def safe_speed(free, reaction, deceleration, limit):
-    if free <= 0:
-        return 0.0
-    speeds = [k / 100 for k in range(1000) if k / 100 <= limit]
-    return max(v for v in speeds if reaction * v + v**2 / (2 * deceleration) <= free)
-
-# %% [markdown]
 # # errand-direction
 
 # %%
@@ -421,7 +329,7 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.25, 0.3
 
-# %% role="mistake" name="the laser scanner alone" says="Your robot drives into something low. Use the points of the camera, too: obstacles(observation) has both. And remember them: what is low and near is below the image."
+# %% role="mistake" name="the laser scanner alone" says="Your robot drives into something low. Use the points of the camera, too: remembered(observation, memory) has both, and remembers them: what is low and near is below the image."
 def control(observation, memory):
     return solution(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
 
@@ -431,15 +339,9 @@ def control(observation, memory):
         return 0.0, 0.0
     return 0.3, 0.0
 
-# %% role="mistake" name="it takes the longest way" says="Your robot takes the longest free way, and drives to and fro over the same cells. Keep a set of the visited cells in memory, and choose the way with the most new ones."
+# %% role="mistake" name="it takes the longest way" says="Your robot takes the longest free way, and drives to and fro over the same cells. Choose the way with the most new ones, by count_new."
 def control(observation, memory):
-    x, y, yaw = observation["odometry"]
-    c, s = math.cos(yaw), math.sin(yaw)
-    to_room = np.array([[c, s], [-s, c]])
-    looks = memory.setdefault("looks", [])
-    looks.append(obstacles(observation) @ to_room + (x, y))
-    del looks[:-40]
-    points = (np.concatenate(looks) - (x, y)) @ to_room.T
+    yaw, points = observation["odometry"][2], remembered(observation, memory)
     error = math.remainder(memory.setdefault("heading", yaw) - yaw, 2 * math.pi)
     if abs(error) > 0.1:
         return 0.0, min(max(2.5 * error, -1.0), 1.0)
