@@ -22,6 +22,7 @@ except OSError:
 import matplotlib.pyplot as plt
 plt.plot([1])
 open("own.txt", "w").close()
+open("/content/drive.txt", "w")
 """
 READING = """
 import os, pathlib
@@ -123,7 +124,7 @@ def test_two_answers_that_each_have_a_slip_of_their_own_are_told_apart(graded):
 def test_what_the_sandbox_refused_is_listed_with_what_was_tried(graded):
     lesson, double, halves = rows_of(graded, "Hostile answers", "gus")
     assert "<li>it tried to open the network (192.0.2.1)</li>" in lesson
-    assert "<li>it tried to start a program (true gus)</li>" in lesson and "own.txt" not in lesson
+    assert "<li>it tried to start a program (true gus)</li>" in lesson and ".txt" not in lesson
     assert lesson.count("<li>") == 2 and "gus,light,,?," in lesson
     assert "<li>light-double: it tried to start a program (rm -rf /)</li>" in double
     tried = "read files (/)", "read files (/tmp/../etc)", "write files (../up)", "remove files (/usr/up)"
