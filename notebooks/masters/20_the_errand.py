@@ -749,7 +749,17 @@ assert belief.refused == 1 and round(100 * belief.pose[0], 1) == 3.6
 # %% [markdown]
 # ## 6 · A first run, and a planned failure ([[minutes]])
 #
-# `run_errand` lets the errand run in simulated time, five looks in a second, and gives points: 40 for the right name, 30 for being back (within half a metre), 10 for a distance of more than 0.5 m to the person all the time, 10 without a bump (5 with one), and, if it is back, 10 for the time: all of them up to 60 seconds, then one less for each 6 seconds. Only the points are computed with the truth: on a real robot you would need a tape measure for that. The three functions of your exercises are used in section 8; until then, `course_parts` do their work, so this notebook also runs before you have solved them.
+# `run_errand` lets the errand run in simulated time, five looks in a second, and gives points:
+#
+# | points | for |
+# |---|---|
+# | 40 | the right name |
+# | 30 | being back, within half a metre of the start |
+# | 10 | more than 0.5 m from the person, all the time |
+# | 10 | no bump (5 with one) |
+# | 10 | the time, if it is back: all up to 60 seconds, then one less for each 6 seconds |
+#
+# Only the points are computed with the truth: on a real robot you would need a tape measure for that. The three functions of your exercises are used in section 8; until then, `course_parts` do their work, so this notebook also runs before you have solved them.
 #
 # Each part has worked in its own lesson. The first run uses them as they were in their lessons: each marker is believed at once and completely, as in [[where_am_i#4]], and obstacles come from the laser scan alone, as [[obstacles_ahead#8]] advises for the real robot. We tried each of these two simplifications alone before, with the same seed: **100 points** each time. Now both together. The run ends after 45 seconds.
 #
@@ -1494,15 +1504,15 @@ print({number: furnished(number).word for number in range(101, 106)})
 # %% [markdown]
 # **A real robot.** A Kachaka has these topics, and your nodes of the lessons use them. Start with a node that only subscribes; a node that drives comes last. If you have another robot, its topics have other names: give them as parameters.
 #
-# | topic | type | QoS | frame | check before you drive |
-# |---|---|---|---|---|
-# | `/kachaka/front_camera/image_raw` | `sensor_msgs/msg/Image` | best effort | `camera_front` | `encoding`, width and height: is your code written for this size? |
-# | `/kachaka/front_camera/camera_info` | `sensor_msgs/msg/CameraInfo` | best effort | `camera_front` | `k` and `d` belong to this camera, not to that of the course |
-# | `/kachaka/lidar/scan` | `sensor_msgs/msg/LaserScan` | best effort | `laser_frame` | `angle_min`: where does the first ray point? |
-# | `/kachaka/odometry/odometry` | `nav_msgs/msg/Odometry` | best effort | `odom` | push the robot 1 m by hand: does x grow by 1? |
-# | `/kachaka/manual_control/cmd_vel` | `geometry_msgs/msg/Twist` | best effort | | wheels off the floor; start with 0.05 m/s; stop when no image comes for 0.5 s |
+# | topic of `/kachaka` | type | check before you drive |
+# |---|---|---|
+# | `front_camera/image_raw` | `Image` | `encoding`, width and height: is your code written for this size? |
+# | `front_camera/camera_info` | `CameraInfo` | `k` and `d` belong to this camera, not to that of the course |
+# | `lidar/scan` | `LaserScan` | its frame is `laser_frame`; `angle_min`: where does the first ray point? |
+# | `odometry/odometry` | `Odometry` | push the robot 1 m by hand: does x grow by 1? |
+# | `manual_control/cmd_vel` | `Twist` | wheels off the floor; start with 0.05 m/s; stop when no image comes for 0.5 s |
 #
-# The simulated robot has the same topics. To look at those of a robot in your network, start the lessons with its domain (`ROS_DOMAIN_ID=7 environment/lab`), and run `open_camera("topic")`. [[obstacles_ahead]] says what the real robot has in place of the depth image.
+# All of them are sent with best effort. The simulated robot has the same topics. To look at those of a robot in your network, start the lessons with its domain (`ROS_DOMAIN_ID=7 environment/lab`), and run `open_camera("topic")`. [[obstacles_ahead]] says what the real robot has in place of the depth image.
 
 # %% [markdown]
 # ## Recap
