@@ -144,7 +144,7 @@ def main():
     balls = [(1.0, 0.0, 1.2, -0.4)]
     save_film("follows", drive_room(follow, 8.0, start=(0.0, 0.0, 0.0), balls=balls)[::2], -1)
     save_film("maps", drive_room(wander, 18.0, start=(0.0, 0.0, 0.0), draw_beside=GrowingMap())[::6], -1)
-    sign = stored_image("reading_text", "reading_text-104")
+    sign = stored_image("reading_text", "reading_text-82")
     height, width = sign.shape[:2]
     inside = sign[height * 4 // 100 : height * 80 // 100, width * 8 // 100 : width * 98 // 100]  # no axes
     save_still(STATIC / "films" / "reads.webp", small(inside, SIZE))

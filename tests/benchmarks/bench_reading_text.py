@@ -1,10 +1,10 @@
 """Reading text: rapidocr over the recorded drive's 90 frames, and the lesson's node for a minute in the room.
 
 Printed per line of the sign: frames read without an error, and the share of characters that is right (edit
-distance), from whole frames and from the sign enlarged four times; and what the lesson's tables
-`network_errors` and `enlarged_errors` must hold. What is read by hand, the lesson computes itself.
+distance), from whole frames and from the sign enlarged four times; and what the table `network_errors` of the
+lesson must hold. What is read by hand, the lesson computes itself.
 
-Required: the lesson's tables are what is measured; live, the subscriber receives what the node published.
+Required: the lesson's table is what is measured; live, the subscriber receives what the node published.
 
 Run it with `environment/test --benchmarks reading_text`; SECONDS_IN_THE_ROOM=20 is shorter, and 0 leaves the
 live minute out. STRIDE=6 reads every sixth frame only.
@@ -24,7 +24,7 @@ from imgproc_course.recording import open_recording
 
 STRIDE = int(os.environ.get("STRIDE", "1"))
 LINES = ("KITCHEN", "ROOM 204", "Please keep the floor clear")
-TABLES = {"network_errors", "enlarged_errors"}  # in the lesson
+TABLE = "network_errors"  # in the lesson
 SIGN = 12  # its label
 MARGIN = 12  # pixels around the sign that is cut out
 TEXTS, IMAGES = "/text_reader/text", "/kachaka/front_camera/image_raw"
@@ -42,13 +42,13 @@ def network_errors(lesson):
         for way, image in (("whole frame", frame), ("enlarged", enlarged)):
             texts = lesson["read_text"](image)
             for line in LINES:
-                distances = [lesson["distance_of"](text, line) for text in texts]
+                distances = [lesson["edit_distance"](text, line) for text in texts]
                 errors[f"{way}, {line}"].append(min([len(line), *distances]))
     return errors
 
 
 def print_network(lesson):
-    """Prints the scores and what the lesson's tables must hold; whether they hold something else."""
+    """Prints the scores and what the lesson's table must hold; whether it holds something else."""
     errors = network_errors(lesson)
     rows = [
         (name, f"{distances.count(0)} of {len(distances)}", 1 - np.mean(distances) / len(name.split(", ")[1]))
@@ -56,10 +56,9 @@ def print_network(lesson):
     ]
     print_rows([(*row, f"{share:.3f}") for *row, share in rows], "way, line", "without error", "right")
     digits = {name: "".join(np.base_repr(e, 36).lower() for e in row) for name, row in errors.items()}
-    stored = lesson["network_errors"] | {"enlarged, ROOM 204": lesson["enlarged_errors"]}
-    for name in stored:
+    for name in lesson[TABLE]:
         print(f'    "{name}":\n        "{digits[name][:45]}"\n        "{digits[name][45:]}",')
-    return any(row[::STRIDE] != digits[name] for name, row in stored.items())
+    return any(row[::STRIDE] != digits[name] for name, row in lesson[TABLE].items())
 
 
 def print_live():
@@ -78,6 +77,6 @@ def print_live():
 
 
 if __name__ == "__main__":
-    has_failed = print_network(run_assignments("reading_text", TABLES, names_of_reading_text()))
+    has_failed = print_network(run_assignments("reading_text", {TABLE}, names_of_reading_text()))
     has_failed |= SECONDS > 0 and print_live()
     raise SystemExit(verdict(has_failed))
