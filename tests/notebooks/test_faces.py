@@ -23,20 +23,6 @@ def test_integral_image_is_opencvs(solutions, faces):
         np.testing.assert_array_equal(solutions["integral_image"](gray), cv2.integral(gray))
 
 
-def test_haar_feature_is_a_sum_of_pixels_times_weights(solutions, faces):
-    rng = np.random.default_rng(1)
-    for gray in faces:
-        row, col = (int(rng.integers(0, size - 24 + 1)) for size in gray.shape)
-        weights, boxes = np.zeros(gray.shape), []
-        for weight in (-1, 3, 2):
-            left, top = rng.integers(0, 20, 2).tolist()
-            width, height = int(rng.integers(1, 25 - left)), int(rng.integers(1, 25 - top))
-            boxes.append((left, top, width, height, weight))
-            weights[row + top : row + top + height, col + left : col + left + width] += weight
-        sums = cv2.integral(gray).astype(np.int64)
-        assert solutions["haar_feature"](sums, boxes, row, col) == (weights * gray).sum() != 0
-
-
 def test_the_mosaic_is_opencvs_resize(solutions):
     rng = np.random.default_rng(2)
     for size in (2, 3, 5, 8):

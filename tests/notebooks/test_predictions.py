@@ -31,7 +31,7 @@ ALLOWED = {
     "predict-object_tracking-4": CHANCE,
     "predict-where_am_i-4": CHANCE,
     "predict-mapping_and_slam-5": CHANCE,
-    "predict-faces-7": "how many of 30: the answer is all",
+    "predict-faces-6": "how many of 30: the answer is all",
     "predict-the_errand-3": "one of the directions that the table above shows",
     "predict-reading_text-7": CHANCE,
 }
