@@ -119,7 +119,8 @@ def test_what_ends_a_drive_is_one_sentence_with_line_and_time(drive):
 )
 def test_a_controller_that_costs_too_much_ends_early_as_in_check(line, outcome, public, hidden):
     source = f"import time\ndef control(o, m):\n    {line}\n    return 0.25, 0.0"
-    with KernelFactory(limits=Limits(wall_factor=1, wall_grace=1.0)) as factory, on_the_plane():
+    grace = 1.0 if "600" in line else 30.0  # a busy machine can halt any process for some seconds
+    with KernelFactory(limits=Limits(wall_factor=1, wall_grace=grace)) as factory, on_the_plane():
         _, exercise = run_drives(factory, source, scenario={"duration": 4000.0})
     assert [(case.outcome, case.message) for case in exercise.cases] == [(outcome, public), (outcome, hidden)]
 

@@ -216,9 +216,16 @@ class Cost:
 def _own_seconds():
     """A clock that stands still while this thread waits for a processor; seconds."""
     try:
-        return time.monotonic() - int(Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
+        waited, now = _waited(), time.monotonic()
+        while waited != (waited := _waited()):  # between the two, too
+            now = time.monotonic()
+        return now - waited
     except (OSError, IndexError):
         return time.thread_time()
+
+
+def _waited():
+    return int(Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
 
 
 def _memory():
