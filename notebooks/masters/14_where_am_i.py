@@ -7,19 +7,19 @@
 # %% [markdown]
 # # Where am I?
 #
-# A robot that counts the turns of its wheels believes that it knows where it is, and it is wrong: its odometry drifts. In this lesson the robot *looks*. First it sees a marker, and computes its own place from four corners. Then it does without a marker: it follows hundreds of points of the room from image to image. At the end, you see the way of the robot, beside the way that the wheels count.
+# A robot that counts the turns of its wheels believes that it knows where it is, and it is wrong: its odometry drifts. In this lesson the robot *looks*. First it sees a marker, and computes its own place from four corners. Then it does without a marker: it follows hundreds of points of the room from image to image, and adds up its own steps. At the end, you see how ROS 2 names such places, and puts them together: `map`, `odom`, `base_footprint`.
 #
 # **You will be able to**
 # - compute the homography of a flat thing from four corners,
-# - take a matrix apart (SVD), and say how a marker carries its number,
-# - find the motion between two clouds of points (Kabsch), also if many of the pairs are wrong (RANSAC),
+# - take a matrix apart (SVD),
+# - find the motion between two clouds of points (Kabsch), and say how RANSAC leaves out the wrong pairs,
 # - chain motions to a path, and measure its error against the truth,
 # - name the coordinate frames of a robot, and say which node publishes what (tf2),
-# - deeper: choose keyframes, and write a node that computes the path of the robot.
+# - deeper: say how a marker carries its number, and compare the camera with the wheels, also in a node.
 #
-# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]], [[drive_the_robot]], and of [[object_tracking#4]] the product of matrices. Only section 9 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]], [[drive_the_robot]], and of [[object_tracking#4]] the product of matrices. Only the ends of sections 8 and 9 need ROS 2.
 
-# %% role="given" exercise=["where-homography", "where-motion", "where-inliers", "where-keyframes"]
+# %% role="given" exercise=["where-homography", "where-motion"]
 import math
 
 import numpy as np
@@ -309,8 +309,9 @@ def inputs(rng):
 
 # %% [markdown]
 # OpenCV does the same: `cv2.getPerspectiveTransform` for four corners, `cv2.findHomography` for more. From here on, the lesson uses `homography` of the course's package, so that it does not need your function.
-#
-# ## 3 · Read the marker ([[minutes]])
+
+# %% [markdown]
+# ## 3 · Read the marker ([[minutes]], deeper)
 #
 # Which marker is it? Its pattern has 6 × 6 cells. We give the corners of the marker the coordinates (0, 0), (6, 0), (6, 6) and (0, 6): then the middle of the first cell is at (0.5, 0.5). The homography says which pixel that is.
 
@@ -359,6 +360,7 @@ print(words[7])
 
 # %%
 # Check: the cells by hand are the word of the dictionary, in all 90 frames
+assert cells.shape == (6, 6) and words.shape == (50, 4, 4)
 agreeing = np.array([(np.rot90(words[7], turns) == words).sum(axis=(1, 2)) for turns in range(4)])
 agreeing[0, 7] = 0  # the word itself
 assert agreeing.max() == 12
@@ -370,7 +372,7 @@ assert all((read_cells(grays[k], corners[k]) == np.pad(words[7], 1)).all() for k
 # %% [markdown]
 # ## 4 · Where is the camera? ([[minutes]])
 #
-# The four corners say still more. If the marker has its real size of 0.25 m, its homography contains where the marker is, as seen from the camera: its [[term:pose]]. `homography_pose` of the course's package takes it out; OpenCV's `cv2.solvePnP` computes it from the corners directly. (PnP means *[[term:perspective-n-point]]*: the pose from n points.)
+# The four corners say where the robot is. If the marker has its real size of 0.25 m, its homography contains where the marker is, as seen from the camera: its [[term:pose]]. `homography_pose` of the course's package takes it out; OpenCV's `cv2.solvePnP` computes it from the corners directly. (PnP means *[[term:perspective-n-point]]*: the pose from n points.)
 #
 # The homography knows nothing of the lens's [[term:distortion]], so it gets rays with depth 1 in place of pixels. The marker's x is to its right, its y is up, and its z comes out of its front.
 
@@ -667,7 +669,7 @@ def inputs(rng):
 # %% [markdown]
 # ## 6 · Many pairs are wrong ([[minutes]])
 #
-# The room does not stand still: the person walks, the ball rolls, the car drives. And some points jump: from the edge of a thing to the wall behind it, or from one stripe of the rug to the next one, which looks the same. So many pairs do not tell the motion of the robot. You know the remedy: [[term:RANSAC]]. Draw three pairs, compute their motion, count the [[term:inlier|inliers]], repeat.
+# The room does not stand still: the person walks, the ball rolls, the car drives. And some points jump: from the edge of a thing to the wall behind it, or to the next stripe of the rug, which looks the same. So many pairs are wrong. The remedy is [[term:RANSAC]], as in [[obstacles_ahead#4]], with a motion in place of a plane: draw three pairs, compute their motion, count the [[term:inlier|inliers]], repeat.
 #
 # A pair is an inlier if the moved point is nearer to its partner than 2 % of its depth: far points are less exact.
 
@@ -723,119 +725,6 @@ assert math.dist(motion.position, true_motion.position) < 0.0045
 # %% [markdown]
 # With all pairs, the shift is wrong by 10 cm; with the inliers of the best motion, by less than half a centimetre.
 #
-# ### Your turn: the best of several motions
-#
-# The heart of RANSAC, without the random numbers: several motions are given, and you choose. Write `best_inliers(before, after, rotations, shifts, limit)`. (One motion for all points in one line: `before @ R.T + t`.)
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `before`, `after`: (N, 3) float; `rotations`: (M, 3, 3) float; `shifts`: (M, 3) float; `limit`: float | (N,) bool: the inliers of the motion that has the most of them; if two have equally many, of the first one. An inlier is a pair whose moved point is less than `limit` from its partner | `best_inliers(before, after, rotations, shifts, 0.05)` |
-
-# %% role="exercise"
-exercise(
-    "where-inliers",
-    title="The best of several motions",
-    function="best_inliers",
-    hint="For each motion: np.linalg.norm(before @ R.T + t - after, axis=1) < limit; keep the mask with the largest sum.",
-    hints=(
-        "How far is each moved point from its partner, and which mask do you keep?",
-        "1. Begin with a mask in which all are False.\n"
-        "2. For each rotation and shift: move the points before, subtract the partners, and take the length of each row.\n"
-        "3. Compare the lengths with the limit: this is the mask of this motion.\n"
-        "4. If its sum is larger than that of the best mask until now, keep it.",
-        "best = np.zeros(len(before), bool)\nfor R, t in zip(rotations, shifts):\n"
-        "    distances = np.linalg.norm(before @ R.T + ... - ..., axis=1)\n    near = distances < ...\n"
-        "    if near.sum() > ...:\n        best = near\nreturn best",
-    ),
-    explanation="before @ R.T turns each row, because (R @ p) for a row p is p @ R.T. axis=1 gives one distance for each pair."
-    " With > the first of two equally good motions stays.",
-    another_way="You can also collect all masks in a list, and return masks[np.argmax([mask.sum() for mask in masks])].",
-)
-
-
-def turned_about(axis, angle):
-    """The rotation about an axis, by the formula of Rodrigues."""
-    x, y, z = axis / np.sqrt((axis * axis).sum())
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
-
-
-def decoys(rng, R, t, limit):
-    """Pairs that agree with a motion that was read wrongly, of each kind another number."""
-    wrong = (
-        lambda points: points @ R.T,
-        lambda points: points + t,
-        lambda points: points @ R + t,
-        lambda points: (points - t) @ R,
-        lambda points: points @ R.T - t,
-        lambda points: (points + t) @ R.T,
-        lambda points: points @ R.T + t + (1.3 * limit, 0, 0),
-        lambda points: points @ R.T + t + (0.7 * limit, 0.7 * limit, 0.7 * limit),
-    )
-    for count, move in enumerate(wrong, 2):
-        before = rng.uniform((-2, -1, 1), (2, 1, 4), (count, 3)).round(3)
-        yield before, move(before), R, t
-
-
-def some_motions(rng, sizes, limit, alone=0):
-    """Groups of points, each with its own motion; then the motions. No distance is near the limit."""
-    groups = []
-    for size in sizes:
-        R, t = turned_about(rng.normal(0, 1, 3), rng.uniform(0.4, 1.0)).round(6), rng.uniform(-1, 1, 3).round(3)
-        before = rng.uniform((-2, -1, 1), (2, 1, 4), (size, 3)).round(3)
-        noise = rng.choice([-1, 1], (size, 3)) * rng.uniform(0.3, 0.5, (size, 3)) * limit
-        groups.append((before, before @ R.T + t + noise, R, t))
-    largest = groups[int(np.argmax(sizes))]
-    pairs = [*groups, *decoys(rng, *largest[2:], limit)]
-    befores = [group[0] for group in pairs] + [rng.uniform(-2, 2, (alone, 3)).round(3)]
-    afters = [group[1] for group in pairs] + [rng.uniform(5, 8, (alone, 3)).round(3)]
-    before, after = np.concatenate(befores), np.concatenate(afters).round(6)
-    order = rng.permutation(len(before))
-    return before[order], after[order], np.array([group[2] for group in groups]), np.array([group[3] for group in groups]), limit
-
-
-def spread_out(rng):
-    """Four pairs agree with the second motion, three with the first; but the first is nearer to all in the mean."""
-    before = rng.uniform((-2, -1, 1), (2, 1, 4), (10, 3)).round(3)
-    ways = rng.permutation([0.0] * 4 + [10.0] * 3 + [12.0] * 3)
-    after = before + np.column_stack([ways, np.zeros(10), np.zeros(10)])
-    return before, after, np.array([np.eye(3)] * 2), np.array([[10.0, 0, 0], [0, 0, 0]]), 0.5
-
-
-# %% role="answer"
-def best_inliers(before, after, rotations, shifts, limit):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def best_inliers(before, after, rotations, shifts, limit):
-    best = np.zeros(len(before), bool)
-    for R, t in zip(rotations, shifts, strict=True):
-        distances = np.linalg.norm(before @ R.T + t - after, axis=1)
-        near = distances < limit
-        if near.sum() > best.sum():
-            best = near
-    return best
-
-
-# %% role="check"
-check("where-inliers", best_inliers)
-
-# %% role="case" title="three motions" points=1
-def inputs(rng):
-    return [some_motions(rng, (4, 9, 5), 0.05, 3), some_motions(rng, (3, 5, 11), 0.1, 4), spread_out(rng)]
-
-
-# %% role="case" title="equally many" points=1 hint="If two motions have equally many inliers, the first one counts: use >, not >=."
-def inputs(rng):
-    return [some_motions(rng, (3, 6, 6, 2), 0.05, 2), some_motions(rng, (7, 4, 7), 0.2, 3)]
-
-
-# %% role="hidden" title="any motions" points=1 hint="Is the distance the length of the difference, one for each pair?"
-def inputs(rng):
-    return [some_motions(rng, sizes, limit, 5) for sizes, limit in (((5, 12, 8), 0.04), ((14, 6), 0.3), ((4, 9, 9, 15), 0.1))]
-
-
-# %% [markdown]
 # ## 7 · The whole drive, and more drift ([[minutes]])
 #
 # Now chain the motions: the pose of the camera at frame 1 is its pose at frame 0, and then the motion from 0 to 1; then the motion from 1 to 2, and so on. The points move the other way round than the camera, so we take the inverse.
@@ -893,101 +782,89 @@ assert 2.2 < np.linalg.norm(np.diff(true_places[:81], axis=0), axis=1).sum() < 2
 # %% [markdown]
 # More images, more drift! Each step has a small error of its own, however short it is: the depth of a pixel, and the place of a point, are never exact. 89 steps add up 89 such errors, and 8 steps only 8. But steps cannot be as large as you like: then too few points are found again.
 #
-# So visual odometry uses **[[term:keyframe|keyframes]]**. Each frame is compared with the last keyframe, not with the frame before. Only when the robot has moved or turned far enough, the frame becomes the next keyframe.
+# So visual odometry uses **[[term:keyframe|keyframes]]**. Each frame is compared with the last keyframe, not with the frame before. Only when the robot has moved or turned far enough, the frame becomes the next keyframe. Section 9 does so in the room.
 
 # %% [markdown]
-# ### Your turn: keyframes ([[minutes]], deeper)
+# ## 8 · Frames with names: tf2 ([[minutes]])
 #
-# Write `keyframes(places, distance, angle)`, in plain Python.
+# A pose always says where one thing is *as another one sees it*. ROS calls these things coordinate frames, and names them. The document REP 105 has the names for a robot that drives, and their order, a tree:
 #
-# | Input | Output | Example call |
+# ```mermaid
+# %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
+# flowchart LR
+#     accTitle: The coordinate frames of a robot
+#     accDescr: From map to odom leads what a localization publishes, from odom to base_footprint what the odometry publishes, and from base_footprint to camera_front and to laser_frame how the sensors are mounted.
+#     map -->|localization| odom -->|odometry| base[base_footprint] -->|mounted| camera[camera_front]
+#     base -->|mounted| laser[laser_frame]
+# ```
+#
+# | from → to | says where … is | published on a real robot by |
 # |---|---|---|
-# | `places`: list of (x, y, yaw), one for each frame, in metres and radians; `distance`: metres; `angle`: radians | list of the numbers of the keyframes. Frame 0 is the first; then each frame whose place is at least `distance` away from that of the last keyframe, or whose yaw differs from it by at least `angle` | `keyframes([(0, 0, 0), (0.25, 0, 0), (0.5, 0, 0)], 0.5, 1)` returns `[0, 2]` |
+# | `map` → `odom` | the place at which the wheels began to count | localization: a marker, or a map |
+# | `odom` → `base_footprint` | the robot, as the wheels count | the driver of the robot; or `ekf_node` of the package `robot_localization`, a Kalman filter of wheels, camera and gyroscope |
+# | `base_footprint` → `camera_front`, `laser_frame` | a sensor on the robot | `robot_state_publisher`, from a model of the robot |
 #
-# Remember [[drive_the_robot]]: `math.remainder(a - b, 2 * math.pi)` is the difference of two directions, from −π to π. (3.1 and −3.1 are almost the same direction.)
+# Each arrow is a *[[term:transform]]*: a pose with two names and a stamp. The library **tf2** collects all of them, and multiplies along the tree.
+#
+# The robot drives five curves in the simulated room. Its camera stands 0.21 m before the axle, and 0.20 m above the floor, as in [[object_tracking#6]]:
 
-# %% role="exercise"
-exercise(
-    "where-keyframes",
-    title="Keyframes",
-    function="keyframes",
-    hint="Remember the last keyframe; a frame is the next one if math.dist of the places >= distance, or abs(math.remainder(...)) >= angle.",
-    hints=(
-        "With which frame do you compare each frame, and which two reasons make it a keyframe?",
-        "1. Begin with the list [0], and remember that frame 0 is the last keyframe.\n"
-        "2. For each other frame, compute the distance to the last keyframe's place.\n"
-        "3. Compute the difference of the directions with math.remainder, and take its absolute value.\n"
-        "4. If one of both reaches its limit, append the number of the frame: it is the last keyframe now.",
-        "numbers = [0]\nfor k in range(1, len(places)):\n    x, y, yaw = places[k]\n    key_x, key_y, key_yaw = places[numbers[-1]]\n"
-        "    moved = math.dist(...)\n    turned = abs(math.remainder(..., 2 * math.pi))\n    if moved >= ... or ...:\n"
-        "        numbers.append(k)\nreturn numbers",
-    ),
-    explanation="numbers[-1] is always the last keyframe, so no other variable is needed. The two reasons are joined by or: a robot"
-    " that turns on the spot sees new things too. remainder finds the short way between two directions.",
-    another_way="You can also keep the last place in a variable of its own, and set it anew at each keyframe.",
-)
+# %%
+ahead = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])
+mount = Pose(ahead, np.array([0.21, 0.0, 0.20]))  # the camera, as the robot sees it
 
-
-def drive(rng, count, speed, turn, start=0.0):
-    """A path of so many frames; its directions stay between -π and π."""
-    x, y, yaw = 0.0, 0.0, start
-    places = []
-    for _ in range(count):
-        places.append((round(x, 3), round(y, 3), round(math.remainder(yaw, 2 * math.pi), 3)))
-        length = speed * float(rng.uniform(0.6, 1.4))
-        x, y = x + length * math.cos(yaw), y + length * math.sin(yaw)
-        yaw += turn * float(rng.uniform(0.6, 1.4))
-    return places
-
-
-def forth_and_back(places):
-    return [*places, *places[-2::-1]]
-
-
-# %% role="answer"
-def keyframes(places, distance, angle):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def keyframes(places, distance, angle):
-    numbers = [0]
-    for k in range(1, len(places)):
-        x, y, yaw = places[k]
-        key_x, key_y, key_yaw = places[numbers[-1]]
-        moved = math.dist((x, y), (key_x, key_y))
-        turned = abs(math.remainder(yaw - key_yaw, 2 * math.pi))
-        if moved >= distance or turned >= angle:
-            numbers.append(k)
-    return numbers
-
-
-# %% role="check"
-check("where-keyframes", keyframes)
-
-# %% role="case" title="a robot that drives" points=1
-def inputs(rng):
-    steps = [(0.25 * k, 0.0, 0.0) for k in range(7)]
-    return [(steps, 0.5, 1.0), (drive(rng, 8, 0.12, 0.01, 0.9), 0.25, 1.0), (drive(rng, 8, 0.2, -0.04, 2.0), 0.35, 2.0),
-            (drive(rng, 8, 0.2, 0.2, 0.0), 0.3, 0.35), ([(x, 0.0, 0.0) for x in (0.0, 0.3, 0.1, 0.3, 0.1, 0.6, 0.0)], 0.5, 1.0)]
-
-
-# %% role="case" title="a robot that turns" points=1 hint="Does a turn alone make a keyframe, to either side, and also across π?"
-def inputs(rng):
-    right = drive(rng, 7, 0.001, -0.25, 0.5)
-    return [(drive(rng, 8, 0.001, 0.3, 2.6), 1.0, 0.4), (right, 1.0, 0.3), ([(0.0, 0.0, 0.5 * k) for k in range(6)], 1.0, 1.0),
-            ([(0.0, 0.0, 0.1), (0.0, 0.0, 2.9), (0.0, 0.0, -2.9)], 1.0, 1.0), (drive(rng, 25, 0.001, 0.3, 1.0), 1.0, 0.7)]
-
-
-# %% role="hidden" title="any drive" points=1 hint="Do you compare with the last keyframe, by distance or by angle?"
-def inputs(rng):
-    return [(drive(rng, 50, 0.07, 0.06, 1.0), 0.4, 0.5), (drive(rng, 40, 0.1, -0.09, -2.5), 0.3, 0.6), (drive(rng, 30, 0.02, 0.2, 0.0), 0.3, 0.7),
-            (forth_and_back(drive(rng, 9, 0.06, 0.01, 0.4)), 0.4, 1.0)]
-
+robot = Simulation(seed=2, start=(0.0, 0.0, 0.0))
+for angular in (0.5, -0.5, -0.5, 0.5, 0.5, -0.5, -0.5, 0.5):
+    robot.step(0.25, angular, dt=1.0)
 
 # %% [markdown]
-# ## 8 · In the room ([[minutes]])
+# "Where is the camera in the map?" is then one product of poses:
+
+# %%
+counted = robot.odometry()
+odom_to_base = Pose.planar(counted.x, counted.y, counted.yaw)
+x, y, _, _, _, qz, qw = robot.pose("robot")
+map_to_base = Pose.planar(x, y, 2 * math.atan2(qz, qw))  # as an exact localization knows it
+map_to_odom = map_to_base @ odom_to_base.inverse()
+camera_in_map = map_to_odom @ odom_to_base @ mount
+print("map -> odom:    ", map_to_odom.position.round(1) + 0.0)
+print("camera in map:  ", camera_in_map.position.round(2))
+print("its true place: ", robot.pose("camera")[:3].round(2))
+
+# %% [markdown]
+# Why two frames, `map` and `odom`? When the robot sees a marker, its place in the map is corrected: it **jumps**. A controller that drives 0.5 m straight ahead must not see this jump. So the wheels keep their own frame: the robot's pose in `odom` drifts, but it **never jumps**. The correction goes into `map` → `odom` alone. At the start of the drive both frames were the same; now this arrow holds the drift of the wheels.
 #
-# The robot drives a slalom in the simulated room, and has both: its wheels, and its camera. The class does what you have just built: it follows the points of the last keyframe, and takes a new keyframe after 0.15 m or 10 degrees. It also takes one if fewer than 40 pairs agree, while it still can.
+# And the axes? In all frames of a robot, x points ahead, y to the left, z up (REP 103). A camera's image has other axes: x to the right, y down, z ahead, along the *optical axis*. `mount` turns the one into the other. On many robots this *optical frame* has a name that ends in `_optical_frame`; on this robot it is `camera_front` itself.
+
+# %%
+# Check: the chain gives the camera's true place, and the columns of mount are the camera's axes
+assert np.allclose(camera_in_map.position, robot.pose("camera")[:3], atol=1e-3)
+assert np.linalg.norm(map_to_odom.position) > 0.1
+with Simulation(seed=2, start=(0.0, 0.0, 0.0)) as at_start:
+    assert (at_start.odometry().x, at_start.odometry().y) == (0, 0) == tuple(at_start.pose("robot")[:2])
+assert mount.rotation.T.tolist() == [[0, -1, 0], [0, 0, -1], [1, 0, 0]]
+
+# %% [markdown]
+# As a message, a transform is a `TransformStamped`. This is what a robot publishes once for its camera:
+
+# %%
+if ros_available():
+    from geometry_msgs.msg import TransformStamped
+
+    msg = TransformStamped(child_frame_id="camera_front")
+    msg.header.frame_id = "base_footprint"  # the parent
+    shift, turn = msg.transform.translation, msg.transform.rotation
+    shift.x, shift.y, shift.z, turn.x, turn.y, turn.z, turn.w = mount.vector.tolist()
+    print(msg.header.frame_id, "->", msg.child_frame_id)
+    print("shift", shift.x, shift.y, shift.z)
+    print("quaternion", turn.x, turn.y, turn.z, turn.w)
+
+# %% [markdown]
+# Transforms that change are sent on `/tf`, the mounted ones on `/tf_static`: there a subscriber that comes late still gets the last message (*transient local*). Their type, `tf2_msgs/TFMessage`, is not among the packages from which this course installs ROS 2. So nothing here publishes `/tf`, and you multiply the poses yourself. On a robot, `ros2 run tf2_tools view_frames` draws its tree, and `buffer.lookup_transform("map", "camera_front", stamp)` gives the product.
+
+# %% [markdown]
+# ## 9 · In the room ([[minutes]], deeper)
+#
+# The robot drives the five curves of section 8 once more, and has both: its wheels, and its camera. The class follows the points of the last keyframe, and takes a new keyframe after 0.15 m or 10 degrees. It also takes one if fewer than 40 pairs agree, while it still can.
 
 # %% tags=["long"]
 class VisualOdometry:
@@ -1021,13 +898,7 @@ class VisualOdometry:
         angle = math.acos(min(1.0, (np.trace(motion.rotation) - 1) / 2))
         return bool(way > 0.15 or angle > math.radians(10) or near.sum() < 40)
 
-# %% [markdown]
-# The camera stands 0.21 m before the axle, and 0.20 m above the floor, as in [[object_tracking#6]]. Five curves, 40 images in 8 seconds:
-
 # %% tags=["long"]
-ahead = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])
-mount = Pose(ahead, np.array([0.21, 0.0, 0.20]))  # the camera, as the robot sees it
-
 robot = Simulation(seed=2, start=(0.0, 0.0, 0.0))
 odometry = VisualOdometry(mount)
 truth, wheels, seen = [], [], []
@@ -1041,7 +912,7 @@ for angular, images in ((0.5, 5), (-0.5, 10), (0.5, 10), (-0.5, 10), (0.5, 5)):
         robot.step(0.25, angular, dt=0.2)
 
 # %% [markdown]
-# At the end, the wheels are 22 cm wrong. **Predict** the error of the camera, in centimetres.
+# These were 40 images in 8 seconds. At the end, the wheels are 22 cm wrong. **Predict** the error of the camera, in centimetres.
 
 # %% role="predict"
 guess_camera = None  # your guess: how many centimetres?
@@ -1068,74 +939,12 @@ assert round(error_wheels) == 22 and error_camera < 6 and not robot.bumped and l
 # %% [markdown]
 # And where it sees nothing? A bare wall has no corners, so there are no points to follow. The class then takes the pose from before, and the camera is worse than the wheels.
 #
-# Real robots combine both, with a Kalman filter as in [[object_tracking#4]]. **What you would start there**: the package `robot_localization`. Its `ekf_node` takes wheels, camera and a gyroscope, each as a message with covariances, and publishes one smooth path. The `Odometry` of this course's robot has the right type, but its covariances are 0: you would have to fill them in. The node also asks tf2 (section 9) how the sensors are mounted.
-
-# %% [markdown]
-# ## 9 · Frames with names: tf2 ([[minutes]])
-#
-# A pose always says where one thing is *as another one sees it*. ROS calls these things coordinate frames, and names them. The document REP 105 has the names for a robot that drives, and their order, a tree:
-#
-# ```mermaid
-# %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
-# flowchart LR
-#     accTitle: The coordinate frames of a robot
-#     accDescr: From map to odom leads what a localization publishes, from odom to base_footprint what the odometry publishes, and from base_footprint to camera_front and to laser_frame how the sensors are mounted.
-#     map -->|localization| odom -->|odometry| base[base_footprint] -->|mounted| camera[camera_front]
-#     base -->|mounted| laser[laser_frame]
-# ```
-#
-# | from → to | says where … is | published on a real robot by |
-# |---|---|---|
-# | `map` → `odom` | the place at which the wheels began to count | localization: a marker, or a map |
-# | `odom` → `base_footprint` | the robot, as the wheels count | the driver of the robot |
-# | `base_footprint` → `camera_front`, `laser_frame` | a sensor on the robot | `robot_state_publisher`, from a model of the robot |
-#
-# Each arrow is a *[[term:transform]]*: a pose with two names and a stamp. The library **tf2** collects all of them, and multiplies along the tree. "Where is the camera in the map?" is then one product of poses:
-
-# %%
-counted = robot.odometry()
-odom_to_base = Pose.planar(counted.x, counted.y, counted.yaw)
-x, y, _, _, _, qz, qw = robot.pose("robot")
-map_to_base = Pose.planar(x, y, 2 * math.atan2(qz, qw))  # as an exact localization knows it
-map_to_odom = map_to_base @ odom_to_base.inverse()
-camera_in_map = map_to_odom @ odom_to_base @ mount
-print("map -> odom:    ", map_to_odom.position.round(1) + 0.0)
-print("camera in map:  ", camera_in_map.position.round(2))
-print("its true place: ", robot.pose("camera")[:3].round(2))
-
-# %% [markdown]
-# Why two frames, `map` and `odom`? When the robot sees a marker, its place in the map is corrected: it **jumps**. A controller that drives 0.5 m straight ahead must not see this jump. So the wheels keep their own frame: the robot's pose in `odom` drifts, but it **never jumps**. The correction goes into `map` → `odom` alone. At the start of the slalom both frames were the same; now this arrow holds the drift of the wheels.
-#
-# And the axes? In all frames of a robot, x points ahead, y to the left, z up (REP 103). A camera's image has other axes: x to the right, y down, z ahead, along the *optical axis*. `mount` turns the one into the other. On many robots this *optical frame* has a name that ends in `_optical_frame`; on this robot it is `camera_front` itself.
-
-# %%
-# Check: the chain gives the camera's true place, and the columns of mount are the camera's axes
-assert np.allclose(camera_in_map.position, robot.pose("camera")[:3], atol=1e-3)
-assert math.dist(wheels[0], truth[0]) < 1e-6 < 0.1 < np.linalg.norm(map_to_odom.position)
-assert mount.rotation.T.tolist() == [[0, -1, 0], [0, 0, -1], [1, 0, 0]]
-
-# %% [markdown]
-# As a message, a transform is a `TransformStamped`. This is what a robot publishes once for its camera:
-
-# %%
-if ros_available():
-    from geometry_msgs.msg import TransformStamped
-
-    msg = TransformStamped(child_frame_id="camera_front")
-    msg.header.frame_id = "base_footprint"  # the parent
-    shift, turn = msg.transform.translation, msg.transform.rotation
-    shift.x, shift.y, shift.z, turn.x, turn.y, turn.z, turn.w = mount.vector.tolist()
-    print(msg.header.frame_id, "->", msg.child_frame_id)
-    print("shift", shift.x, shift.y, shift.z)
-    print("quaternion", turn.x, turn.y, turn.z, turn.w)
-
-# %% [markdown]
-# Transforms that change are sent on `/tf`, the mounted ones on `/tf_static`: there a subscriber that comes late still gets the last message (*transient local*). Their type, `tf2_msgs/TFMessage`, is not among the packages from which this course installs ROS 2. So nothing here publishes `/tf`, and you multiply the poses yourself. On a robot, `ros2 run tf2_tools view_frames` draws its tree, and `buffer.lookup_transform("map", "camera_front", stamp)` gives the product.
+# So real robots combine both, in a Kalman filter as in [[object_tracking#4]]. `ekf_node` needs the covariances in each message; in the `Odometry` of this course's robot they are 0, and you would have to fill them in. It asks tf2 how the sensors are mounted.
 
 # %% [markdown]
 # ### Visual odometry as a node ([[minutes]], deeper)
 #
-# Now visual odometry as a node. It sees only what the robot publishes. It begins where the wheels say that it is, and then goes its own way. It publishes its pose as `Odometry`, and the way until now as a `Path`, both in the frame `odom`; RViz and Foxglove draw them. If a red line says that the room reaches fewer than 10 images per second, your machine is busy, and the two paths may differ much.
+# The node sees only what the robot publishes. It begins where the wheels say that it is, and then goes its own way. It publishes its pose as `Odometry`, and the way until now as a `Path`, both in the frame `odom`; RViz and Foxglove draw them. If a red line says that the room reaches fewer than 10 images per second, your machine is busy, and the two paths may differ much.
 
 # %% tags=["long"]
 if ros_available():
@@ -1244,8 +1053,6 @@ assert not ros_available() or node.looks == len(node.path.poses) > 0
 # |---|---|---|---|---|
 # | corners of the marker | (4, 2) | float64 | inside the image | pixel: column, row |
 # | homography | (3, 3) | float64 | `H[2, 2]` is 1 | |
-# | cells | (6, 6) | uint8 | 0 and 1 | |
-# | words | (50, 4, 4) | uint8 | 0 and 1 | |
 # | cloud of points | (N, 3) | float64 | 0.2 to 6 ahead | metre: right, down, ahead |
 # | rotation | (3, 3) | float64 | −1 to 1 | |
 # | shift | (3,) | float64 | | metre |
@@ -1255,6 +1062,6 @@ assert not ros_available() or node.looks == len(node.path.poses) > 0
 
 # %%
 # Check: the numbers in the table
-assert corners[0].shape == (4, 2) and cells.shape == (6, 6) and words.shape == (50, 4, 4)
+assert corners[0].shape == (4, 2)
 assert before.shape == after.shape and before[:, 2].min() > 0.2 and after[:, 2].max() < 6
 assert near.shape == (len(before),) and near.dtype == bool and motion.rotation.shape == (3, 3)

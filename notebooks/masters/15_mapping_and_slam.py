@@ -899,7 +899,7 @@ class Mapper:
 # %% [markdown]
 # The node sees only what the robot publishes: the scan and the odometry. With each new keyframe it publishes the path as `nav_msgs/Path` and the map as `nav_msgs/OccupancyGrid`: each cell is −1 (unknown) or 0 to 100, the [[term:probability]] in percent. RViz and Foxglove draw both.
 #
-# - **The frame.** Path and map are in the frame `map` ([[where_am_i#9]]). Its origin is where the wheels began to count. When a loop is closed, the robot jumps in `map`, and never in `odom`.
+# - **The frame.** Path and map are in the frame `map` ([[where_am_i#8]]). Its origin is where the wheels began to count. When a loop is closed, the robot jumps in `map`, and never in `odom`.
 # - **Latched.** A map comes seldom. A program that starts later must still get the last one. So the publisher keeps it: the durability is *transient local*, and the subscription must request the same. Maps are published like this in all of ROS 2.
 
 # %% tags=["long"]
