@@ -125,7 +125,6 @@ TEACHING = (
     "`Robot` is the course's class",
     "Now the same in ROS.",
     "And where it sees nothing?",
-    "For the exercise: six matches",
 )
 
 

@@ -49,26 +49,3 @@ def test_nearest_mean_is_nearest_centroid(solutions):
         tool = NearestCentroid().fit(vectors, classes).predict(new)
         assert (solutions["nearest_mean"](vectors, classes, new) == tool).all()
         assert len(set(tool.tolist())) > 2
-
-
-def spread(corners):
-    """Whether no three of four points lie nearly on one line: each triangle is large."""
-    triangles = np.array([np.delete(corners, i, axis=0) for i in range(4)])
-    sides = triangles[:, 1:] - triangles[:, :1]
-    return abs(np.linalg.det(sides)).min() > 500
-
-
-def test_find_inliers_finds_what_opencv_finds(solutions):
-    rng = np.random.default_rng(3)
-    for _ in range(20):
-        points = rng.uniform(0, 200, (60, 2))
-        H = np.array([[1, 0.2, 50], [-0.1, 0.9, 80], [0.001, 0.0005, 1]]) + rng.normal(0, 1e-4, (3, 3))
-        pixels = cv2.perspectiveTransform(points[None], H)[0] + rng.normal(0, 0.1, (60, 2))
-        pixels[40:] = rng.uniform(600, 1200, (20, 2))
-        samples = np.array([rng.choice(40, 4, replace=False) for _ in range(20)])
-        samples[::2] = rng.integers(0, 10, (10, 1)) + np.array([0, 10, 20, 45])  # one of four is wrong
-        samples = np.array([s for s in samples if spread(points[s]) and spread(pixels[s])])
-        mask = solutions["find_inliers"](points, pixels, samples, 5.0)
-        assert len(samples) > 4
-        _, tool = cv2.findHomography(points, pixels, cv2.RANSAC, 5.0)
-        assert mask.tolist() == [True] * 40 + [False] * 20 == (tool.ravel() == 1).tolist()
