@@ -57,7 +57,7 @@ STILLS = {
     "ros2_packages-56": GRAY,
     "drive_the_robot-10": STEER,
     "drive_the_robot-54": STEER,
-    "obstacles_ahead-93": BRAKES,
+    "obstacles_ahead-76": BRAKES,
     "the_errand-101": SIGN,
 }
 # Pages that stand beside what they describe.
@@ -101,7 +101,6 @@ AGAIN = (
     "little = np.frombuffer(depth_message",
     "figure = Figure(figsize=(8, 3.6)",
     "grad_row, grad_col = sobel(step)",
-    "def width_and_depth(k)",
     "mirrored = after_centered",
     "rows = flat.reshape(padded",
 )

@@ -1,71 +1,4 @@
 # %% [markdown]
-# # obstacles-ray
-
-# %%
-def steps_of(col, row, f, center, k1, k2, factor_of=None, count=20):
-    """The ray with another factor."""
-    px, py = (col - center[0]) / f, (row - center[1]) / f
-    x, y = px, py
-    for _ in range(count):
-        r2 = x * x + y * y
-        factor = factor_of(r2) if factor_of else 1 + k1 * r2 + k2 * r2 * r2
-        x, y = px / factor, py / factor
-    return x, y
-
-# %% role="mistake" name="multiplied once" says="You multiplied the pinhole ray by the factor once: this is what the lens does to a ray. Here the way is the other one: divide by the factor, and repeat this 20 times."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 / (1 + k1 * r2 + k2 * r2 * r2), 1)
-
-# %% role="mistake" name="r to the power of 8" says="r2 is r squared already: r to the power of 4 is r2 ** 2, and k1 belongs to r2 itself."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 + k1 * r2**2 + k2 * r2**4)
-
-# %% role="mistake" name="k2 with the power of 8" says="k2 belongs to r to the power of 4. As r2 is r squared already, that is r2 ** 2, not r2 ** 4."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 + k1 * r2 + k2 * r2**4)
-
-# %% role="mistake" name="k1 and k2 exchanged" says="k1 and k2 are exchanged: k1 belongs to r2, and k2 to r2 * r2."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k2, k1)
-
-# %% role="mistake" name="without k2" says="k2 is missing: the factor is 1 + k1 * r2 + k2 * r2 * r2."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, k1, 0.0)
-
-# %% role="mistake" name="minus in the factor" says="The signs in the factor are wrong. It is 1 + k1 * r2 + k2 * r2 * r2; k1 itself is negative."
-def pixel_ray(col, row, f, center, k1, k2):
-    return steps_of(col, row, f, center, -k1, -k2)
-
-# %% role="mistake" name="column and row exchanged" says="Column and row are exchanged: x comes from the column, and y from the row."
-def pixel_ray(col, row, f, center, k1, k2):
-    return solution(row, col, f, center, k1, k2)
-
-# %% role="mistake" name="center exchanged" says="The two numbers of center are exchanged: center[0] is the column, and center[1] is the row."
-def pixel_ray(col, row, f, center, k1, k2):
-    return solution(col, row, f, center[::-1], k1, k2)
-
-# %% role="mistake" name="only the center divided by f" says="Parentheses are missing: col - center[0] / f divides only the center by f. Subtract first: (col - center[0]) / f, and the same for the row."
-def pixel_ray(col, row, f, center, k1, k2):
-    return solution(col - center[0] / f, row - center[1] / f, 1.0, (0.0, 0.0), k1, k2)
-
-# %% role="mistake" name="center minus pixel" says="The signs are exchanged: subtract the principal point from the pixel, (col - center[0]) / f, so that x grows to the right and y downward."
-def pixel_ray(col, row, f, center, k1, k2):
-    x, y = solution(col, row, f, center, k1, k2)
-    return -x, -y
-
-# %% role="mistake" name="only x" says="Your squared radius has only x. Both belong to it: r2 = x * x + y * y."
-def pixel_ray(col, row, f, center, k1, k2):
-    px, py = (col - center[0]) / f, (row - center[1]) / f
-    x = steps_of(col, center[1], f, center, k1, k2)[0]
-    return x, py * x / px if px else py
-
-# %% role="mistake" name="only y" says="Your squared radius has only y. Both belong to it: r2 = x * x + y * y."
-def pixel_ray(col, row, f, center, k1, k2):
-    px, py = (col - center[0]) / f, (row - center[1]) / f
-    y = steps_of(center[0], row, f, center, k1, k2)[1]
-    return px * y / py if py else px, y
-
-# %% [markdown]
 # # obstacles-plane
 
 # %%
@@ -147,42 +80,6 @@ def plane_of(a, b, c):
     normal = normal_of(a, b, c)
     normal = -normal if normal[2] > 0 else normal
     return normal, float(-(normal @ a))
-
-# %% [markdown]
-# # obstacles-inliers
-
-# %%
-def heights_of(points, normal, offset):
-    return points @ normal + offset
-
-# %% role="mistake" name="only above" says="Points below the plane are missing. A point is near on either side: use np.abs of the height."
-def inliers(points, normal, offset, tolerance):
-    heights = heights_of(points, normal, offset)
-    return (heights >= 0) & (heights < tolerance)
-
-# %% role="mistake" name="half the tolerance" says="You used half of the tolerance. A point may be up to tolerance away on each side."
-def inliers(points, normal, offset, tolerance):
-    return solution(points, normal, offset, tolerance / 2)
-
-# %% role="mistake" name="the heights" says="You return the heights of the points. Compare their absolute values with the tolerance: np.abs(heights) < tolerance."
-def inliers(points, normal, offset, tolerance):
-    return heights_of(points, normal, offset)
-
-# %% role="mistake" name="the points" says="You return the points that are near. Return the mask that selects them, True or False for each point."
-def inliers(points, normal, offset, tolerance):
-    return points[solution(points, normal, offset, tolerance)]
-
-# %% role="mistake" name="the numbers of the points" says="You return the indices of the points that are near. Return the mask, True or False for each point: leave np.nonzero (or np.where) out."
-def inliers(points, normal, offset, tolerance):
-    return np.nonzero(solution(points, normal, offset, tolerance))[0]
-
-# %% role="mistake" name="the y of the points" says="You compared only the y of the points. This is right for a level floor alone; in general the height is points @ normal + offset."
-def inliers(points, normal, offset, tolerance):
-    return np.abs(points[:, 1] - offset) < tolerance
-
-# %% role="mistake" name="distance from the camera" says="You compared the distances of the points from the camera. The distance from the plane is np.abs(points @ normal + offset)."
-def inliers(points, normal, offset, tolerance):
-    return np.linalg.norm(points, axis=1) < tolerance
 
 # %% [markdown]
 # # obstacles-nearest

@@ -14,11 +14,11 @@
 # - find the floor among many points with RANSAC, and everything that stands on it,
 # - find the nearest obstacle in the way of the robot,
 # - brake in time, and write a node that reads a scan, drives, and stops when the data stop,
-# - deeper: compute the time to collision from one camera, and drive past obstacles.
+# - deeper: drive past obstacles to a goal.
 #
 # **Time** [[minutes]], with a pause after section 4. **You need** [[drive_the_robot]] and [[arrays]]. Only the end of section 9 needs ROS 2: the node of section 8 can be checked without it.
 
-# %% role="given" exercise=["obstacles-ray", "obstacles-plane", "obstacles-inliers", "obstacles-nearest", "obstacles-brake", "obstacles-drive"]
+# %% role="given" exercise=["obstacles-plane", "obstacles-nearest", "obstacles-brake", "obstacles-drive"]
 import math
 
 import numpy as np
@@ -39,10 +39,6 @@ recording = open_recording("drive")
 
 # %% role="texts"
 figure_texts = {
-    "try": (
-        "The room from above, with the path of the robot: from the green dot to the outline of its body.",
-        "A plan of a room with furniture in gray, and the path of the robot as a blue line.",
-    ),
     "depth": (
         "A frame of the recorded drive and its depth image: dark is near. The depth of the floor grows with each row upward.",
         "Left, the living room in colour; right, the same in gray levels: dark floor in front, bright walls behind.",
@@ -110,17 +106,23 @@ print("f", f, "  center", center, "  k1", k1, " k2", k2)
 #
 # $$\text{factor} = 1 + k_1 r^2 + k_2 r^4, \qquad r^2 = x^2 + y^2$$
 #
-# We need the other direction: we know where the ray appears, and look for x and y. There is no simple formula, but a simple trick: guess, and improve the guess. Begin with the pinhole ray, compute the factor, and divide the pinhole ray by it. This gives a better guess. Repeat this. Here for the pixel in the upper left corner:
+# We need the other direction: we know where the ray appears, and look for x and y. There is no simple formula, but a simple trick: guess, and improve the guess. Begin with the pinhole ray, compute the factor, and divide the pinhole ray by it. This gives a better guess. Repeat this. (OpenCV's `undistortPoints` does the same.) Here for the pixel in the upper left corner:
 
 # %%
+def lens_ray(pinhole_x, pinhole_y, k1, k2, repetitions=20):
+    x, y = pinhole_x, pinhole_y
+    for _ in range(repetitions):
+        r2 = x * x + y * y
+        factor = 1 + k1 * r2 + k2 * r2 * r2
+        x, y = pinhole_x / factor, pinhole_y / factor
+    return x, y
+
+
 col, row = 0, 0
 pinhole_x, pinhole_y = (col - center[0]) / f, (row - center[1]) / f
-x, y = pinhole_x, pinhole_y
-for _ in range(4):
-    r2 = x * x + y * y
-    factor = 1 + k1 * r2 + k2 * r2 * r2
-    x, y = pinhole_x / factor, pinhole_y / factor
-    print("factor", round(factor, 3), "  x", round(x, 3), "  y", round(y, 3))
+for repetitions in (1, 2, 3, 4, 20):
+    x, y = lens_ray(pinhole_x, pinhole_y, k1, k2, repetitions)
+    print("repetitions", repetitions, "  x", round(x, 3), "  y", round(y, 3))
 
 # %% [markdown]
 # After 20 repetitions, x and y do not change any more. **Predict**: at a depth of 3 m, how many centimetres are between the point on the pinhole ray and the point on the right ray of this corner?
@@ -129,10 +131,6 @@ for _ in range(4):
 guess_corner = None  # your guess: how many centimetres?
 
 # %%
-for _ in range(20):
-    r2 = x * x + y * y
-    factor = 1 + k1 * r2 + k2 * r2 * r2
-    x, y = pinhole_x / factor, pinhole_y / factor
 difference = 3 * math.hypot(x - pinhole_x, y - pinhole_y)
 print("pinhole", round(pinhole_x, 3), round(pinhole_y, 3))
 print("lens   ", round(x, 3), round(y, 3))
@@ -145,89 +143,8 @@ assert round(100 * difference) == 70 and abs(x - ray[0]) < 0.002 and abs(y - ray
 assert (camera.fx, camera.cx, camera.cy) == (352.5, 319.75, 179.75)
 
 # %% [markdown]
-# The points are 70 cm apart! Section 5 shows what a robot does with such an error.
+# The points are 70 cm apart! Section 6 shows what a robot does with such an error.
 #
-# ### Your turn: the ray of a pixel
-#
-# Write `pixel_ray(col, row, f, center, k1, k2)`, with 20 repetitions. `math` and `np` are imported for you.
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `col`, `row`: numbers, the pixel; `f`: float, the focal length in pixels; `center`: two floats, column and row of the principal point; `k1`, `k2`: floats, the distortion | two floats, `x` and `y` of the ray at depth 1 | `pixel_ray(0, 0, 352.5, (319.75, 179.75), -0.17, 0.035)` returns about `-1.111, -0.625` |
-
-# %% role="exercise"
-exercise(
-    "obstacles-ray",
-    title="The ray of a pixel",
-    function="pixel_ray",
-    tolerance=1e-5,
-    hint="Divide the pinhole ray by the factor 1 + k1 * r2 + k2 * r2 * r2, 20 times; each time, compute r2 from the newest x and y.",
-    hints=(
-        "Which part of the code in this section depends on the newest guess, and which part never changes?",
-        "1. The pinhole ray: column minus the column of the center, divided by f; the same for the row.\n"
-        "2. Begin with x and y of the pinhole ray.\n"
-        "3. Repeat 20 times: r2 = x * x + y * y, then the factor, then divide the pinhole ray by the factor.\n"
-        "4. Return x and y.",
-        "pinhole_x, pinhole_y = (col - center[0]) / f, (row - ...) / f\nx, y = pinhole_x, pinhole_y\n"
-        "for _ in range(20):\n    r2 = ...\n    factor = 1 + k1 * r2 + k2 * ...\n    x, y = pinhole_x / factor, ...\nreturn x, y",
-    ),
-    explanation="The right x and y satisfy x * factor = pinhole_x, where the factor depends on x and y. Each repetition"
-    " uses the factor of the last guess; as the factor changes only a little, the guess comes quickly closer to the"
-    " right values. OpenCV's undistortPoints does the same, with more numbers of the lens.",
-    another_way="You can also write it with NumPy: ray = (np.array([col, row]) - center) / f, and r2 = (guess**2).sum().",
-)
-
-# %% role="answer"
-def pixel_ray(col, row, f, center, k1, k2):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def pixel_ray(col, row, f, center, k1, k2):
-    pinhole_x, pinhole_y = (col - center[0]) / f, (row - center[1]) / f
-    x, y = pinhole_x, pinhole_y
-    for _ in range(20):
-        r2 = x * x + y * y
-        factor = 1 + k1 * r2 + k2 * r2 * r2
-        x, y = pinhole_x / factor, pinhole_y / factor
-    return x, y
-
-
-# %% role="check"
-check("obstacles-ray", pixel_ray)
-
-# %% role="case" title="the camera of the drive" points=1
-def inputs(rng):
-    center = (319.75, 179.75)
-    return [
-        (0, 0, 352.5, center, -0.17, 0.035),
-        (int(rng.integers(500, 640)), int(rng.integers(0, 80)), 352.5, center, -0.17, 0.035),
-    ]
-
-
-# %% role="case" title="another camera" points=1 hint="Do you use all the arguments, and no number of the example?"
-def inputs(rng):
-    return [
-        (int(rng.integers(0, 60)), int(rng.integers(380, 480)), round(rng.uniform(380, 450), 1), (310.0, 250.5), -0.2, 0.06),
-        (int(rng.integers(560, 640)), int(rng.integers(300, 480)), round(rng.uniform(380, 450), 1), (330.0, 230.0), -0.12, -0.03),
-    ]
-
-
-# %% role="hidden" title="any pixel and any camera" points=1 hint="Is r2 computed again in each repetition, from the newest x and y?"
-def inputs(rng):
-    return [
-        (
-            int(rng.integers(0, 640)),
-            int(rng.integers(0, 480)),
-            round(rng.uniform(400, 600), 1),
-            (round(rng.uniform(300, 340), 1), round(rng.uniform(220, 260), 1)),
-            round(rng.uniform(-0.2, -0.05), 3),
-            round(rng.uniform(0.02, 0.06), 3),
-        )
-        for _ in range(4)
-    ]
-
-
-# %% [markdown]
 # The course's camera has the rays of all pixels: `camera.rays()`. It also uses three more numbers of the lens. Their effect is small: it moves each pixel of the depth image by at most one pixel. With one multiplication, every pixel becomes a point. (`np.newaxis`: one depth multiplies x, y and 1.)
 
 # %%
@@ -239,11 +156,7 @@ print("the point of pixel (250, 400):", points[250, 400].round(2))
 # %%
 # Check: two ways to the same ray, and the three more numbers
 grid_rows, grid_cols = np.mgrid[:360, :640]
-own_x, own_y = start_rays = (grid_cols - 319.75) / 352.5, (grid_rows - 179.75) / 352.5
-for _ in range(20):
-    squared = own_x**2 + own_y**2
-    factors = 1 + k1 * squared + k2 * squared**2
-    own_x, own_y = start_rays[0] / factors, start_rays[1] / factors
+own_x, own_y = lens_ray((grid_cols - 319.75) / 352.5, (grid_rows - 179.75) / 352.5, k1, k2)
 moved = camera.project(np.dstack([own_x, own_y, np.ones((360, 640))])) - np.dstack([grid_cols, grid_rows])
 assert np.hypot(moved[..., 0], moved[..., 1]).max() < 1
 
@@ -286,7 +199,7 @@ assert np.linalg.norm(slanted) == 5 and up.tolist() == [0, -1, 0] and offset == 
 # %% [markdown]
 # ### Your turn: the plane of three points
 #
-# Write `plane_of(a, b, c)`. The points do not lie on one line.
+# Write `plane_of(a, b, c)`. `np` is imported for you. The points do not lie on one line.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -424,106 +337,10 @@ assert abs(offset - 0.2) < 0.0004 and abs(pose.position[2] - offset) < 0.001
 assert math.degrees(math.acos(min(1.0, normal @ true_normal))) < 0.1 and round(tilt, 1) == 0.1
 
 # %% [markdown]
-# scikit-image has RANSAC too, for any model that has these two methods. With the same seed it draws the same points, and it finds the same inliers:
-
-# %%
-from skimage.measure import ransac
-
-
-class Plane:
-    @classmethod
-    def from_estimate(cls, points):
-        plane = cls()
-        plane.normal, plane.offset = plane_through(*points[:3])
-        return plane
-
-    def residuals(self, points):
-        return points @ self.normal + self.offset
-
-# %%
-_, near_skimage = ransac(many, Plane, min_samples=3, residual_threshold=0.02,
-                         max_trials=100, stop_probability=1, rng=0)
-print("points in which both differ:", (near != near_skimage).sum())
-
-# %%
-# Check: both find the same inliers
-assert (near == near_skimage).all()
-
-# %% [markdown]
-# ### Your turn: the inliers
-#
-# Write `inliers(points, normal, offset, tolerance)`: which points are near the plane?
-#
-# | Input | Output | Example call |
-# |---|---|---|
-# | `points`: (N, 3) float; `normal`: array of three floats, 1 long; `offset`: float; `tolerance`: float, all in metres | (N,) bool: True for each point whose distance from the plane, on either side, is less than `tolerance` | `inliers(many, normal, offset, 0.02).sum()` |
-#
-# The result must be bool: it selects points.
-
-# %% role="exercise"
-exercise(
-    "obstacles-inliers",
-    title="The inliers of a plane",
-    function="inliers",
-    hint="The height of each point is points @ normal + offset; its absolute value must be less than tolerance.",
-    hints=(
-        "What is the height of all points above the plane, in one line? And which points below the plane are near it?",
-        "1. The heights of all points: points @ normal + offset.\n"
-        "2. Their absolute values: np.abs.\n"
-        "3. Compare with the tolerance: this gives True or False for each point.",
-        "heights = points @ ... + ...\nreturn np.abs(...) < ...",
-    ),
-    explanation="points @ normal is the dot product of each row of points with the normal, so one line gives all heights."
-    " A point below the plane has a negative height, so np.abs is needed. The comparison is element-wise, and its result is"
-    " a mask, which selects the inliers: points[mask].",
-    another_way="You can also write ((points * normal).sum(axis=1) + offset) ** 2 < tolerance ** 2.",
-)
-
-
-def cloud(rng, count, spread, offset=0.3):
-    """Points around a plane that is not level, with its normal and its offset."""
-    normal = np.array([0.28, -0.96, 0.0])
-    points = rng.uniform((-2, -1, 0.5), (2, 1, 4), (count, 3))
-    heights = rng.uniform(-spread, spread, count)
-    points += ((heights - points @ normal - offset)[:, np.newaxis]) * normal
-    return points.round(3), normal, offset
-
-
-# %% role="answer"
-def inliers(points, normal, offset, tolerance):
-    raise NotImplementedError("your turn: delete this line and write the function")
-
-# %% role="solution"
-def inliers(points, normal, offset, tolerance):
-    return np.abs(points @ normal + offset) < tolerance
-
-
-# %% role="check"
-check("obstacles-inliers", inliers)
-
-# %% role="case" title="points around a plane" points=1
-def inputs(rng):
-    return [(*cloud(rng, 12, 0.1), 0.03), (*cloud(rng, 12, 0.1, 0.02), 0.05)]
-
-
-# %% role="case" title="a level floor" points=1 hint="A point below the plane has a negative height. Is it near, too?"
-def inputs(rng):
-    points = np.column_stack([rng.uniform(-1, 1, 20), rng.uniform(0.1, 0.3, 20), rng.uniform(1, 3, 20)])
-    level = np.array([0.0, -1.0, 0.0])
-    at_the_limit = np.array([[0.0, 0.25, 1.0], [0.0, 0.5, 1.0], [0.0, 0.75, 2.0]])
-    return [(points.round(3), level, 0.2, 0.04), (points.round(3), level, 0.2, 1.5), (at_the_limit, level, 0.5, 0.25)]
-
-
-# %% role="hidden" title="any points" points=1 hint="Do you use the normal, the offset and the tolerance?"
-def inputs(rng):
-    return [(*cloud(rng, 40, spread), tolerance) for spread, tolerance in ((0.1, 0.02), (0.5, 0.1), (0.3, 0.04))]
-
-
-# %% [markdown]
 # **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 
 # %% [markdown]
-# ## 5 · What stands on the floor, and a planned failure ([[minutes]])
+# ## 5 · What stands on the floor ([[minutes]])
 #
 # Now every height is one line. What is more than 3 cm above the floor is an obstacle; the rug is not. The *[[term:IoU]]* (intersection over union) compares this mask with the right one.
 
@@ -546,7 +363,9 @@ assert height.shape == (360, 640) and round(iou, 2) == 0.98
 assert recording.label_names[14] == "rug"
 
 # %% [markdown]
-# Now the **planned failure**. Somebody knows that the camera is level and 0.20 m above the floor, so a height is just 0.20 − y, without RANSAC. This is right. But the rays are those of a pinhole camera: the lens was forgotten. **Predict** how many of the 48,154 points *of the floor* in frame 66 become "obstacles".
+# ## 6 · Planned failure: the lens is forgotten ([[minutes]])
+#
+# Somebody knows that the camera is level and 0.20 m above the floor, so a height is just 0.20 − y, without RANSAC. This is right. But the rays are those of a pinhole camera: the lens was forgotten. **Predict** how many of the 48,154 points *of the floor* in frame 66 become "obstacles".
 
 # %% role="predict"
 guess_phantom = None  # your guess: how many of 48154 points?
@@ -577,11 +396,11 @@ assert floor_66.sum() == 48154 and phantoms.sum() == 1728
 assert not ((right_height > 0.03) & floor_66).any()
 
 # %% [markdown]
-# ## 6 · The nearest obstacle in the corridor ([[minutes]])
+# ## 7 · The nearest obstacle in the corridor ([[minutes]])
 #
 # Not every obstacle is in the way. The robot is 0.24 m wide. If it drives straight ahead, it needs a *corridor*: a strip of the floor, in which we want 8 cm of free space on each side, so 0.40 m in all. An obstacle is a point in the corridor that is higher than 3 cm, but lower than 0.40 m (the robot drives under anything that is higher).
 #
-# Right, down, ahead are the axes of a camera in ROS, its *optical frame*. From now on we use the axes of a robot, by REP 103 ([[drive_the_robot#2]]): **forward** (our z), **left** (minus our x) and up. The points are `right_points` of section 5: frame 66, with the rays of the lens.
+# Right, down, ahead are the axes of a camera in ROS, its *optical frame*. From now on we use the axes of a robot, by REP 103 ([[drive_the_robot#2]]): **forward** (our z), **left** (minus our x) and up. The points are `right_points` of section 6: frame 66, with the rays of the lens.
 
 # %%
 forward, left = right_points[:, :, 2], -right_points[:, :, 0]
@@ -689,54 +508,6 @@ def inputs(rng):
     return calls
 
 
-# %% [markdown]
-# ## 7 · Time to collision, with one camera ([[minutes]], deeper)
-#
-# Can a robot brake without any depth? Yes: what it drives towards grows in the image. If a ball is twice as near, it looks twice as wide. Let its width be 160 pixels now, and 144 pixels half a second ago. If the speed does not change, the camera reaches the ball's centre after this time:
-#
-# $$\text{time} = \Delta t \cdot \frac{\text{width before}}{\text{width now} - \text{width before}}$$
-#
-# It is an estimate of the *[[term:time to collision]]*. Neither the true size of the ball nor its distance nor the speed of the robot is needed. **Predict** the time for these two widths.
-
-# %% role="predict"
-guess_time = None  # your guess: how many seconds?
-
-# %%
-before, now, dt = 144, 160, 0.5
-time_left = dt * before / (now - before)
-compare_guess(guess_time, time_left, "s")
-
-# %% [markdown]
-# In the recorded drive, the ball is 160 pixels wide in frame 66, and 144 pixels in frame 61, half a second earlier. The truth comes from the depth of the ball's centre, and how fast it becomes smaller. The robot **touches** the ball earlier: its front is 0.03 m ahead of the camera, and the ball's surface is in front of its centre.
-
-# %%
-def width_and_depth(k):
-    seen_columns = np.nonzero((recording.labels(k) == 9).any(axis=0))[0]
-    width = seen_columns[-1] - seen_columns[0] + 1
-    camera_pose = Pose.from_vector(recording.pose("camera", k))
-    ball = camera_pose.inverse().apply(recording.pose("ball", k)[:3])
-    return int(width), float(ball[2])
-
-
-for k in (66, 76, 86):
-    (w0, z0), (w1, z1) = width_and_depth(k - 5), width_and_depth(k)
-    surface = recording.depth(k)[recording.labels(k)[::2, ::2] == 9].min() / 1000
-    by_width, speed = 0.5 * w0 / (w1 - w0), (z0 - z1) / 0.5
-    centre, contact = z1 / speed, (surface - 0.03) / speed
-    print("frame", k, "  by width", round(by_width, 1), "  centre", round(centre, 1), "  contact", round(contact, 1), "s")
-
-# %%
-# Check: the numbers in this section
-assert time_left == 4.5 and recording.label_names[9] == "ball"
-assert width_and_depth(61)[0] == 144 and width_and_depth(66)[0] == 160
-for k in (66, 76, 86):
-    (w0, z0), (w1, z1) = width_and_depth(k - 5), width_and_depth(k)
-    surface = recording.depth(k)[recording.labels(k)[::2, ::2] == 9].min() / 1000
-    by_width, speed = 0.5 * w0 / (w1 - w0), (z0 - z1) / 0.5
-    assert abs(by_width / (z1 / speed) - 1) < 0.1 and 0.4 < by_width - (surface - 0.03) / speed < 0.6
-
-# %% [markdown]
-# The widths alone are right to 10 % for the centre. (They are whole pixels, so a longer time between both images makes the result better.) The contact comes about half a second earlier: a robot that brakes by this time must subtract it.
 # %% [markdown]
 # ## 8 · Brake! ([[minutes]])
 #
@@ -1263,30 +1034,6 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ### Look at one drive
-#
-# Write a room's number in place of `None`, such as 19, where blocks are in the way, and run both cells. Change the start (x, y, yaw in the map), or print what you want to know of each step.
-
-# %%
-try_room = None  # such as 19
-
-# %% tags=["long"]
-from imgproc_course.simulation.room_env import RoomEnv, controller_observation
-from imgproc_course.simulation.room_map import draw_map
-
-if try_room is not None:
-    env = RoomEnv(("depth", "scan", "odometry"))
-    place = {"room": try_room, "start": (0.57, 1.43, -0.19), "goal": (2.73, 1.01, 0.6)}
-    observation, info = env.reset(seed=1, options=place | {"duration": 40.0})
-    memory, over = {}, False
-    while not over:
-        speeds = control(controller_observation(observation), memory)
-        observation, _, _, over, info = env.step(speeds)
-    print({name: info[name] for name in ("bumps", "clearance", "goal_time", "places")})
-    bumps = [(step, x, y) for step, (x, y, _) in env.bump_places]
-    show(draw_map(env.path, bumps, room=env.room), text="obstacles_ahead/try")
-
-# %% [markdown]
 # ### The same function in ROS
 #
 # This node makes the observation of three topics, calls `control` with each depth image, and publishes the two speeds.
@@ -1361,7 +1108,6 @@ if ros_available() and live_seconds:
 # | inliers, obstacles | (N,), (360, 640) | bool | False, True | no and yes |
 # | nearest obstacle | one number | float | 0 to infinity | metre |
 # | scan | (8,) | float64 | 0 to infinity | metre |
-# | time to collision | one number | float | 0 to infinity | second |
 # | command, `linear.x` | one number | float | 0 or 0.2 | m/s |
 #
 # **Next:** [[object_tracking]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.

@@ -296,7 +296,7 @@ print("points:", points.shape, points.dtype)
 show(robot.frame(), text="the_errand/boxes")
 
 # %% [markdown]
-# How far can the robot drive, if it first turns to a direction and then drives straight ahead? Here we measure from the axle; the part of the robot in front of it counts later. The robot needs a corridor, as in [[obstacles_ahead#6]], but the corridor is turned. So we turn all points back by this direction. Then the corridor lies straight ahead:
+# How far can the robot drive, if it first turns to a direction and then drives straight ahead? Here we measure from the axle; the part of the robot in front of it counts later. The robot needs a corridor, as in [[obstacles_ahead#7]], but the corridor is turned. So we turn all points back by this direction. Then the corridor lies straight ahead:
 
 # %%
 def free_way(points, direction, width):
