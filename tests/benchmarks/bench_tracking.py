@@ -9,10 +9,9 @@ import math
 
 from geometry_msgs.msg import PoseStamped, Twist
 from in_the_room import SECONDS, Topics, program, room, verdict
-from visualization_msgs.msg import MarkerArray
 
 STARTS = ((1, (0.0, 0.0, 0.2)), (2, (0.4, 0.6, -0.2)), (3, (1.3, 0.2, 0.0)))
-RESULTS = {"/ball": PoseStamped, "/tracks": MarkerArray, "/kachaka/manual_control/cmd_vel": Twist}
+RESULTS = {"/ball": PoseStamped, "/kachaka/manual_control/cmd_vel": Twist}
 BALL, CAMERA = "/truth/pose/ball", "/truth/pose/camera"
 KEPT, TOLERANCE = 0.8, 0.15  # metres between camera and ball
 

@@ -6,18 +6,6 @@ import pytest
 from nbclassroom.exercises import read_exercises, run_cases
 
 
-@pytest.mark.parametrize("bins", [4, 16, 18, 30, 32, 50, 90, 180])
-def test_backproject_is_calc_back_project(solutions, bins):
-    rng = np.random.default_rng(bins)
-    hue, weights = rng.integers(0, 180, (60, 80), np.uint8), rng.integers(0, 256, bins, np.uint8)
-    hue.ravel()[:180] = np.arange(180)
-    histogram = weights.astype(np.float32).reshape(-1, 1)
-    truth = cv2.calcBackProject([hue], [0], histogram, [0, 180], 1)
-    result = solutions["backproject"](hue, weights)
-    assert result.dtype == np.uint8
-    np.testing.assert_array_equal(result, truth)
-
-
 def test_iou_is_that_of_the_masks(solutions):
     rng = np.random.default_rng(1)
     values = []

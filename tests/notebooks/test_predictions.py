@@ -27,8 +27,6 @@ ALLOWED = {
     "predict-binarization-3": CHOICE,
     "predict-canny_stages-6": CHANCE,
     "predict-drive_the_robot-2": CHANCE,
-    "predict-object_tracking-3": CHANCE,
-    "predict-object_tracking-4": CHANCE,
     "predict-where_am_i-4": CHANCE,
     "predict-mapping_and_slam-5": CHANCE,
     "predict-faces-6": "how many of 30: the answer is all",
