@@ -24,8 +24,8 @@ overview()
 # Each lesson has a *core*, and sections that are marked *deeper*. Deeper sections can be left out: no core needs them. The table shows the minutes of the core and of the whole lesson, for somebody who knows a little Python and nothing of NumPy, ROS or image processing.
 #
 # - **The original lesson in one day** (about 6 hours): the cores of [[start_here]], [[arrays]], [[what_is_image_processing]], [[images_as_messages]], [[grayscale]], [[grayscale_node]], [[canny_stages]], [[edge_detection_node]] and [[ros2_packages]]. You write a node that converts images to gray, change it into one that finds edges with your thresholds, and build both as ROS 2 packages.
-# - **The driving robot** (about 7 hours): after the first route, the cores of [[drive_the_robot]], [[obstacles_ahead]], [[object_tracking]] and [[where_am_i]]. A robot drives, brakes, follows a ball and finds its place. If you want more, take section 9 of [[obstacles_ahead]], and then section 10 of the last lesson: the robot explores rooms that nobody has shown to it.
-# - **The whole course** (about 34 hours): all lessons in their order, with their deeper sections. The hours do not count the two optional lessons, [[mapping_and_slam]] and [[gestures]]: no route needs them.
+# - **The driving robot** (about 6 hours): after the first route, the cores of [[drive_the_robot]], [[obstacles_ahead]], [[object_tracking]] and [[where_am_i]]. A robot drives, brakes, follows a ball and finds its place. If you want more, take section 9 of [[obstacles_ahead]], and then section 10 of the last lesson: the robot explores rooms that nobody has shown to it.
+# - **The whole course** (about 31 hours): all lessons in their order, with their deeper sections. The hours do not count the two optional lessons, [[mapping_and_slam]] and [[gestures]]: no route needs them.
 #
 # ## Beside the lessons
 #
