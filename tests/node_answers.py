@@ -265,7 +265,7 @@ WRONG = (
     ("no node", changed(("ImageGrayProcessor(Node)", "ImageGrayProcessor")), "", "inherit from Node"),
     ("Image in quotes", changed(('Image, "/k', '"Image", "/k')), "", "is the class of the messages: Image"),
     ("no self", changed(("def image_callback(self, msg)", "def image_callback(msg)")), "", "def image_callback(self, msg)"),
-    ("a local publisher", changed(("        self.publisher = self", "        publisher = self")), "1", "The node has no publisher"),
+    ("a local publisher", changed(("        self.publisher = self", "        publisher = self")), "1", "The node has no attribute publisher"),
     ("the callback in __init__", ORIGINAL[:INSIDE_INIT] + textwrap.indent(ORIGINAL[INSIDE_INIT:], "    "), "", "a method stands in the class"),
     ("try around publish", changed((TRY, '        frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")\n'), (PUBLISH, "        try:\n    " + PUBLISH + "        except CvBridgeError as error:\n            self.get_logger().error(str(error))\n")), "12", "Put try: around the conversion"),
     ("red and blue exchanged", changed(("COLOR_BGR2GRAY", "COLOR_RGB2GRAY")), "1", "Red and blue are exchanged"),

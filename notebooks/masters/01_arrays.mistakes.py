@@ -125,7 +125,7 @@ def row_means(gray):
 # %% [markdown]
 # # arrays-differences
 
-# %% role="mistake" name="subtracted in uint8" says="Your result is uint8, which has no negative numbers. Widen with astype(np.int16) before you subtract."
+# %% role="mistake" name="subtracted in uint8" says="You subtract in uint8, which has no negative numbers. Widen with astype(np.int16) before you subtract."
 def differences(gray):
     return gray[:, 1:] - gray[:, :-1]
 

@@ -499,7 +499,7 @@ def inputs(rng):
 
 # %% role="case" title="equal neighbours in all sectors" points=0 hint="In sectors 1 and 3 a pixel must be greater than both neighbours. In sectors 0 and 2 it may be equal to the second one."
 def inputs(rng):
-    return rng.integers(0, 4, size=(7, 8)).astype(np.int32), rng.integers(0, 4, size=(7, 8), dtype=np.uint8)
+    return rng.integers(0, 3, size=(14, 15)).astype(np.int32), rng.integers(0, 4, size=(14, 15), dtype=np.uint8)
 
 # %% role="hidden" title="few values, many equal neighbours" points=1 hint="In sectors 1 and 3 a pixel must be greater than both neighbours."
 def inputs(rng):
