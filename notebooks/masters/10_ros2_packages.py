@@ -205,7 +205,7 @@ if entry_result.passed:
     (workspace / setup_py).write_text(text, encoding="utf-8")
 
 # %% [markdown]
-# ## 3 · Build ([[minutes+4]])
+# ## 3 · Build ([[minutes+8]])
 #
 # The build tool of ROS 2 is [[term:colcon]]. It finds the packages in `src`, and builds and installs them. Open a terminal: **File → New → Terminal**. Drag its tab to the right edge, so that you see it beside this notebook. Type these lines, and press Enter after each:
 #
@@ -270,7 +270,7 @@ assert runs == "old"
 # colcon *copies* the file, and the copy runs.
 
 # %% [markdown]
-# ## 4 · Planned failure: a package that ROS does not find ([[minutes]])
+# ## 4 · Planned failure: a package that ROS does not find ([[minutes+4]])
 #
 # **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
@@ -321,7 +321,7 @@ compare_guess(guess_found, found)
 assert found == "no"
 
 # %% [markdown]
-# ## 5 · Run ([[minutes]])
+# ## 5 · Run ([[minutes+2]])
 #
 # Source the workspace in *every* terminal that uses its packages.
 #
@@ -380,7 +380,7 @@ if node is not None:
 assert node is None or node.poll() is not None
 
 # %% [markdown]
-# ## 6 · Run the edge node ([[minutes]], deeper)
+# ## 6 · Run the edge node ([[minutes+4]], deeper)
 #
 # Now build the second package, and run its node. Its thresholds are *parameters*, and you can set them in the command:
 #

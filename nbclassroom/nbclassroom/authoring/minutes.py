@@ -24,7 +24,6 @@ MINUTES = {  # fitted to an estimate of each section; the words carry the time f
     "predictions": 1.5,
     "exercises": 3,
     "solution lines": 1,
-    "terminal lines": 1.5,
     "written answers": 8,
     "further minutes": 1,
 }
@@ -33,7 +32,6 @@ _REFERENCE = re.compile(r"\[\[minutes(?:\+(?P<further>\d+))?\]\]")
 _PART = re.compile(r"^(?=#{2,4} )", re.M)  # of a Markdown cell: a heading and the text below it
 _HEADING = re.compile(rf"(#{{2,4}}) .*?(?P<timed> \({_REFERENCE.pattern}(?P<words>, [a-z, ]+)?\))?$", re.M)
 _NO_WORDS = re.compile(r"\$\$.+?\$\$|```.*?```|\[\[(?:[^|\[\]]*\|)?", re.S)  # a label counts
-_TERMINAL = re.compile(r"```sh\n(.*?)```", re.S)
 _WORD = re.compile(r"\w[\w'’.-]*")
 
 
@@ -99,9 +97,6 @@ def read_sections(cells):
                 sections.append(section)
                 core = core if section.deeper else section
             section.counts["words"] += len(_WORD.findall(_NO_WORDS.sub(" ", part)))
-            section.counts["terminal lines"] += sum(
-                _code_lines(block).total() for block in _TERMINAL.findall(part)
-            )
         stub = cell.source if cell.role == "answer" else stub
         section.counts.update(_counts_of_code(cell, stub) if cell.kind == "code" or cell.role else {})
         deeper.append(section.deeper)

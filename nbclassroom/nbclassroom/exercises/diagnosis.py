@@ -118,7 +118,7 @@ def _advice_on_type(expected, actual):
         dtype = expected["dtype"]
         return f"A {actual['type']} is not an array. Make it one: np.array(..., dtype=np.{dtype})."
     if kind == "ndarray" and actual_kind in (*_NUMBERS, "bool"):
-        return "You return one number, not an array: is an axis=... missing, or does a loop keep only its last?"
+        return "You return one number, not an array: is an axis missing, or does a loop keep only the last?"
     wanted = _wanted(expected, actual)
     text = f"You return {_noun(actual)}, and the task asks for {wanted}."
     return text.replace("?.", "?") if wanted not in ("", _noun(actual)) else ""

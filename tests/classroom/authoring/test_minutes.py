@@ -51,7 +51,7 @@ def sources(master):
 
 def test_minutes_are_those_of_the_rule():
     counts = {"words": 700, "code lines": 20, "predictions": 2, "exercises": 1, "solution lines": 4}
-    assert minutes_of(counts | {"terminal lines": 3}) == pytest.approx(10 + 2 + 3 + 3 + 4 + 4.5)
+    assert minutes_of(counts) == pytest.approx(10 + 2 + 3 + 3 + 4)
     assert minutes_of({"written answers": 2, "further minutes": 2}) == 18
 
 
@@ -75,13 +75,6 @@ def test_a_deeper_section_ends_at_the_next_heading_of_its_level(write_master):
         True,
         True,
     ]
-
-
-def test_lines_for_the_terminal_count_by_line(write_master):
-    block = "\n".join(["```sh", *["cd folder"] * 9, "```"]).replace("\n", "\n# ")
-    lesson = LESSON.replace(f"# {WORDS * 3}", f"# {block}")
-    text = sources(read_master(write_master(add=lesson, name="09_template")))
-    assert "## 3 · Core again (19 minutes)" in text
 
 
 def test_an_exercise_in_a_deeper_section_is_deeper(write_master):

@@ -10,9 +10,8 @@ import sys
 _MOST, _MOST_CHARACTERS = 20, 80  # attempts that a process tells, and of each
 _LIBRARY = os.path.dirname(os.__file__) + os.sep  # noqa: PTH120 - `os` only, see `confine`
 _ABOUT_THE_MACHINE = ("/etc/os-release/", "/etc/hostname/", "/proc/cpuinfo/", "/proc/meminfo/")
-_COLAB = "/content/"  # where its notebooks keep their files: not a folder of this machine
-_SUBMISSION, _SCRATCH = "/tmp/submission/", ("/tmp/", "/dev/", _COLAB)  # where cells run, what libraries write
-_OPEN_TO_ALL = ("/tmp/", "/course/", "/usr/", "/python/", "/dev/", _COLAB, _LIBRARY, *_ABOUT_THE_MACHINE)
+_SUBMISSION, _SCRATCH = "/tmp/submission/", ("/tmp/", "/dev/", "/content/")  # /content/: Colab's, not here
+_OPEN_TO_ALL = ("/tmp/", "/course/", "/usr/", "/python/", "/dev/", "/content/", _LIBRARY, *_ABOUT_THE_MACHINE)
 _PROGRAM, _NETWORK, _END = "start a program", "open the network", "end Python"
 _READ, _WRITE, _REMOVE = "read files", "write files", "remove files"
 _absolute, _FOR_WRITING = os.path.abspath, os.O_WRONLY | os.O_RDWR | os.O_CREAT

@@ -216,16 +216,12 @@ class Cost:
 def _own_seconds():
     """A clock that stands still while this thread waits for a processor; seconds."""
     try:
-        waited, now = _waited(), time.monotonic()
-        while waited != (waited := _waited()):  # between the two, too
-            now = time.monotonic()
-        return now - waited
+        now = waited = math.nan
+        while waited != (waited := int(Path("/proc/thread-self/schedstat").read_text().split()[1])):
+            now = time.monotonic()  # between two reads that agree
+        return now - waited / 1e9
     except (OSError, IndexError):
         return time.thread_time()
-
-
-def _waited():
-    return int(Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
 
 
 def _memory():
