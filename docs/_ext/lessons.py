@@ -115,14 +115,12 @@ TEACHING = (
     "(`minlength=256` gives one count",
     "This is a **[correlation]",
     "`canny_stages` runs all stages",
-    "In the recorded drive, the ball is 160",
     "Now a whole scan, in a small grid.",
     "The result is a [label image]",
     "Nine *bins* of 20 degrees",
     "Where is the palm?",
     "A contour is closed",
     "`Robot` is the course's class",
-    "Now the same in ROS.",
     "And where it sees nothing?",
 )
 
