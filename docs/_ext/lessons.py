@@ -58,7 +58,7 @@ STILLS = {
     "drive_the_robot-10": STEER,
     "drive_the_robot-54": STEER,
     "obstacles_ahead-76": BRAKES,
-    "the_errand-101": SIGN,
+    "the_errand-90": SIGN,
 }
 # Pages that stand beside what they describe.
 PAGES = {
