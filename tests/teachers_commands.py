@@ -21,7 +21,7 @@ pytestmark = pytest.mark.timeout(1500)
 # Of twenty submissions, every second of which is right; the others have known mistakes and stubs.
 POINTS = {
     "canny_stages": [4, 14, 2, 14, 2, 14, 0, 14, 0, 14, 3, 14, 0, 14, 0, 14, 1, 14, 2, 14],
-    "reading_text": [3, 9, 2, 9, 0, 9, 1, 9, 1, 9, 0, 9, 0, 9, 0, 9, 0, 9, 0, 9],
+    "reading_text": [3, *[6, 0] * 9, 6],
 }
 
 
