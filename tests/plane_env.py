@@ -103,15 +103,15 @@ def draw_map(path, bumps=(), *, room=None, goal=None, balls=(), mark=None):
 @contextlib.contextmanager
 def driving_on_a_plane(environment="plane_env:PlaneEnv"):
     """Exercises that drive use this environment."""
-    import pytest  # here, because simulators import this module
-    from nbclassroom.exercises.kinds.drive import simulators
+    import pytest  # here, because kernels import this module
+    from nbclassroom.exercises.kinds.drive.drive import environment as cached_environment
 
     with pytest.MonkeyPatch.context() as patch, course_on_a_plane(environment) as variables:
         for name, value in variables.items():
             patch.setenv(name, value)
-        simulators.close_simulators()
+        cached_environment.cache_clear()
         yield
-        simulators.close_simulators()
+        cached_environment.cache_clear()
 
 
 @contextlib.contextmanager

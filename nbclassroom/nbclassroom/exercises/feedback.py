@@ -153,9 +153,8 @@ def blocks_of(result, *, graded=False):
     yield from map(Text, _remarks(result))
     kind = result.exercise.kind
     if rows := kind.table_of(result.calls):  # of a kind that has them: a table of all calls, and their images
-        draw = kind.images_in_grading if graded else kind.images_of_all
         yield Table(rows, has_head=True)
-        yield Figures(lambda: draw(result.calls), SAYS["map of a drive"])
+        yield Figures(lambda: kind.images_of_all(result.calls), SAYS["map of a drive"])
     for one, explanation, call in _cases(result):
         details = _details(result, call, graded) if call else ()
         blocks = (Text(explanation), *details)

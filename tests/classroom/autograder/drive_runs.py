@@ -9,7 +9,6 @@ from types import SimpleNamespace
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.results import graded_exercises
-from nbclassroom.exercises.kinds.drive.drive import environment
 from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
 from nbclassroom.exercises.page import page_of
 from plane_env import PlaneEnv, driving_on_a_plane
@@ -47,10 +46,8 @@ class SlowEnv(PlaneEnv):
 @contextmanager
 def on_the_plane(kind="plane_env:PlaneEnv"):
     """Drives inside of this process are in this environment."""
-    environment.cache_clear()
     with driving_on_a_plane(kind):
         yield
-    environment.cache_clear()
 
 
 def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, hidden=None, sensors=("scan",)):

@@ -1,4 +1,4 @@
-"""`check` drives in the room: the same drive in each simulator, and again from its actions."""
+"""`check` drives in the room: the same drive each time, and again from its actions."""
 
 import re
 
@@ -7,7 +7,7 @@ import pytest
 from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.declaration import read_exercises
 from nbclassroom.exercises.expected_results import check_data_of
-from nbclassroom.exercises.kinds.drive import simulators
+from nbclassroom.exercises.kinds.drive.runs import drive_scenarios
 
 BLIND = "def control(observation, memory):\n    return 0.3, 0.0\n"
 LOOKS = """def control(observation, memory):
@@ -57,7 +57,7 @@ def test_a_controller_gets_what_its_sensors_see(data):
 
 def test_a_drive_is_the_same_again(data):
     scenario = data.cases[0].calls[0].arguments[0]
-    results = simulators.drive_scenarios(data, [scenario, scenario, scenario], lambda: control_in(LOOKS))
+    results = drive_scenarios(data, [scenario, scenario, scenario], lambda: control_in(LOOKS))
     assert results[0][0] == results[1][0] == results[2][0] and results[0][0]["steps"] == 20
 
 

@@ -154,7 +154,3 @@ class Kind:
     def images_of_all(self, calls):
         """AnswerImages of all calls."""
         return ()
-
-    def images_in_grading(self, calls):
-        """The same, in a process that grades."""
-        return self.images_of_all(calls)

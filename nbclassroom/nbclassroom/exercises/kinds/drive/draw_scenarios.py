@@ -13,7 +13,7 @@ from dataclasses import replace
 from nbclassroom.exercises.declaration import MasterError
 from nbclassroom.exercises.kinds.drive.drive import LARGE, SLOW, passes, sentences_of
 from nbclassroom.exercises.kinds.drive.graded import GradedDrive
-from nbclassroom.exercises.kinds.drive.simulators import drive_scenarios
+from nbclassroom.exercises.kinds.drive.runs import drive_scenarios
 from nbclassroom.exercises.lesson import ExpectedCall
 from nbclassroom.exercises.names_read import with_own_globals
 

@@ -100,7 +100,7 @@ def metric_text(name, value, limit=None):
     return shape.format(value)
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=2)
 def environment(sensors):
     """This process's environment for these sensors: the next drive in it begins at once."""
     return course.load(course.drive_environment)(sensors)

@@ -1,7 +1,4 @@
-"""Images of a drive: the map with its path, and what the camera saw before the decisive moment.
-
-`simulator` and grading draw them, where the environment is.
-"""
+"""Images of a drive: the map with its path, and what the camera saw before the decisive moment."""
 
 import numpy as np
 from PIL import Image

@@ -83,7 +83,7 @@ class Kind(AnyKind):
     def run_cases(self, exercise, answer, progress=None):
         """Each drive with values of its own."""
         from ...names_read import with_own_globals
-        from .simulators import drive_scenarios
+        from .runs import drive_scenarios
 
         scenarios = list(map(scenario_of, exercise.cases))
         return _judged(
@@ -141,18 +141,14 @@ class Kind(AnyKind):
 
     def images_of(self, exercise, call):
         """What the camera saw before the decisive moment."""
-        from .simulators import images_of_drive
+        from .drive import environment
+        from .images import look_back
 
         has_moment = call.record["decisive"] and not call.record["ended"]
-        return images_of_drive("look_back", call) if has_moment else ()
+        return look_back(environment(()), call.record, *call.arguments) if has_moment else ()
 
     def images_of_all(self, calls):
         """A map of each drive."""
-        from .simulators import images_of_drive
-
-        return [image for call in calls for image in images_of_drive("draw_map", call)]
-
-    def images_in_grading(self, calls):
         from .images import draw_map
 
         return [draw_map(call.record, *call.arguments) for call in calls]
@@ -213,7 +209,7 @@ def _drives_of_mistake(exercise, mistake, cases):
 @lru_cache(maxsize=1024)
 def _drive_mistake(exercise, mistake, scenarios):
     from ...percent_script import MasterError
-    from .simulators import drive_scenarios
+    from .runs import drive_scenarios
 
     drives = drive_scenarios(exercise, json.loads(scenarios), lambda: exercise.function_of_mistake(mistake))
     if any(SLOW in record["ended"] or result.timed_out for record, result in drives):

@@ -1,0 +1,105 @@
+"""Let a learner's `control` drive in scenarios, one after another, in this process."""
+
+import contextlib
+import copy
+import math
+import warnings
+from dataclasses import dataclass, field
+from typing import Any
+
+from ...running import CallResult, LimitedOutput, call_within, failure_fields
+from .drive import STEP, STEP_SECONDS, Cost, Drive, environment, form_of, seconds_of, speeds_of, steps_of
+
+_SHOWN_STEPS = 20  # between two states of the progress bar
+_KEPT_LINES = 13  # of what a drive prints: one more than is shown
+
+
+@dataclass
+class _Run:
+    """One drive of a `control`: what it was told, what it printed, and why it failed."""
+
+    control: Any  # the function; None after all drives cost too much
+    scenario: dict
+    excess: list  # why no drive of this check goes on; empty if they do
+    memory: dict = field(default_factory=dict)
+    cost: Cost = field(default_factory=Cost)
+    prints: list = field(default_factory=list)  # (seconds after the start, LimitedOutput) of each call
+    warning: str = ""
+    failure: dict = field(default_factory=dict)
+    record: dict = field(default_factory=dict)
+
+    def step(self, drive, name):
+        """Let `control` answer what the robot sees now, and the robot drive until the next step."""
+        if self.excess:
+            self._end(drive)
+            return
+        try:
+            speeds = self._call(copy.deepcopy(drive.observation))
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
+            self.failure = failure_fields(error, self.control)
+            drive.stop(_reason(self.failure, name))
+            return
+        if excess := self.cost.excess(seconds_of(self.scenario)):
+            self.excess.append(f"{name} {excess}")
+            self._end(drive)
+            return
+        try:
+            drive.act(speeds_of(speeds))
+        except ValueError as error:
+            drive.stop(str(error))
+
+    def _end(self, drive):
+        """End the drive, because the drives of this check cost too much; frees what it keeps."""
+        self.control, self.memory = None, {}
+        drive.stop(self.excess[0])
+
+    def _call(self, observation):
+        output = LimitedOutput()
+        self.prints.append((observation["time"], output))
+        with warnings.catch_warnings(record=True) as caught_warnings:
+            warnings.simplefilter("always")
+            with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output), self.cost.of_call():
+                speeds = call_within(lambda: self.control(observation, self.memory), STEP_SECONDS)
+        self.warning = self.warning or (str(caught_warnings[0].message) if caught_warnings else "")
+        return speeds
+
+    def result(self):
+        """What it did as a CallResult; it printed the last lines before the moment that is shown."""
+        fields = self.failure or {"value": form_of(self.record)}
+        end = math.inf if self.failure else self.record["decisive"] * STEP
+        lines = [
+            f"{seconds:.1f} s: {line}"
+            for seconds, output in self.prints
+            for line in output.getvalue().splitlines()
+            if seconds <= end
+        ]
+        return CallResult(printed="\n".join(lines[-_KEPT_LINES:]), warning=self.warning, **fields)
+
+
+def _reason(failure, name):
+    if failure.get("timed_out"):
+        return f"{name} took longer than {STEP_SECONDS} s for one step"
+    text = ": ".join(filter(None, (f"{name} raised {failure['error']}", failure["message"])))
+    return f"{text} (your {failure['line']})" if failure["line"] else text
+
+
+def drive_scenarios(exercise, scenarios, make_control, progress=None):
+    """Drive in scenarios; [(the record of the drive, its CallResult)].
+
+    `make_control` gives a `control` for each: its globals are its own. `progress` takes the share that was
+    driven, 0 to 1, now and then.
+    """
+    excess: list[str] = []
+    runs, steps, total = [], 0, sum(map(steps_of, scenarios))
+    for scenario in scenarios:
+        drive = Drive(environment(tuple(exercise.sensors)), scenario)
+        runs.append(run := _Run(make_control(), scenario, excess))
+        while not drive.over:
+            run.step(drive, exercise.answer_name)
+            steps += 1
+            if progress and steps % _SHOWN_STEPS == 0:
+                progress(steps / total)
+        run.record = drive.record()
+    return [(run.record, run.result()) for run in runs]
