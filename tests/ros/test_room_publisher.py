@@ -212,19 +212,19 @@ def test_without_panda3d_the_room_says_so_before_anything_is_published(run_pytho
     )
 
 
-CHECKLIST = re.compile(
-    r"^# \| `(/kachaka/\S+)` \| `([a-z_]+)/msg/(\w+)` \| best effort \| (?:`(\w+)`)? ?\|", re.M
-)
+CHECKLIST = re.compile(r"^# \| `(\S+)` \| `([a-z_]+)/(\w+)` \| (?:`(\w+)`)? ?\|", re.M)
 
 
 def test_the_checklist_for_a_real_robot_says_what_the_room_has(body, session, wait_until):
-    """The table at the end of the last lesson: topics, types, QoS and frames."""
+    """The table at the end of the last lesson: topics, types and frames; and their QoS."""
     from rclpy.qos import ReliabilityPolicy, qos_profile_sensor_data
 
     master = next(Path(__file__).parents[2].glob("notebooks/masters/*_the_errand.py")).read_text()
     rows = CHECKLIST.findall(master)
     assert len(rows) == 5
-    for topic, package, name, frame in rows:
+    assert "All of them are sent with best effort." in master
+    for place, package, name, frame in rows:
+        topic = f"/kachaka/{place}"
         ends = "publishers" if frame else "subscriptions"
         find = getattr(session.node, f"get_{ends}_info_by_topic")
         wait_until(lambda find=find, topic=topic: find(topic))
