@@ -100,7 +100,7 @@ def test_the_camera_is_killed_and_comes_back(start, start_node, collect, wait_un
     node = start_node(EDGE)
     collector = collect(f"/{EDGE}/edges")
     camera = start(sys.executable, "-c", PLAY)
-    wait_until(lambda: len(collector.messages) >= 3)
+    wait_until(lambda: len(collector.messages) >= 3, state=lambda: camera.output + node.output)
     camera.kill()
     # On a busy machine images may have been missing before; each pause has its two lines.
     wait_until(lambda: count_of(NO_IMAGE, node) == count_of(AGAIN, node) + 1)
