@@ -1504,13 +1504,13 @@ print({number: furnished(number).word for number in range(101, 106)})
 # %% [markdown]
 # **A real robot.** A Kachaka has these topics, and your nodes of the lessons use them. Start with a node that only subscribes; a node that drives comes last. If you have another robot, its topics have other names: give them as parameters.
 #
-# | topic of `/kachaka` | type | frame | check before you drive |
-# |---|---|---|---|
-# | `front_camera/image_raw` | `sensor_msgs/Image` | `camera_front` | `encoding`, width and height: is your code written for this size? |
-# | `front_camera/camera_info` | `sensor_msgs/CameraInfo` | `camera_front` | `k` and `d` belong to this camera, not to that of the course |
-# | `lidar/scan` | `sensor_msgs/LaserScan` | `laser_frame` | `angle_min`: where does the first ray point? |
-# | `odometry/odometry` | `nav_msgs/Odometry` | `odom` | push the robot 1 m by hand: does x grow by 1? |
-# | `manual_control/cmd_vel` | `geometry_msgs/Twist` | | wheels off the floor; start with 0.05 m/s; stop when no image comes for 0.5 s |
+# Below `/kachaka`, with type and frame, and what to check before you drive:
+#
+# - `front_camera/image_raw` (`sensor_msgs/Image`, `camera_front`): `encoding`, width and height: is your code written for this size?
+# - `front_camera/camera_info` (`sensor_msgs/CameraInfo`, `camera_front`): `k` and `d` belong to this camera, not to that of the course
+# - `lidar/scan` (`sensor_msgs/LaserScan`, `laser_frame`): `angle_min`: where does the first ray point?
+# - `odometry/odometry` (`nav_msgs/Odometry`, `odom`): push the robot 1 m by hand: does x grow by 1?
+# - `manual_control/cmd_vel` (`geometry_msgs/Twist`): wheels off the floor; start with 0.05 m/s; stop when no image comes for 0.5 s
 #
 # All of them are sent with best effort. The simulated robot has the same topics. To look at those of a robot in your network, start the lessons with its domain (`ROS_DOMAIN_ID=7 environment/lab`), and run `open_camera("topic")`. [[obstacles_ahead]] says what the real robot has in place of the depth image.
 

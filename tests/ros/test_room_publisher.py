@@ -212,11 +212,11 @@ def test_without_panda3d_the_room_says_so_before_anything_is_published(run_pytho
     )
 
 
-CHECKLIST = re.compile(r"^# \| `(\S+)` \| `([a-z_]+)/(\w+)` \| (?:`(\w+)`)? ?\|", re.M)
+CHECKLIST = re.compile(r"^# - `(\S+)` \(`([a-z_]+)/(\w+)`(?:, `(\w+)`)?\): ", re.M)
 
 
 def test_the_checklist_for_a_real_robot_says_what_the_room_has(body, session, wait_until):
-    """The table at the end of the last lesson: topics, types and frames; and their QoS."""
+    """The list at the end of the last lesson: topics, types and frames; and their QoS."""
     from rclpy.qos import ReliabilityPolicy, qos_profile_sensor_data
 
     master = next(Path(__file__).parents[2].glob("notebooks/masters/*_the_errand.py")).read_text()

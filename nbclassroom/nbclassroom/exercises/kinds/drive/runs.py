@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...running import CallResult, LimitedOutput, call_within, failure_fields
-from .drive import STEP, STEP_SECONDS, Cost, Drive, environment, form_of, seconds_of, speeds_of, steps_of
+from .drive import STEP, STEP_SECONDS, Cost, Drive, environment, form_of, seconds_of, steps_of
 
 _SHOWN_STEPS = 20  # between two states of the progress bar
 _KEPT_LINES = 13  # of what a drive prints: one more than is shown
@@ -45,10 +45,7 @@ class _Run:
             self.excess.append(f"{name} {excess}")
             self._end(drive)
             return
-        try:
-            drive.act(speeds_of(speeds))
-        except ValueError as error:
-            drive.stop(str(error))
+        drive.act(speeds)
 
     def _end(self, drive):
         """End the drive, because the drives of this check cost too much; frees what it keeps."""
