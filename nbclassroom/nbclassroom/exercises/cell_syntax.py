@@ -1,4 +1,4 @@
-"""What the sources of a notebook's cells say by their syntax: what they define, and what never ends.
+"""What the sources of a notebook's cells say by their syntax: what they define, and what waits.
 
 Nothing is run. Only the standard library is imported, no other module of ours: the process that reads
 notebooks loads this file alone (see `gradebook.submission_reader`).
@@ -33,10 +33,10 @@ _PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
 _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
 _INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]+)(?=\S)")  # of a whole cell: Jupyter drops it
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
-# Calls that belong to a program which runs by itself: those that never come to an end, or come once in a
-# process, and those that wait for a person.
-_ENDLESS_CALLS = re.compile(r"\.?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)")
-_WAITING_CALLS = re.compile(rf"{_ENDLESS_CALLS.pattern}|main|input|(cv2\.)?(imshow|waitKey\w{{0,9}})")
+# Calls of a program that runs by itself: they do not end, come once in a process, or wait for somebody.
+_WAITING_CALLS = re.compile(
+    r"(.*\.)?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)|main|input|(cv2\.)?(imshow|waitKey\w{0,9})", re.S
+)
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
@@ -193,15 +193,28 @@ def _is_not_implemented(statement):
 def program_lines(source, *, is_main=True):
     """[line number, its text] of the statements of a cell that belong to a program which runs by itself.
 
-    They call main(), spin a node, loop without an end, or wait for a window, a key or a person. Below
+    They call main(), spin a node, or wait for a window, a key or a person. Below
     `if __name__ == ...` they count if the cell is the main program.
     """
     try:
         body = [part for statement in top_level(source) for part in _parts_to_name(statement, is_main)]
-        statements = _statements_that_call(body, _WAITING_CALLS)
-        return [[statement.lineno, ast.unparse(statement).split("\n")[0]] for statement in statements]
+        nodes = [node for statement in body for node in ast.walk(statement)]
+        definitions, waiting = [node for node in nodes if isinstance(node, _DEFINITIONS)], set()
+        for _ in range(3):  # one may call another one that stands below it
+            waiting |= {node.name for node in definitions if _waits(node, waiting)}
+        found = [node for node in body if not isinstance(node, _DEFINITIONS) and _waits(node, waiting)]
+        return [[node.lineno, ast.unparse(node).split("\n")[0]] for node in found]
     except UNPARSABLE:
         return []
+
+
+def _waits(node, waiting):
+    """Whether a node calls what waits; a class does so in its __init__."""
+    body = node.body if isinstance(node, ast.ClassDef) else [node]
+    body = [part for part in body if part is node or getattr(part, "name", "__init__") == "__init__"]
+    parts = [inner for own in body for inner in ast.walk(own)]
+    calls = [ast.unparse(part.func) for part in parts if isinstance(part, ast.Call)]
+    return any(name.rpartition(".")[2] in waiting or _WAITING_CALLS.fullmatch(name) for name in calls)
 
 
 def _parts_to_name(statement, is_main):
@@ -212,39 +225,3 @@ def _parts_to_name(statement, is_main):
         parts = [node for node in ast.iter_child_nodes(statement) if isinstance(node, ast.stmt)]
         return [inner for part in parts for inner in _parts_to_name(part, is_main)]
     return [statement]
-
-
-def _statements_that_call(statements, calls):
-    """The statements that loop without an end or make such calls, directly or through what they define."""
-    nodes = [node for statement in statements for node in ast.walk(statement)]
-    called = {node: _names_called(node) for node in nodes if isinstance(node, _DEFINITIONS)}
-    called |= {statement: _names_called(statement) for statement in statements if statement not in called}
-    names, count = {"while"}, -1
-    while len(names) > count:
-        count = len(names)
-        meant = {node for node, own in called.items() if own & names or any(map(calls.fullmatch, own))}
-        own_names = {node.name for node in meant if isinstance(node, _DEFINITIONS)}
-        names |= own_names | {f".{name}" for name in own_names}
-    return [node for node in statements if node in meant and not isinstance(node, _DEFINITIONS)]
-
-
-def _names_called(node):
-    """What a node calls: f, or a.f and .f; `while` for a loop without an end. A class calls its __init__."""
-    names, body = set(), getattr(node, "body", ()) if isinstance(node, ast.ClassDef) else [node]
-    body = [part for part in body if part is node or getattr(part, "name", "__init__") == "__init__"]
-    for part in (inner for own in body for inner in ast.walk(own)):
-        if isinstance(part, ast.Call) and isinstance(part.func, ast.Name | ast.Attribute):
-            names |= {f".{getattr(part.func, 'attr', '')}", ast.unparse(part.func)}
-        elif isinstance(part, ast.While) and getattr(part.test, "value", False) in (True, 1):
-            ends = (ast.Break, ast.Return, ast.Raise, ast.Yield)
-            names |= set() if any(isinstance(inner, ends) for inner in ast.walk(part)) else {"while"}
-    return names
-
-
-def endless_statements(statements):
-    """The numbers of those of a cell's statements that never come to an end."""
-    try:
-        endless = _statements_that_call(statements, _ENDLESS_CALLS)
-        return [number for number, statement in enumerate(statements) if statement in endless]
-    except UNPARSABLE:
-        return []

@@ -145,6 +145,8 @@ def _answer_cells(cells, lesson, reader, content):
         content.add("finding out what is graded takes too much time or memory", kind="odd")
         page, places, shapes = content.page, {id: [] for id, *_ in asked}, {}
     content.page, content.shapes = page, shapes
+    for file in [cell["file"] for cell in page["cells"] if re.match(r"/|.*\.\.", cell["file"])]:
+        content.add(f"it tried to write files ({sanitize_line(file, 80)})", kind="hostile")
     by_number, found = {cell["number"]: cell for cell in cells}, {}
     for exercise in lesson.exercises:
         marked = [cell for cell in cells if _is_marked(cell, exercise, lesson)]

@@ -58,8 +58,11 @@ def test_what_runs_are_the_cells_above_the_check(read, made):
     place = made["cells"].index(cell_of(made, DOUBLE))
     own = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
     made["cells"].insert(place, own | {"id": "mine", "source": "%%writefile tool.py\nFACTOR = 2"})
+    made["cells"].append(own | {"id": "out", "source": "%%writefile ../../x\nmine"})
     cell_of(made, "given-light-double-1")["source"] += "\nFACTOR = 3"
-    page = read(made).page
+    content = read(made)
+    assert texts(content, "hostile") == ["it tried to write files (../../x)"]
+    page = content.page
     given, changed, _, tool, answer = page["cells"][:5]  # the third imports `check`
     assert (given["kind"], given["source"]) == ("given", "import numpy as np\n\nLIMIT = 255")
     assert (changed["kind"], changed["source"].splitlines()[-1]) == ("lesson", "FACTOR = 3")
@@ -199,14 +202,11 @@ def test_syntax_of_a_newer_python_is_named(read, made, version, is_named):
     assert any(text.startswith("it was run with Python 3.99, and Python 3.") for text in findings) == is_named
 
 
-def test_a_pasted_program_is_named_and_what_never_ends_is_not_run(read, made):
+def test_a_pasted_program_is_named(read, made):
     cell_of(made, DOUBLE)["source"] = (
         "def double(p):\n    return p\n\nwhile rclpy.ok():\n    spin(3)\ninput()"
     )
-    content = read(made)
-    number = [cell["exercise"] for cell in content.page["cells"]].index("light-double")
-    assert content.page["left_out"] == [[number, 1]]
-    (loop, person) = texts(content, "message")
+    (loop, person) = texts(read(made), "message")
     assert loop.startswith("line 4, while rclpy.ok():, belongs to a program that runs by itself")
     assert person.startswith("line 6, input(), belongs to a program")
 
