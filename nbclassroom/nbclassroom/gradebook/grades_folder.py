@@ -11,7 +11,7 @@ from pathlib import Path
 from ..autograder.sanitize import sanitize_line
 from .anonymity import learner_without_name, without_names
 from .grades_json import FORMAT, grades_text, learner_entry
-from .lms_export import checks_csv, feedback_zips, grades_csv
+from .lms_export import feedback_zips, grades_csv
 from .report import count_of, learner_page, points_text
 from .result_store import write_grades_file
 from .review import FOLDER, AnswerParts, review_pages
@@ -85,7 +85,6 @@ def write_grades(out, grades, pages):
     before, text = read_grades(out / "grades.json"), grades_text(grades)
     write_grades_file(out / "grades.json", text)
     write_grades_file(out / "grades.csv", grades_csv(grades))
-    write_grades_file(out / "checks.csv", checks_csv(grades))
     page_grades = without_names(grades) if grades["anonymous_pages"] else grades
     entries = zip(page_grades["learners"], grades["learners"], strict=True)
     names = {shown_entry["name"]: entry["name"] for shown_entry, entry in entries}

@@ -13,7 +13,6 @@ import csv
 from pathlib import PurePosixPath
 
 from ..authoring.learner_files import zip_bytes
-from ..autograder.outcomes import Outcome
 from ..autograder.sanitize import spreadsheet_text
 from .csv_table import csv_text
 from .grades_json import lesson_names
@@ -25,10 +24,6 @@ COLUMNS = (
     *("status", "findings", "file", "platform_id", "autograded_points", "days_late", "late_deduction"),
     *("page", "open_points"),
 )
-CHECK_COLUMNS = (
-    *("learner", "lesson", "exercise", "check", "title", "hidden", "points", "max_points"),
-    *("outcome", "message", "mistake"),
-)
 EXCUSED = "EX"  # what Canvas writes
 
 
@@ -36,24 +31,8 @@ def grades_csv(grades):
     """The text of grades.csv."""
     any_counts = grades["open_as_zero"]
     rows = [_grades_row(one, lesson, any_counts) for one in grades["learners"] for lesson in one["lessons"]]
-    return _text(COLUMNS, rows)
-
-
-def checks_csv(grades):
-    """The text of checks.csv."""
-    rows = [
-        (
-            *(learner["name"], lesson["lesson"], exercise["id"], case["id"], case["title"]),
-            "hidden" if case["hidden"] else "",
-            *("" if case["outcome"] == Outcome.OPEN else case["points"], case["max_points"]),
-            *(case["outcome"], case["message"], exercise["mistake"]),
-        )
-        for learner in grades["learners"]
-        for lesson in learner["lessons"]
-        for exercise in lesson["exercises"]
-        for case in exercise["cases"]
-    ]
-    return _text(CHECK_COLUMNS, rows)
+    rows = [COLUMNS, *([spreadsheet_text(value) for value in row] for row in rows)]
+    return "\ufeff" + csv_text(rows, quoting=csv.QUOTE_NONNUMERIC)
 
 
 def _grades_row(learner, lesson, any_counts):
@@ -90,11 +69,6 @@ def lessons_of(grades):
     entries = [entry for key in reversed(grades["keys"]) for entry in key["lessons"]]
     lessons = {entry["lesson"]: entry for entry in entries if entry["max_points"]}
     return {name: lessons[name] for name in lesson_names(grades) if name in lessons}
-
-
-def _text(columns, rows):
-    rows = [columns, *([spreadsheet_text(value) for value in row] for row in rows)]
-    return "\ufeff" + csv_text(rows, quoting=csv.QUOTE_NONNUMERIC)
 
 
 def feedback_zips(grades, read_page):

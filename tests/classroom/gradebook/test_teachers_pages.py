@@ -1,6 +1,5 @@
 """The teacher's pages: what to look at, lines for decisions, changes, ids, feedback zips."""
 
-import csv
 import html
 import io
 import json
@@ -357,17 +356,6 @@ def test_an_excused_lesson_is_no_practice(light, submissions, key_path, tmp_path
     (page,) = (tmp_path / "out" / "learners").iterdir()
     text = page.read_text(encoding="utf-8")
     assert "counts neither for you nor against you" in text and "practice, without points" not in text
-
-
-def test_each_check_of_each_learner_is_a_row(graded):
-    with (graded[1] / "checks.csv").open(encoding="utf-8-sig", newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert len(rows) == 3 * 4
-    (row,) = [row for row in rows if row["learner"] == "eve" and row["title"] == "An image"]
-    about = ("lesson", "exercise", "hidden", "points", "max_points", "outcome", "mistake")
-    assert [row[name] for name in about] == ["light", "light-double", "", "0", "1", "crashed", ""]
-    hidden = [row["hidden"] for row in rows if row["title"] == "Any image"]
-    assert hidden == ["hidden"] * 3 and sum(int(row["points"]) for row in rows) == 6 + 6 + 3
 
 
 def test_a_total_says_how_many_lessons_were_submitted(graded):
