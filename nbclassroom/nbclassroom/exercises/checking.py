@@ -162,7 +162,8 @@ def _one_change(result, function, calls):
         judged = (exercise.judged_call(changed, *pair, seconds) for pair in pairs)
         return all(call.passed and (may_warn or not call.result.warning) for call in judged)
 
-    return sentence_on_change(function, passes)
+    task = "\n".join((exercise.stub, *exercise.hints, *(call.case.hint for call in calls)))
+    return sentence_on_change(function, passes, task)
 
 
 def _end_of(call):

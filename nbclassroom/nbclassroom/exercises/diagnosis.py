@@ -156,7 +156,9 @@ def _advice_on_dtypes(pairs: list[tuple[dict, dict]], tolerance: float) -> Diagn
         return Diagnosis()
     texts = dict.fromkeys(_advice_on_dtype(*pair, tolerance) for pair in pairs)
     if "" in texts:
-        return Diagnosis()
+        others = [compare(*pair, tolerance, exact_type=False) for pair in pairs]
+        messages = [other.message for other in others if other and other.kind == "value"]
+        return Diagnosis(f"Not only the dtype: {messages[0]}." if messages else "")
     wrong = [text for text in texts if not text.startswith(_RIGHT)]
     return Diagnosis(" ".join(wrong or texts), replaces_hint=True)
 

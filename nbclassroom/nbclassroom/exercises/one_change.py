@@ -11,7 +11,7 @@ import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import groupby, pairwise, product
+from itertools import groupby, pairwise, product, takewhile
 
 from .limited_fork import limit_memory, text_within
 from .running import code_of, globals_of, source_of
@@ -27,8 +27,10 @@ _NUMBER = "is this number right?"
 _TYPE = "your numbers do not fit into the dtype of {name}. Widen {name} first, with astype."
 _QUESTIONS = dict.fromkeys(("int", "round", "float", "floor"), "should it be cut or rounded here?")
 _QUESTIONS |= {"abs": "is its sign needed?", "sqrt": "is the root needed?"}
+_ELSE = "its else runs in the cases above, too. Is it an elif?"
 _ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
 _ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
+_PRODUCT = re.compile(r"\d+ \* \d+")
 _COMPARISONS: dict[type[ast.cmpop], tuple[tuple[type[ast.cmpop], str], ...]] = {
     ast.Lt: ((ast.LtE, _LIMIT), (ast.Gt, _DIRECTION)),
     ast.LtE: ((ast.Lt, _LIMIT), (ast.GtE, _DIRECTION)),
@@ -44,6 +46,10 @@ _OPERATORS = {
     ast.MatMult: (ast.Mult,),
     ast.Div: (ast.Mult, ast.FloorDiv),
     ast.FloorDiv: (ast.Div,),
+    ast.BitAnd: (ast.BitOr,),
+    ast.BitOr: (ast.BitAnd,),
+    ast.LShift: (ast.RShift,),
+    ast.RShift: (ast.LShift,),
 }
 
 
@@ -57,21 +63,24 @@ class _Change:
     question: str
 
 
-def sentence_on_change(function, passes):
+def sentence_on_change(function, passes, task=""):
     """Where one change of a Python function makes it pass, a sentence; "" if no usual change does.
 
-    `passes(function, seconds)` tells whether a changed function passes every call within a time for each. All
-    are tried in another process, within limits on time and memory: a change can make of two numbers a
+    `passes(function, seconds)` tells whether a changed function passes every call within a time for each. The
+    numbers in the text of the task are tried in the place of others, and a line that stands in it is right.
+    All changes are tried in another process, within limits on time and memory: one can make of two numbers a
     table that is too large, or a loop that does not end.
     """
-    return text_within(lambda: _find_change(function, passes), _MOST_SECONDS)
+    return text_within(lambda: _find_change(function, passes, task), _MOST_SECONDS)
 
 
-def _find_change(function, passes):
+def _find_change(function, passes, task):
     code, source = code_of(function), source_of(function)
     (tree,) = ast.parse(source if len(source) < _LONGEST_SOURCE else "pass").body
     if not isinstance(tree, ast.FunctionDef):
         return ""
+    numbers = dict.fromkeys(re.findall(r"(?<![\w.])\d+(?:\.\d+)?\b", task))
+    tree.numbers = [float(number) if "." in number else int(number) for number in numbers]
     started = time.perf_counter()
     passes(function, 1)
     seconds = _PER_CALL + 10 * (time.perf_counter() - started)
@@ -81,17 +90,21 @@ def _find_change(function, passes):
         changed_function = _compiled(_changed(tree, changes), function)
         return changed_function is not None and passes(changed_function, seconds)
 
-    nodes = list(ast.walk(tree))
+    nodes, lines = list(ast.walk(tree)), source.split("\n")
+    given = {
+        number for number, line in enumerate(lines, 1) if len(line.strip()) > _SHORT and line.strip() in task
+    }
     possible = [
         _Change(rule, number, kind, question)
         for rule in _RULES
         for number, node in enumerate(nodes)
+        if node is tree or getattr(node, "lineno", 0) not in given
         for kind, (question, _) in enumerate(rule(node, tree))
     ]
     for changes in _groups(possible, nodes):
         if helps(changes):
             places = [nodes[change.number] for change in changes]
-            return _sentence(places, changes[0].question, source.split("\n"), code.co_firstlineno - 1)
+            return _sentence(places, changes[0].question, lines, code.co_firstlineno - 1)
     return ""
 
 
@@ -126,7 +139,8 @@ def _groups(possible, nodes):
         for change in same_rule:
             place, name = nodes[change.number], (change.kind, change.question)
             groups[change] = [change]
-            for about in (getattr(place, "lineno", 0), type(getattr(place, "ctx", None)), _form(place)):
+            kind_of_place = type(getattr(place, "ctx", None))
+            for about in (getattr(place, "lineno", 0), kind_of_place, _form(place), ast.unparse(place)):
                 groups.setdefault((name, about), []).append(change)
         yield from ([change] for change in groups if isinstance(change, _Change))
         yield from (changes for changes in groups.values() if len(changes) > 1)
@@ -156,6 +170,10 @@ def _changed(tree, changes):
 
 def _setting(node, **values):
     return lambda: vars(node).update(values)
+
+
+def _parsed(text):
+    return ast.parse(text, mode="eval").body
 
 
 def _replacing(node, part):
@@ -224,20 +242,21 @@ def _call(node, _tree):
         return
     owner, dot, name = ast.unparse(node.func).rpartition(".")
     for alike in next((group.split() for group in _ALIKE.split(", ") if name in group.split()), ()):
-        function = ast.parse(f"{owner}{dot}{alike}", mode="eval").body
-        yield "is it the right function?", _setting(node, func=function)
+        yield "is it the right function?", _setting(node, func=_parsed(f"{owner}{dot}{alike}"))
     if name in _QUESTIONS and node.args:
         yield _QUESTIONS[name], _replacing(node, node.args[0])
+    if name == "len" and node.args:
+        yield "is it the right size?", _replacing(node, _parsed(f"{ast.unparse(node.args[0])}.shape[1]"))
     for change in ("+ 1", "- 1", "* 2 + 1") if name == "range" and node.args else ():
         start, stop, step = node.args[:-1][:1], node.args[:2][-1], node.args[2:]
-        other = ast.parse(f"({ast.unparse(stop)}) {change}", mode="eval").body
+        other = _parsed(f"({ast.unparse(stop)}) {change}")
         yield "does it end at the right place?", _setting(node, args=[*start, other, *step])
 
 
-def _constant(node, _tree):
+def _constant(node, tree):
     value = node.value if isinstance(node, ast.Constant) else None
     if isinstance(value, int | float) and not isinstance(value, bool):
-        for number in (value + 1, value - 1, -value, math.inf):
+        for number in (value + 1, value - 1, -value, 2 * value, value / 2, math.inf, *tree.numbers):
             if value or number > 0:
                 yield _NUMBER, _setting(node, value=number)
     if isinstance(node, ast.Attribute) and re.fullmatch(r"u?int(8|16)|uint32", node.attr):
@@ -245,10 +264,45 @@ def _constant(node, _tree):
 
 
 def _size(node, tree):
-    is_size = isinstance(node, ast.Constant) and isinstance(node.value, int) and node.value > 2
+    is_number = isinstance(node, ast.Constant) and isinstance(node.value, int) and node.value > 2
+    is_size = is_number or (isinstance(node, ast.BinOp) and _PRODUCT.fullmatch(ast.unparse(node)))
     for argument, size in product(tree.args.args, ("size", "shape[0]", "shape[1]")) if is_size else ():
-        part = ast.parse(f"{argument.arg}.{size}", mode="eval").body
-        yield "is it the same for every input?", _replacing(node, part)
+        yield "is it the same for every input?", _replacing(node, _parsed(f"{argument.arg}.{size}"))
+
+
+def _index(node, _tree):
+    part = getattr(node, "slice", None)
+    indices = getattr(part, "elts", [part])
+    if isinstance(node, ast.Slice) and isinstance(node.lower, ast.BinOp):
+        lower = _parsed(f"max(0, {ast.unparse(node.lower)})")
+        yield "can it begin below 0, which counts from the end?", _setting(node, lower=lower)
+    if isinstance(node, ast.Slice) and node.upper:
+        upper = _parsed(f"{ast.unparse(node.upper)} + 1")
+        yield "is its last element left out?", _setting(node, upper=upper)
+    elif isinstance(part, ast.Compare):
+        yield "are these values needed, or the mask itself?", _replacing(node, part)
+    elif isinstance(part, ast.Slice):
+        yield "should it take columns?", _setting(node, slice=ast.Tuple([ast.Slice(), part], ast.Load()))
+    elif part and not any(isinstance(index, ast.Slice | ast.Starred) for index in indices):
+        for step in ("+ 1", "- 1"):
+            moved = _parsed(", ".join(f"{ast.unparse(index)} {step}" for index in indices))
+            yield "is it the right place?", _setting(node, slice=moved)
+
+
+def _branch(node, tree):
+    """Of the branches `if`, `if`, `if else` only one runs if they become `if`, `elif`, `elif else`."""
+    blocks = [getattr(part, "body", ()) for part in ast.walk(tree)] if isinstance(node, ast.If) else []
+    block = next((one for one in blocks if isinstance(one, list) and node in one), [node])
+    above = reversed(block[: block.index(node)] if getattr(node, "orelse", ()) else ())
+    branches = [*takewhile(lambda one: isinstance(one, ast.If) and not one.orelse, above)]
+
+    def join():
+        for last, first in pairwise([node, *branches]):
+            first.orelse = [last]
+            block.remove(last)
+
+    if branches:
+        yield _ELSE, join
 
 
 def _argument(node, tree):
@@ -263,7 +317,8 @@ def _name(node, tree):
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in names:
         for variable in sorted({*names} - {node.id}):
             yield "is it the right variable?", _setting(node, id=variable)
+        yield "is it half of what is needed?", _replacing(node, _parsed(f"2 * {node.id}"))
 
 
 # The first change that helps counts.
-_RULES = (_argument, _compare, _order, _operator, _call, _constant, _name, _size)
+_RULES = (_argument, _branch, _compare, _order, _operator, _call, _constant, _size, _index, _name)

@@ -177,7 +177,7 @@ def test_what_is_certain_about_values(expected, actual, text):
 
 
 def test_a_wrong_dtype_with_wrong_values_is_not_called_right():
-    assert say(SIGNED, SIGNED.astype(np.int64) * 3 + 1).text == ""
+    assert say(SIGNED, SIGNED.astype(np.int64) * 3 + 1).text.startswith("Not only the dtype: 30 of 30 values")
     assert not say(SIGNED, SIGNED.astype(np.int64) * 3 + 1).replaces_hint
 
 

@@ -8,7 +8,7 @@ from nbclassroom.exercises.running import call
 from readable_cell import run_cell
 
 
-def sentence(source, *pairs):
+def sentence(source, *pairs, task=""):
     """The sentence on a function f, for which (arguments, expected value) are the calls."""
 
     def passes(function, seconds):
@@ -16,7 +16,7 @@ def sentence(source, *pairs):
         wanted = [call(lambda value=value: value, (), [], 1) for _, value in pairs]
         return all(map(lambda one, other: one.matches(other, 1e-9, exact_type=False), results, wanted))
 
-    return sentence_on_change(run_cell(source, {"np": np})["f"], passes)
+    return sentence_on_change(run_cell(source, {"np": np})["f"], passes, task)
 
 
 ROWS = "def f(a):\n    found = []\n    for row in range(len(a)):\n        for col in range(len(a[0])):\n"
@@ -71,6 +71,44 @@ CASES = {
         "line 2",
         "a * b - c + d: are parentheses missing?",
     ),
+    "a branch": (
+        "def f(a):\n    if a == 0:\n        b = 5\n    if a == 1:\n        b = 6\n    else:\n        b = 7\n"
+        "    return b",
+        [((0,), 5), ((1,), 6), ((2,), 7)],
+        "Look at if a == 1: its else runs in the cases above, too. Is it an elif?",
+    ),
+    "a slice that begins below 0": (
+        "def f(a, k):\n    return a[k - 2 : k]",
+        [(("abcd", 1), "a"), (("abcd", 3), "bc")],
+        "k - 2:k in return a[k - 2 : k]: can it begin below 0, which counts from the end?",
+    ),
+    "the end of a slice": (
+        "def f(a, k):\n    return a[0:k]",
+        [(("abcd", 2), "abc")],
+        "last element left out?",
+    ),
+    "an index": (
+        "def f(a, r, c):\n    return a[r][c] + a[c, r]",
+        [((np.arange(9).reshape(3, 3), 0, 1), 8)],
+        "a[c, r]: is it the right place?",
+    ),
+    "columns": (
+        "def f(a):\n    return int(a[::2].sum())",
+        [((np.arange(6).reshape(2, 3),), 10)],
+        "take columns?",
+    ),
+    "a mask": (
+        "def f(a):\n    return float(a[a > 2].mean())",
+        [((np.arange(4),), 0.25)],
+        "or the mask itself?",
+    ),
+    "a length": ("def f(a):\n    return a.sum() / len(a)", [((np.ones((2, 3)),), 2.0)], "the right size?"),
+    "a product": ("def f(a):\n    return a.sum() / (4 * 5)", [((np.ones((2, 3)),), 1.0)], "4 * 5 in"),
+    "twice a number": (
+        "def f(a):\n    return a * 8",
+        [((3,), 48)],
+        "8 in return a * 8: is this number right?",
+    ),
     "a part too many": ("def f(a, b):\n    return a * b + b", [((2, 3), 6)], "is the second part needed?"),
 }
 
@@ -81,6 +119,20 @@ def test_the_place_of_one_change_is_named(name):
     text = sentence(source, *pairs)
     assert "these checks pass" in text
     assert all(part in text for part in parts), text
+
+
+def test_a_number_of_the_task_is_tried():
+    pairs = [((0.5,), True), ((0.1,), False)]
+    assert sentence("def f(a):\n    return a > 5", *pairs, task="A quarter is 25 %, or 0.25.") != ""
+    assert sentence("def f(a):\n    return a > 5", *pairs) == ""
+
+
+def test_a_line_of_the_task_is_right():
+    source = "def f(a):\n    first, second = a\n    return second - first"
+    assert "line 2" in sentence(source, (((5, 2),), 3))
+    assert "line 3" in sentence(
+        source, (((5, 2),), 3), task="Begin with\n    first, second = a\nand subtract."
+    )
 
 
 def test_nothing_is_said_if_no_change_helps():
