@@ -52,7 +52,7 @@ def _parse(files, name):
     try:
         return ast.parse(_text(files, name), name)
     except SyntaxError as error:
-        raise NodeError(f"{name}, line {error.lineno}, is not Python: {error.msg}.") from None
+        raise NodeError(f"{name}, line {error.lineno}, is not Python: {error.msg.rstrip('?')}.") from None
 
 
 def _node_file(files):
