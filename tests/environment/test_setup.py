@@ -227,15 +227,8 @@ def test_a_read_only_folder_is_reported(checkout):
 
 @pytest.mark.sandbox
 def test_a_disk_that_is_too_small_is_reported_before_any_download(checkout):
-    small_disk = [
-        "--size",
-        str(64 * 2**20),
-        "--tmpfs",
-        checkout,
-        "--ro-bind",
-        ROOT / "environment",
-        checkout / "environment",
-    ]
+    mounts = ["--tmpfs", checkout, "--ro-bind", ROOT / "environment", checkout / "environment"]
+    small_disk = ["--size", str(64 * 2**20), *mounts]
     process = run(["bwrap", "--dev-bind", "/", "/", *small_disk, checkout / "environment/setup"])
     assert process.returncode == 1
     assert "MB free in" in process.stderr

@@ -17,7 +17,6 @@ from .progress import read_progress
 _LESSON_FILE = re.compile(r"(\d\d)_[a-z0-9_]+\.ipynb")
 _NEEDS = re.compile(r"\*\*You need\*\*(.*?)(?:\n|$)")
 _LINKED_NUMBER = re.compile(r"\]\((\d\d)_[a-z0-9_]+\.ipynb")
-_BAR_CHARACTERS = 20
 CERTIFICATE = "certificate.html"
 
 
@@ -98,16 +97,13 @@ class Overview:
         return f"{passed} · all lessons: {whole}; their cores: {core}"
 
     def __repr__(self):
-        filled = round(_BAR_CHARACTERS * self.passed / max(self.exercises, 1))
-        bar = "█" * filled + "░" * (_BAR_CHARACTERS - filled)
-        return "\n".join([f"{bar} {self._summary()}", *map(self._line, self.lessons)])
+        return "\n".join([self._summary(), *map(self._line, self.lessons)])
 
     def _line(self, lesson):
         needs = f", needs {', '.join(lesson.needs)}" if lesson.needs else ""
         mark = lesson.tick or ("→ " if lesson == self.next_lesson else "  ")
         time = f"core {lesson.core_minutes}, whole {lesson.minutes} minutes"
-        about = f"{lesson.number} {lesson.title}: {time}{needs}"
-        return f"{mark}{about}; {lesson.count} exercises"
+        return f"{mark}{lesson.number} {lesson.title}: {time}{needs}; {lesson.count} exercises"
 
     def _repr_html_(self):
         head = _row('th scope="col"', ("Lesson", "Minutes: core", "whole", "Needs", "Exercises passed"))
