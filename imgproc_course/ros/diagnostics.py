@@ -8,6 +8,7 @@ from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 
 from imgproc_course.messages.compressed import TRANSPORTS
+from imgproc_course.ros.profile import lost_ports
 from imgproc_course.ros_domain import discovery_problem, discovery_range, users_in
 
 IMAGE_TYPES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
@@ -26,6 +27,8 @@ def explain_missing_messages(
     start = f"no image arrived on {topic} in {seconds:g} s: "
     if failure:
         return start + failure
+    if lost_ports():
+        return start + "another program removed this one's shared-memory port; restart this program or kernel"
     publishers = node.get_publishers_info_by_topic(topic)
     if not publishers:
         return start + _no_publisher(node, topic, own_topics)

@@ -257,12 +257,17 @@ REMOVES_ITS_PORT = """
 import os, re
 from pathlib import Path
 from imgproc_course.ros import RosSession, profile, session
+from imgproc_course.ros.diagnostics import explain_missing_messages
+from sensor_msgs.msg import Image
 RosSession.current()
 locks = {os.path.realpath(link) for link in Path("/proc/self/fd").iterdir()}
 port = max(lock.removesuffix("_el") for lock in locks if "fastrtps_port" in lock)
 print(profile.lost_ports())
 os.unlink(port)
 print(profile.lost_ports() == [Path(port).name])
+node = RosSession.current().node
+subscription = node.create_subscription(Image, "/images", print, 10)
+print("restart this program" in explain_missing_messages(node, subscription, 3, 0))
 RosSession.current().stop()
 answers, contexts, new_context = [[Path(port).name], []], [], session._new_context
 session.lost_ports = lambda: answers.pop(0)
@@ -275,4 +280,4 @@ print(answers, [context.ok() for context in contexts], running.context is contex
 @pytest.mark.ros
 def test_a_session_that_lost_a_port_starts_with_a_new_participant(run_python):
     code, out, err = run_python(REMOVES_ITS_PORT)
-    assert (code, out.splitlines(), err) == (0, ["[]", "True", "[] [False, True] True []"], "")
+    assert (code, out.splitlines(), err) == (0, ["[]", "True", "True", "[] [False, True] True []"], "")
