@@ -30,7 +30,6 @@ _QUESTIONS |= {"abs": "is its sign needed?", "sqrt": "is the root needed?"}
 _ELSE = "its else runs in the cases above, too. Is it an elif?"
 _ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
 _ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
-_PRODUCT = re.compile(r"\d+ \* \d+")
 _COMPARISONS: dict[type[ast.cmpop], tuple[tuple[type[ast.cmpop], str], ...]] = {
     ast.Lt: ((ast.LtE, _LIMIT), (ast.Gt, _DIRECTION)),
     ast.LtE: ((ast.Lt, _LIMIT), (ast.GtE, _DIRECTION)),
@@ -256,16 +255,18 @@ def _call(node, _tree):
 def _constant(node, tree):
     value = node.value if isinstance(node, ast.Constant) else None
     if isinstance(value, int | float) and not isinstance(value, bool):
-        for number in (value + 1, value - 1, -value, 2 * value, value / 2, math.inf, *tree.numbers):
+        for number in (value + 1, value - 1, -value, 2 * value, value / 2, math.inf):
             if value or number > 0:
                 yield _NUMBER, _setting(node, value=number)
+        for number in tree.numbers:
+            yield "is it the number of the task?", _setting(node, value=number)
     if isinstance(node, ast.Attribute) and re.fullmatch(r"u?int(8|16)|uint32", node.attr):
         yield "can this type hold every value?", _setting(node, attr="int64")
 
 
 def _size(node, tree):
     is_number = isinstance(node, ast.Constant) and isinstance(node.value, int) and node.value > 2
-    is_size = is_number or (isinstance(node, ast.BinOp) and _PRODUCT.fullmatch(ast.unparse(node)))
+    is_size = is_number or (isinstance(node, ast.BinOp) and re.fullmatch(r"\d+ \* \d+", ast.unparse(node)))
     for argument, size in product(tree.args.args, ("size", "shape[0]", "shape[1]")) if is_size else ():
         yield "is it the same for every input?", _replacing(node, _parsed(f"{argument.arg}.{size}"))
 

@@ -72,8 +72,7 @@ CASES = {
         "a * b - c + d: are parentheses missing?",
     ),
     "a branch": (
-        "def f(a):\n    if a == 0:\n        b = 5\n    if a == 1:\n        b = 6\n    else:\n        b = 7\n"
-        "    return b",
+        "def f(a):\n  if a == 0:\n    b = 5\n  if a == 1:\n    b = 6\n  else:\n    b = 7\n  return b",
         [((0,), 5), ((1,), 6), ((2,), 7)],
         "Look at if a == 1: its else runs in the cases above, too. Is it an elif?",
     ),
@@ -122,9 +121,11 @@ def test_the_place_of_one_change_is_named(name):
 
 
 def test_a_number_of_the_task_is_tried():
-    pairs = [((0.5,), True), ((0.1,), False)]
-    assert sentence("def f(a):\n    return a > 5", *pairs, task="A quarter is 25 %, or 0.25.") != ""
-    assert sentence("def f(a):\n    return a > 5", *pairs) == ""
+    source, pairs = "def f(a):\n    return a > 5", [((0.5,), True), ((0.1,), False)]
+    assert "of the task?" in sentence(source, *pairs, task="A quarter is 25 %, or 0.25.")
+    assert sentence(source, *pairs) == ""
+    source, pair = "def f(a):\n    return a @ [1, 0, -1]", ((np.array([[5, 0, 2]]),), [-3])
+    assert "1 in" in sentence(source, pair, task="3 of 7")
 
 
 def test_a_line_of_the_task_is_right():
