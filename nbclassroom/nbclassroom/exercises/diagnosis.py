@@ -230,6 +230,8 @@ def _shape_rules(expected, actual, given, name):
             f"{text}{name}[0] is the first row, and axis=0 goes along the rows. The channels are the last"
             f" axis: {name}[..., 0], axis=-1.",
         )
+    text = "One axis is too many: did you make your result with the shape of a colour image?"
+    yield len(shape) == 2 and actual_shape[:-1] == shape, text
     if len(shape) == 3:
         text = f"The axis of the channels is missing: each pixel has {shape[2]} values."
         yield actual_shape == shape[:2], text

@@ -280,6 +280,8 @@ def _index(node, _tree):
     if isinstance(node, ast.Slice) and node.upper:
         upper = _parsed(f"{ast.unparse(node.upper)} + 1")
         yield "is its last element left out?", _setting(node, upper=upper)
+        negative = _parsed(f"({ast.unparse(node.upper)}) or None")
+        yield "what is its end if this is -0?", _setting(node, upper=negative)
     elif isinstance(part, ast.Compare):
         yield "are these values needed, or the mask itself?", _replacing(node, part)
     elif isinstance(part, ast.Slice):

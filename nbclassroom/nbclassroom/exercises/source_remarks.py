@@ -9,6 +9,7 @@ from .cell_syntax import top_level
 from .error_advice import read_phrases
 from .running import source_of
 
+_NOT_IN_PLACE = ("astype", "reshape", "flatten", "ravel", "transpose", "byteswap", "clip", "copy", "round")
 STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
 # What is said of an answer, and not of the errors of its calls
 SAYS = read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8"))
@@ -90,8 +91,10 @@ def _slip(node):
     match node:
         case ast.BoolOp(op=ast.Or(), values=[ast.Compare(), *_, ast.Constant()]):
             return "value beside or"
-        case ast.Expr(value=ast.Call(func=ast.Attribute(attr="astype" | "reshape" | "flatten"))):
+        case ast.Expr(value=ast.Call(func=ast.Attribute(attr=name))) if name in _NOT_IN_PLACE:
             return "result not kept"
+        case ast.Compare(ops=[ast.Is() | ast.IsNot()], comparators=[ast.Constant(value=bool())]):
+            return "is True"
         case ast.For(body=[*_, ast.Return()]) if not re.search("continue|break", ast.unparse(node)):
             return "return in a loop"
     return ""

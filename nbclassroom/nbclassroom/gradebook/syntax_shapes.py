@@ -5,33 +5,35 @@ and memory. Nothing is run. Only the standard library is imported.
 """
 
 import ast
+import builtins
 import hashlib
 
 LONGEST = 20_000  # characters of an answer; a longer one is not compared
 _UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
-# Where a kind of syntax has the name that it binds.
-_NAMES = {ast.arg: "arg", ast.ExceptHandler: "name"}
-_NAMES |= dict.fromkeys((ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef), "name")
+_NAMES = ("id", "arg", "name", "asname")  # fields of syntax that hold a name
+_KEPT = {"np", *dir(builtins)}  # everybody's
 _IGNORED = (ast.expr_context, ast.Import, ast.ImportFrom, ast.Pass)
 _UNTOLD = {"annotation", "returns", "type_comment", "kind"}  # fields that change nothing
 
 
 def syntax_tokens(source):
-    """The tokens of a source, a list of str: kinds of syntax, constants, and names that are not its own.
+    """The tokens of a source, a list of str: kinds of syntax, constants, attributes, and everybody's names.
 
-    A name that the source binds is "V" and its number, by first occurrence. Of a text that is no Python, such
+    Another name is "V" and its number, by first occurrence. Of a text that is no Python, such
     as a written answer, they are its words. There are none if the source is longer than LONGEST.
     """
     try:
         tree = ast.parse(source) if len(source) <= LONGEST else ast.Module([], [])
     except _UNPARSABLE:
         return source.split()
-    own, tokens, nodes = _own_names(tree), [], [tree]
+    tokens, nodes = [], [tree]
     numbers: dict[str, int] = {}
     while nodes:
         node = nodes.pop()
-        if isinstance(node, str):
-            tokens.append(f"V{numbers.setdefault(node, len(numbers))}" if node in own else node)
+        if isinstance(node, tuple):
+            tokens.append(f"V{numbers.setdefault(node[0], len(numbers))}")
+        elif isinstance(node, str):
+            tokens.append(node)
         elif isinstance(node, ast.Constant):
             value = node.value  # Python refuses to write huge decimals
             tokens.append(hex(value) if type(value) is int else repr(value))
@@ -43,27 +45,15 @@ def syntax_tokens(source):
     return tokens
 
 
-def _own_names(tree):
-    """The names that a source binds; np is everybody's."""
-    names = set()
-    for node in ast.walk(tree):
-        if type(node) in _NAMES:
-            names.add(getattr(node, _NAMES[type(node)]))
-        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            names.add(node.id)
-        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
-            names |= {node.attr} if getattr(node.value, "id", "") == "self" else set()
-        elif isinstance(node, ast.alias) and node.asname != "np":
-            names.add(node.asname or node.name)
-    return names
-
-
 def _parts(node):
-    for name, value in ast.iter_fields(node):
-        if name not in _UNTOLD:
-            for part in value if isinstance(value, list) else (value,):
-                if isinstance(part, (ast.AST, str)):
-                    yield part
+    """What is inside a node; a name of its own in a tuple. So is an attribute of self."""
+    names = (*_NAMES, "attr") if getattr(getattr(node, "value", None), "id", "") == "self" else _NAMES
+    for field, value in ast.iter_fields(node):
+        if isinstance(value, str) and field not in _UNTOLD:
+            yield (value,) if field in names and value not in _KEPT else value
+        elif field not in _UNTOLD:
+            parts = value if isinstance(value, list) else (value,)
+            yield from (part for part in parts if isinstance(part, ast.AST))
 
 
 def shapes(answers):

@@ -87,6 +87,7 @@ SHAPES = [
         "Rows and columns are exchanged in the shape of your result: the number of rows comes",
     ),
     (COLOUR, COLOUR.reshape(4, 15), "The values are right and in the right order; only the shape is not"),
+    (COLOUR[..., 0], COLOUR, "One axis is too many: did you make your result with the shape of a colour"),
     (COLOUR, COLOUR[..., 0], "The axis of the channels is missing: each pixel has 3 values."),
 ]
 # What says nothing of the cause, beside the case's hint

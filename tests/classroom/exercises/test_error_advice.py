@@ -70,7 +70,7 @@ ADVICE = {
     "os.getcwd()": "Write its import line in it: import os",
     "cos(0.5)": "Write its import line in it: from math import cos",
     "norm(a)": "Write its import line in it: from numpy.linalg import norm",
-    "def f(x):\n    if x > 9:\n        best = 1\n    return best\nf(1)": "Give best a start value before it.",
+    "def f(x):\n    if x > 9:\n        best = 1\n    return best\nf(1)": "Is a case missing, or does best",
     "a.append(3)": "An array cannot grow.",
     "a.height": "the number of its rows is .shape[0], that of its columns .shape[1]",
     "values.reshape(3, 1)": "A list has no .reshape. Make an array of it first",
