@@ -31,7 +31,7 @@ def name_operation(before, after):
     operation = solution(before, after)
     return "binarization" if operation == "edges" else operation
 
-# %% role="mistake" name="three channels not recognised" says="The colour image was not recognised by its three dimensions. after.shape is a tuple such as (45, 60, 3): it never equals the number 3, and other images have another size than the lesson's frame. Compare after.ndim, the number of dimensions, with 3."
+# %% role="mistake" name="three channels not recognised" says="The colour image was not recognised by its three dimensions. Ask first whether after.ndim, the number of dimensions, is 3. (after.shape is a tuple such as (45, 60, 3): it never equals the number 3, and other images have another size than the lesson's frame.)"
 def name_operation(before, after):
     operation = solution(before, after)
     return "grayscale" if operation == "noise removal" else operation

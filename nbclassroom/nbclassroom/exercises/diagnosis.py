@@ -73,7 +73,8 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         return Diagnosis(advice)
     # If the type need not be exact, a dtype that cannot hold the values shows as wrong values.
     if wrong.keys() <= {"dtype", "value"}:
-        advice = _advice_on_dtypes([pair for difference, pair in differences if difference], tolerance)
+        different = [pair for difference, pair in differences if difference]
+        advice = _advice_on_dtypes(different, tolerance, exact="dtype" in wrong)
         return advice if advice.text or "dtype" in wrong else _diagnose_values(returned)
     if "shape" in wrong:
         expected, actual = wrong["shape"]
@@ -149,14 +150,14 @@ def _noun(form):
 # ---------------------------------------------------------------- dtype
 
 
-def _advice_on_dtypes(pairs: list[tuple[dict, dict]], tolerance: float) -> Diagnosis:
+def _advice_on_dtypes(pairs: list[tuple[dict, dict]], tolerance: float, *, exact: bool) -> Diagnosis:
     """What to do if all that differs is the dtype, or the dtype with the values that it cannot hold."""
     differences = [compare(*pair, tolerance) for pair in pairs]
     if any(difference is None or difference.kind != "dtype" for difference in differences):
         return Diagnosis()
     texts = dict.fromkeys(_advice_on_dtype(*pair, tolerance) for pair in pairs)
     if "" in texts:
-        others = [compare(*pair, tolerance, exact_type=False) for pair in pairs]
+        others = [compare(*pair, tolerance, exact_type=False) for pair in pairs if exact]
         messages = [other.message for other in others if other and other.kind == "value"]
         return Diagnosis(f"Not only the dtype: {messages[0]}." if messages else "")
     wrong = [text for text in texts if not text.startswith(_RIGHT)]

@@ -27,7 +27,6 @@ _NUMBER = "is this number right?"
 _TYPE = "your numbers do not fit into the dtype of {name}. Widen {name} first, with astype."
 _QUESTIONS = dict.fromkeys(("int", "round", "float", "floor"), "should it be cut or rounded here?")
 _QUESTIONS |= {"abs": "is its sign needed?", "sqrt": "is the root needed?"}
-_ELSE = "its else runs in the cases above, too. Is it an elif?"
 _ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
 _ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
 _COMPARISONS: dict[type[ast.cmpop], tuple[tuple[type[ast.cmpop], str], ...]] = {
@@ -232,8 +231,10 @@ def _operator(node, _tree):
     if isinstance(node, ast.BinOp | ast.AugAssign):
         for operator in _OPERATORS.get(type(node.op), ()):
             yield "is it the right operator?", _setting(node, op=operator())
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
+    if isinstance(node, ast.BinOp):
         yield "is the second part needed?", _replacing(node, node.left)
+    if isinstance(node, ast.UnaryOp):
+        yield _DIRECTION, _replacing(node, node.operand)
 
 
 def _call(node, _tree):
@@ -305,7 +306,7 @@ def _branch(node, tree):
             block.remove(last)
 
     if branches:
-        yield _ELSE, join
+        yield "its else runs in the cases above, too. Is it an elif?", join
 
 
 def _argument(node, tree):
@@ -321,6 +322,7 @@ def _name(node, tree):
         for variable in sorted({*names} - {node.id}):
             yield "is it the right variable?", _setting(node, id=variable)
         yield "is it half of what is needed?", _replacing(node, _parsed(f"2 * {node.id}"))
+        yield _DIRECTION, _replacing(node, _parsed(f"~{node.id}"))
 
 
 # The first change that helps counts.

@@ -97,6 +97,9 @@ CASES = {
         [((np.arange(6).reshape(2, 3),), 10)],
         "take columns?",
     ),
+    "not": ("def f(a):\n    return not a", [((True,), True), ((0,), 0)], "not a: is it the right way round?"),
+    "a factor too many": ("def f(a):\n    return a * 100 < 2", [((1,), True), ((3,), False)], "second part"),
+    "the other pixels": ("def f(a):\n    return a.tolist()", [((np.ones(2) > 0,), [False, False])], "a in"),
     "a mask": (
         "def f(a):\n    return float(a[a > 2].mean())",
         [((np.arange(4),), 0.25)],

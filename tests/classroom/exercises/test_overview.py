@@ -42,10 +42,8 @@ def pass_exercises(folder, *ids):
 
 def test_without_progress_the_first_lesson_is_the_next(folder):
     result = overview(folder)
-    assert [(lesson.file, lesson.needs) for lesson in result.lessons] == [
-        ("07_one.ipynb", ()),
-        ("08_two.ipynb", ("07",)),
-    ]
+    needs = {lesson.file: lesson.needs for lesson in result.lessons}
+    assert needs == {"07_one.ipynb": (), "08_two.ipynb": ("07",)}
     assert (result.passed, result.exercises) == (0, 3)
     assert repr(result) == (
         "0 of 3 exercises passed · all lessons: 60 minutes; their cores: 40 minutes\n"
@@ -108,10 +106,8 @@ def test_a_lesson_that_the_course_no_longer_has_keeps_its_progress_and_counts_no
     result = overview(folder)
     assert (result.passed, result.next_lesson.file) == (1, "08_two.ipynb")
     assert "all lessons: 30 minutes; their cores: 20 minutes" in repr(result)
-    assert (
-        "07 Lesson <one> (no longer in the course): core 20, whole 30 minutes; 0 of 1, deeper 1 of 1"
-        in repr(result)
-    )
+    text = "07 Lesson <one> (no longer in the course): core 20, whole 30 minutes; 0 of 1, deeper 1 of 1"
+    assert text in repr(result)
     certificate("Ada", folder)
     page = (folder / "certificate.html").read_text(encoding="utf-8")
     assert "<td>Lesson &lt;one&gt; (no longer in the course)</td><td>1 of 2</td><td>–</td>" in page
