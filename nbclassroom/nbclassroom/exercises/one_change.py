@@ -282,7 +282,7 @@ def _index(node, _tree):
         upper = _parsed(f"{ast.unparse(node.upper)} + 1")
         yield "is its last element left out?", _setting(node, upper=upper)
         negative = _parsed(f"({ast.unparse(node.upper)}) or None")
-        yield "what is its end if this is -0?", _setting(node, upper=negative)
+        yield "what does an end of 0 or -0 mean?", _setting(node, upper=negative)
     elif isinstance(part, ast.Compare):
         yield "are these values needed, or the mask itself?", _replacing(node, part)
     elif isinstance(part, ast.Slice):
@@ -322,7 +322,7 @@ def _name(node, tree):
         for variable in sorted({*names} - {node.id}):
             yield "is it the right variable?", _setting(node, id=variable)
         yield "is it half of what is needed?", _replacing(node, _parsed(f"2 * {node.id}"))
-        yield _DIRECTION, _replacing(node, _parsed(f"~{node.id}"))
+        yield _DIRECTION, _replacing(node, _parsed(f"{node.id} == False"))
 
 
 # The first change that helps counts.

@@ -81,7 +81,7 @@ CASES = {
         [(("abcd", 1), "a"), (("abcd", 3), "bc")],
         "k - 2:k in return a[k - 2 : k]: can it begin below 0, which counts from the end?",
     ),
-    "an end at -0": ("def f(a, k):\n    return a[k:-k]", [(("ab", 0), "ab"), (("abc", 1), "b")], "is -0?"),
+    "an end at -0": ("def f(a, k):\n    return a[k:-k]", [(("ab", 0), "ab"), (("abc", 1), "b")], "-0 mean"),
     "the end of a slice": (
         "def f(a, k):\n    return a[0:k]",
         [(("abcd", 2), "abc")],
