@@ -278,7 +278,7 @@ WRONG = (
     ("nothing published", changed((PUBLISH, "")), "1", "published nothing"),
     ("published twice", changed((PUBLISH, PUBLISH * 2)), "1", "more than one message"),
     ("a name misspelled", changed(("publish(gray_msg)", "publish(grey_msg)")), "1", "grey_msg"),
-    ("the logger is not called", changed(("self.get_logger()", "self.get_logger")), "12", "Look at the line below except"),
+    ("the logger is not called", changed(("self.get_logger().error", "self.get_logger.error")), "12", "Look at the line below except"),
     ("the exception escapes", changed((TRY, '        frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")\n')), "12", "ends your node. Put try"),
     ("no return in except", changed(("            return\n", "")), "12", "Write return at the end of except"),
     ("an exception for a logger", changed(('f"cannot convert: {error}"', "error")), "12", "a logger takes a text"),

@@ -33,10 +33,9 @@ _PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
 _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
 _INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]+)(?=\S)")  # of a whole cell: Jupyter drops it
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
-# Calls of a program that runs by itself: they do not end, come once in a process, or wait for somebody.
-_WAITING_CALLS = re.compile(
-    r"(.*\.)?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)|main|input|(cv2\.)?(imshow|waitKey\w{0,9})", re.S
-)
+# Calls of a program that runs by itself: they do not end, or come once in a process; or they wait.
+ENDLESS_CALLS = re.compile(r"(.*\.)?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)", re.S)
+_WAITING_CALLS = re.compile(rf"{ENDLESS_CALLS.pattern}|main|input|(cv2\.)?(imshow|waitKey\w{{0,9}})", re.S)
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
@@ -198,23 +197,32 @@ def program_lines(source, *, is_main=True):
     """
     try:
         body = [part for statement in top_level(source) for part in _parts_to_name(statement, is_main)]
-        nodes = [node for statement in body for node in ast.walk(statement)]
-        definitions, waiting = [node for node in nodes if isinstance(node, _DEFINITIONS)], set()
-        for _ in range(3):  # one may call another one that stands below it
-            waiting |= {node.name for node in definitions if _waits(node, waiting)}
-        found = [node for node in body if not isinstance(node, _DEFINITIONS) and _waits(node, waiting)]
+        found = statements_that_call(body, _WAITING_CALLS)
         return [[node.lineno, ast.unparse(node).split("\n")[0]] for node in found]
     except UNPARSABLE:
         return []
 
 
-def _waits(node, waiting):
-    """Whether a node calls what waits; a class does so in its __init__."""
+def statements_that_call(statements, calls):
+    """Those statements that make such calls, directly or through what they define."""
+    nodes = [node for statement in statements for node in ast.walk(statement)]
+    definitions, names = [node for node in nodes if isinstance(node, _DEFINITIONS)], set()
+    for _ in range(3):  # one may call another one that stands below it
+        names |= {node.name for node in definitions if _makes_call(node, calls, names)}
+    others = (node for node in statements if not isinstance(node, _DEFINITIONS))
+    return [node for node in others if _makes_call(node, calls, names)]
+
+
+def _makes_call(node, calls, names):
+    """Whether a node makes such a call, or one of these names; a class does so in its __init__."""
     body = node.body if isinstance(node, ast.ClassDef) else [node]
     body = [part for part in body if part is node or getattr(part, "name", "__init__") == "__init__"]
     parts = [inner for own in body for inner in ast.walk(own)]
-    calls = [ast.unparse(part.func) for part in parts if isinstance(part, ast.Call)]
-    return any(name.rpartition(".")[2] in waiting or _WAITING_CALLS.fullmatch(name) for name in calls)
+    made = [part.func for part in parts if isinstance(part, ast.Call)]
+    plain = {part.id for part in made if isinstance(part, ast.Name)}
+    owned = {(getattr(part.value, "id", ""), part.attr) for part in made if isinstance(part, ast.Attribute)}
+    is_named = names & (plain | {name for _, name in owned})
+    return bool(is_named) or any(map(calls.fullmatch, plain | set(map(".".join, owned))))
 
 
 def _parts_to_name(statement, is_main):

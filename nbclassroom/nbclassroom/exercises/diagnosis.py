@@ -181,7 +181,7 @@ def _advice_on_dtype(expected, actual, tolerance):
         levels = set(np.unique(values).tolist())
         if levels <= {0, 255} or levels <= {0, 1}:
             return f"{text}: write np.where(mask, {max(levels)}, 0).astype(np.{dtype})."
-        return f"{text}: return the numbers themselves, not where they are above 0."
+        return f"{text}. Keep the numbers themselves: an array made like a mask has only these two."
     if same:
         text = f"{_RIGHT}; only the dtype is not: you return {actual_dtype}."
         return f"{text} End with .astype(np.{dtype})."

@@ -48,7 +48,9 @@ def _cases(result):
     for case_result in result.results:
         call, explanation = case_result.failed_call, ""
         if ending:
-            explanation = f"In all {len(result.results)} scenarios: {ending}" if not steps else ""
+            explanation = (
+                "" if steps else f"In all {len(result.results)} scenarios, as in the first: {ending}"
+            )
             steps[ending] = ending
         elif call is not None:
             explanation = kind.explain(result.exercise, call)

@@ -11,7 +11,7 @@ import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import groupby, pairwise, product, takewhile
+from itertools import groupby, pairwise, product
 
 from .limited_fork import limit_memory, text_within
 from .running import code_of, globals_of, source_of
@@ -23,7 +23,6 @@ _SHORT = 12  # characters: what is shorter is shown with its line
 _LIMIT = "is the limit itself included?"
 _DIRECTION = "is it the right way round?"
 _FIRST = "which of them comes first?"
-_NUMBER = "is this number right?"
 _TYPE = "your numbers do not fit into the dtype of {name}. Widen {name} first, with astype."
 _QUESTIONS = dict.fromkeys(("int", "round", "float", "floor"), "should it be cut or rounded here?")
 _QUESTIONS |= {"abs": "is its sign needed?", "sqrt": "is the root needed?"}
@@ -66,8 +65,7 @@ def sentence_on_change(function, passes, task=""):
 
     `passes(function, seconds)` tells whether a changed function passes every call within a time for each. The
     numbers in the text of the task are tried in the place of others, and a line that stands in it is right.
-    All changes are tried in another process, within limits on time and memory: one can make of two numbers a
-    table that is too large, or a loop that does not end.
+    All changes are tried in another process, within limits on time and memory.
     """
     return text_within(lambda: _find_change(function, passes, task), _MOST_SECONDS)
 
@@ -137,18 +135,15 @@ def _groups(possible, nodes):
         for change in same_rule:
             place, name = nodes[change.number], (change.kind, change.question)
             groups[change] = [change]
-            kind_of_place = type(getattr(place, "ctx", None))
-            for about in (getattr(place, "lineno", 0), kind_of_place, _form(place), ast.unparse(place)):
+            for about in (getattr(place, "lineno", 0), _form(place), ast.unparse(place)):
                 groups.setdefault((name, about), []).append(change)
         yield from ([change] for change in groups if isinstance(change, _Change))
         yield from (changes for changes in groups.values() if len(changes) > 1)
 
 
 def _form(place):
-    """What places have in common that differ only by their names, or equal numbers of a line."""
+    """What places have in common that differ only by their names."""
     text = re.sub(r"[^\W\d]\w*", "x", ast.unparse(place))
-    if isinstance(place, ast.Constant):
-        return text, place.lineno
     return text if len(text) > 2 else place, type(getattr(place, "ctx", None))
 
 
@@ -258,7 +253,7 @@ def _constant(node, tree):
     if isinstance(value, int | float) and not isinstance(value, bool):
         for number in (value + 1, value - 1, -value, 2 * value, value / 2, math.inf):
             if value or number > 0:
-                yield _NUMBER, _setting(node, value=number)
+                yield "is this number right?", _setting(node, value=number)
         for number in tree.numbers:
             yield "is it the number of the task?", _setting(node, value=number)
     if isinstance(node, ast.Attribute) and re.fullmatch(r"u?int(8|16)|uint32", node.attr):
@@ -279,10 +274,9 @@ def _index(node, _tree):
         lower = _parsed(f"max(0, {ast.unparse(node.lower)})")
         yield "can it begin below 0, which counts from the end?", _setting(node, lower=lower)
     if isinstance(node, ast.Slice) and node.upper:
-        upper = _parsed(f"{ast.unparse(node.upper)} + 1")
-        yield "is its last element left out?", _setting(node, upper=upper)
-        negative = _parsed(f"({ast.unparse(node.upper)}) or None")
-        yield "what does an end of 0 or -0 mean?", _setting(node, upper=negative)
+        end = ast.unparse(node.upper)
+        yield "is its last element left out?", _setting(node, upper=_parsed(f"{end} + 1"))
+        yield "what does an end of 0 or -0 mean?", _setting(node, upper=_parsed(f"({end}) or None"))
     elif isinstance(part, ast.Compare):
         yield "are these values needed, or the mask itself?", _replacing(node, part)
     elif isinstance(part, ast.Slice):
@@ -291,22 +285,6 @@ def _index(node, _tree):
         for step in ("+ 1", "- 1"):
             moved = _parsed(", ".join(f"{ast.unparse(index)} {step}" for index in indices))
             yield "is it the right place?", _setting(node, slice=moved)
-
-
-def _branch(node, tree):
-    """Of the branches `if`, `if`, `if else` only one runs if they become `if`, `elif`, `elif else`."""
-    blocks = [getattr(part, "body", ()) for part in ast.walk(tree)] if isinstance(node, ast.If) else []
-    block = next((one for one in blocks if isinstance(one, list) and node in one), [node])
-    above = reversed(block[: block.index(node)] if getattr(node, "orelse", ()) else ())
-    branches = [*takewhile(lambda one: isinstance(one, ast.If) and not one.orelse, above)]
-
-    def join():
-        for last, first in pairwise([node, *branches]):
-            first.orelse = [last]
-            block.remove(last)
-
-    if branches:
-        yield "its else runs in the cases above, too. Is it an elif?", join
 
 
 def _argument(node, tree):
@@ -326,4 +304,4 @@ def _name(node, tree):
 
 
 # The first change that helps counts.
-_RULES = (_argument, _branch, _compare, _order, _operator, _call, _constant, _size, _index, _name)
+_RULES = (_argument, _compare, _order, _operator, _call, _constant, _size, _index, _name)

@@ -8,7 +8,7 @@ A page is plain data:
               exercise that the cell answers, or ""; `file` is the name that `%%writefile` gives, or "", with
               a `mode`: "w", or "a" to append
     checks    {exercise id: [number of a cell, number of a statement in it], before which its check runs}
-    left_out  [[number of a cell, number of a statement], ...]: stubs
+    left_out  [[number of a cell, number of a statement], ...]: stubs, and what never comes to an end
 
 Nothing is run here, and only the standard library and `cell_syntax` are imported: the process that reads
 notebooks loads this file (see `gradebook.submission_reader`). `page_run` runs a page.
@@ -139,14 +139,16 @@ def _statement_of_check(id, source):
 
 
 def _page(answers, cells, checks, functions):
-    stubs, defined = [], set()
+    left_out, stubs, defined = [], [], set()
     for number, cell in enumerate(cells):
         statements = [] if cell["file"] else cell_syntax.top_level(cell["source"])
+        endless = cell_syntax.statements_that_call(statements, cell_syntax.ENDLESS_CALLS)
         for place, statement in enumerate(statements):
             name = cell_syntax.callable_name(statement)
+            left_out += [[number, place]] if statement in endless else []
             if name in functions.values() and cell_syntax.is_blank(statement):
                 stubs.append((name, [number, place]))
             else:
                 defined.add(name)
-    left_out = [place for name, place in stubs if name in defined]
+    left_out += [place for name, place in stubs if name in defined]
     return {"answers": answers, "cells": cells, "checks": checks, "left_out": left_out}

@@ -31,8 +31,7 @@ def grades_csv(grades):
     """The text of grades.csv."""
     any_counts = grades["open_as_zero"]
     rows = [_grades_row(one, lesson, any_counts) for one in grades["learners"] for lesson in one["lessons"]]
-    rows = [COLUMNS, *([spreadsheet_text(value) for value in row] for row in rows)]
-    return "\ufeff" + csv_text(rows, quoting=csv.QUOTE_NONNUMERIC)
+    return "\ufeff" + csv_text([COLUMNS, *rows], quoting=csv.QUOTE_NONNUMERIC)
 
 
 def _grades_row(learner, lesson, any_counts):
@@ -50,7 +49,7 @@ def _grades_row(learner, lesson, any_counts):
         "findings": "; ".join(texts),
         "page": learner["page"],
     }
-    return [row[column] for column in COLUMNS]
+    return [spreadsheet_text(row[column]) for column in COLUMNS]
 
 
 def platform_points(lesson, excused=""):

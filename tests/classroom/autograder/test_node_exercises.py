@@ -59,10 +59,8 @@ def test_grading_says_what_check_says(answer, exercises):
 
 def test_a_message_is_the_sentence_of_check(exercises):
     reliable = exercises["node-class: reliable"].cases
-    assert reliable[0].message == (
-        "The sensor offers best effort: ROS does not connect a RELIABLE subscription, so no message arrives."
-        " Write reliability=ReliabilityPolicy.BEST_EFFORT."
-    )
+    assert reliable[0].message.startswith("The sensor offers best effort: ROS does not connect a RELIABLE")
+    assert reliable[0].message.endswith("(A number in the place of the profile means reliable, too.)")
     assert reliable[-1].hidden and reliable[-1].message == ""
     service = exercises["node-class: a service"].cases[0]
     assert service.message.startswith("This check does not know create_service of a node")

@@ -2,11 +2,14 @@
 
 import pytest
 from nbclassroom.exercises.cell_syntax import (
+    ENDLESS_CALLS,
     bound_names,
     is_whole_part,
     names_used,
     plain_python,
     program_lines,
+    statements_that_call,
+    top_level,
 )
 
 
@@ -58,8 +61,10 @@ def main(args=None):
         ("TABLE = [3]; main()", "main()"),
     ],
 )
-def test_lines_of_a_program_are_named(lines, named):
+def test_lines_of_a_program_are_named_and_those_that_spin_left_out(lines, named):
     assert [code for _, code in program_lines(SCRIPT + lines)][:1] == [named] * bool(named)
+    left_out = statements_that_call(top_level(SCRIPT + lines), ENDLESS_CALLS)
+    assert bool(left_out) == (bool(named) and not any(name in lines for name in ("cv2", "input")))
 
 
 def test_a_stub_whose_last_lines_are_missing_is_none():

@@ -70,7 +70,7 @@ DTYPES = [
     ({"gray": GRAY}, {"gray": GRAY.astype(float)}, "you return float64. End with .astype(np.uint8)."),
     (MASK, np.where(MASK, 255, 0), "The task asks for bool, True and False, and you return numbers (int64)."),
     (np.where(MASK, np.uint8(255), np.uint8(0)), MASK, "write np.where(mask, 255, 0).astype(np.uint8)"),
-    (GRAY, GRAY > 0, "you return True and False (bool): return the numbers themselves"),
+    (GRAY, GRAY > 0, "you return True and False (bool). Keep the numbers themselves"),
     (GRAY / 7, (GRAY / 7).astype(np.uint8), "The fractions are lost: you return uint8"),
     (
         (GRAY.astype("i4"), SIGNED),

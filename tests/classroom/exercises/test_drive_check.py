@@ -210,7 +210,7 @@ def test_what_ends_a_drive_is_said(data, body, sentence, advice):
     assert [case.passed for case in result.results] == [False] * 3
     text = repr(result)
     assert text.count("The drive ended after") == 1 and advice in text
-    assert f"In all 3 scenarios: The drive ended after {sentence}" in text
+    assert f"In all 3 scenarios, as in the first: The drive ended after {sentence}" in text
 
 
 @pytest.mark.parametrize(

@@ -64,6 +64,7 @@ class Steering(Node):
         super().__init__("steering")
         self.commands = self.create_publisher(Twist, "~/cmd_vel", 10)
         self.create_subscription(LaserScan, "/scan", self.on_scan, qos_profile_sensor_data)
+        self.destroy_timer(self.create_timer(0.01, self.destroy_node))
         self.create_timer(0.1, self.on_timer)
         self.nearest = None
 

@@ -24,11 +24,9 @@ TABLE = [[0, 5, 0], [7, 0, 0]]
 CASES = {
     "a limit": ("def f(a, b):\n    return a < b", [((1, 1), True), ((2, 1), False)], "line 2", "the limit"),
     "an order": ("def f(a, b):\n    return a - b", [((1, 3), 2)], "line 2", "which of them comes first?"),
-    "an operator": ("def f(a):\n    return a // 2", [((3,), 1.5), ((4,), 2.0)], "line 2", "a // 2"),
     "a function": ("def f(a):\n    return int(a)", [((1.6,), 2), ((1.2,), 1)], "line 2", "int(a)"),
     "a number": ("def f(a):\n    return a[1:-1]", [(([1, 2, 3],), [1, 2])], "line 2", "1 in return a[1:-1]"),
     "a variable": ("def f(a, b):\n    return a * a", [((2, 5), 10)], "line 2", "a in return a * a"),
-    "an axis": ("def f(a):\n    return a.sum(0).tolist()", [((np.eye(2, 3),), [1.0, 1.0])], "line 2", "0 in"),
     "the dtype of an argument": (
         "def f(a):\n    return float(sum(a) / len(a))",
         [((np.array([200, 100], np.uint8),), 150)],
@@ -49,7 +47,6 @@ CASES = {
         "lines 2, 3",
         "a // 2 and b // 2: is it the right operator?",
     ),
-    "two of three": ("def f(a, b):\n    return int(np.where(a, b, 0))", [((True, 5), 0)], "order of arg"),
     "a window": ("def f(a):\n    return [*range(a)]", [((1,), [0, 1, 2]), ((0,), [0])], "range(a)"),
     "a dtype": ("def f(a):\n    return int(np.uint16(a))", [((70000,), 70000)], "can this type hold every"),
     "a size": (
@@ -70,11 +67,6 @@ CASES = {
         [((2, 7, 4, 1), 8)],
         "line 2",
         "a * b - c + d: are parentheses missing?",
-    ),
-    "a branch": (
-        "def f(a):\n  if a == 0:\n    b = 5\n  if a == 1:\n    b = 6\n  else:\n    b = 7\n  return b",
-        [((0,), 5), ((1,), 6), ((2,), 7)],
-        "Look at if a == 1: its else runs in the cases above, too. Is it an elif?",
     ),
     "a slice that begins below 0": (
         "def f(a, k):\n    return a[k - 2 : k]",

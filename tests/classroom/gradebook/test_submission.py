@@ -202,11 +202,14 @@ def test_syntax_of_a_newer_python_is_named(read, made, version, is_named):
     assert any(text.startswith("it was run with Python 3.99, and Python 3.") for text in findings) == is_named
 
 
-def test_a_pasted_program_is_named(read, made):
+def test_a_pasted_program_is_named_and_what_spins_is_not_run(read, made):
     cell_of(made, DOUBLE)["source"] = (
         "def double(p):\n    return p\n\nwhile rclpy.ok():\n    spin(3)\ninput()"
     )
-    (loop, person) = texts(read(made), "message")
+    content = read(made)
+    number = [cell["exercise"] for cell in content.page["cells"]].index("light-double")
+    assert content.page["left_out"] == [[number, 1]]
+    (loop, person) = texts(content, "message")
     assert loop.startswith("line 4, while rclpy.ok():, belongs to a program that runs by itself")
     assert person.startswith("line 6, input(), belongs to a program")
 

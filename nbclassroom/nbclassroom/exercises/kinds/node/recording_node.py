@@ -230,6 +230,8 @@ class RecordingNode:
         self._node_record.timers.append(timer)
         return timer
 
+    destroy_timer = staticmethod(_Timer.cancel)
+
     def destroy_node(self):
         pass
 
