@@ -206,7 +206,8 @@ def program_lines(source, *, is_main=True):
 def statements_that_call(statements, calls):
     """Those statements that make such calls, directly or through what they define."""
     nodes = [node for statement in statements for node in ast.walk(statement)]
-    definitions, names = [node for node in nodes if isinstance(node, _DEFINITIONS)], set()
+    definitions = [node for node in nodes if isinstance(node, _DEFINITIONS)]
+    names: set[str] = set()
     for _ in range(3):  # one may call another one that stands below it
         names |= {node.name for node in definitions if _makes_call(node, calls, names)}
     others = (node for node in statements if not isinstance(node, _DEFINITIONS))

@@ -76,7 +76,7 @@ def _find_change(function, passes, task):
     if not isinstance(tree, ast.FunctionDef):
         return ""
     numbers = dict.fromkeys(re.findall(r"(?<![\w.])\d+(?:\.\d+)?\b", task))
-    tree.numbers = [float(number) if "." in number else int(number) for number in numbers]
+    vars(tree)["numbers"] = [float(number) if "." in number else int(number) for number in numbers]
     started = time.perf_counter()
     passes(function, 1)
     seconds = _PER_CALL + 10 * (time.perf_counter() - started)
