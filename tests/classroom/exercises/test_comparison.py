@@ -88,6 +88,8 @@ def test_digests_are_compared_if_the_values_are_not_stored():
     actual[5] = 0
     assert difference(expected, actual, limit=1_000).message == "the values differ"
     assert compare(canonical(expected, 1_000), canonical(expected, None)) is None
+    unknown = {"type": "ndarray", "dtype": "int32", "shape": [100_000]}
+    assert compare(canonical(expected, 1_000), unknown).message == "the values differ"
 
 
 def test_objects_without_a_value_are_never_equal():
