@@ -34,8 +34,8 @@ _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
 _INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]+)(?=\S)")  # of a whole cell: Jupyter drops it
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
 # Calls of a program that runs by itself: they do not end, or come once in a process; or they wait.
-ENDLESS_CALLS = re.compile(r"(.*\.)?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)", re.S)
-_WAITING_CALLS = re.compile(rf"{ENDLESS_CALLS.pattern}|main|input|(cv2\.)?(imshow|waitKey\w{{0,9}})", re.S)
+ENDLESS_CALLS = re.compile(r"\.?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)")
+_WAITING_CALLS = re.compile(rf"{ENDLESS_CALLS.pattern}|main|input|(cv2\.)?(imshow|waitKey\w{{0,9}})")
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
@@ -219,11 +219,12 @@ def _makes_call(node, calls, names):
     body = node.body if isinstance(node, ast.ClassDef) else [node]
     body = [part for part in body if part is node or getattr(part, "name", "__init__") == "__init__"]
     parts = [inner for own in body for inner in ast.walk(own)]
-    made = [part.func for part in parts if isinstance(part, ast.Call)]
-    plain = {part.id for part in made if isinstance(part, ast.Name)}
-    owned = {(getattr(part.value, "id", ""), part.attr) for part in made if isinstance(part, ast.Attribute)}
+    called = [part.func for part in parts if isinstance(part, ast.Call)]
+    plain = {part.id for part in called if isinstance(part, ast.Name)}
+    owned = {(getattr(part.value, "id", ""), part.attr) for part in called if isinstance(part, ast.Attribute)}
     is_named = names & (plain | {name for _, name in owned})
-    return bool(is_named) or any(map(calls.fullmatch, plain | set(map(".".join, owned))))
+    made = plain | {f".{name}" for _, name in owned} | set(map(".".join, owned))
+    return bool(is_named) or any(map(calls.fullmatch, made))
 
 
 def _parts_to_name(statement, is_main):
