@@ -8,7 +8,7 @@ A page is plain data:
               exercise that the cell answers, or ""; `file` is the name that `%%writefile` gives, or "", with
               a `mode`: "w", or "a" to append
     checks    {exercise id: [number of a cell, number of a statement in it], before which its check runs}
-    left_out  [[number of a cell, number of a statement], ...]: stubs, and what never comes to an end
+    left_out  [[number of a cell, number of a statement], ...]: stubs, and what spins a node
 
 Nothing is run here, and only the standard library and `cell_syntax` are imported: the process that reads
 notebooks loads this file (see `gradebook.submission_reader`). `page_run` runs a page.
