@@ -198,12 +198,12 @@ def key(lessons, seed, out, masters, replace, unsafe):
     LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons, which
     take about five minutes on two quiet cores. After Ctrl-C, the same command goes on where it stopped.
     """
-    from nbclassroom.autograder import key_seed
+    from nbclassroom.autograder.answer_key import read_or_make_seed, require_unguessable
     from nbclassroom.autograder.make_answer_key import make_key
 
     seed_file, is_seed_saved = out.with_name(f"{out.name}.seed"), seed is None  # beside the key
-    seed = key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed
-    key_seed.require_unguessable(seed)
+    seed = read_or_make_seed(seed_file) if is_seed_saved else seed
+    require_unguessable(seed)
     answer_key = make_key(masters, seed, out, lessons, unsafe=unsafe, replace=replace, say=click.echo)
     lessons = answer_key.lessons.values()
     count = sum(not exercise.practice for lesson in lessons for exercise in lesson.exercises)
@@ -303,7 +303,7 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
     3 some could not be graded (they get 0 points and a reason) or a page is incomplete, or nothing was graded
     since it is in doubt whose a file is, 1 nothing was graded, 130 interrupted.
     """
-    from nbclassroom.autograder.worker_threads import usual_workers
+    from nbclassroom.autograder.nbval_process import usual_workers
     from nbclassroom.gradebook.answer_keys import load_keys
     from nbclassroom.gradebook.run_rules import NAMES, RunRules
 
@@ -329,7 +329,7 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
 
 def _grade_and_review(submissions, keys, out, rules, review, options):
     """The GradingSummary of a run, or of the second one after a review."""
-    from nbclassroom.autograder.worker_threads import open_worker_threads
+    from nbclassroom.autograder.nbval_process import open_worker_threads
 
     with contextlib.ExitStack() as stack:
         if not options["scheduler"]:

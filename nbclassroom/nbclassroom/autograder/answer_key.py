@@ -11,6 +11,8 @@ Public cases get inputs from this seed too, so that nothing in the course's repo
 
 import contextlib
 import hashlib
+import re
+import secrets
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -24,6 +26,8 @@ from ..exercises.check_files import (
     reading,
 )
 from ..exercises.lesson import Exercise, Lesson
+
+_SEED = 32  # hexadecimal, drawn by chance: 128 bits
 
 
 class KeyFolderError(ValueError):
@@ -88,3 +92,28 @@ def _is_of_key(entry):
     hidden = [case for case in entry["cases"] if case.get("hidden")]
     is_whole = entry["practice"] or len(hidden) == entry["hidden_count"]
     return is_whole and not any("inputs" in case for case in entry["cases"])
+
+
+def require_unguessable(seed):
+    """KeyFolderError for a seed that can be guessed, from which every hidden input could be computed.
+
+    Nobody can tell how many bits are in a phrase.
+    """
+    if not re.fullmatch(rf"[0-9a-fA-F]{{{_SEED},}}", seed) or seed.isdecimal():
+        raise KeyFolderError(
+            f"this seed can be guessed: expected at least {_SEED} hexadecimal digits drawn by chance, 128"
+            " bits; leave --seed out, and a seed is made, or draw one: openssl rand -hex 16"
+        )
+
+
+def read_or_make_seed(path):
+    """The secret seed in a file that only its owner can read; without such a file, one is made and stored."""
+    if path.exists():
+        seed = path.read_text(encoding="utf-8").strip()
+        require_unguessable(seed)
+        return seed
+    seed = secrets.token_hex(_SEED // 2)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.touch(mode=0o600)
+    path.write_text(f"{seed}\n", encoding="utf-8")
+    return seed

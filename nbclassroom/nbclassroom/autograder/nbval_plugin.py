@@ -20,21 +20,21 @@ import pytest
 
 from ..exercises.cell_syntax import top_level
 from ..exercises.input_encoding import encode
-from .answer_figure import figure_html
 from .causes import missing_name
-from .exercise_notebook import notebook_of
 from .outcomes import Outcome
 from .page_kernels import PageKernels
 from .pool import expected_key
 from .results import GradedSubmission, graded_exercises, open_exercise, to_json, ungraded_exercise
 from .sandbox.cell_run import MIME, CellRun
 from .verdict import CaseRun, ShownAnswer, StoredAnswer
+from .written_answer import figure_html
 
 # A kernel that ended like this may have been ended by something else than the answer. It is run again, alone:
 # after "memory" once, after "gone" up to twice, after "crashed" up to three times. One pair for each try.
 _RUN_AGAIN_AFTER = (("crashed", "memory"), ("crashed", "gone"), ("crashed", "gone"))
 _MESSAGE_ID = "a cell's run"
 MAX_ANSWER = 200_000  # characters
+_KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
 
 
 class ExerciseKernel:
@@ -268,6 +268,31 @@ class GradingPlugin:
     def pytest_sessionstart(self, session):
         reporter = session.config.pluginmanager.get_plugin("terminalreporter")
         session.config.pluginmanager.unregister(reporter)  # it keeps a report of every cell
+
+
+def notebook_of(exercise, answer):
+    """An Exercise with an answer as a notebook, plain data of nbformat 4, with a check cell for each case."""
+    given = [(f"given-{exercise.id}-{number}", source) for number, source in enumerate(exercise.given, 1)]
+    before = [*given, (f"answer-{exercise.id}", answer)]
+    cells = [_cell(*parts, ["nbval-ignore-output", "nbval-raises-exception"]) for parts in before]
+    check = exercise.kind.check_source(exercise)
+    cells += [_cell(case.id, check, [], _stored_outputs(case)) for case in exercise.cases]
+    for count, cell in enumerate(cells, 1):
+        cell["execution_count"] = count  # nbval never compares a cell without one
+    return {"cells": cells, "metadata": {"kernelspec": _KERNEL}, "nbformat": 4, "nbformat_minor": 5}
+
+
+def _cell(id, source, tags, outputs=()):
+    """A code cell; nbval never compares one that is run only for what it defines, by its tags."""
+    about = {"cell_type": "code", "id": id, "metadata": {"tags": tags}}
+    return about | {"source": source, "outputs": list(outputs)}
+
+
+def _stored_outputs(case):
+    """The output of a check cell, as the solution's; nothing of a drive, which thresholds judge."""
+    values = [call.result.value for call in case.calls]
+    calls = [{"changed": [], "printed": "", "value": value} for value in values if value is not None]
+    return [{"output_type": "display_data", "metadata": {}, "data": {MIME: {"calls": calls}}}]
 
 
 def _reason_not_to_run(exercise, source):

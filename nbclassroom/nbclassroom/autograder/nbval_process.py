@@ -1,15 +1,17 @@
-"""The nbval processes: each thread that grades keeps one, and sends it one submission after another.
+"""The threads that grade, and the nbval process that each keeps, for one submission after another.
 
 An nbval process is a pytest with nbval and `nbval_plugin`; its program is `nbval_main`. It is started so that
 nothing on this machine and nothing in a submission can configure it. It never runs learners' code: kernels
 do (`sandbox`).
 
 When the thread that started it ends, also because its process was killed, the system ends the nbval process,
-then the sandbox with its kernels.
+then the sandbox with its kernels. Little is imported here, so that they start while the rest of a command is
+imported: a process can start before there is anything to grade.
 """
 
 import atexit
 import contextlib
+import itertools
 import json
 import os
 import shutil
@@ -17,12 +19,13 @@ import socket
 import subprocess
 import sys
 import threading
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 
 from .. import course
 from .sandbox import bubblewrap
 from .sandbox.bubblewrap import Limits, SandboxError
-from .temporary_folder import make_temporary_folder
+from .temporary_folder import make_temporary_folder, remove_abandoned_folders
 
 _START_SECONDS = 120
 _BLOCKED_PLUGINS = (
@@ -38,6 +41,7 @@ _PROGRAM = "from nbclassroom.autograder import nbval_main; nbval_main.main()"
 
 _processes: dict[str, "NbvalProcess"] = {}  # by the names of the threads
 _stopped: set[str] = set()  # prefixes of the threads that start no more
+_numbers = itertools.count(1)  # of the pools of threads
 
 
 class NbvalProcessEnded(Exception):
@@ -204,3 +208,31 @@ class NbvalProcess:
         self._errors.close()
         shutil.rmtree(self._folder, ignore_errors=True)
         return code
+
+
+def usual_workers(lessons):
+    """How many submissions to grade at once; `lessons` are those of keys.
+
+    A worker with its kernels, the next submission and the pages keep two cores busy; a robot keeps one.
+    """
+    cores, kinds = os.cpu_count() or 1, (each.kind for lesson in lessons for each in lesson.exercises)
+    return (cores + 1) // 2 if all(kind.shares_kernel for kind in kinds) else cores
+
+
+@contextlib.contextmanager
+def open_worker_threads(workers=None, *, early=False, unsafe=False, limits=None):
+    """A thread pool whose nbval processes are stopped at the end; `early`: they start now.
+
+    They are stopped before the threads: a process ends at once with the thread that started it.
+    """
+    workers, prefix = workers or os.cpu_count() or 1, f"autograde-{next(_numbers)}-"
+    executor = ThreadPoolExecutor(workers, thread_name_prefix=prefix)
+    try:
+        for _ in range(workers if early else 0):  # an error comes again with the first submission
+            executor.submit(nbval_process_of_thread, unsafe, limits)
+        yield executor
+    finally:
+        stop_nbval_processes(prefix, for_good=True)
+        executor.shutdown()
+        # The next run after a killed one perhaps finds everything graded, and needs no folder of its own.
+        remove_abandoned_folders()

@@ -27,12 +27,12 @@ from functools import lru_cache
 from ..exercises.page import page_of
 from . import nbval_process
 from .answer_key import Key, KeyFolderError, load_key
+from .nbval_process import open_worker_threads
 from .outcomes import BUDGET_MESSAGE, Outcome
 from .results import GradedSubmission, from_json, ungraded_exercise
 from .sandbox import bubblewrap
 from .sandbox.bubblewrap import Limits, SandboxError
 from .sanitize import reproducible_text
-from .worker_threads import open_worker_threads
 
 __all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
 

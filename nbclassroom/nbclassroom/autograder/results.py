@@ -20,9 +20,9 @@ from ..exercises.running import attempt
 from .causes import causes_of
 from .checked_answer import checked_answer
 from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
-from .rendered_text import rendered_text
 from .sanitize import reproducible_text
 from .verdict import CaseRun, Verdict
+from .written_answer import rendered_text
 
 NO_DETAILS = "<p>The details of these checks could not be shown.</p>"
 _MEMORY_ERRORS = ("MemoryError", "_ArrayMemoryError")

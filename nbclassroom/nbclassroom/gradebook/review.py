@@ -9,8 +9,8 @@ import re
 import tempfile
 
 from ..autograder.outcomes import TEXTS, Outcome
-from ..autograder.rendered_text import rendered_text
 from ..autograder.sanitize import sanitize_text, spreadsheet_text
+from ..autograder.written_answer import rendered_text
 from .csv_table import csv_text
 from .report import anchor_of, render_page, safe_html
 from .teacher_tables import EVERYBODY

@@ -20,7 +20,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from nbclassroom.autograder.key_seed import read_or_make_seed, require_unguessable
+from nbclassroom.autograder.answer_key import read_or_make_seed, require_unguessable
 from nbclassroom.autograder.nbval_plugin import MAX_ANSWER
 from nbclassroom.autograder.outcomes import TEXTS, Outcome
 from nbclassroom.autograder.sandbox import bubblewrap

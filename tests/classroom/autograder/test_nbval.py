@@ -7,7 +7,7 @@ import sys
 import pytest
 from attacks import LESSON
 from nbclassroom.autograder import nbval_process
-from nbclassroom.autograder.exercise_notebook import notebook_of
+from nbclassroom.autograder.nbval_plugin import notebook_of
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox.cell_run import MIME, CellRun
 from nbclassroom.autograder.verdict import CaseRun, ShownAnswer, StoredAnswer
@@ -37,9 +37,9 @@ def test_the_stored_answer_equals_what_is_within_the_tolerance():
 
 
 ONE_MORE_OUTPUT = """
-from nbclassroom.autograder import exercise_notebook
-outputs_of = exercise_notebook._stored_outputs
-exercise_notebook._stored_outputs = lambda case: outputs_of(case) * (1 + (case.id == "case-attacked-mean-1"))
+from nbclassroom.autograder import nbval_plugin
+outputs_of = nbval_plugin._stored_outputs
+nbval_plugin._stored_outputs = lambda case: outputs_of(case) * (1 + (case.id == "case-attacked-mean-1"))
 """
 
 

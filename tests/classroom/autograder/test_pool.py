@@ -18,11 +18,10 @@ from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
 from nbclassroom.autograder.outcomes import TEXTS, Outcome
 from nbclassroom.autograder.page_kernels import PageKernels
-from nbclassroom.autograder.pool import Limits, SandboxError, autograde, grade_one
+from nbclassroom.autograder.pool import Limits, SandboxError, autograde, grade_one, open_worker_threads
 from nbclassroom.autograder.results import from_json, to_json
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
-from nbclassroom.autograder.worker_threads import open_worker_threads
 from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox

@@ -11,9 +11,8 @@ from pathlib import Path
 import psutil
 import pytest
 from nbclassroom.autograder.sandbox import bubblewrap
-from nbclassroom.autograder.sandbox.bubblewrap import Limits
+from nbclassroom.autograder.sandbox.bubblewrap import Limits, used_under
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
-from nbclassroom.autograder.sandbox.usage import used_under
 
 pytestmark = pytest.mark.sandbox
 
@@ -209,7 +208,7 @@ for path in {line.split()[1] for line in open("/proc/self/mounts")}:
 """
 UNPRIVILEGED = f"""
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
-from nbclassroom.autograder.sandbox.usage import used_under
+from nbclassroom.autograder.sandbox.bubblewrap import used_under
 with KernelFactory() as kernel_factory:
     kernel = kernel_factory.start(("scipy",), 30)
     print(kernel.run("import os, scipy; print(os.getuid(), scipy.__name__)").printed)

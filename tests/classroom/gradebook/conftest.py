@@ -13,8 +13,8 @@ sys.path.append(str(Path(__file__).parents[1] / "authoring"))
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.autograder import pool
 from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.nbval_process import open_worker_threads
 from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
-from nbclassroom.autograder.worker_threads import open_worker_threads
 from nbclassroom.gradebook import check
 from nbclassroom.gradebook.answer_keys import load_keys
 from nbclassroom.gradebook.grade import grade_submissions

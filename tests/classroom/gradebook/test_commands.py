@@ -12,7 +12,7 @@ import pytest
 from click.testing import CliRunner
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.authoring.new_lesson import new_lesson
-from nbclassroom.autograder import make_answer_key, worker_threads
+from nbclassroom.autograder import make_answer_key, nbval_process
 from nbclassroom.autograder.answer_key import load_key
 from nbclassroom.exercises.declaration import MasterError
 from nbclassroom.gradebook import grade, result_store
@@ -47,7 +47,7 @@ def test_without_workers_there_is_one_for_two_cores(run, tmp_path, key_path, mon
         return grade_submissions(*arguments, workers=1, **options)
 
     monkeypatch.setattr(grade, "grade_submissions", with_its_workers_noted)
-    monkeypatch.setattr(worker_threads, "open_worker_threads", lambda **_: contextlib.nullcontext())
+    monkeypatch.setattr(nbval_process, "open_worker_threads", lambda **_: contextlib.nullcontext())
     monkeypatch.setattr(os, "cpu_count", lambda: 5)
     assert run("grade", "in", "--key", key_path).exit_code == 0
     assert run("grade", "in", "--key", key_path, "--workers", 2).exit_code == 0

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.autograder.make_answer_key import make_key
-from nbclassroom.autograder.worker_threads import usual_workers
+from nbclassroom.autograder.nbval_process import usual_workers
 from nbclassroom.gradebook.answer_keys import load_keys
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.review import _way

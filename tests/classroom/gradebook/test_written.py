@@ -15,7 +15,7 @@ import pytest
 from accessibility import violations
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.autograder.make_answer_key import make_key
-from nbclassroom.autograder.rendered_text import rendered_text
+from nbclassroom.autograder.written_answer import rendered_text
 from nbclassroom.gradebook.answer_keys import load_keys
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.review_server import ConflictError, ReviewServer, save_decisions
@@ -335,7 +335,7 @@ FIGURES = {
     "bare": "import matplotlib.pyplot as plt\nplt.rcParams['figure.facecolor'] = colour\nplt.plot([1, 2])",
     "huge": "import matplotlib.pyplot as plt\nplt.figure(figsize=(400, 300), facecolor='red')",
     "none": "figure = 3 / 0",
-    "forged": "import nbclassroom.autograder.sandbox.inside.figure_cell as f\nf._pixels = lambda _: '<b>'\n"
+    "forged": "import nbclassroom.autograder.sandbox.inside.check_cell as f\nf._pixels = lambda _: '<b>'\n"
     f"from matplotlib.figure import Figure\n{RED}",
     "endless": "while True: pass",
     "text": "I draw it by hand.",

@@ -14,9 +14,12 @@ import subprocess
 import sys
 import sysconfig
 import threading
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+
+import psutil
 
 import nbclassroom
 from nbclassroom import course
@@ -283,3 +286,37 @@ def search_path(confined):
 def kernel_user():
     """The first unused user id for kernels, None if not root; each has the next: limits count by user."""
     return 2_000_000 + os.getpid() * confine.USERS_OF_SERVER if os.geteuid() == 0 else None
+
+
+def used_under(root, exact_above):
+    """(bytes, seconds of processor time) that a process and its descendants use.
+
+    The limits of `inside/confine.py` hold for each process: sixty of two gigabytes may use a hundred and
+    twenty. Above `exact_above` bytes, pages that they share are counted once, which takes longer.
+    """
+    try:
+        process = psutil.Process(root)
+        processes = [process, *process.children(recursive=True)]
+    except psutil.Error:
+        return 0, 0.0
+    memory = sum(map(_memory_of, processes))
+    if memory > exact_above:
+        memory = sum(_memory_of(process, exactly=True) for process in processes)
+    return memory, sum(map(_seconds_of, processes))
+
+
+def _seconds_of(process):
+    """Of a process and of those children that it has waited for."""
+    with suppress(psutil.Error):  # it has ended in the meantime
+        return sum(process.cpu_times()[:4])
+    return 0.0
+
+
+def _memory_of(process, *, exactly=False):
+    with suppress(psutil.Error):
+        if exactly:
+            with suppress(psutil.AccessDenied):
+                memory = process.memory_full_info()
+                return memory.pss + memory.swap
+        return process.memory_info().rss
+    return 0

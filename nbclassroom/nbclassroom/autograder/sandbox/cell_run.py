@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
+from nbclassroom.autograder.sandbox.inside import MIME
 
 _MAX_TEXT = 2_000  # characters of an error's text, and of what a cell printed, that are kept
 _MAX_NAME = 100  # characters of an exception's name

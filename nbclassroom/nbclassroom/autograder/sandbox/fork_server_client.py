@@ -17,7 +17,6 @@ from contextlib import suppress
 
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.cell_run import CellRun
-from nbclassroom.autograder.sandbox.usage import used_under
 from nbclassroom.autograder.temporary_folder import make_temporary_folder
 
 _LOOK_SECONDS = 0.05  # between two looks at what all processes together use
@@ -374,7 +373,9 @@ class ForkServer:
 
     def used(self):
         """(bytes, seconds of processor time) that it and all its kernels use."""
-        return used_under(self._process.pid, self._limits.memory) if self._process else (0, 0.0)
+        if self._process is None:
+            return 0, 0.0
+        return bubblewrap.used_under(self._process.pid, self._limits.memory)
 
     def close(self):
         """End the process for good."""

@@ -8,15 +8,18 @@ import base64
 import hashlib
 import random
 import signal
+import sys
 
 import numpy as np
 
-from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
+from nbclassroom.autograder.sandbox.inside import MIME
 from nbclassroom.exercises import running
+from nbclassroom.exercises.canonical import canonical
 from nbclassroom.exercises.input_encoding import decode
 from nbclassroom.exercises.kinds import kind_of
 
 MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest
+_MOST_PIXELS, _DPI = 300_000, 100  # of a figure: they fit into what a check may show
 _case: dict = {}  # "calls", "seconds"
 
 
@@ -93,3 +96,37 @@ def shorten_form(form):
 def refuse_input(prompt=""):
     """In place of input()."""
     raise RuntimeError("input() waits for a person, and there is none here. Pass the value as an argument")
+
+
+def show_last_figure(source):
+    """Run the source of an answer's cell again, and show the pixels of its last figure, if it makes one."""
+    from unittest.mock import patch
+
+    from IPython import get_ipython
+    from IPython.display import display
+    from matplotlib.figure import Figure
+
+    made, begin = [], Figure.__init__
+
+    def noted(figure, *arguments, **options):
+        begin(figure, *arguments, **options)
+        made.append(figure)
+
+    if "matplotlib.pyplot" in sys.modules:  # as after each cell of a notebook: no figure is drawn on further
+        sys.modules["matplotlib.pyplot"].close("all")
+    with patch.object(Figure, "__init__", noted):
+        exec(compile(source, "<answer>", "exec", dont_inherit=True), get_ipython().user_ns)
+    if made:
+        call = call_to_json(running.CallResult(value=canonical(_pixels(made[-1]), limit=None)))
+        display({MIME: {"calls": [call]}}, raw=True)
+
+
+def _pixels(figure):
+    """A figure as (rows, cols, 3) uint8."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    width, height = figure.get_size_inches()
+    figure.set_dpi(min(_DPI, (_MOST_PIXELS / (width * height)) ** 0.5))
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())[..., :3].copy()

@@ -21,7 +21,7 @@ What one kernel could leave for the next, which may be another learner's, and wh
     terminals                                   /dev/pts is new
     core files                                  a limit of one byte, which pipes to programs obey too
     environment, umask, timers, random state    a fork has copies
-    memory and processor time                   what all kernels use together is looked at (`usage`)
+    memory and processor time                   what all kernels use together is looked at (`used_under`)
 Covert channels remain: whether a file is in the page cache, the times of a device, how busy the machine is.
 tests/classroom/autograder/test_channels.py tries each of the others.
 """

@@ -13,8 +13,7 @@ import struct
 
 import numpy as np
 
-from nbclassroom.autograder.sandbox.inside import check_cell, shell
-from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
+from nbclassroom.autograder.sandbox.inside import MIME, check_cell, shell
 from nbclassroom.exercises import running
 from nbclassroom.exercises.kinds.drive.drive import Cost, speeds_of
 

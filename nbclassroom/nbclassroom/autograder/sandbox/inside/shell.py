@@ -24,8 +24,7 @@ from IPython.core.interactiveshell import InteractiveShell
 from traitlets import Type
 from traitlets.config import Config
 
-from nbclassroom.autograder.sandbox.inside import confine, refusal
-from nbclassroom.autograder.sandbox.inside.answer_mime import MIME
+from nbclassroom.autograder.sandbox.inside import MIME, confine, refusal
 from nbclassroom.exercises.page_run import PageRun, is_missing
 from nbclassroom.exercises.running import error_name
 

@@ -1,19 +1,35 @@
-"""The figure of an answer that a person grades: made in the sandbox, and encoded again from its pixels."""
+"""What pages show of an answer that a person grades: its text, or its figure. In neither anything acts.
+
+Most processes that grade meet none: what this needs is imported when it is used.
+"""
 
 import html
 
 from ..exercises.canonical import array_of
 from .answer_forms import read_answer
-from .sanitize import reproducible_text
+from .sanitize import reproducible_text, sanitize_text
 
+_LONGEST = 20_000  # characters
+_NAMES = "p br hr h1 h2 h3 h4 h5 h6 em strong del code pre blockquote ul ol li table thead tbody tr th td"
+_TAGS = frozenset(_NAMES.split())
 _SHOW = (
-    "from nbclassroom.autograder.sandbox.inside.figure_cell import show_last_figure\nshow_last_figure({!r})"
+    "from nbclassroom.autograder.sandbox.inside.check_cell import show_last_figure\nshow_last_figure({!r})"
 )
 _NO_FIGURE = "<p>Its cell makes no figure{}.</p>"
 
 
+def rendered_text(text):
+    """A text in Markdown as HTML without links, images and styles; HTML that it contains is shown as text."""
+    import bleach
+    import mistune
+
+    plugins = ["strikethrough", "table"]
+    html_of = mistune.create_markdown(escape=True, plugins=plugins)
+    return bleach.clean(html_of(sanitize_text(text, _LONGEST)), _TAGS, attributes={}, strip=True)
+
+
 def figure_html(exercise, page, kernels):
-    """The last figure that the cell of an answer makes, as HTML, or a sentence on why there is none."""
+    """The last figure that the cell of an answer makes, encoded again from its pixels, or why it has none."""
     sources = [cell["source"] for cell in page["cells"] if cell["exercise"] == exercise.id]
     if not sources:
         return _NO_FIGURE.format(" (it is no code cell)")
@@ -26,7 +42,7 @@ def figure_html(exercise, page, kernels):
     pixels = _pixels_of(run.answers)
     if pixels is None:
         return _NO_FIGURE.format(why.replace(" ()", ""))
-    from PIL import Image  # only here: most processes that grade draw nothing
+    from PIL import Image
 
     from ..exercises.answer_images import encode_image
 
