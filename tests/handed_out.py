@@ -7,7 +7,7 @@ import zipfile
 
 from nbclassroom.exercises.cell_syntax import plain_python
 from nbclassroom.exercises.input_encoding import encode
-from nbclassroom.gradebook.syntax_shapes import syntax_tokens
+from nbclassroom.gradebook.submission_reader import syntax_tokens
 
 RUN = 16  # tokens; a line of code has about ten
 COPIED = 0.8  # of a solution's runs of tokens: a text that shares more contains it

@@ -305,10 +305,10 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
     """
     from nbclassroom.autograder.nbval_process import usual_workers
     from nbclassroom.gradebook.answer_keys import load_keys
-    from nbclassroom.gradebook.run_rules import NAMES, RunRules
+    from nbclassroom.gradebook.result_store import RULES, RunRules
 
     given = options | {"keys": keys}
-    rules = RunRules(out, {name: given[name] for name in NAMES}, forget=forget_rules)
+    rules = RunRules(out, {name: given[name] for name in RULES}, forget=forget_rules)
     if rules.kept:
         click.echo(f"As in the run before: {', '.join(rules.kept)}.")
     options |= rules.rules

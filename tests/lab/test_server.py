@@ -30,7 +30,7 @@ RUN = "import sys; from nbclassroom.lab.server import run; run(sys.argv[1], sys.
 RUN_AND_PRINT_NODELAY = (
     """
 import socket
-from nbclassroom.lab.websocket import PromptWebsocketConnection as Connection
+from nbclassroom.lab.server import PromptWebsocketConnection as Connection
 connect = Connection.connect
 def connect_and_print(self):
     result = connect(self)

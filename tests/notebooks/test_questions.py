@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from all_masters import PATHS, all_masters
 from nbclassroom.authoring.handout import hand_out
-from nbclassroom.authoring.questions import QUESTIONS, read_questions
+from nbclassroom.authoring.masters import QUESTIONS, read_questions
 
 from imgproc_course.imaging import to_gray
 

@@ -20,9 +20,8 @@ from ..exercises.check_files import (
     reading,
 )
 from ..exercises.comparison import compare
-from ..exercises.expected_results import check_data_of
 from ..exercises.input_encoding import decode, encode
-from ..exercises.lesson import Exercise
+from ..exercises.lesson import Exercise, check_data_of
 from .learner_files import TEXTS
 
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest

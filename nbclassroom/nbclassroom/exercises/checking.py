@@ -8,18 +8,15 @@ from itertools import product
 from .cell_runs import RUNS
 from .cell_syntax import is_whole_part, plain_python, program_lines
 from .check_files import UnknownExerciseError, find_check_file
-from .expected_results import check_data_of
 from .help_steps import Help
-from .judging import CheckResult, judge
-from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake
-from .mistakes import has_right_values
+from .judging import NONE, CheckResult, has_right_values, judge
+from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake, check_data_of
 from .names_read import NamesRead
 from .one_change import sentence_on_change
 from .progress import ExerciseProgress, digest_of, note_progress, progress_of
 from .running import attempt, cells_of, globals_of, source_of
 from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
-_NONE = {"type": "None"}
 _MOST_LINES = 3  # of a program, that are named
 _LONGEST_REMARK = 1_000  # characters
 
@@ -168,7 +165,7 @@ def _one_change(result, function, calls):
 
 def _end_of(call):
     """How a call ended, as `remarks_on_source` takes it."""
-    is_none = call.difference is not None and call.result.value == _NONE
+    is_none = call.difference is not None and call.result.value == NONE
     return "TimeUp" if call.result.timed_out else "None" if is_none else call.result.error
 
 

@@ -11,6 +11,8 @@ from pathlib import Path
 
 from nbclassroom import course
 
+from .cell_syntax import plain_character
+
 
 def advice_on(error, message, line="", parameters=None, function="", closest=""):
     """What an error (its type's name and message) means and what to do; "" if nothing is certain.
@@ -104,8 +106,6 @@ def _index_outside(match, source):
 
 
 def _typographic(match, _source):
-    from .syntax_slips import plain_character  # few need it
-
     character = match[1] or chr(int(match[2], 16))
     plain = plain_character(character)
     name = match[1] or f"U+{match[2]}, which nobody sees,"

@@ -1,9 +1,10 @@
 """The answer keys that submissions are graded with: one key per version of a lesson."""
 
+import hmac
 from typing import Any
 
 from ..autograder.answer_key import load_key
-from . import syntax_shapes
+from . import submission_reader
 
 SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same short solution
 
@@ -41,7 +42,7 @@ class AnswerKeys:
         """The ids of a lesson's exercises with points whose shape is that of a long solution, sorted."""
         graded = {one.id for one in self.lessons[lesson].exercises if not one.practice}
         if lesson not in self._solution_shapes:
-            self._solution_shapes[lesson] = syntax_shapes.shapes(self.solutions(lesson))
+            self._solution_shapes[lesson] = submission_reader.shapes(self.solutions(lesson))
         solutions = self._solution_shapes[lesson]
         long = {id: shape for id, shape in shapes.items() if shape[1] >= SHORTEST_SOLUTION}
         return sorted(id for id in graded & long.keys() if long[id] == solutions.get(id))
@@ -50,6 +51,11 @@ class AnswerKeys:
         """{exercise id: solution} of a lesson."""
         keys = [key for key in self.keys if lesson in key.lessons]
         return {id: source for key in keys for id, source in key.solutions(lesson).items()}
+
+    def anonymous_id(self, learner):
+        """What only the first key's owner can compute from a name, and the same in every run."""
+        digest = hmac.digest(self.keys[0].digest.encode(), learner.encode(), "sha256")
+        return f"learner-{digest.hex()[:10]}"
 
     def key_of(self, digest):
         """The key with this digest."""

@@ -9,8 +9,7 @@ from functools import partial
 from pathlib import Path
 
 from ..autograder.sanitize import sanitize_line
-from .anonymity import learner_without_name, without_names
-from .grades_json import FORMAT, grades_text, learner_entry
+from .grades_json import FORMAT, grades_text, learner_entry, learner_without_name, without_names
 from .lms_export import feedback_zips, grades_csv
 from .report import count_of, learner_page, points_text
 from .result_store import write_grades_file

@@ -3,19 +3,23 @@
 There is no time of day, no order of files and no chance in it: the same submissions give the same bytes.
 """
 
+import copy
+import hashlib
 import json
+import re
 from dataclasses import asdict
+from pathlib import Path
 
 from .. import course
 from ..autograder.outcomes import Outcome
 from ..autograder.results import to_json
-from .anonymity import anonymous_id, page_name
 from .collect import SubmittedFile
 from .learners import Submission
 from .submission import Finding, SubmissionContent
 from .teacher_tables import plain_number
 
 FORMAT = 8
+_SHORTEST = 3  # characters of a name that pages without names leave out of texts
 
 
 def grades_of(entries, answer_keys, rules, collection, about):
@@ -90,7 +94,7 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
     for lesson in lessons:
         own = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
         _settle_lesson(lesson, own, rules)
-    page = anonymous_id(learner.name, answer_keys) if anonymous else page_name(learner.name)
+    page = answer_keys.anonymous_id(learner.name) if anonymous else page_name(learner.name)
     order = {name: (lesson.number, name) for name, lesson in answer_keys.lessons.items()}
     return {
         "name": learner.name,
@@ -100,6 +104,12 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
         "open_points": sum(lesson["open_points"] for lesson in lessons),
         "lessons": sorted(lessons, key=lambda lesson: order.get(lesson["lesson"], ("~", lesson["file"]))),
     }
+
+
+def page_name(name):
+    """The name of a learner's page: safe on every system, and unique through a digest."""
+    slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40] or "learner"
+    return f"{slug}-{hashlib.sha256(name.encode()).hexdigest()[:10]}"
 
 
 def _settle_lesson(entry, decisions, rules):
@@ -207,3 +217,24 @@ def _file_entry(learner, submission, rules):
         "platform": file.platform,
         "platform_id": file.platform_id,
     }
+
+
+def without_names(grades):
+    """A copy of grades for the pages: ids instead of names, and no names of files."""
+    learners = [learner_without_name(entry) for entry in grades["learners"]]
+    return grades | {"ignored": [], "roster": None, "learners": learners}
+
+
+def learner_without_name(entry):
+    """A copy of a learner's entry, as `without_names` has it."""
+    learner = copy.deepcopy(entry)
+    name, learner["name"] = learner["name"], Path(learner["page"]).stem
+    for lesson in learner["lessons"]:
+        files = [lesson["file"], *(earlier["file"] for earlier in lesson["earlier"])]
+        texts = [*filter(None, files), *([name] if len(name) >= _SHORTEST else [])]
+        for holder, key in [(lesson, "reason"), *((finding, "text") for finding in lesson["findings"])]:
+            for text in texts:
+                holder[key] = holder[key].replace(text, "…")
+        for file in (lesson, *lesson["earlier"]):
+            file["file"] = ""
+    return learner

@@ -32,7 +32,7 @@ class NotebookReader(contextlib.AbstractContextManager):
         return reply.get("notebook"), reply.get("reason", "")
 
     def page(self, lesson_cells, exercises):
-        """What `page.page_of_notebook` gives of the last notebook, and `syntax_shapes.shapes` of its answers.
+        """What `page.page_of_notebook` gives of the last notebook, and `shapes` of its answers.
 
         Three None if it takes too much.
         """

@@ -1,4 +1,8 @@
-"""The folder of results: every result is stored at once, so an interrupted run continues where it stopped."""
+"""What the folder of grades keeps for the next run: the results, and the rules.
+
+Every result is stored at once, so an interrupted run continues where it stopped. The rules are in rules.json:
+what a command does not say is not a change of them.
+"""
 
 import contextlib
 import fcntl
@@ -6,7 +10,10 @@ import hashlib
 import json
 import threading
 import time
+from collections.abc import Callable
+from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from tqdm import tqdm
 
@@ -16,7 +23,20 @@ from ..autograder.pool import autograde
 from ..autograder.results import from_json, to_json
 from ..exercises.atomic_write import write_file
 
-_FORMAT = 6  # of the files in the folder
+_FORMAT = 6  # of the files of results
+_RULES_FILE = "rules.json"
+# {name: (what texts call it, how its text in rules.json is read)}
+_RULES: dict[str, tuple[str, Callable[[str], Any]]] = {
+    "keys": ("the key", Path),
+    "deadline": ("the deadline", datetime.fromisoformat),
+    "late": ("the late policy", str),
+    "extensions": ("the extensions", Path),
+    "decisions": ("the decisions", Path),
+    "roster": ("the roster", Path),
+    "layouts": ("the layout", str),
+}
+RULES = tuple(_RULES)
+_LISTS = ("keys", "layouts")  # whose value is a list
 
 
 def write_grades_file(path, data):
@@ -105,3 +125,48 @@ def show_time(bar):
     while not bar.disable:  # a closed bar is disabled
         time.sleep(1)
         bar.refresh()
+
+
+class RunRules:
+    """The rules of a run: those given, and else those of the run before; `given` has a value for each name.
+
+    rules  {name: value}, as the command `grade` takes them
+    kept   texts: the rules that were not given, and are those of the run before
+    """
+
+    def __init__(self, out, given, *, forget=False):
+        self._path = Path(out) / _RULES_FILE
+        before = {} if forget else _read_rules(self._path)
+        given = {name: value for name, value in given.items() if value}
+        self.rules = dict.fromkeys(_RULES) | before | given
+        self.rules["keys"] = self.rules["keys"] or [Path("key")]
+        self.kept = [_text_of(name, value) for name, value in before.items() if name not in given]
+
+    def keep(self):
+        """Write the rules into the folder of grades."""
+        values = {name: value for name, value in self.rules.items() if value}
+        write_grades_file(self._path, json.dumps(values, indent=1, default=_plain))
+
+
+def _read_rules(path):
+    try:
+        rules = json.loads(path.read_text(encoding="utf-8"))
+        return {
+            name: list(map(read, rules[name])) if name in _LISTS else read(rules[name])
+            for name, (_, read) in _RULES.items()
+            if name in rules
+        }
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError, TypeError) as error:
+        raise ValueError(f"{path}: cannot be read; remove it, and give all options again") from error
+
+
+def _plain(value):
+    return str(value.resolve()) if isinstance(value, Path) else value.isoformat()
+
+
+def _text_of(name, value):
+    values = value if name in _LISTS else [value]
+    shown = ", ".join(one.isoformat() if name == "deadline" else str(one) for one in values)
+    return f"{_RULES[name][0]} {shown}"

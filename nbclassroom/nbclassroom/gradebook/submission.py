@@ -61,7 +61,7 @@ class SubmissionContent:
     states    {exercise id: AnswerState} of every exercise
     is_page   it is a page of the course that has no answers, such as the index
     deeper    ids of exercises that can be left out, as the notebook says
-    shapes    {exercise id: shape of its answer}, see `syntax_shapes.shapes`
+    shapes    {exercise id: shape of its answer}, see `submission_reader.shapes`
     """
 
     lesson: str | None = None

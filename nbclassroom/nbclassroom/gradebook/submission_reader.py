@@ -3,16 +3,16 @@
 `notebook_reader.NotebookReader` starts this file as a program with limits on memory and processor time, sends
 it the bytes of a notebook and receives plain data: the id and type of each cell, and the sources of code. It
 also makes the page that is graded, and takes the shapes of answers. Nothing in a notebook is run or
-followed. The program imports the standard library only, and `cell_syntax`, `page`, `syntax_shapes` and (once
-an answer has an error) `syntax_slips`, which do the same: it starts quickly, and no module of a learner can
-take the place of ours.
+followed. The program imports the standard library only, and `cell_syntax` and `page`, which do the same: it
+starts quickly, and no module of a learner can take the place of ours.
 """
 
 import ast
+import builtins
 import codecs
 import ctypes
 import functools
-import importlib
+import hashlib
 import json
 import re
 import resource
@@ -21,14 +21,12 @@ import sys
 from pathlib import Path
 
 if __name__ == "__main__":
-    sys.path += [str(Path(__file__).parents[1] / "exercises"), str(Path(__file__).parent)]
+    sys.path.append(str(Path(__file__).parents[1] / "exercises"))
     import cell_syntax  # type: ignore[import-not-found]  # modules by themselves, which mypy does not know
     import page  # type: ignore[import-not-found]
-    import syntax_shapes  # type: ignore[import-not-found]
 else:
     from nbclassroom import course
     from nbclassroom.exercises import cell_syntax, page
-    from nbclassroom.gradebook import syntax_shapes
 
 MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
@@ -41,9 +39,14 @@ _FENCED = re.compile(r"^```\w*\n(.*?)^```", re.M | re.S)  # code in a Markdown c
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
 _CHECK_OF_WRITTEN = re.compile(r"""\s*check\(\s*["']([\w-]+)["']\s*\);?\s*""")
 _PR_SET_PDEATHSIG = 1
-_SLIPS = "syntax_slips" if __name__ == "__main__" else "nbclassroom.exercises.syntax_slips"
 _COURSE = sys.argv[3] if __name__ == "__main__" else course.name
 _UNKNOWN_SYNTAX: dict = {"error": None, "slip": None, "names": None, "stub_lines": []}
+# Of the shape of an answer.
+LONGEST = 20_000  # characters of an answer; a longer one is not compared
+_NAMES = ("id", "arg", "name", "asname")  # fields of syntax that hold a name
+_KEPT = {"np", *dir(builtins)}  # everybody's
+_IGNORED = (ast.expr_context, ast.Import, ast.ImportFrom, ast.Pass)
+_UNTOLD = {"annotation", "returns", "type_comment", "kind"}  # fields that change nothing
 
 
 class UnreadableError(ValueError):
@@ -212,7 +215,7 @@ def _bound_names(tree):
 
 
 def _slip(source, error):
-    mended = importlib.import_module(_SLIPS).without_slip(source, error)
+    mended = cell_syntax.without_slip(source, error)
     if mended is None:
         return None
     mended_source, tree = mended
@@ -220,12 +223,66 @@ def _slip(source, error):
     return [lines[min(error.lineno or 1, len(lines)) - 1].strip()[:_MOST_NAME], _bound_names(tree)]
 
 
+def syntax_tokens(source):
+    """The tokens of a source, a list of str: kinds of syntax, constants, attributes, and everybody's names.
+
+    Another name is "V" and its number, by first occurrence. Of a text that is no Python, such
+    as a written answer, they are its words. There are none if the source is longer than LONGEST.
+    """
+    try:
+        tree = ast.parse(source) if len(source) <= LONGEST else ast.Module([], [])
+    except cell_syntax.UNPARSABLE:
+        return source.split()
+    tokens, nodes = [], [tree]
+    numbers: dict[str, int] = {}
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, tuple):
+            tokens.append(f"V{numbers.setdefault(node[0], len(numbers))}")
+        elif isinstance(node, str):
+            tokens.append(node)
+        elif isinstance(node, ast.Constant):
+            value = node.value  # Python refuses to write huge decimals
+            tokens.append(hex(value) if type(value) is int else repr(value))
+        elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+            continue  # a docstring, or another statement that is only a text
+        elif not isinstance(node, _IGNORED):
+            tokens.append(type(node).__name__)
+            nodes += reversed(list(_parts(node)))
+    return tokens
+
+
+def _parts(node):
+    """What is inside a node; a name of its own in a tuple. So is an attribute of self."""
+    names = (*_NAMES, "attr") if getattr(getattr(node, "value", None), "id", "") == "self" else _NAMES
+    for field, value in ast.iter_fields(node):
+        if isinstance(value, str) and field not in _UNTOLD:
+            yield (value,) if field in names and value not in _KEPT else value
+        elif field not in _UNTOLD:
+            parts = value if isinstance(value, list) else (value,)
+            yield from (part for part in parts if isinstance(part, ast.AST))
+
+
+def shapes(answers):
+    """The shapes of {id: source}: {id: [digest, number of tokens]}, without sources that have no tokens.
+
+    The shape of an answer is what it is by its syntax, whatever its names, numbers, comments and spacing.
+    """
+    found = {}
+    for id, source in answers.items():
+        if tokens := syntax_tokens(source):
+            text = "\0".join("number" if token[:1].isdigit() else token for token in tokens)
+            digest = hashlib.blake2b(text.encode("utf-8", "surrogatepass"), digest_size=8).hexdigest()
+            found[id] = [digest, len(tokens)]
+    return found
+
+
 def serve(requests, replies, most_memory, seconds):
     """Answer each request with a line of JSON, until there is no more, or the memory is in use.
 
     `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
     `page <length>`, and [lesson_cells, exercises] of `page.page_of_notebook` as JSON: that of the last
-    notebook, {"page": , "places": , "shapes": }, see `syntax_shapes.shapes`
+    notebook, {"page": , "places": , "shapes": }, see `shapes`
 
     With more than `most_memory` bytes in use, it ends instead of reading another notebook: so what it
     remembers of earlier notebooks leaves enough memory for each one. A request that takes more `seconds` of
@@ -245,7 +302,7 @@ def serve(requests, replies, most_memory, seconds):
             else:
                 cells = [cell for cell in notebook["cells"] if cell is not None]
                 made, places = page.page_of_notebook(cells, *json.loads(body))
-                reply = {"page": made, "places": places, "shapes": syntax_shapes.shapes(made["answers"])}
+                reply = {"page": made, "places": places, "shapes": shapes(made["answers"])}
         except UnreadableError as error:
             reply = {"reason": str(error)}
         except (MemoryError, RecursionError):

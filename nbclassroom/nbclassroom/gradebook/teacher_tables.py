@@ -12,7 +12,6 @@ from datetime import date, datetime, time, timedelta
 
 from ..authoring.lesson_names import lesson_name
 from ..autograder.sanitize import sanitize_line, spreadsheet_text
-from .anonymity import anonymous_id
 from .csv_table import TableError, is_comment, read_csv
 from .roster import names_in_roster
 
@@ -253,7 +252,7 @@ class TeacherRules:
         nobody has a name, or a decision is on an exercise that cannot be graded.
         """
         names = names_in_roster(roster, learners)
-        names |= {anonymous_id(learner.name, self._answer_keys): learner.name for learner in learners}
+        names |= {self._answer_keys.anonymous_id(learner.name): learner.name for learner in learners}
         names |= {learner.name: learner.name for learner in learners}
         self._extensions, self.decisions = (
             _by_learner([row for row in rows if row.learner != EVERYBODY], names) for rows in self._tables

@@ -10,6 +10,7 @@ from pathlib import Path
 import nbformat
 from jupyter_core.paths import jupyter_runtime_dir
 from jupyter_server.serverapp import ServerApp, list_running_servers
+from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
 from nbformat.sign import NotebookNotary
 from traitlets import TraitError, default, validate
 
@@ -51,6 +52,20 @@ class CourseServer(ServerApp):
             raise
         if self.port != configured_port and configured_port != 0:
             print_now(f"Port {configured_port} is not free; JupyterLab uses port {self.port} instead.")
+
+
+class PromptWebsocketConnection(ZMQChannelsWebsocketConnection):
+    """Jupyter Server's own connection, on a socket that sends at once.
+
+    After a slider has moved, the kernel sends four or five short messages. TCP delays the second until the
+    browser has acknowledged the first (Nagle's algorithm, RFC 896), which the browser does after up to 40 ms.
+    Tornado lets the application switch this off; Jupyter Server 2.21 does not do it. This class can go when a
+    release of Jupyter Server calls `set_nodelay` itself.
+    """
+
+    def connect(self):
+        self.websocket_handler.set_nodelay(True)
+        return super().connect()
 
 
 def start(options=(), say=print_now):

@@ -10,7 +10,7 @@ from functools import cache
 from nbclassroom.exercises import CheckResult
 from nbclassroom.exercises.cell_runs import CellRuns
 from nbclassroom.exercises.checking import run_check
-from nbclassroom.exercises.expected_results import check_data_of
+from nbclassroom.exercises.lesson import check_data_of
 from nbclassroom.exercises.percent_script import read_script
 from readable_cell import run_cell
 

@@ -14,11 +14,11 @@ from nbclassroom.exercises import progress
 from nbclassroom.exercises.check_files import read_check_file
 from nbclassroom.exercises.checking import check, run_cases, run_check
 from nbclassroom.exercises.declaration import MasterError, exercise, read_exercises
-from nbclassroom.exercises.expected_results import check_data_of
 from nbclassroom.exercises.kinds.drive.drive import METRICS, PATH_TOLERANCE, SENSORS, STEP, Drive
 from nbclassroom.exercises.kinds.drive.images import draw_map, look_back
 from nbclassroom.exercises.kinds.drive.runs import drive_scenarios
 from nbclassroom.exercises.kinds.drive.scenario import read_scenario
+from nbclassroom.exercises.lesson import check_data_of
 from PIL import Image
 from plane_env import BLIND, LATE, PARTS, RIGHT, STOPS, PlaneEnv, driving_on_a_plane
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.declaration import read_exercises
-from nbclassroom.exercises.expected_results import check_data_of
 from nbclassroom.exercises.kinds.drive.runs import drive_scenarios
+from nbclassroom.exercises.lesson import check_data_of
 
 BLIND = "def control(observation, memory):\n    return 0.3, 0.0\n"
 LOOKS = """def control(observation, memory):

@@ -8,9 +8,9 @@ from nbclassroom.exercises import progress
 from nbclassroom.exercises.cell_runs import CellRuns
 from nbclassroom.exercises.checking import check, run_cases, run_check
 from nbclassroom.exercises.declaration import MasterError, read_exercises
-from nbclassroom.exercises.expected_results import check_data_of
 from nbclassroom.exercises.help_steps import solution
 from nbclassroom.exercises.kinds import kind_of
+from nbclassroom.exercises.lesson import check_data_of
 from nbclassroom.exercises.progress import digest_of
 from nbclassroom.exercises.running import (
     call,

@@ -12,11 +12,11 @@ from answer_names import names_of_answer
 from nbclassroom.exercises.canonical import canonical
 from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.declaration import read_exercises
-from nbclassroom.exercises.expected_results import check_data_of
 from nbclassroom.exercises.kinds.node.feed import feed
 from nbclassroom.exercises.kinds.node.feedback import sentence_on_node
 from nbclassroom.exercises.kinds.node.recording_node import NodeError, NotGradedError
 from nbclassroom.exercises.kinds.node.ros_double import offer_modules
+from nbclassroom.exercises.lesson import check_data_of
 from node_answers import ANSWERS, STARTED, changed
 
 MASTERS = Path(__file__).parents[3] / "notebooks/masters"

@@ -3,8 +3,8 @@
 import ast
 
 import pytest
-from nbclassroom.exercises import syntax_slips
-from nbclassroom.exercises.syntax_slips import plain_character, without_slip
+from nbclassroom.exercises import cell_syntax
+from nbclassroom.exercises.cell_syntax import plain_character, without_slip
 
 SLIPS = {
     "dfe f(x):\n    return x": "def f(x):\n    return x",
@@ -50,7 +50,7 @@ def test_a_slip_is_mended(source, mended):
 
 def test_a_long_source_is_not_searched(monkeypatch):
     source = "retrun x"
-    monkeypatch.setattr(syntax_slips, "_MOST_CHARACTERS", len(source))
+    monkeypatch.setattr(cell_syntax, "_MOST_CHARACTERS", len(source))
     assert without_slip(source, error_in(source))
     assert without_slip(source + " ", error_in(source + " ")) is None
 
@@ -58,11 +58,11 @@ def test_a_long_source_is_not_searched(monkeypatch):
 def test_no_line_is_tried_often(monkeypatch):
     tries = []
     monkeypatch.setattr(
-        syntax_slips.ast, "parse", lambda text: tries.append(text) or compile(text, "", "exec")
+        cell_syntax.ast, "parse", lambda text: tries.append(text) or compile(text, "", "exec")
     )
     source = "retrun " * 300
     assert without_slip(source, SyntaxError("invalid syntax", ("", 1, 1, source, 1, 200))) is None
-    assert len(tries) == syntax_slips._MOST_TRIES == len(set(tries))
+    assert len(tries) == cell_syntax._MOST_TRIES == len(set(tries))
 
 
 def test_an_error_outside_the_lines_is_no_slip():

@@ -6,7 +6,7 @@ import pytest
 from nbclassroom.gradebook import answer_keys as answer_keys_module
 from nbclassroom.gradebook.notebook_reader import NotebookReader
 from nbclassroom.gradebook.submission import EQUALS, read_submission
-from nbclassroom.gradebook.syntax_shapes import LONGEST, shapes
+from nbclassroom.gradebook.submission_reader import LONGEST, shapes
 from submissions import notebook, write
 
 pytestmark = pytest.mark.sandbox

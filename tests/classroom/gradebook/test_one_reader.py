@@ -17,7 +17,7 @@ from nbclassroom.gradebook.check import LessonFileError, check_lesson, run_answe
 from nbclassroom.gradebook.collect import Collection
 from nbclassroom.gradebook.learners import read_all
 from nbclassroom.gradebook.submission import EQUALS
-from nbclassroom.gradebook.syntax_shapes import syntax_tokens
+from nbclassroom.gradebook.submission_reader import syntax_tokens
 from own_cells import FORMS, MORE, NODE, NODE_FORMS, NODE_MORE, TIMES
 from submissions import SEED, answers_of, notebook
 from template_master import write_carried_files

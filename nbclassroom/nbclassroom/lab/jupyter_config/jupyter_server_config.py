@@ -31,6 +31,6 @@ c.ServerApp.use_redirect_file = not (
 )
 
 # An image follows its slider at once, not 40 ms later.
-c.ServerApp.kernel_websocket_connection_class = "nbclassroom.lab.websocket.PromptWebsocketConnection"
+c.ServerApp.kernel_websocket_connection_class = "nbclassroom.lab.server.PromptWebsocketConnection"
 # Equal to Jupyter's interval, in place of three times as long: Tornado warns of that in the terminal.
 c.ServerApp.tornado_settings = {"ws_ping_timeout": 30_000}

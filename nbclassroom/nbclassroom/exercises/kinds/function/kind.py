@@ -34,7 +34,7 @@ class Kind(AnyKind):
         return {case_id: exercise.results_of_mistake(mistake, case)}
 
     def known_mistake(self, exercise, calls):
-        from ...mistakes import known_mistake
+        from ...judging import known_mistake
 
         return known_mistake(exercise, calls)
 
