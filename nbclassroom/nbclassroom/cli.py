@@ -387,7 +387,7 @@ def league(folder, out, **options):
 @option("--out", type=_FOLDER, required=True, help="Folder of your masters; created if it does not exist.")
 def new_lesson(name, out):
     """Create a lesson of your own: a master that you can build and grade at once."""
-    from nbclassroom.authoring.new_lesson import new_lesson as write
+    from nbclassroom.authoring.masters import new_lesson as write
 
     path = write(name, out)
     click.echo(f"{path}: change it, then run")

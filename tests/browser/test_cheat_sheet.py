@@ -6,7 +6,7 @@ import nbformat
 import pytest
 from accessibility import violations
 from jupyter_page import ROOT
-from nbclassroom.authoring.cheat_sheet import CHEAT_SHEET, cheat_sheet_page
+from nbclassroom.authoring.build import CHEAT_SHEET, cheat_sheet_page
 from nbformat.v4 import new_markdown_cell, new_notebook
 
 pytestmark = pytest.mark.browser

@@ -1,12 +1,14 @@
 """Build lessons and their solved twins from masters, and compare stored lessons with their masters."""
 
 import hashlib
+import runpy
 import time
 from dataclasses import dataclass, field
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
+import jinja2
 import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
@@ -14,7 +16,6 @@ from .. import course
 from ..exercises.atomic_write import write_file
 from ..exercises.check_files import CHECKS, SOLUTIONS
 from ..exercises.declaration import MasterError
-from .cheat_sheet import CHEAT_SHEET, cheat_sheet_page
 from .execute import execute, normalize, output_texts, refuse_traces
 from .glossary import GLOSSARY, GLOSSARY_PAGE, glossary_page, read_glossary
 from .learner_files import TEXTS
@@ -26,6 +27,7 @@ from .rules import RAISING_TAGS, VARYING_TAG
 from .validation import validate_exercise
 
 INDEX = "index"
+CHEAT_SHEET = "cheat_sheet.html"
 
 
 @dataclass
@@ -91,6 +93,36 @@ def build_pages(masters_dir):
     if cheat_sheet.exists():
         pages[CHEAT_SHEET] = cheat_sheet_page(cheat_sheet)
     return pages
+
+
+def cheat_sheet_page(template):
+    """The HTML of a cheat sheet, two pages to print, of a Jinja template.
+
+    The Python file beside it defines the names of its examples. In the template `run("tiny[2, 4]")` gives the
+    value of a line of Python, so the page shows what it computes. References such as [[arrays#2]] become
+    plain text: JupyterLab shows the page in a frame, where a link would open a lesson as raw JSON.
+    """
+    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
+    try:
+        names = runpy.run_path(str(template.with_suffix(".py")))
+        source = environment.from_string(template.read_text(encoding="utf-8"))
+        page = source.render(names, run=lambda line: _value_of(line, names))
+    except Exception as error:  # the examples are code of the template's author
+        text = error if isinstance(error, MasterError) else f"{type(error).__name__}: {error}"
+        raise MasterError(f"{template.name}: {text}") from error
+    return References(template).in_text(f"{page}\n")
+
+
+def _value_of(line, names):
+    """The value of an expression; None after a statement."""
+    try:
+        try:
+            code = compile(line, "example", "eval")
+        except SyntaxError:
+            code = compile(line, "example", "exec")
+        return eval(code, names)
+    except Exception as error:  # the line is code of the template's author
+        raise MasterError(f"in {line!r}: {type(error).__name__}: {error}") from error
 
 
 def _build_each(result, masters_dir, lessons_dir, names, progress, *, solved):

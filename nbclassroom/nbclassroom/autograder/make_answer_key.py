@@ -30,8 +30,8 @@ from ..exercises.percent_script import MasterError
 from . import answer_key
 from .answer_forms import read_answer, read_calls
 from .sandbox import bubblewrap
+from .sandbox.fork_server_client import KernelFactory
 from .sandbox.inside.check_cell import call_to_json
-from .sandbox.kernel_factory import KernelFactory
 from .verdict import verdict_on
 
 _SECONDS_PER_EXERCISE = 1.6  # while two run, fitted to the course's own lessons

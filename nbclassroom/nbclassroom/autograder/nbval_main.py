@@ -6,8 +6,8 @@ import sys
 import types
 
 from .sandbox.bubblewrap import Limits
+from .sandbox.fork_server_client import KernelFactory
 from .sandbox.inside import confine
-from .sandbox.kernel_factory import KernelFactory
 
 
 def main():

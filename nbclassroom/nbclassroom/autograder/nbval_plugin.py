@@ -20,11 +20,10 @@ import pytest
 
 from ..exercises.cell_syntax import top_level
 from ..exercises.input_encoding import encode
-from .causes import missing_name
+from . import results
 from .outcomes import Outcome
 from .page_kernels import PageKernels
 from .pool import expected_key
-from .results import GradedSubmission, graded_exercises, open_exercise, to_json, ungraded_exercise
 from .sandbox.cell_run import MIME, CellRun
 from .verdict import CaseRun, ShownAnswer, StoredAnswer
 from .written_answer import figure_html
@@ -139,7 +138,7 @@ class ExerciseRun:
         run = CaseRun(answer=answer_run)
         if not run.ended:
             self._run_check(process, run, case, source)
-        if not run.ended and not run.passed and missing_name(run)[0]:
+        if not run.ended and not run.passed and results.missing_name(run)[0]:
             process.run_below("")
             self._run_check(process, run, case, source)
         if run.ended or getattr(run.verdict.call, "timed_out", False):
@@ -193,7 +192,7 @@ class GradingPlugin:
         nbformat.validate(nbformat.v4.new_notebook())  # compiles the schema while submissions are read
         with self._kernel_factory:
             for line in self._connection.makefile("r", 1 << 20, encoding="ascii"):
-                self._send(to_json(self._grade(json.loads(line))))
+                self._send(results.to_json(self._grade(json.loads(line))))
         os._exit(0)  # the other side waits, and nobody needs what pytest would still do
 
     def _send(self, message):
@@ -204,24 +203,24 @@ class GradingPlugin:
         lesson, page = key.lessons[job["lesson"]], job["page"]
         kernels = PageKernels(page, self._kernel_factory)
         graded = [exercise for exercise in lesson.exercises if not exercise.practice]
-        results, runs, stop_at = {}, {}, time.monotonic() + self._kernel_factory.limits.submission
+        found, runs, stop_at = {}, {}, time.monotonic() + self._kernel_factory.limits.submission
         for exercise in kernels.in_order(graded):
             source = page["answers"].get(exercise.id)
             reason = _reason_not_to_run(exercise, source)
             if reason is None and exercise.kind.graded_by_person:
                 figure = figure_html(exercise, page, kernels) if exercise.figure else ""
-                results[exercise.id] = open_exercise(exercise, source, figure)
+                found[exercise.id] = results.open_exercise(exercise, source, figure)
             elif reason is None:
                 runs[exercise.id] = ExerciseRun(exercise, kernels, stop_at)
                 self._run_exercise(exercise, source, runs[exercise.id])
                 stop_at = runs[exercise.id].stop_at
             else:
-                results[exercise.id] = ungraded_exercise(exercise, *reason)
+                found[exercise.id] = results.ungraded_exercise(exercise, *reason)
         kernels.close()
         runs = {one.id: runs[one.id] for one in graded if one.id in runs}  # in the lesson's order
-        results |= graded_exercises(runs, page, kernels.tried)
-        ordered = tuple(results[one.id] for one in graded)
-        return GradedSubmission(job["submission"], lesson.name, ordered, tuple(sorted(kernels.tried)))
+        found |= results.graded_exercises(runs, page, kernels.tried)
+        ordered = tuple(found[one.id] for one in graded)
+        return results.GradedSubmission(job["submission"], lesson.name, ordered, tuple(sorted(kernels.tried)))
 
     def _run_exercise(self, exercise, source, exercise_run):
         self._exercise_kernel = ExerciseKernel(exercise_run)

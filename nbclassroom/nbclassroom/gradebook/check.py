@@ -14,13 +14,12 @@ from ..autograder.nbval_plugin import ExerciseRun
 from ..autograder.outcomes import Outcome
 from ..autograder.page_kernels import PageKernels
 from ..autograder.results import GradedExercise, checked_exercise
-from ..autograder.sandbox.kernel_factory import KernelFactory
+from ..autograder.sandbox.fork_server_client import KernelFactory
 from ..exercises import check_files
 from ..exercises.input_encoding import encode
 from ..exercises.lesson import Exercise
 from .archives import LARGEST, too_large
-from .notebook_reader import NotebookReader
-from .submission import AnswerState, SubmissionContent, read_submission
+from .submission import AnswerState, NotebookReader, SubmissionContent, read_submission
 
 _ADVICE = {
     AnswerState.MISSING: "Open the lesson afresh and copy your answer into this cell.",

@@ -12,8 +12,14 @@ from ..autograder.answer_key import Key
 from .archives import CollectError
 from .collect import SubmittedFile
 from .layouts import doubt
-from .notebook_reader import NotebookReader
-from .submission import EQUALS, AnswerState, SubmissionContent, lesson_by_name, read_submission
+from .submission import (
+    EQUALS,
+    AnswerState,
+    NotebookReader,
+    SubmissionContent,
+    lesson_by_name,
+    read_submission,
+)
 
 NOTEBOOK_SECONDS = 5  # of processor time, for reading one notebook; a usual one takes 0.02
 READING_SECONDS = 30  # for all notebooks of one sender

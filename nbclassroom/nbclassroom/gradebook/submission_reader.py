@@ -1,6 +1,6 @@
 """Reads notebooks of learners, in a process of its own that may fail without harm.
 
-`notebook_reader.NotebookReader` starts this file as a program with limits on memory and processor time, sends
+`submission.NotebookReader` starts this file as a program with limits on memory and processor time, sends
 it the bytes of a notebook and receives plain data: the id and type of each cell, and the sources of code. It
 also makes the page that is graded, and takes the shapes of answers. Nothing in a notebook is run or
 followed. The program imports the standard library only, and `cell_syntax` and `page`, which do the same: it

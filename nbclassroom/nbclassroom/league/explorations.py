@@ -15,8 +15,8 @@ from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.outcomes import Outcome
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.results import checked_exercise
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.autograder.sandbox.inside import confine
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
 from nbclassroom.autograder.verdict import CaseRun
 from nbclassroom.exercises.kinds.drive.drive import SENSORS, environment
 from nbclassroom.exercises.kinds.drive.images import draw_film, draw_map

@@ -5,8 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
-from nbclassroom.authoring.build import build, compare_lessons
-from nbclassroom.authoring.cheat_sheet import cheat_sheet_page
+from nbclassroom.authoring.build import build, cheat_sheet_page, compare_lessons
 from nbclassroom.exercises.declaration import MasterError
 
 NOTEBOOKS = Path(__file__).parents[3] / "notebooks"

@@ -4,7 +4,7 @@ from textwrap import dedent
 
 import pytest
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 
 pytestmark = pytest.mark.sandbox
 DOUBLES = "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)\n"

@@ -11,7 +11,7 @@ import pytest
 from nbclassroom.autograder import make_answer_key
 from nbclassroom.autograder.answer_key import KeyFolderError, load_key
 from nbclassroom.autograder.make_answer_key import make_key
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.exercises import MasterError, array_of
 
 pytestmark = pytest.mark.sandbox

@@ -2,7 +2,7 @@
 
 import pytest
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.exercises.cell_syntax import plain_python
 
 pytestmark = pytest.mark.sandbox

@@ -8,7 +8,7 @@ import platform
 
 import pytest
 from nbclassroom.autograder.sandbox import bubblewrap
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 
 pytestmark = [
     pytest.mark.sandbox,

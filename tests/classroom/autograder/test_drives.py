@@ -12,7 +12,7 @@ from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.outcomes import BUDGET_MESSAGE
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.exercises.declaration import MasterError
 from nbclassroom.exercises.kinds.drive.draw_scenarios import MARGIN, with_margin
 from nbclassroom.exercises.kinds.drive.drive import LARGE, SLOW

@@ -9,8 +9,7 @@ from attacks import LESSON, SHORT
 from nbclassroom.autograder.nbval_plugin import ExerciseRun
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.pool import Limits, SandboxError, autograde
-from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel, KernelFactory
 from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox

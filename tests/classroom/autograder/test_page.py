@@ -7,8 +7,7 @@ from attacks import LESSON, SHORT, page_with
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox import fork_server_client
-from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel, KernelFactory
 from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox

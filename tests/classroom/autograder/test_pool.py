@@ -21,7 +21,7 @@ from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.pool import Limits, SandboxError, autograde, grade_one, open_worker_threads
 from nbclassroom.autograder.results import from_json, to_json
 from nbclassroom.autograder.sandbox import bubblewrap
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox

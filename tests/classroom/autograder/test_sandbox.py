@@ -12,7 +12,7 @@ import psutil
 import pytest
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.bubblewrap import Limits, used_under
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 
 pytestmark = pytest.mark.sandbox
 
@@ -207,7 +207,7 @@ for path in {line.split()[1] for line in open("/proc/self/mounts")}:
         pass
 """
 UNPRIVILEGED = f"""
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.autograder.sandbox.bubblewrap import used_under
 with KernelFactory() as kernel_factory:
     kernel = kernel_factory.start(("scipy",), 30)

@@ -14,7 +14,7 @@ from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.autograder import pool
 from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.nbval_process import open_worker_threads
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.gradebook import check
 from nbclassroom.gradebook.answer_keys import load_keys
 from nbclassroom.gradebook.grade import grade_submissions

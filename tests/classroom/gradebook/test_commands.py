@@ -10,8 +10,7 @@ from datetime import datetime
 
 import pytest
 from click.testing import CliRunner
-from nbclassroom.authoring.masters import read_master
-from nbclassroom.authoring.new_lesson import new_lesson
+from nbclassroom.authoring.masters import new_lesson, read_master
 from nbclassroom.autograder import make_answer_key, nbval_process
 from nbclassroom.autograder.answer_key import load_key
 from nbclassroom.exercises.declaration import MasterError

@@ -4,8 +4,7 @@ import json
 
 import pytest
 from nbclassroom.gradebook import answer_keys as answer_keys_module
-from nbclassroom.gradebook.notebook_reader import NotebookReader
-from nbclassroom.gradebook.submission import EQUALS, read_submission
+from nbclassroom.gradebook.submission import EQUALS, NotebookReader, read_submission
 from nbclassroom.gradebook.submission_reader import LONGEST, shapes
 from submissions import notebook, write
 

@@ -4,8 +4,7 @@ import json
 
 import pytest
 from nbclassroom.autograder.nbval_plugin import MAX_ANSWER
-from nbclassroom.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
-from nbclassroom.gradebook.submission import AnswerState, read_submission
+from nbclassroom.gradebook.submission import NOT_READ_IN_TIME, AnswerState, NotebookReader, read_submission
 from nbclassroom.gradebook.submission_reader import (
     MOST_CHARACTERS,
     UnreadableError,

@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 from nbclassroom.autograder.outcomes import Outcome
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
-from nbclassroom.autograder.sandbox.kernel_factory import KernelFactory
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.exercises.kinds.drive import images as drive_images
 from nbclassroom.league import explorations, league
 from nbclassroom.league.explorations import Exploration
