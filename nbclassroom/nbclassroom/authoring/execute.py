@@ -82,9 +82,6 @@ def execute(notebook, master_path, kernel_name="python3", files=None):
     raise MasterError(f"{Path(master_path).name}: cell {running['id']}: {reason}")
 
 
-# ---------------------------------------------------------------- reproducible outputs
-
-
 def normalize(notebook, master):
     """Remove what varies from run to run: times, widget models, dates in images, the order of streams."""
     notebook.metadata.language_info = {"name": "python", "file_extension": ".py", "mimetype": "text/x-python"}

@@ -26,8 +26,6 @@ The words of this course, from A to Z. Each entry ends with the lesson that intr
 
 @dataclass(frozen=True)
 class Term:
-    """A word of the field."""
-
     name: str  # as it is written in the middle of a sentence
     lesson: str  # that introduces it
     definition: str  # Markdown

@@ -36,8 +36,6 @@ No points: write your answer in place of `None`, and run the cell."""
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell of a lesson."""
-
     id: str  # "answer-<exercise>", "check-<exercise>-<n>", "predict-<lesson>-<n>", "<lesson>-<n>", …
     kind: str  # "markdown" or "code"
     source: str  # in the lesson

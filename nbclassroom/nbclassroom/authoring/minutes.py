@@ -58,7 +58,6 @@ def minutes_of(counts):
 
 
 def timed_script(script):
-    """The TimedScript of a Script."""
     sections, deeper = read_sections(script.cells)
     minutes = [max(1, round(minutes_of(section.counts))) for section in sections]
     of_core = (m for m, section in zip(minutes, sections, strict=True) if not section.deeper)

@@ -149,9 +149,6 @@ def _belongs_to_asserts(node):
     return isinstance(node, ast.Assert | ast.Assign | ast.Import | ast.ImportFrom)
 
 
-# ---------------------------------------------------------------- predictions and asserts
-
-
 def _prediction_problems(master):
     guesses, has_exercises = [_guess_name(cell) for cell in master.cells if cell.role == "predict"], False
     for cell, next_cell in zip(master.cells, [*master.cells[1:], None], strict=True):

@@ -36,8 +36,6 @@ class KeyFolderError(ValueError):
 
 @dataclass(frozen=True)
 class Key:
-    """A key that `load_key` read."""
-
     path: Path
     digest: str  # identifies it
     lessons: dict[str, Lesson]  # by their names, in the order of the course
@@ -48,7 +46,6 @@ class Key:
         return next((pair for pair in pairs if pair[1].id == id), (None, None))
 
     def exercise(self, id: str) -> Exercise | None:
-        """The Exercise of that id, or None."""
         return self.find(id)[1]
 
     def solutions(self, lesson: str) -> dict[str, str]:

@@ -158,7 +158,6 @@ class _Solutions:
         self._drawn = exercise.kind.draw_for_key(exercise, seed, self._run_with)
 
     def exercise(self):
-        """The Exercise with them."""
         return with_results(self._exercise, self._exercise.cases, self._solve, self._results_of)
 
     def _run_with(self, partner):

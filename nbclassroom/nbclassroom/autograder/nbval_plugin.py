@@ -168,7 +168,6 @@ class ExerciseRun:
         return StoredAnswer(expected, case.tolerance, self.exercise.exact_type)
 
     def close(self):
-        """End its process, if it has one."""
         if self._process is not None:
             self._process.stop()
         self._process = None

@@ -28,8 +28,6 @@ class Outcome(StrEnum):
 
 @dataclass(frozen=True)
 class OutcomeTexts:
-    """The texts of one outcome."""
-
     label: str  # a few words beside the case's title on a page
     message: str = ""  # the case's, if the kernel was ended like this; "" if it depends on the answer
     # For the learner, if every case of an exercise ended so: no input is the cause, and no case's hint helps.

@@ -42,8 +42,6 @@ _EXCEPTIONS = {CELL_FAILS} | {name for name, kind in vars(builtins).items() if i
 
 @dataclass(frozen=True)
 class GradedCase:
-    """The result of one test case."""
-
     id: str
     title: str
     hidden: bool
@@ -59,8 +57,6 @@ class GradedCase:
 
 @dataclass(frozen=True)
 class GradedExercise:
-    """The result of one graded exercise."""
-
     id: str
     title: str
     max_points: int

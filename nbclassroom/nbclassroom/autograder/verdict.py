@@ -10,8 +10,6 @@ from .sandbox.cell_run import CellRun
 
 @dataclass(frozen=True)
 class Verdict:
-    """What the comparison of one test case gave."""
-
     calls: list | None = None  # of CallResult; None: the check cell showed no well-formed answer, or several
     failed_call: int | None = None  # index of the first call that did not do what the key expects
     difference: Difference | None = None  # of that call's value; None: there was no value to compare
@@ -38,7 +36,6 @@ class Verdict:
         return "its check cell reported other calls than were made" if is_other else ""
 
     def case_calls(self, exercise, case):
-        """The CaseCalls of a case."""
         pairs = zip(case.calls, self.calls or (), strict=False)
         return [exercise.judge(case, expected, result) for expected, result in pairs]
 
@@ -76,7 +73,6 @@ class StoredAnswer:
     exact_type: bool = False
 
     def verdict(self, run):
-        """The Verdict on a CaseRun."""
         if run.is_measured:
             return run.verdict
         return verdict_on(run.check.answers, self.expected, self.tolerance, exact_type=self.exact_type)

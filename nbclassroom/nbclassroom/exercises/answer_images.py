@@ -34,7 +34,6 @@ class AnswerImage:
 
     @property
     def url(self):
-        """The image as a data: URL."""
         return f"data:{self.type};base64,{base64.b64encode(self.png).decode('ascii')}"
 
 

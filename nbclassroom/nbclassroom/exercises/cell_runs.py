@@ -24,8 +24,6 @@ _FAILED = (
 
 @dataclass
 class CellRun:
-    """One run of a cell."""
-
     source: str
     cell_id: str = ""  # may be missing
     exercise: str = ""  # that it answers, by the id of the cell, or in JupyterLab's metadata of it
@@ -47,7 +45,6 @@ class CellRun:
         return names_used(plain_python(self.source)) if self.is_read else []
 
     def binds(self, name):
-        """Whether it binds a name at its top level."""
         return any(name in names.binds for names in self.statements())
 
     def definitions(self):
@@ -82,7 +79,6 @@ class CellRuns:
             print(SAYS["line of a program"].format(line=line, code=code), SAYS["interrupt"])
 
     def end(self, result):
-        """Record how the last cell of IPython ended."""
         error = result.error_before_exec or result.error_in_exec
         if error is not None and self._runs:
             self._runs[-1].fail(error)

@@ -47,7 +47,6 @@ class Html:
         return f'style="{_STYLES[name]}"'
 
     def text(self, text):
-        """A text as HTML."""
         return html.escape(text)
 
 
@@ -81,8 +80,6 @@ class Paragraphs:
 
 @dataclass(frozen=True)
 class Code:
-    """Python."""
-
     code: str
 
     def plain(self):

@@ -42,9 +42,6 @@ def advise_everywhere():
         advisers.append(advice_on)
 
 
-# ---------------------------------------------------------------- errors that several mistakes can cause
-
-
 def _nodes(source):
     """The syntax nodes of one line; () if the line is only a part of a statement."""
     text = re.sub(r"^el(?=if\b)", "", source.strip())

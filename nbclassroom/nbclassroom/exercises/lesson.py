@@ -97,7 +97,6 @@ class Exercise:
 
     @property
     def points(self):
-        """Points of all its cases."""
         return sum(case.points for case in self.cases)
 
     @property
@@ -110,7 +109,6 @@ class Exercise:
 
     @property
     def kind(self):
-        """The Kind of its answers."""
         return kind_of(self.subject)
 
     @property

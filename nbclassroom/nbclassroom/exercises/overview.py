@@ -71,12 +71,10 @@ class Overview:
 
     @property
     def passed(self) -> int:
-        """Number of exercises that have passed."""
         return sum(len(lesson.passed) for lesson in self.lessons)
 
     @property
     def exercises(self) -> int:
-        """Number of all exercises."""
         return sum(len(lesson.exercises) for lesson in self.lessons)
 
     @property

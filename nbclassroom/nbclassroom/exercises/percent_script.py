@@ -26,8 +26,6 @@ class MasterError(ValueError):
 
 @dataclass(frozen=True)
 class ScriptCell:
-    """One cell of a percent script."""
-
     kind: str  # "markdown" or "code"
     role: str  # one of ROLES, or ""
     options: dict  # the other values of its header: {"points": 1}

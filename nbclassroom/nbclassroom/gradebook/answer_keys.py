@@ -48,7 +48,6 @@ class AnswerKeys:
         return sorted(id for id in graded & long.keys() if long[id] == solutions.get(id))
 
     def solutions(self, lesson):
-        """{exercise id: solution} of a lesson."""
         keys = [key for key in self.keys if lesson in key.lessons]
         return {id: source for key in keys for id, source in key.solutions(lesson).items()}
 
@@ -58,7 +57,6 @@ class AnswerKeys:
         return f"learner-{digest.hex()[:10]}"
 
     def key_of(self, digest):
-        """The key with this digest."""
         return next(key for key in self.keys if key.digest == digest)
 
 

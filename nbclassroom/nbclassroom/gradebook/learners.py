@@ -47,10 +47,10 @@ class Learner:
     unidentified: list = field(default_factory=list)  # of no known lesson
 
     @property
-    def files(self):
-        """The SubmittedFiles of all submissions, also of those that do not count."""
-        lists = chain(self.submissions.values(), *self.earlier.values(), self.unidentified)
-        return [one.file for one in lists]
+    def numbers(self):
+        """{(platform, its number of the learner)} of all submissions, also of those that do not count."""
+        submissions = chain(self.submissions.values(), *self.earlier.values(), self.unidentified)
+        return {(one.file.platform, one.file.platform_id) for one in submissions}
 
     @property
     def digests(self):

@@ -28,7 +28,6 @@ EXCUSED = "EX"  # what Canvas writes
 
 
 def grades_csv(grades):
-    """The text of grades.csv."""
     any_counts = grades["open_as_zero"]
     rows = [_grades_row(one, lesson, any_counts) for one in grades["learners"] for lesson in one["lessons"]]
     return "\ufeff" + csv_text([COLUMNS, *rows], quoting=csv.QUOTE_NONNUMERIC)

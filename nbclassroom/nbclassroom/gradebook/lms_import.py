@@ -124,7 +124,9 @@ def _matched(table, rows, learners):
     entries = [entry_of(table.record(row)) for row in rows]
     sure = [[one for one in learners if entry and entry.number in _numbers(one)] for entry in entries]
     others = [learner for learner in learners if not any(learner in own[:1] for own in sure)]
-    likely = [[one for one in others if entry and _has_name(entry, one)] for entry in entries]
+    likely = [
+        [one for one in others if entry and entry.is_sender(one["name"], _numbers(one))] for entry in entries
+    ]
     counts = Counter(learner["name"] for several in likely for learner in several)
     for row, own, several in zip(rows, sure, likely, strict=True):
         alone = len(several) == 1 and counts[several[0]["name"]] == 1
@@ -133,13 +135,6 @@ def _matched(table, rows, learners):
 
 def _numbers(learner):
     return {(lesson["platform"], lesson["platform_id"]) for lesson in learner["lessons"]}
-
-
-def _has_name(entry, learner):
-    """Whether a row's person has a learner's name; in Canvas a person has one number."""
-    platforms = {platform for platform, _ in _numbers(learner)}
-    is_another = entry.number and entry.number[0] == "canvas" and "canvas" in platforms
-    return entry.has_name(learner["name"]) and not is_another
 
 
 def _different_points(table, columns, grades):

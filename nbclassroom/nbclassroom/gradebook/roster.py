@@ -31,14 +31,12 @@ class RosterEntry:
     names: tuple
     number: tuple | None
 
-    def is_sender(self, file):
-        """Whether a SubmittedFile is this person's."""
-        number = (file.platform, file.platform_id)
-        if self.number == number:
-            return True
+    def is_sender(self, name, numbers):
+        """Whether a learner of this name, with these {(platform, digits)}, is this person."""
         # In Canvas a person has one number; in Moodle another one in each assignment.
-        another_number = self.number and file.platform == self.number[0] == "canvas"
-        return not another_number and self.has_name(file.learner)
+        platforms = {platform for platform, _ in numbers}
+        is_another = self.number and self.number[0] == "canvas" and "canvas" in platforms
+        return self.number in numbers or (self.has_name(name) and not is_another)
 
     def has_name(self, name):
         """Whether this person's submission can arrive under a name."""
@@ -97,7 +95,7 @@ def _people(roster, learners):
 
     A folder that a class list numbered, 01_ada, is Ada's if nothing else arrived under her name.
     """
-    people = {entry: [one for one in learners if any(map(entry.is_sender, one.files))] for entry in roster}
+    people = {entry: [one for one in learners if entry.is_sender(one.name, one.numbers)] for entry in roster}
     names = {learner.name for senders in people.values() for learner in senders}
     numbers = [(one, _CLASS_LIST_NUMBER.match(one.name)) for one in learners if one.name not in names]
     numbered = [(one, one.name[number.end() :]) for one, number in numbers if number]
@@ -115,8 +113,8 @@ def names_in_roster(roster, learners):
     for entry, senders in _people(roster, learners).items():
         certainties = []  # of two with nearly one name, the platform's number decides, then the exact name
         for one in senders:
-            has_number = entry.number in {(file.platform, file.platform_id) for file in one.files}
-            certainties.append((has_number, one.name.casefold() in map(str.casefold, entry.names), one.name))
+            has_name = one.name.casefold() in map(str.casefold, entry.names)
+            certainties.append((entry.number in one.numbers, has_name, one.name))
         sender = max(certainties)[-1] if senders else None
         names |= {name: sender for name in (entry.name, *entry.names) if count[name] == 1}
     return names

@@ -91,7 +91,6 @@ class SubmissionContent:
         return self.page["answers"]
 
     def add(self, text, exercise="", kind="message"):
-        """Add a finding."""
         self.findings.append(Finding(kind, exercise, text))
 
     def texts_about(self, exercise):
@@ -325,9 +324,6 @@ def _kind(cell):
     return sanitize_line(cell["type"], 20) or "nameless"
 
 
-# ---------------------------------------------------------------- cells of the lesson
-
-
 def _compare_given(exercise, cells, lesson, content):
     """Report check and given cells that were changed or removed."""
     cells_by_id = {cell["id"]: cell for cell in reversed(cells)}
@@ -358,9 +354,6 @@ def _change(cell, source):
     if cell["type"] != "code":
         return "is not a code cell any more"
     return "" if (cell["source"] or "").strip() == source.strip() else "was changed"
-
-
-# ---------------------------------------------------------------- the process that reads
 
 
 class NotebookReader(contextlib.AbstractContextManager):

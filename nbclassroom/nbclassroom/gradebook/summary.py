@@ -48,9 +48,6 @@ def summary_page(grades, failed_pages=()):
     )
 
 
-# ---------------------------------------------------------------- what to look at
-
-
 def _lists_of_concerns(learners):
     """{list: what the teacher should look at in it}."""
     names = "unfair hostile dishonest others broken modules"
@@ -181,9 +178,6 @@ def _line_to_copy(name, learner, lesson, exercise, entry):
         points = "?"
     cells = (learner["name"], lesson["lesson"], exercise, points, "looked at by hand")
     return csv_text([map(spreadsheet_text, cells)], lineterminator="")
-
-
-# ---------------------------------------------------------------- totals
 
 
 def _with_handed_out(learner, grades, submitted):

@@ -31,8 +31,6 @@ _factories: list[KernelFactory] = []  # this process's KernelFactory
 
 @dataclass(frozen=True)
 class Exploration:
-    """What a controller did in one room."""
-
     outcome: Outcome  # it passes if the robot drove to the end
     message: str  # why it did not, with texts of the learner's
     values: dict  # what `course.league_score` gives; {} if the robot did not drive to the end

@@ -173,7 +173,6 @@ def name_all(controllers, seed, *, with_names=False):
 
 
 def scenarios_of(seed, rooms):
-    """The scenarios of secret rooms."""
     return [
         explorations.scenario_of(*(_secret_number(seed, f"{what} {number}") for what in ("room", "drive")))
         for number in range(rooms)

@@ -240,9 +240,6 @@ def _classroom():
     return [*options, "--ro-bind", str(_STUB), f"{root}/exercises/__init__.py"]
 
 
-# ---------------------------------------------------------------- folders, environment, user
-
-
 def _package_folders():
     """{folder of installed packages: where it is inside}."""
     folders = sorted({sysconfig.get_path("purelib"), sysconfig.get_path("platlib")})

@@ -10,8 +10,6 @@ _MAX_NAME = 100  # characters of an exception's name
 
 @dataclass
 class CellRun:
-    """What running one cell did."""
-
     # "" if it ran to its end; else "time", "memory", "output", "crashed" or "hostile", as in Outcome; or
     # "gone" if the process that forks kernels was ended.
     ended: str = ""

@@ -35,7 +35,6 @@ def deliver(case):
 
 
 def delivered():
-    """What `deliver` took last."""
     return _case
 
 

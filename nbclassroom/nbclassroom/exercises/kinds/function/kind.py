@@ -1,5 +1,3 @@
-"""What is particular about functions."""
-
 from ...case_call import explain_call
 from ...running import overwrite_freed_memory
 from ..kind import Kind as AnyKind

@@ -75,9 +75,6 @@ def feed(node_class, part, steps):
         return {"steps": results} | used
 
 
-# ---------------------------------------------------------------- the class that is driven
-
-
 @contextlib.contextmanager
 def _recording(node_class):
     """A class like this one that records: where rclpy is, a RecordingNode between it and rclpy's Node."""
@@ -140,9 +137,6 @@ def _traps(node_class):
                         stack.callback(names.__setitem__, name, value)
                         names[name] = trap(value, functions[value])
         yield used
-
-
-# ---------------------------------------------------------------- what it does
 
 
 def _describe(name, record, policies):

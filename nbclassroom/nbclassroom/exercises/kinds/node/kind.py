@@ -1,5 +1,3 @@
-"""What is particular about classes of nodes, and about packages, which have a node."""
-
 from dataclasses import replace
 
 from .... import course
@@ -7,7 +5,7 @@ from ..function.kind import Kind as FunctionKind
 
 
 class Kind(FunctionKind):
-    """A class of a node."""
+    """A class of a node; also what packages, which have a node, have in common with it."""
 
     name, noun = "node", "class"
     kernel_modules: tuple[str, ...] = ("feed", "recording_node", "ros_double")

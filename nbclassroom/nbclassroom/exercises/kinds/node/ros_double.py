@@ -47,7 +47,6 @@ rcl_interfaces ParameterValue type:int bool_value:bool integer_value:int double_
 
 
 def _messages():
-    """The classes of the messages."""
     kinds: dict = {"bool": bool, "int": int, "float": float, "str": str}
     kinds |= {"bytes": functools.partial(array.array, "B"), "floats": functools.partial(array.array, "f")}
     for line in re.split(r"\n(?=\w)", _DEFINITIONS)[1:]:

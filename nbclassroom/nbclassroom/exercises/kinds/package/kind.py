@@ -1,5 +1,3 @@
-"""What is particular about packages."""
-
 from ..node.kind import Kind as NodeKind
 
 

@@ -1,5 +1,3 @@
-"""What is particular about written answers."""
-
 from ..kind import Kind as AnyKind
 
 
