@@ -1,26 +1,37 @@
-"""Grade a folder of submissions, from the submitted files to the pages that learners get back."""
+"""Grade a folder of submissions, from the submitted files to the pages that learners get back.
+
+docs/teach/reference.md says what is in the folder of grades. An interrupted run continues from its results;
+the grades that differed last are in grades.previous.json.
+"""
 
 import contextlib
+import json
 import shutil
 import tempfile
 import threading
 from collections import namedtuple
+from functools import partial
 from pathlib import Path
 
 from ..autograder.pool import open_scheduler
 from ..autograder.sandbox import bubblewrap
-from . import result_store
+from ..autograder.sanitize import sanitize_line
+from . import grades_json, result_store
 from .answer_keys import load_keys
 from .collect import Collection
 from .csv_table import TableError
-from .grades_folder import LearnerPages, write_grades
-from .grades_json import count_not_graded, count_open, faults_of, grades_of
 from .learners import read_all
+from .lms_export import feedback_zips, grades_csv
 from .lms_import import fill_table, read_tables
-from .report import count_of, prepare_templates
+from .report import count_of, learner_page, points_text, prepare_templates
+from .review import FOLDER, AnswerParts, review_pages
 from .roster import read_roster, roster_report
+from .summary import summary_page
 from .teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
+PREVIOUS = "grades.previous.json"
+_MOST_CHANGES = 20  # lines
+_NOT_THERE = "not there"
 _NOT_FILLED = "Not filled: "
 _MAX_LINES = 12  # of a run's summary, before the last lines
 
@@ -88,7 +99,7 @@ def grade_submissions(
         graded_now = result_store.grade_missing(learners, answer_keys, store, **options)
         about = {"sandbox": not unsafe, "anonymous_pages": anonymous, "open_as_zero": open_as_zero}
         about["roster"] = roster_report(roster, learners) if roster is not None else None
-        grades = grades_of(pages.finish(), answer_keys, rules, collection, about)
+        grades = grades_json.grades_of(pages.finish(), answer_keys, rules, collection, about)
         changes = write_grades(out, grades, pages)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, changes, table_lines, pages.failed)
@@ -145,7 +156,7 @@ def _summary(grades, graded_now, out, changes, table_lines, failed_pages):
     lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
     graded = sum(lesson["status"] == "graded" for lesson in lessons)
     late = sum(lesson["late"] for lesson in lessons)
-    not_graded = count_not_graded(grades)
+    not_graded = grades_json.count_not_graded(grades)
     others = "; the others equal one of these, or were graded before" if graded_now < graded else ""
     lines = [
         f"{count_of(len(grades['learners']), 'learner')}, {count_of(graded, 'lesson')} graded"
@@ -161,12 +172,12 @@ def _summary(grades, graded_now, out, changes, table_lines, failed_pages):
         for lesson in learner["lessons"]:
             if lesson["status"] != "graded":
                 lines.append(f"  {learner['name']}: {lesson['file']}: {lesson['reason']}")
-            elif fault := next(faults_of(lesson), None):
+            elif fault := next(grades_json.faults_of(lesson), None):
                 lines.append(f"  {learner['name']}: {lesson['file']}: {fault}; run the command again")
     if len(lines) > _MAX_LINES:
         lines[_MAX_LINES - 1 :] = [f"  and {len(lines) - _MAX_LINES + 1} more"]
     lines += [f"The page of {name} is incomplete ({reason})." for name, reason in failed_pages.items()]
-    if waiting := count_open(grades):
+    if waiting := grades_json.count_open(grades):
         lines.append(f"{count_of(waiting, 'answer')} still to be graded by a person: --review.")
     if not grades["sandbox"]:
         lines.append("Graded without a sandbox; grades.json records it.")
@@ -176,3 +187,141 @@ def _summary(grades, graded_now, out, changes, table_lines, failed_pages):
     lines = [*(line[:width] for line in lines), places]
     not_filled = sum(line.startswith(_NOT_FILLED) for line in table_lines)
     return GradingSummary("\n".join(lines), not_graded, len(failed_pages) + not_filled)
+
+
+class LearnerPages:
+    """Writes the learners' pages, each as soon as all its results are there: the workers grade on meanwhile.
+
+    entries  {learner's name: entry in grades.json}
+    failed   {learner's name as pages show it: why their page lacks its details}
+    parts    the AnswerParts for the teacher's pages
+    solutions  gives {exercise: solution} of a lesson
+    """
+
+    def __init__(self, out, learners, answer_keys, store, rules, *, anonymous=False):
+        self.entries, self.failed, self.parts = {}, {}, AnswerParts(out)
+        self._out, self._learners, self._answer_keys, self._store = out, learners, answer_keys, store
+        self._rules, self._anonymous, self.solutions = rules, anonymous, answer_keys.solutions
+        self._missing = {learner.name: set(learner.digests.values()) for learner in learners}
+
+    def result_stored(self, digest):
+        """Write the pages that waited only for this result."""
+        for learner in self._learners:
+            missing = self._missing[learner.name]
+            if digest in missing:
+                missing.discard(digest)
+                if not missing:
+                    self._write(learner)
+
+    def finish(self):
+        """Write all other pages, and remove those of an earlier run; returns the entries of all learners."""
+        for learner in self._learners:
+            if learner.name not in self.entries:
+                self._write(learner)
+        pages = {Path(entry["page"]).name for entry in self.entries.values()}
+        _remove_others(self._out / "learners", "*.html", pages)
+        return [self.entries[learner.name] for learner in self._learners]
+
+    def _write(self, learner):
+        entry = grades_json.learner_entry(
+            learner, self._answer_keys, self._store, self._rules, anonymous=self._anonymous
+        )
+        self.entries[learner.name] = entry
+        page_entry = grades_json.learner_without_name(entry) if self._anonymous else entry
+        policy = self._rules.policy
+        try:
+            results = {lesson: self._store.result(digest) for lesson, digest in learner.digests.items()}
+            keep = partial(self._keep_parts, learner)
+            page = learner_page(page_entry, results, self._answer_keys, policy, keep=keep)
+        except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
+            self.failed[page_entry["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
+            page = learner_page(page_entry, {}, self._answer_keys, policy, incomplete=True)
+        result_store.write_grades_file(self._out / entry["page"], page)
+
+    def _keep_parts(self, learner, lesson, exercises):
+        """Keep what the teacher's pages show of a lesson's answers; the lesson may have none."""
+        digest = learner.digests.get(lesson)
+        answers = self._store.page(digest)[2]["answers"] if digest else {}
+        for exercise in exercises:
+            self.parts.keep(learner.name, exercise["id"], answers.get(exercise["id"], ""), exercise["review"])
+
+
+def write_grades(out, grades, pages):
+    """Write all but the results and the learners' pages.
+
+    Returns the lines that say whose points changed since the run before.
+    """
+    before, text = read_grades(out / "grades.json"), grades_json.grades_text(grades)
+    result_store.write_grades_file(out / "grades.json", text)
+    result_store.write_grades_file(out / "grades.csv", grades_csv(grades))
+    page_grades = grades_json.without_names(grades) if grades["anonymous_pages"] else grades
+    entries = zip(page_grades["learners"], grades["learners"], strict=True)
+    names = {shown_entry["name"]: entry["name"] for shown_entry, entry in entries}
+    if before is not None and grades_json.grades_text(before) != text:
+        result_store.write_grades_file(out / PREVIOUS, grades_json.grades_text(before))
+    _write_review(out, page_grades, pages.parts, names, pages.solutions)
+    files = feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
+    for name, data in files.items():
+        result_store.write_grades_file(out / "exports" / name, data)
+    for pattern in ("*.csv", "*.zip"):
+        _remove_others(out / "exports", pattern, files)
+    result_store.write_grades_file(out / "summary.html", summary_page(page_grades, pages.failed))
+    return changed_points(before, grades) if before else []
+
+
+def _write_review(out, *about):
+    written = set()
+    for name, page in review_pages(*about):
+        written.add(Path(name).name)
+        result_store.write_grades_file(out / name, page)
+    _remove_others(out / FOLDER, "*.html", written)
+    _remove_others(out, "review.html", written)
+
+
+def _remove_others(folder, pattern, names):
+    """Remove the files of an earlier run: pages of learners who are gone would be given back by mistake."""
+    for path in folder.glob(pattern):
+        if path.name not in names:
+            path.unlink()
+
+
+def read_grades(path):
+    """The content of a grades.json, or None if there is none in today's format."""
+    try:
+        grades = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return grades if isinstance(grades, dict) and grades.get("format") == grades_json.FORMAT else None
+
+
+def changed_points(before, after):
+    """Lines for the terminal: each lesson whose points differ in two contents of grades.json."""
+    old, new = map(_points_of_lessons, (before, after))
+    lines = [
+        f"  {name}: {lesson}: {old.get((name, lesson), _NOT_THERE)} → {new.get((name, lesson), _NOT_THERE)}"
+        for name, lesson in sorted(old.keys() | new.keys())
+        if old.get((name, lesson)) != new.get((name, lesson))
+    ]
+    first = f"{count_of(len(lines), 'lesson')} with other points than in the run before ({PREVIOUS}):"
+    more = [f"  and {len(lines) - _MOST_CHANGES} more"] if len(lines) > _MOST_CHANGES else []
+    return [first, *lines[:_MOST_CHANGES], *more] if lines else []
+
+
+def _points_of_lessons(grades):
+    return {
+        (learner["name"], lesson["lesson"] or lesson["file"]): _points(lesson)
+        for learner in grades["learners"]
+        for lesson in learner["lessons"]
+    }
+
+
+def _points(lesson):
+    if lesson["status"] == "not graded":
+        return f"not graded: {lesson['reason']}"
+    if lesson.get("decision") and lesson["decision"]["excused"]:
+        return "excused"
+    text = points_text(lesson)
+    if lesson.get("late_deduction"):
+        text += f", {lesson['late_deduction']} deducted because late"
+    decided = f", decided by hand; the autograder gives {lesson.get('autograded_points')}"
+    return text + (decided if lesson.get("decision") else "")

@@ -1,5 +1,9 @@
 """The league: a class's controllers explore secret rooms, and a page for the class ranks them.
 
+In a drive the robot and its score are in a process of the league, the controller in a kernel of the sandbox,
+as in grading. What it says that it found comes out of the kernel. Anybody may have forged it: it is only
+compared.
+
 The folder of the league holds
 
     league.html   the page: aliases instead of names, and nothing that a learner wrote
@@ -8,8 +12,11 @@ The folder of the league holds
 """
 
 import ast
+import atexit
 import hmac
 import itertools
+import os
+import signal
 import statistics
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -17,21 +24,35 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from multiprocessing import get_context
 from pathlib import Path
+from types import SimpleNamespace
 
 from tqdm import tqdm
 
+from nbclassroom import course
 from nbclassroom.autograder.answer_key import read_or_make_seed, require_unguessable
-from nbclassroom.autograder.nbval_plugin import MAX_ANSWER
+from nbclassroom.autograder.nbval_plugin import MAX_ANSWER, ExerciseRun
 from nbclassroom.autograder.outcomes import TEXTS, Outcome
+from nbclassroom.autograder.page_kernels import PageKernels
+from nbclassroom.autograder.results import checked_exercise
 from nbclassroom.autograder.sandbox import bubblewrap
+from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
+from nbclassroom.autograder.sandbox.inside import confine
 from nbclassroom.autograder.sanitize import spreadsheet_text
+from nbclassroom.autograder.verdict import CaseRun
 from nbclassroom.exercises.cell_syntax import UNPARSABLE, bound_names
+from nbclassroom.exercises.kinds.drive.drive import SENSORS, environment
+from nbclassroom.exercises.kinds.drive.images import draw_film, draw_map
+from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
+from nbclassroom.exercises.page import page_of
 from nbclassroom.gradebook.csv_table import csv_text
 from nbclassroom.gradebook.report import count_of, render_page
 from nbclassroom.gradebook.result_store import open_grades_folder, write_grades_file
-from nbclassroom.league import explorations
 
 BASELINE = "baseline"
+FUNCTION = "control"
+_CASE = "room"
+_CHECK = f"from nbclassroom.autograder.sandbox.inside.drive_cell import explore\n\nexplore({FUNCTION})"
+_factories: list[KernelFactory] = []  # this process's KernelFactory
 _COLOURS = "amber black blue brown copper coral cyan golden green grey olive orange purple red silver white"
 _ANIMALS = "badger bear beaver cat crane deer eagle falcon fox goat hare heron lion lynx mole moose newt"
 _ANIMALS += " otter owl panda pike puma raven robin salmon seal sloth stork swan tiger toad wolf"
@@ -154,7 +175,7 @@ def _reason_not_to_drive(source):
         return f"line {error.lineno or 1} is not Python"
     except UNPARSABLE:
         return "it is too complicated to be read"
-    is_there = bound_names(source) & {explorations.FUNCTION, "*"}
+    is_there = bound_names(source) & {FUNCTION, "*"}
     return "" if is_there else "it does not define control(observation, memory)"
 
 
@@ -174,7 +195,7 @@ def name_all(controllers, seed, *, with_names=False):
 
 def scenarios_of(seed, rooms):
     return [
-        explorations.scenario_of(*(_secret_number(seed, f"{what} {number}") for what in ("room", "drive")))
+        scenario_of(*(_secret_number(seed, f"{what} {number}") for what in ("room", "drive")))
         for number in range(rooms)
     ]
 
@@ -186,12 +207,11 @@ def _secret_number(seed, about):
 
 def _drive_and_draw(controllers, scenarios, *, workers=None, unsafe=False, quiet=None):
     """The controllers in the order of their scores, with their explorations, ranks and images."""
-    context, start = get_context("spawn"), explorations.start
-    executor = ProcessPoolExecutor(workers, context, start, (unsafe,))
+    executor = ProcessPoolExecutor(workers, get_context("spawn"), start_drives, (unsafe,))
     try:
         # One room after another: its images are made once in each process.
         pairs = list(itertools.product(scenarios, controllers))
-        futures = [executor.submit(explorations.explore, one.source, scenario) for scenario, one in pairs]
+        futures = [executor.submit(explore, one.source, scenario) for scenario, one in pairs]
         bar = tqdm(futures, desc="driving", unit=" drives", disable=quiet, leave=False)
         for (_, controller), future in zip(pairs, bar, strict=True):
             controller.explorations.append(future.result())
@@ -223,7 +243,7 @@ def _draw_all(executor, controllers, scenarios):
         ends = dict.fromkeys(numbers[:1] + numbers[-1:])  # of one room, the best is the worst
         for place, number in zip(("best", "worst"), ends, strict=False):
             arguments = controller.explorations[number].record, scenarios[number]
-            future = executor.submit(explorations.draw, *arguments, with_film=place == "best")
+            future = executor.submit(draw, *arguments, with_film=place == "best")
             futures.append((controller, place, number, future))
     for controller, place, number, future in futures:
         setattr(controller, place, (number, *future.result()))
@@ -239,3 +259,71 @@ def league_csv(ranked, excluded):
         rows.append([entry.rank, entry.alias, entry.name, *figures, "; ".join([*entry.notes, *messages])])
     rows += [["", entry.alias, entry.name, *[""] * (len(_COLUMNS) - 4), entry.reason] for entry in excluded]
     return csv_text([_COLUMNS, *(map(spreadsheet_text, row) for row in rows)])
+
+
+@dataclass(frozen=True)
+class Exploration:
+    outcome: Outcome  # it passes if the robot drove to the end
+    message: str  # why it did not, with texts of the learner's
+    values: dict  # what `course.league_score` gives; {} if the robot did not drive to the end
+    told: bool  # whether the controller said what it found
+    record: dict | None  # of the drive, see `drive.Drive.record`; None if there was none
+
+
+def scenario_of(room, seed):
+    """The scenario of a room's number, with a seed."""
+    return course.load(course.league_scenario)(room, seed) | {"title": "", "thresholds": {}}
+
+
+def start_drives(unsafe):
+    """Get this process ready for `explore`; it ends with the one that started it."""
+    confine.die_with_parent()
+    signal.signal(signal.SIGINT, lambda *_: os._exit(1))  # Ctrl-C: no drive is waited for
+    _factories.append(KernelFactory(unsafe=unsafe))
+    atexit.register(_factories[0].__exit__)
+
+
+def explore(source, scenario):
+    """The Exploration of a controller, by its source."""
+    exercise = _exercise(scenario)
+    page = page_of({exercise.id: source}, SimpleNamespace(exercises=[exercise]))
+    exercise_run = ExerciseRun(exercise, PageKernels(page, _factories[0]))
+    try:
+        run = exercise_run.run(exercise.cases[0], _CHECK)
+    finally:
+        exercise_run.close()
+    is_whole = run.verdict.passed
+    exercise_run.passed |= {_CASE} if is_whole else set()
+    found = _found(run) if is_whole else None
+    values = course.load(course.league_score)(environment(SENSORS), found) if is_whole else {}
+    (case,) = checked_exercise(exercise, exercise_run)[0].cases
+    record = getattr(run.verdict, "record", None)
+    return Exploration(case.outcome, case.message, values, found is not None, record)
+
+
+def draw(record, scenario, *, with_film):
+    """(the map of a drive, its film or None) as AnswerImages."""
+    film = draw_film(environment(()), record, scenario) if with_film else None
+    return draw_map(record, scenario), film
+
+
+def _exercise(scenario):
+    case = Case(_CASE, "", 1, "", 0.0, calls=(ExpectedCall((scenario,)),))
+    return Exercise(
+        id="league",
+        function=FUNCTION,
+        subject="drive",
+        sensors=SENSORS,
+        allowed=(*course.drive_allowed, *course.league_allowed),
+        cases=(case,),
+    )
+
+
+def _found(run: CaseRun) -> dict | None:
+    """What a controller says that it found, as `course.league_score` takes it; None if it says nothing."""
+    try:
+        (told,) = run.told
+        markers = {int(number): (x, y) for number, x, y in told["markers"]}
+        return {"markers": markers, "word": told["word"]}
+    except (TypeError, ValueError, LookupError, OverflowError):
+        return None

@@ -19,7 +19,7 @@ from nbclassroom.exercises.answer_images import answer_images
 from nbclassroom.exercises.canonical import canonical
 from nbclassroom.exercises.input_encoding import encode
 from nbclassroom.exercises.values import describe_value, differing_elements
-from nbclassroom.gradebook import grades_folder
+from nbclassroom.gradebook import grade
 from nbclassroom.gradebook.grade import grade_submissions
 from PIL import Image
 from submissions import SEED, answers_of, notebook, write
@@ -157,7 +157,7 @@ def test_a_page_that_cannot_be_written_has_the_points_and_costs_nobody_else_anyt
 ):
     for name in ("ada", "bob", "zoe"):
         write(submissions / f"{name}.ipynb", notebook(light, answers_of(light, 0)))
-    out, write_page = tmp_path / "grades", grades_folder.learner_page
+    out, write_page = tmp_path / "grades", grade.learner_page
     grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
     before = {path.name.split("-")[0]: path.read_text() for path in (out / "learners").iterdir()}
 
@@ -166,7 +166,7 @@ def test_a_page_that_cannot_be_written_has_the_points_and_costs_nobody_else_anyt
             raise ValueError("nonsense")
         return write_page(entry, results, *arguments, **options)
 
-    monkeypatch.setattr(grades_folder, "learner_page", fails_for_ada)
+    monkeypatch.setattr(grade, "learner_page", fails_for_ada)
     summary = grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
     assert (summary.failed_pages, summary.not_graded) == (1, 0)
     assert "The page of ada is incomplete (ValueError: nonsense)" in summary.text

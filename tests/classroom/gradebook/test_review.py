@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 from accessibility import violations
 from nbclassroom.autograder.sanitize import sanitize_line, spreadsheet_text
-from nbclassroom.gradebook import grades_folder, teacher_tables
+from nbclassroom.gradebook import grade, teacher_tables
 from nbclassroom.gradebook.csv_table import csv_text
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.review import AnswerParts, _coloured
@@ -331,5 +331,5 @@ def test_the_pages_of_answers_go_with_the_last_exercise(tmp_path):
     for name in ("review.html", "review/light-double.html", "summary.html"):
         (tmp_path / name).write_text("of the run before")
     with contextlib.closing(AnswerParts(tmp_path)) as parts:
-        grades_folder._write_review(tmp_path, {"learners": []}, parts, {}, dict)
+        grade._write_review(tmp_path, {"learners": []}, parts, {}, dict)
     assert [path.name for path in tmp_path.rglob("*.html")] == ["summary.html"]

@@ -9,8 +9,7 @@ from datetime import datetime
 
 import pytest
 from click.testing import CliRunner
-from nbclassroom.gradebook.grade import grade_submissions
-from nbclassroom.gradebook.grades_folder import changed_points
+from nbclassroom.gradebook.grade import changed_points, grade_submissions
 from nbclassroom.gradebook.submission import EQUALS
 from nbclassroom.gradebook.summary import summary_page
 from submissions import answers_of, cell_of, notebook, write

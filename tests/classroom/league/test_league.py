@@ -12,9 +12,8 @@ from nbclassroom.autograder.outcomes import Outcome
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.exercises.kinds.drive import images as drive_images
-from nbclassroom.league import explorations, league
-from nbclassroom.league.explorations import Exploration
-from nbclassroom.league.league import Controller, name_all, ranking, read_controllers
+from nbclassroom.league import league
+from nbclassroom.league.league import Controller, Exploration, name_all, ranking, read_controllers
 from PIL import Image
 
 from imgproc_course.cli import main
@@ -51,12 +50,12 @@ def runs(tmp_path_factory):
     (folder / "out").mkdir()
     (folder / "out/seed").write_text(SEED, encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
-        scenario_of = explorations.scenario_of
+        scenario_of = league.scenario_of
 
         def short(room, seed):
             return scenario_of(room, seed) | {"duration": 3.0}
 
-        patch.setattr(explorations, "scenario_of", short)
+        patch.setattr(league, "scenario_of", short)
         options = {"baseline": folder / "baseline.py", "rooms": 1, "workers": 1, "quiet": True}
         written = []
         for _ in range(2):
@@ -142,8 +141,8 @@ def explore():
     """Lets a controller explore a room for half a second."""
     limits = Limits(wall_factor=2.0, output=2 << 20)
     with KernelFactory(limits=limits) as factory, pytest.MonkeyPatch.context() as patch:
-        patch.setattr(explorations, "_factories", [factory])
-        yield lambda source: explorations.explore(source, SCENARIO)
+        patch.setattr(league, "_factories", [factory])
+        yield lambda source: league.explore(source, SCENARIO)
 
 
 def says(found):
