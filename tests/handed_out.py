@@ -5,8 +5,8 @@ import io
 import json
 import zipfile
 
+from nbclassroom.exercises.canonical import encode
 from nbclassroom.exercises.cell_syntax import plain_python
-from nbclassroom.exercises.input_encoding import encode
 from nbclassroom.gradebook.submission_reader import syntax_tokens
 
 RUN = 16  # tokens; a line of code has about ten

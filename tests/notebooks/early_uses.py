@@ -4,7 +4,7 @@ import ast
 import re
 from typing import NamedTuple
 
-from nbclassroom.authoring.glossary import Term
+from nbclassroom.authoring.references import Term
 
 _CODE_OR_FORMULA = re.compile(r"(`+).+?(?<!`)\1(?!`)|\$\$.+?\$\$|\$[^$\n]+\$", re.S)
 _LINK = r"\[(?P<text>[^\]]*)\]\((?P<address>[^)\s]*)\)"

@@ -6,8 +6,8 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).parent))
 from early_uses import early_uses
-from nbclassroom.authoring.glossary import GLOSSARY, read_glossary
 from nbclassroom.authoring.masters import find_masters, read_master
+from nbclassroom.authoring.references import GLOSSARY, read_glossary
 
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 NUMBERED = re.compile(r"\blessons? \d\d?\b|\b\d\d_\w+\.ipynb\b|^# # \d\d · ", re.I | re.M)

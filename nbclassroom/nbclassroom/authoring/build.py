@@ -17,12 +17,11 @@ from ..exercises.atomic_write import write_file
 from ..exercises.check_files import CHECKS, SOLUTIONS
 from ..exercises.declaration import MasterError
 from .execute import execute, normalize, output_texts, refuse_traces
-from .glossary import GLOSSARY, GLOSSARY_PAGE, glossary_page, read_glossary
 from .learner_files import TEXTS
 from .lesson_files import lesson_file_differences, lesson_files
 from .lesson_names import lesson_name
 from .masters import find_masters, read_master
-from .references import References
+from .references import GLOSSARY, GLOSSARY_PAGE, References, glossary_page, read_glossary
 from .rules import RAISING_TAGS, VARYING_TAG
 from .validation import validate_exercise
 

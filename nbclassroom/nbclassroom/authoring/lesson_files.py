@@ -9,7 +9,7 @@ import json
 from dataclasses import dataclass, fields, replace
 
 from .. import course
-from ..exercises.canonical import array_of, canonical
+from ..exercises.canonical import array_of, canonical, decode, encode
 from ..exercises.check_files import (
     CHECKS,
     FORMAT,
@@ -20,7 +20,6 @@ from ..exercises.check_files import (
     reading,
 )
 from ..exercises.comparison import compare
-from ..exercises.input_encoding import decode, encode
 from ..exercises.lesson import Exercise, check_data_of
 from .learner_files import TEXTS
 

@@ -14,10 +14,9 @@ from pathlib import Path
 from .. import course
 from ..exercises.declaration import MasterError, read_exercises
 from ..exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, ScriptCell, read_script
-from .glossary import read_toml
 from .lesson_names import LESSON_FILE, lesson_name
 from .minutes import timed_script
-from .references import References
+from .references import References, read_toml
 from .rules import CHECK_LINE, VARYING_TAG, master_problems
 
 # Fields of an Exercise and its parts that are Python, and those that are texts.

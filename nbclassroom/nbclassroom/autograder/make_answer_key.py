@@ -23,8 +23,8 @@ from .. import course
 from ..authoring.lesson_files import exercise_files, stored_exercise
 from ..authoring.masters import find_masters, read_master
 from ..exercises.atomic_write import write_file, write_folder
+from ..exercises.canonical import encode
 from ..exercises.case_call import explain_call
-from ..exercises.input_encoding import encode
 from ..exercises.lesson import ExpectedCall, with_results
 from ..exercises.percent_script import MasterError
 from . import answer_key

@@ -18,8 +18,8 @@ from pathlib import Path
 
 import pytest
 
+from ..exercises.canonical import encode
 from ..exercises.cell_syntax import top_level
-from ..exercises.input_encoding import encode
 from . import results
 from .outcomes import Outcome
 from .page_kernels import PageKernels

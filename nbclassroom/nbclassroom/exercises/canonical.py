@@ -1,8 +1,11 @@
-"""The canonical form of an answer: what a function returned, as JSON, by value.
+"""Values as JSON: the canonical form of an answer, by value, and the exact form of an argument.
 
 Grading runs this module inside the learner's kernel, where neither the expected answers nor the masters
 exist. It needs only NumPy, gives values and never a verdict, and does not trust an object's own `__eq__`,
 `__array__` or `__repr__`.
+
+Arguments are read back exactly: byte order, memory layout and order of keys survive, because a function under
+test must get what the lesson would pass to it. There is no pickle, so reading cannot run anything.
 """
 
 import array
@@ -14,6 +17,7 @@ import fractions
 import hashlib
 import math
 import types
+from collections.abc import Callable
 
 import numpy as np
 
@@ -37,6 +41,8 @@ _STAND_INS: dict[type, type] = {
     collections.Counter: dict,
 }
 _NUMBERS = (decimal.Decimal, fractions.Fraction, np.longdouble)
+_AS_IN_JSON = (bool, int, float, str, type(None))
+_EXACT_KINDS = "biufc"  # of NumPy's types, in arguments
 
 # Read through `type` itself: a metaclass may redefine __qualname__ and __module__.
 _QUALNAME = type.__dict__["__qualname__"]
@@ -102,7 +108,9 @@ class _Writer:
         if kind in (tuple, list, dict):
             return self._container(value, depth)
         if kind in _STAND_INS:
-            return self._stand_in(value, _STAND_INS[kind], depth)
+            is_small = len(value) <= self._bytes_left
+            kind = _STAND_INS[kind]
+            return self.write(kind(value), depth) if is_small else _too_large(kind.__name__)
         if issubclass(kind, tuple) and "_fields" in kind.__dict__:
             # The class of a named tuple is a learner's, and so may be its __iter__.
             return self.write(tuple(tuple.__iter__(value)), depth)
@@ -112,9 +120,6 @@ class _Writer:
         if names and depth < _MOST_DEPTH:
             return form | {"fields": {name: self._field(value, name, depth) for name in names}}
         return form | {"opaque": True}
-
-    def _stand_in(self, value, kind, depth):
-        return _too_large(kind.__name__) if len(value) > self._bytes_left else self.write(kind(value), depth)
 
     def _text(self, value):
         self._bytes_left -= len(value)
@@ -206,3 +211,56 @@ def array_of(form: dict | None) -> np.ndarray | None:
     raw = base64.b64decode(form["data"])
     stored = np.dtype(form["dtype"]).newbyteorder("<")
     return np.frombuffer(raw, stored).reshape(form["shape"]).astype(np.dtype(form["dtype"]))
+
+
+def encode(value):
+    """None, numbers, text, bytes, arrays, and containers of these, as JSON; TypeError names another type."""
+    kind = type(value)
+    if kind in (bool, str, type(None)):
+        return value
+    if kind is int:
+        return {"int": str(value)} if abs(value) >= 2**53 else value
+    if kind is float:
+        return {"float": value.hex()}
+    if kind is bytes:
+        return {"bytes": base64.b64encode(value).decode("ascii")}
+    if kind is np.ndarray and value.dtype.kind in _EXACT_KINDS:
+        order = "F" if value.flags.f_contiguous and not value.flags.c_contiguous else "C"
+        data = base64.b64encode(value.tobytes(order)).decode("ascii")
+        return {"array": data, "dtype": value.dtype.str, "shape": list(value.shape), "order": order}
+    if issubclass(kind, np.generic) and value.dtype.kind in _EXACT_KINDS:
+        return {"scalar": base64.b64encode(value.tobytes()).decode("ascii"), "dtype": value.dtype.str}
+    if kind in (tuple, list):
+        return {kind.__name__: [encode(item) for item in value]}
+    if kind is dict:
+        return {"dict": [[encode(key), encode(item)] for key, item in value.items()]}
+    if kind is types.SimpleNamespace:
+        return {"namespace": [[name, encode(item)] for name, item in vars(value).items()]}
+    raise TypeError(
+        f"a value of type {kind.__module__}.{kind.__qualname__} cannot be sent to a kernel as data; use"
+        " numbers, text, bytes, arrays of numbers, tuple, list, dict or types.SimpleNamespace"
+    )
+
+
+def decode(form):
+    """The value that `encode` wrote; arrays are writable and own their data."""
+    if isinstance(form, _AS_IN_JSON):
+        return form
+    if "array" in form:
+        values = np.frombuffer(base64.b64decode(form["array"]), np.dtype(form["dtype"]))
+        return values.reshape(form["shape"], order=form["order"]).copy(order="K")
+    if "scalar" in form:
+        return np.frombuffer(base64.b64decode(form["scalar"]), np.dtype(form["dtype"]))[0]
+    ((kind, content),) = form.items()
+    return _READERS[kind](content)
+
+
+_READERS: dict[str, Callable] = {
+    "int": int,
+    "float": float.fromhex,
+    "bytes": base64.b64decode,
+    "tuple": lambda items: tuple(map(decode, items)),
+    "list": lambda items: list(map(decode, items)),
+    "dict": lambda pairs: {decode(key): decode(item) for key, item in pairs},
+    "namespace": lambda pairs: types.SimpleNamespace(**{name: decode(item) for name, item in pairs}),
+}

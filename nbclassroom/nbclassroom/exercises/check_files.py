@@ -8,7 +8,7 @@ reads the key's. A checks file holds, as text:
     cells      {cell id: source of a check or given cell, null for the others}
     exercises  {id: the fields of Exercise, with a key of `values` in the place of each value; in addition a
                 case has `expected`, one result for each call, and `arguments`, one list for each call}
-    values     {key: an argument (see `input_encoding`) or a result (see `canonical`)}, each value once
+    values     {key: an argument (see `canonical.encode`) or a result (see `canonical`)}, each value once
 
 An argument that is no data (a function, an open recording) is made again: then the case has no `arguments`,
 but `inputs`, a source that runs after `preparation`, the source of the declaration's cell. A key has no such
@@ -25,7 +25,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from .. import course
-from .input_encoding import decode
+from .canonical import decode
 from .lesson import Exercise, ExpectedCall, Lesson
 from .percent_script import MasterError
 from .running import CallResult

@@ -40,11 +40,8 @@ def page_of(answers, lesson):
 def page_of_notebook(cells, lesson_cells, exercises):
     """(The page of a notebook, {exercise id: numbers of the cells that answer it, the first one counts}).
 
-    Parameters
-    ----------
-    cells : list of dict, as `submission_reader.read_notebook` describes them
-    lesson_cells : {cell id: source of a check or given cell, None for the others}, as handed out
-    exercises : list of [id, function, source of the stub]
+    `cells` are as `submission_reader.read_notebook` describes them, `lesson_cells` {cell id: source of a
+    check or given cell as handed out, None for the others}, `exercises` [id, function, source of the stub].
     """
     functions = {id: function for id, function, _ in exercises}
     counted, checks = _counted_cells(cells, lesson_cells, functions)

@@ -59,14 +59,10 @@ for _name in _OPERATORS.split():
 
 
 class PageRun:
-    """A page that runs in a namespace.
+    """A page (see `page`) that runs in a namespace, that of the module __main__.
 
-    Parameters
-    ----------
-    page : dict, see `page`
-    names : dict, the namespace of the module __main__
-    skip : [number of a cell, number of a statement], which ended the process in an earlier run
-    tell : called with these two numbers before each statement
+    `skip` are places, [number of a cell, number of a statement], that ended the process in an earlier run;
+    `tell` is called with the two numbers before each statement.
     """
 
     def __init__(self, page, names, skip=(), tell=lambda cell, statement: None):

@@ -16,7 +16,7 @@ from ..autograder.page_kernels import PageKernels
 from ..autograder.results import GradedExercise, checked_exercise
 from ..autograder.sandbox.fork_server_client import KernelFactory
 from ..exercises import check_files
-from ..exercises.input_encoding import encode
+from ..exercises.canonical import encode
 from ..exercises.lesson import Exercise
 from .archives import LARGEST, too_large
 from .submission import AnswerState, NotebookReader, SubmissionContent, read_submission

@@ -21,8 +21,7 @@ from .answer_keys import load_keys
 from .collect import Collection
 from .csv_table import TableError
 from .learners import read_all
-from .lms_export import feedback_zips, grades_csv
-from .lms_import import fill_table, read_tables
+from .platforms import feedback_zips, fill_table, grades_csv, read_tables
 from .report import count_of, learner_page, points_text, prepare_templates
 from .review import FOLDER, AnswerParts, review_pages
 from .roster import read_roster, roster_report

@@ -9,7 +9,7 @@ from ..autograder.sanitize import spreadsheet_text
 from ..exercises.running import MEANT
 from .csv_table import csv_text
 from .grades_json import lesson_names
-from .lms_export import lessons_of
+from .platforms import lessons_of
 from .report import finding_text, render_page
 from .roster import squeezed
 from .submission import EQUALS, ONE_LESSON

@@ -1,6 +1,6 @@
 import pytest
 from nbclassroom.authoring.build import build, build_pages, compare_lessons
-from nbclassroom.authoring.glossary import read_glossary
+from nbclassroom.authoring.references import read_glossary
 from nbclassroom.exercises.declaration import MasterError
 
 GLOSSARY = """

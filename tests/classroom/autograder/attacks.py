@@ -247,7 +247,7 @@ def remembered():
 CONSTANTS = f"""
 import hashlib
 from nbclassroom.autograder.sandbox.inside import check_cell
-from nbclassroom.exercises.input_encoding import decode
+from nbclassroom.exercises.canonical import decode
 PACK = {remembered()!r}
 ANSWERS = [np.frombuffer(data, np.uint8) for data in PACK.values()]
 calls = []

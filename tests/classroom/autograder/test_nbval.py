@@ -11,8 +11,7 @@ from nbclassroom.autograder.nbval_plugin import notebook_of
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox.cell_run import MIME, CellRun
 from nbclassroom.autograder.verdict import CaseRun, ShownAnswer, StoredAnswer
-from nbclassroom.exercises.canonical import canonical
-from nbclassroom.exercises.input_encoding import encode
+from nbclassroom.exercises.canonical import canonical, encode
 
 pytestmark = pytest.mark.sandbox
 PREPARED = """import json

@@ -10,7 +10,7 @@ from attacks import LESSON, page_with
 from nbclassroom.autograder.nbval_process import NbvalProcess
 from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
-from nbclassroom.exercises.input_encoding import encode
+from nbclassroom.exercises.canonical import encode
 from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as npst
-from nbclassroom.exercises.input_encoding import decode, encode
+from nbclassroom.exercises.canonical import decode, encode
 
 NUMBERS = st.one_of(
     npst.integer_dtypes(endianness="?"), npst.floating_dtypes(endianness="?"), npst.boolean_dtypes()

@@ -6,7 +6,7 @@ import io
 import pytest
 from nbclassroom.gradebook.csv_table import TableError
 from nbclassroom.gradebook.grade import grade_submissions
-from nbclassroom.gradebook.lms_import import fill_table, read_tables
+from nbclassroom.gradebook.platforms import fill_table, read_tables
 from submissions import answers_of, notebook, write
 
 pytestmark = pytest.mark.sandbox

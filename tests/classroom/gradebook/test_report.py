@@ -16,8 +16,7 @@ from nbclassroom.autograder.sanitize import (
     spreadsheet_text,
 )
 from nbclassroom.exercises.answer_images import answer_images
-from nbclassroom.exercises.canonical import canonical
-from nbclassroom.exercises.input_encoding import encode
+from nbclassroom.exercises.canonical import canonical, encode
 from nbclassroom.exercises.values import describe_value, differing_elements
 from nbclassroom.gradebook import grade
 from nbclassroom.gradebook.grade import grade_submissions

@@ -14,8 +14,7 @@ import numpy as np
 
 from nbclassroom.autograder.sandbox.inside import MIME
 from nbclassroom.exercises import running
-from nbclassroom.exercises.canonical import canonical
-from nbclassroom.exercises.input_encoding import decode
+from nbclassroom.exercises.canonical import canonical, decode
 from nbclassroom.exercises.kinds import kind_of
 
 MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest

@@ -37,7 +37,7 @@ def _load():
     import numpy.linalg
     import numpy.random
 
-    from nbclassroom.autograder.sandbox.inside import attempts, check_cell, refusal, shell
+    from nbclassroom.autograder.sandbox.inside import check_cell, refusal, shell
 
     cell_shell = shell.make_shell()
     cell_shell.user_ns["np"] = np
@@ -63,7 +63,7 @@ def _load():
 
             offer_modules(even_if_installed=True)
         refusal.allow_modules(allowed)
-        attempts.tell_attempts(shell.WRITER.send)
+        refusal.tell_attempts(shell.WRITER.send)
         shell.serve(cell_shell, requests, descriptor, check_cell.deliver)
 
     return warm_up, run_cells

@@ -145,13 +145,9 @@ def run_unseen(shell, sources):
 
 
 def serve(shell, requests, descriptor, deliver):
-    """Answer the requests of a connection, one after another, until there are no more.
+    """Answer requests, (dict, the descriptor that came with it or None), until there are no more.
 
-    Parameters
-    ----------
-    requests : iterable of (dict, descriptor or None): a request, and the descriptor that came with it
-    descriptor : of the socket to which messages are written
-    deliver : takes the inputs of each check
+    Messages are written to the socket of the other descriptor; `deliver` takes the inputs of each check.
     """
     WRITER.descriptor = descriptor
     sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")

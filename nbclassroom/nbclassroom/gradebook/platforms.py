@@ -1,24 +1,113 @@
-"""Fill a table that a learning platform exported with our points, so that it can be imported back unchanged.
+"""What is exported: points for a spreadsheet and in a platform's own table, and the learners' pages as zips.
 
-Canvas's export of the gradebook has a column for each assignment, Moodle's grading worksheet is of one. Only
-the points of graded lessons are written; every other cell stays as it is, save for an apostrophe before what
-a spreadsheet would take for a formula. A row is matched to a learner by the platform's number, which is part
-of the names of the files that the platform hands out; otherwise by a name, as a roster's (see `roster`).
+Moodle reads the participant's number and the kind of file from a folder's name in the zip, such as
+Ada Lovelace_12345_assignsubmission_file; Canvas reads the numbers of the learner and of the submitted file
+from a file's name, lovelaceada_77_100_20_light.html. A platform has one maximum per assignment: if an
+exercise is excused, the others' points are scaled to it.
+
+A table that a platform exported is filled so that it can be imported back unchanged. Canvas's export of the
+gradebook has a column for each assignment, Moodle's grading worksheet is of one. Only the points of graded
+lessons are written; every other cell stays as it is, save for an apostrophe before what a spreadsheet would
+take for a formula. A row is matched to a learner by the platform's number, which is part of the names of the
+files that the platform hands out; otherwise by a name, as a roster's (see `roster`).
+
+Our own tables are UTF-8 with a byte order mark, by which spreadsheets recognize it. No cell
+begins like a formula, either.
 """
 
+import csv
 import re
 from collections import Counter
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
+from ..authoring.learner_files import zip_bytes
 from ..authoring.lesson_names import lesson_name, lessons_named
-from ..autograder.sanitize import without_formulas
+from ..autograder.sanitize import spreadsheet_text, without_formulas
 from .csv_table import TableError, csv_text, read_csv
-from .lms_export import EXCUSED, lessons_of, platform_points
+from .grades_json import lesson_names
+from .report import finding_text
 from .roster import entry_of
+from .teacher_tables import plain_number
 
+COLUMNS = (
+    *("learner", "lesson", "points", "max_points", "percent", "late", "submitted_at", "submissions"),
+    *("status", "findings", "file", "platform_id", "autograded_points", "days_late", "late_deduction"),
+    *("page", "open_points"),
+)
+EXCUSED = "EX"  # what Canvas writes
 _CANVAS = ("Student", "ID"), ("LastName", "FirstName", "ID")
 _NUMBER = re.compile(r"[+-]?[\d.,]*")
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
+
+
+def grades_csv(grades):
+    any_counts = grades["open_as_zero"]
+    rows = [_grades_row(one, lesson, any_counts) for one in grades["learners"] for lesson in one["lessons"]]
+    return "\ufeff" + csv_text([COLUMNS, *rows], quoting=csv.QUOTE_NONNUMERIC)
+
+
+def _grades_row(learner, lesson, any_counts):
+    percent = round(100 * lesson["points"] / lesson["max_points"], 1) if lesson["max_points"] else 0
+    is_whole = any_counts or not lesson["open_points"]  # else it is graded in part
+    texts = [lesson["reason"]] if lesson["reason"] else []
+    texts += [finding_text(finding) for finding in lesson["findings"]]
+    row = lesson | ({"percent": percent} if is_whole else {"points": "", "percent": ""})
+    row |= {
+        "learner": learner["name"],
+        "lesson": lesson["lesson"] or "(unknown)",
+        "late": "late" if lesson["late"] else "",
+        "submitted_at": lesson["submitted_at"] or "",
+        "submissions": 1 + len(lesson["earlier"]),
+        "findings": "; ".join(texts),
+        "page": learner["page"],
+    }
+    return [spreadsheet_text(row[column]) for column in COLUMNS]
+
+
+def platform_points(lesson, excused=""):
+    """Points for a platform, whose maximum stays whatever is excused; `excused` if the whole lesson is."""
+    decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
+    left_out = [exercise for exercise in decided if exercise["decision"]["excused"]]
+    if (lesson["decision"] and lesson["decision"]["excused"]) or (left_out and not lesson["max_points"]):
+        return excused
+    excused_cases = [case for exercise in left_out for case in exercise["cases"]]
+    maximum = lesson["max_points"] + sum(case["max_points"] for case in excused_cases)
+    return plain_number(lesson["points"] * maximum / lesson["max_points"]) if left_out else lesson["points"]
+
+
+def lessons_of(grades):
+    """{name: entry in `keys`} of the lessons with points, as the first key that has them describes them."""
+    entries = [entry for key in reversed(grades["keys"]) for entry in key["lessons"]]
+    lessons = {entry["lesson"]: entry for entry in entries if entry["max_points"]}
+    return {name: lessons[name] for name in lesson_names(grades) if name in lessons}
+
+
+def feedback_zips(grades, read_page):
+    """{file name: bytes} of all zips; `read_page` gives the bytes of the page of a learner's entry."""
+    members, lessons = {}, lessons_of(grades)
+    for learner in grades["learners"]:
+        page = PurePosixPath(learner["page"])
+        if not any(lesson["platform"] for lesson in learner["lessons"]):
+            members[f"feedback-{page.stem}.zip"] = [(page.name, learner)]
+        for lesson in learner["lessons"]:
+            if lesson["platform"] and lesson["file"] and lesson["lesson"] in lessons:
+                archive = f"{lesson['platform']}-feedback-{lesson['lesson']}.zip"
+                members.setdefault(archive, []).append((_member(learner, lesson), learner))
+    return {
+        archive: zip_bytes({name: read_page(learner) for name, learner in pages})
+        for archive, pages in members.items()
+    }
+
+
+def _member(learner, lesson):
+    if lesson["platform"] == "canvas":
+        # A learner's own folders and zips come after Canvas's name.
+        parts = PurePosixPath(lesson["file"]).parts
+        name = next((part for part in parts if f"_{lesson['platform_id']}_" in part), parts[-1])
+        return f"{name.removesuffix('.ipynb').removesuffix('.zip')}.html"
+    # Moodle splits the name at its underscores.
+    name = learner["name"].replace("_", " ").replace("/", " ")
+    return f"{name}_{lesson['platform_id']}_assignsubmission_file/feedback.html"
 
 
 def read_tables(paths):
@@ -91,14 +180,14 @@ def _lesson_columns(table, grades):
     lessons = lessons_of(grades)
     if not _is_canvas(table):
         return {table.columns.index("Grade"): _lesson_of_worksheet(table, grades, lessons)}
-    lesson_names = {name.casefold(): name for name in lessons}
-    lesson_names |= {lesson["title"].casefold(): name for name, lesson in lessons.items()}
+    names = {name.casefold(): name for name in lessons}
+    names |= {lesson["title"].casefold(): name for name, lesson in lessons.items()}
     columns = {}
     for number, column in enumerate(table.columns):
         match = _WITH_NUMBER.fullmatch(column)
         title = lesson_name((match[1] if match else column).strip().casefold())
-        if number > table.columns.index("Section") and title in lesson_names:
-            columns[number] = lesson_names[title]
+        if number > table.columns.index("Section") and title in names:
+            columns[number] = names[title]
     if not columns:
         raise TableError(
             f"{table.path}: no assignment in it has the name of a lesson ({', '.join(lessons)}) or its"
