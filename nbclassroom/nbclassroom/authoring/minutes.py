@@ -1,12 +1,7 @@
 """The minutes of a lesson, by one rule, and which of its sections go deeper.
 
-A section begins at a heading with `[[minutes]]`; build writes its minutes there, and the lesson's elsewhere:
-
-    ## 3 · Masks ([[minutes]])               ## 3 · Masks (12 minutes)
-    ### Two levels ([[minutes]], deeper)     ### Two levels (8 minutes, deeper)
-    ## 4 · Drive ([[minutes+20]])            ## 4 · Drive (31 minutes)
-
-The number after + adds minutes that no count shows: to wait, to drive by hand, to try.
+A section begins at a heading with `[[minutes]]` (docs/teach/masters.md); build writes its minutes there, and
+the lesson's elsewhere: `### Two levels ([[minutes+2]], deeper)` becomes `### Two levels (8 minutes, deeper)`.
 A deeper section ends at the next heading of its level or of a higher one. The rest is the core of the lesson:
 it runs, and can be understood, without the deeper sections. tests/notebooks/test_minutes.py has the estimate.
 """

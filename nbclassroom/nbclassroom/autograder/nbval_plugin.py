@@ -25,7 +25,7 @@ from .outcomes import Outcome
 from .page_kernels import PageKernels
 from .pool import expected_key
 from .sandbox.cell_run import MIME, CellRun
-from .verdict import CaseRun, ShownAnswer, StoredAnswer
+from .verdict import CaseRun, StoredAnswer
 from .written_answer import figure_html
 
 # A kernel that ended like this may have been ended by something else than the answer. It is run again, alone:
@@ -57,7 +57,7 @@ class ExerciseKernel:
     def execute_cell_input(self, cell_input, allow_stdin=None):
         if self.case is not None:
             run = self._exercise_run.run(self.case, cell_input)
-            self._add_message("display_data", data={MIME: ShownAnswer(run)}, metadata={})
+            self._add_message("display_data", data={MIME: run}, metadata={})
             name, text = (run.ended, "") if run.ended else run.check.error
             if name:
                 self._add_message("error", ename=name, evalue=text, traceback=[])
@@ -68,19 +68,16 @@ class ExerciseKernel:
         parent = {"msg_id": _MESSAGE_ID}
         self._messages.append({"msg_type": kind, "content": content, "parent_header": parent})
 
-    def await_reply(self, msg_id, timeout=None):
-        pass
-
     def await_idle(self, parent_id, timeout):
         self._messages.clear()
 
     def get_message(self, stream, timeout=None):
         return self._messages.pop(0)
 
-    def interrupt(self):
+    def interrupt(self, *_arguments, **_options):
         pass
 
-    restart = stop = interrupt
+    await_reply = restart = stop = interrupt
 
 
 class ExerciseRun:

@@ -24,18 +24,12 @@ from dataclasses import asdict
 
 from .. import course
 from .sandbox import bubblewrap
-from .sandbox.bubblewrap import Limits, SandboxError
-from .temporary_folder import make_temporary_folder, remove_abandoned_folders
+from .sandbox.bubblewrap import Limits, SandboxError, make_temporary_folder, remove_abandoned_folders
 
 _START_SECONDS = 120
 _BLOCKED_PLUGINS = (
     *("cacheprovider", "logging", "warnings", "doctest", "junitxml", "faulthandler", "debugging", "pastebin"),
     *("setuponly", "setupplan", "stepwise", "unraisableexception", "threadexception", "subtests", "skipping"),
-)
-_PLUGINS = (
-    # First, so that nbval does not import what it blocks.
-    "nbclassroom.autograder.blocked_imports",
-    "nbval.plugin",
 )
 _PROGRAM = "from nbclassroom.autograder import nbval_main; nbval_main.main()"
 
@@ -64,8 +58,7 @@ def nbval_process_of_thread(unsafe, limits):
     process = _processes.get(thread)
     if process is not None and process.options != (unsafe, limits):
         process.stop()
-        process = None
-    return process or NbvalProcess(unsafe, limits)
+    return _processes.get(thread) or NbvalProcess(unsafe, limits)
 
 
 def stop_nbval_processes(thread_prefix="", *, for_good=False):
@@ -123,8 +116,9 @@ class NbvalProcess:
         command = [sys.executable, "-I", "-c", _PROGRAM, json.dumps(settings)]
         command += ["-c", str(folder / "pytest.ini"), "--rootdir", str(folder), "--noconftest"]
         command += ["--color=no", "-q", "-s"]
-        for plugin in (*(f"no:{name}" for name in _BLOCKED_PLUGINS), *_PLUGINS):
-            command += ["-p", plugin]
+        # The blocked imports first, so that nbval does not import what they block.
+        for plugin in (*_BLOCKED_PLUGINS, "nbclassroom.autograder.blocked_imports", "nbval.plugin"):
+            command += ["-p", f"no:{plugin}" if plugin in _BLOCKED_PLUGINS else plugin]
         inherited = ("PATH", "LANG", "HOME")
         environment = {name: os.environ[name] for name in inherited if name in os.environ}
         environment |= {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "OPENBLAS_NUM_THREADS": "1"}

@@ -1,10 +1,5 @@
 """Grade submissions, many at a time, in order.
 
-    key = load_key("key")
-    answers = {"messages-decode": "def decode(message): ..."}   # the source of each answer cell, by exercise
-    for graded in autograde([("ada", "images_as_messages", answers)], key):
-        print(graded.name, graded.points, "of", graded.max_points)
-
 Each thread or process that grades keeps one nbval process (`nbval_process`), which grades one after another.
 
 A fault of the autograder (an exception, a process that was killed, a run without a result) costs nobody

@@ -84,9 +84,8 @@ class GradedSubmission:
     name: str  # that `autograde` was given for it
     lesson: str
     exercises: tuple[GradedExercise, ...]  # in the lesson's order; practice exercises are not graded
-    tried: tuple[
-        tuple[str, str], ...
-    ] = ()  # (exercise id or "", what its code tried, and the sandbox refused)
+    # (exercise id or "", what its code tried, and the sandbox refused)
+    tried: tuple[tuple[str, str], ...] = ()
 
     @property
     def points(self):

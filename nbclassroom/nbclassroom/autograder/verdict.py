@@ -64,7 +64,8 @@ class CaseRun:
 class StoredAnswer:
     """What nbval finds as the stored output of a check: the answer key's values. `==` is our comparison.
 
-    nbval asks `stored != shown`, and lets the check's cell fail if it is so. What a partner has measured is
+    nbval asks `stored != shown`, where a CaseRun stands for the output of a check, which a learner's code
+    made; it lets the check's cell fail if it is so. What a partner has measured is
     compared with the thresholds of its scenario.
     """
 
@@ -78,19 +79,12 @@ class StoredAnswer:
         return verdict_on(run.check.answers, self.expected, self.tolerance, exact_type=self.exact_type)
 
     def __eq__(self, shown):
-        return isinstance(shown, ShownAnswer) and self.verdict(shown.run).passed
+        return isinstance(shown, CaseRun) and self.verdict(shown).passed
 
     def explain(self, shown):
         """Why `stored == shown` is false, in a line."""
-        difference = getattr(self.verdict(shown.run), "difference", None)
+        difference = getattr(self.verdict(shown), "difference", None)
         return difference.message if difference else "it is not what the solution gives"
-
-
-@dataclass(frozen=True, eq=False)
-class ShownAnswer:
-    """What nbval finds as the output of a check that has run: a CaseRun, which a learner's code made."""
-
-    run: CaseRun
 
 
 def verdict_on(payloads, expected, tolerance, *, exact_type=True):

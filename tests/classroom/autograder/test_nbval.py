@@ -10,7 +10,7 @@ from nbclassroom.autograder import nbval_process
 from nbclassroom.autograder.nbval_plugin import notebook_of
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox.cell_run import MIME, CellRun
-from nbclassroom.autograder.verdict import CaseRun, ShownAnswer, StoredAnswer
+from nbclassroom.autograder.verdict import CaseRun, StoredAnswer
 from nbclassroom.exercises.canonical import canonical, encode
 
 pytestmark = pytest.mark.sandbox
@@ -23,7 +23,7 @@ STOCK = ["-q", "-p", "no:cacheprovider", "-p", "no:randomly", "--nbval", "exerci
 
 def shown(value):
     payload = {"calls": [{"value": canonical(value), "changed": [], "printed": ""}]}
-    return ShownAnswer(CaseRun(check=CellRun(answers=[payload])))
+    return CaseRun(check=CellRun(answers=[payload]))
 
 
 def test_the_stored_answer_equals_what_is_within_the_tolerance():
@@ -32,7 +32,7 @@ def test_the_stored_answer_equals_what_is_within_the_tolerance():
     assert stored != shown(2.2)
     assert "2.2" in stored.explain(shown(2.2))
     assert stored != "passed"
-    assert stored != ShownAnswer(CaseRun())
+    assert stored != CaseRun()
 
 
 ONE_MORE_OUTPUT = """

@@ -4,7 +4,7 @@ import os
 import tempfile
 
 from nbclassroom.autograder.nbval_process import open_worker_threads
-from nbclassroom.autograder.temporary_folder import make_temporary_folder
+from nbclassroom.autograder.sandbox.bubblewrap import make_temporary_folder
 
 
 def test_the_folders_of_killed_runs_are_removed_and_those_of_others_stay(tmp_path, monkeypatch):

@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import sysconfig
+import tempfile
 import threading
 from contextlib import suppress
 from dataclasses import dataclass
@@ -73,6 +74,7 @@ class Limits:
         return (seconds + self.grace) * self.wall_factor + self.wall_grace
 
 
+_FOLDER_PREFIX = "nbclassroom-"
 _TRIALS, _TRIAL_SECONDS = 5, 60
 _trial_lock = threading.Lock()
 KILLED = (-signal.SIGKILL, 128 + signal.SIGKILL)  # exit codes: bubblewrap was killed, or what ran inside
@@ -317,3 +319,17 @@ def _memory_of(process, *, exactly=False):
                 return memory.pss + memory.swap
         return process.memory_info().rss
     return 0
+
+
+def make_temporary_folder():
+    """The Path of a new folder of this process, which does not outlive a killed run."""
+    remove_abandoned_folders()
+    return Path(tempfile.mkdtemp(prefix=f"{_FOLDER_PREFIX}{os.getpid()}-"))
+
+
+def remove_abandoned_folders():
+    """Remove the folders of runs that were killed, and have ended."""
+    for folder in Path(tempfile.gettempdir()).glob(f"{_FOLDER_PREFIX}*-*"):
+        number = folder.name.removeprefix(_FOLDER_PREFIX).partition("-")[0]
+        if number.isdecimal() and not psutil.pid_exists(int(number)):
+            shutil.rmtree(folder, ignore_errors=True)  # another user's stays

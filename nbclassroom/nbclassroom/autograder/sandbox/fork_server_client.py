@@ -17,7 +17,6 @@ from contextlib import AbstractContextManager, suppress
 
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.cell_run import CellRun
-from nbclassroom.autograder.temporary_folder import make_temporary_folder
 
 _LOOK_SECONDS = 0.05  # between two looks at what all processes together use
 # What the fork server and a waiting kernel use beside a check, at most: bytes, and seconds of processor time.
@@ -295,7 +294,7 @@ class ForkServer:
         self._limits, self.confined = limits, confined
         self._process = None
         self._control: socket.socket  # to the process, as long as there is one
-        self._folder = None if confined else make_temporary_folder()
+        self._folder = None if confined else bubblewrap.make_temporary_folder()
         self._fork_count = 0
 
     def start(self):

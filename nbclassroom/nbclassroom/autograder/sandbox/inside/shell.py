@@ -109,8 +109,7 @@ class KernelShell(InteractiveShell):
     def enable_gui(self, gui=None):
         pass
 
-    def ask_exit(self):
-        pass
+    ask_exit = enable_gui
 
 
 def _text_of(error):
