@@ -7,7 +7,7 @@ import nbformat
 import pytest
 
 sys.path.append(str(Path(__file__).parent))
-from nbclassroom.authoring.learner_files import without_outputs
+from nbclassroom.authoring.lesson_files import without_outputs
 from ways_to_run import tracebacks, ways_of
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"

@@ -17,8 +17,7 @@ from ..exercises.atomic_write import write_file
 from ..exercises.check_files import CHECKS, SOLUTIONS
 from ..exercises.declaration import MasterError
 from .execute import execute, normalize, output_texts, refuse_traces
-from .learner_files import TEXTS
-from .lesson_files import lesson_file_differences, lesson_files
+from .lesson_files import TEXTS, lesson_file_differences, lesson_files
 from .lesson_names import lesson_name
 from .masters import find_masters, read_master
 from .references import GLOSSARY, GLOSSARY_PAGE, References, glossary_page, read_glossary

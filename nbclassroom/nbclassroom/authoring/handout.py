@@ -7,7 +7,7 @@ from pathlib import Path
 from .. import course
 from ..exercises.atomic_write import write_file
 from ..exercises.progress import LEARNERS_FOLDER
-from .learner_files import CHECKS, SOLUTIONS, TEXTS, without_outputs, zip_bytes
+from .lesson_files import CHECKS, SOLUTIONS, TEXTS, without_outputs, zip_bytes
 from .lesson_names import lesson_name
 from .masters import find_lessons
 from .references import GLOSSARY_PAGE

@@ -1,11 +1,15 @@
-"""Write the files that a lesson carries, and those of an answer key; compare stored ones.
+"""Write the files that a lesson carries, and those of an answer key; compare stored ones; what learners get.
 
 texts/<lesson>.json holds {name of a figure: its "caption" and "alt"}, and its questions' answers and replies;
 <lesson>.py, written by hand, is code that the lesson imports; `exercises.check_files` describes the others.
 """
 
+import contextlib
 import hashlib
+import io
 import json
+import re
+import zipfile
 from dataclasses import dataclass, fields, replace
 
 from .. import course
@@ -21,8 +25,10 @@ from ..exercises.check_files import (
 )
 from ..exercises.comparison import compare
 from ..exercises.lesson import Exercise, check_data_of
-from .learner_files import TEXTS
 
+KEEP_OUTPUT_TAG = "keep-output"
+TEXTS = "texts"  # name of the folder of captions and alternative texts
+_NOT_FOR_LEARNERS = re.compile(rf"\..*|masters|__pycache__|{course.FILE}|{CHECKS}|{SOLUTIONS}")
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 # Fields of an Exercise that no checks file has as they are, and those that only some have.
 _LEFT_OUT = ("id", "mistakes", "master", "preparation", "solution", "explanation", "helpers")
@@ -203,3 +209,39 @@ class _Value:
         if self.tolerance is None:
             form, other_form = canonical(decode(form)), canonical(decode(other_form))
         return compare(form, other_form, self.tolerance or 0.0, exact_type=True) is None
+
+
+def files_for_learners(source):
+    """All files of a folder of lessons that belong to learners as they are: no masters, checks, solutions."""
+    files = [path for path in sorted(source.rglob("*")) if path.is_file()]
+    return [
+        file for file in files if not any(map(_NOT_FOR_LEARNERS.fullmatch, file.relative_to(source).parts))
+    ]
+
+
+def without_outputs(data):
+    """The bytes of a notebook as a learner gets it: no outputs but of cells tagged to keep them, no counters.
+
+    The bytes of another file stay as they are.
+    """
+    with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
+        notebook = json.loads(data)
+        code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        cells = [cell for cell in code if KEEP_OUTPUT_TAG not in cell.get("metadata", {}).get("tags", ())]
+        if any(cell["outputs"] or cell["execution_count"] is not None for cell in cells):
+            for cell in cells:
+                cell["outputs"], cell["execution_count"] = [], None
+            text = json.dumps(notebook, ensure_ascii=False, indent=1, sort_keys=True)
+            return (text + "\n").encode()
+    return data
+
+
+def zip_bytes(files):
+    """The bytes of a zip with {name: bytes}; the same files give the same bytes."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for name, data in sorted(files.items()):
+            info = zipfile.ZipInfo(name)  # which has no date of today
+            info.external_attr = 0o644 << 16  # without it, unzip makes files that nobody can read
+            archive.writestr(info, data, zipfile.ZIP_DEFLATED)
+    return buffer.getvalue()

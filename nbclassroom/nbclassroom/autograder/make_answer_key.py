@@ -28,11 +28,10 @@ from ..exercises.case_call import explain_call
 from ..exercises.lesson import ExpectedCall, with_results
 from ..exercises.percent_script import MasterError
 from . import answer_key
-from .answer_forms import read_answer, read_calls
 from .sandbox import bubblewrap
 from .sandbox.fork_server_client import KernelFactory
 from .sandbox.inside.check_cell import call_to_json
-from .verdict import verdict_on
+from .verdict import read_answer, read_calls, verdict_on
 
 _SECONDS_PER_EXERCISE = 1.6  # while two run, fitted to the course's own lessons
 _AT_A_TIME = 2

@@ -6,8 +6,8 @@ Most processes that grade meet none: what this needs is imported when it is used
 import html
 
 from ..exercises.canonical import array_of
-from .answer_forms import read_answer
 from .sanitize import reproducible_text, sanitize_text
+from .verdict import read_answer
 
 _LONGEST = 20_000  # characters
 _NAMES = "p br hr h1 h2 h3 h4 h5 h6 em strong del code pre blockquote ul ol li table thead tbody tr th td"

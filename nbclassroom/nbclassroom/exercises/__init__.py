@@ -1,7 +1,6 @@
 """Exercises: declared in a master, checked in the learner's notebook, graded by the instructor."""
 
 from .canonical import array_of
-from .cell_runs import watch_cells
 from .check_files import CheckFileError
 from .checking import CheckResult, check, run_cases
 from .declaration import MasterError, exercise, read_exercises
@@ -9,6 +8,7 @@ from .error_advice import advise_everywhere
 from .guesses import GuessComparison, ask, compare_guess
 from .help_steps import hint, solution
 from .kinds.node.ros_double import offer_modules
+from .names_read import watch_cells
 from .overview import Overview, certificate, overview
 from .progress_bar import with_progress
 

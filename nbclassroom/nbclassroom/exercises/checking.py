@@ -5,13 +5,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from itertools import product
 
-from .cell_runs import RUNS
 from .cell_syntax import is_whole_part, plain_python, program_lines
 from .check_files import UnknownExerciseError, find_check_file
 from .help_steps import Help
 from .judging import NONE, CheckResult, has_right_values, judge
 from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake, check_data_of
-from .names_read import NamesRead
+from .names_read import RUNS, NamesRead
 from .one_change import sentence_on_change
 from .progress import ExerciseProgress, digest_of, note_progress, progress_of
 from .running import attempt, cells_of, globals_of, source_of

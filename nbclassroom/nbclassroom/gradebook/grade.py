@@ -22,8 +22,7 @@ from .collect import Collection
 from .csv_table import TableError
 from .learners import read_all
 from .platforms import feedback_zips, fill_table, grades_csv, read_tables
-from .report import count_of, learner_page, points_text, prepare_templates
-from .review import FOLDER, AnswerParts, review_pages
+from .report import FOLDER, AnswerParts, count_of, learner_page, points_text, prepare_templates, review_pages
 from .roster import read_roster, roster_report
 from .summary import summary_page
 from .teacher_tables import DECISIONS_TEMPLATE, TeacherRules

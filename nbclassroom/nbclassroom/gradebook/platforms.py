@@ -20,7 +20,7 @@ import re
 from collections import Counter
 from pathlib import Path, PurePosixPath
 
-from ..authoring.learner_files import zip_bytes
+from ..authoring.lesson_files import zip_bytes
 from ..authoring.lesson_names import lesson_name, lessons_named
 from ..autograder.sanitize import spreadsheet_text, without_formulas
 from .csv_table import TableError, csv_text, read_csv

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from nbclassroom import course
-from nbclassroom.authoring.learner_files import TEXTS, files_for_learners, without_outputs
+from nbclassroom.authoring.lesson_files import TEXTS, files_for_learners, without_outputs
 from nbclassroom.authoring.lesson_names import lesson_name
 from nbclassroom.exercises.atomic_write import write_file
 from nbclassroom.exercises.progress import one_at_a_time

@@ -6,7 +6,7 @@ import zipfile
 import nbformat
 import pytest
 from click.testing import CliRunner
-from nbclassroom.authoring.learner_files import without_outputs
+from nbclassroom.authoring.lesson_files import without_outputs
 
 from imgproc_course.cli import main
 

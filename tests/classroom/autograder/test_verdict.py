@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from nbclassroom.autograder.answer_forms import read_calls, read_form
 from nbclassroom.autograder.checked_answer import PageHtml
-from nbclassroom.autograder.verdict import CaseRun, verdict_on
+from nbclassroom.autograder.verdict import CaseRun, read_calls, read_form, verdict_on
 from nbclassroom.exercises.answer_images import answer_images
 from nbclassroom.exercises.canonical import PLAIN_TYPES, canonical
 from nbclassroom.exercises.comparison import compare

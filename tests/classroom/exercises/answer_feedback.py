@@ -8,9 +8,9 @@ import re
 from functools import cache
 
 from nbclassroom.exercises import CheckResult
-from nbclassroom.exercises.cell_runs import CellRuns
 from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.lesson import check_data_of
+from nbclassroom.exercises.names_read import CellRuns
 from nbclassroom.exercises.percent_script import read_script
 from readable_cell import run_cell
 

@@ -4,7 +4,7 @@ import os
 
 import pytest
 from jupyter_client.manager import KernelManager
-from nbclassroom.exercises.cell_runs import CellRuns
+from nbclassroom.exercises.names_read import CellRuns
 
 RIGHT = "def count_pixels(frame):\n    return frame.shape[0] * frame.shape[1]"
 OTHER = "def count_channels(frame):\n    return frame.shape[2]"

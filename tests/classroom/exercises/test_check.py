@@ -8,9 +8,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from nbclassroom.exercises import check, checking, read_exercises
-from nbclassroom.exercises.cell_runs import CellRuns
 from nbclassroom.exercises.check_files import find_check_file
 from nbclassroom.exercises.checking import run_check
+from nbclassroom.exercises.names_read import CellRuns
 from readable_cell import run_cell
 from template_master import write_carried_files
 

@@ -5,12 +5,12 @@ import pytest
 from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.exercises import progress
-from nbclassroom.exercises.cell_runs import CellRuns
 from nbclassroom.exercises.checking import check, run_cases, run_check
 from nbclassroom.exercises.declaration import MasterError, read_exercises
 from nbclassroom.exercises.help_steps import solution
 from nbclassroom.exercises.kinds import kind_of
 from nbclassroom.exercises.lesson import check_data_of
+from nbclassroom.exercises.names_read import CellRuns
 from nbclassroom.exercises.progress import digest_of
 from nbclassroom.exercises.running import (
     call,

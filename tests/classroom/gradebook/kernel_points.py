@@ -78,7 +78,7 @@ class NotebookKernel:
 
 def begin_anew():
     """A kernel as after its start: only the lesson's import of the exercises has run."""
-    from nbclassroom.exercises.cell_runs import RUNS
+    from nbclassroom.exercises.names_read import RUNS
 
     shell = sys.modules["IPython"].get_ipython()
     shell.reset(new_session=False)

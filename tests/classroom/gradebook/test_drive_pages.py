@@ -10,7 +10,7 @@ from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.nbval_process import usual_workers
 from nbclassroom.gradebook.answer_keys import load_keys
 from nbclassroom.gradebook.grade import grade_submissions
-from nbclassroom.gradebook.review import _way
+from nbclassroom.gradebook.report import _way
 from submissions import notebook, write
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(300)]

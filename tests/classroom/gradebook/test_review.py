@@ -21,7 +21,7 @@ from nbclassroom.autograder.sanitize import sanitize_line, spreadsheet_text
 from nbclassroom.gradebook import grade, teacher_tables
 from nbclassroom.gradebook.csv_table import csv_text
 from nbclassroom.gradebook.grade import grade_submissions
-from nbclassroom.gradebook.review import AnswerParts, _coloured
+from nbclassroom.gradebook.report import AnswerParts, _coloured
 from nbclassroom.gradebook.review_server import ReviewServer, save_decisions
 from nbclassroom.gradebook.teacher_tables import DECISIONS_TEMPLATE, read_decisions
 from submissions import answers_of, notebook, write

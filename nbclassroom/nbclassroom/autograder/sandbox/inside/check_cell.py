@@ -67,7 +67,7 @@ def raise_time_up(_signal, _frame):
 
 
 def call_to_json(result):
-    """A CallResult as data for json.dumps; `answer_forms.read_answer` reads it."""
+    """A CallResult as data for json.dumps; `verdict.read_answer` reads it."""
     if result.timed_out:
         return {"timed_out": True}
     data = {"changed": list(result.changed), "printed": result.printed}
