@@ -9,7 +9,6 @@ import json
 import multiprocessing
 import shutil
 import signal
-from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
@@ -38,16 +37,7 @@ _AT_A_TIME = 2
 _process: dict[str, Any] = {}  # of a process that runs exercises
 
 
-def make_key(
-    masters_dir: Path | str,
-    seed: str,
-    out: Path | str,
-    names: Iterable[str] = (),
-    *,
-    unsafe: bool = False,
-    replace: bool = False,
-    say: Callable[[str], object] = str,
-) -> answer_key.Key:
+def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, say=str):
     """Make a Key: run each solution on inputs drawn from the seed, in the sandbox that grades.
 
     The folder is written whole at the end: an error or Ctrl-C leaves the old key unchanged, and the next call

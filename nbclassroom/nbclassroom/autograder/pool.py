@@ -14,8 +14,7 @@ import itertools
 import os
 import sys
 from collections import deque
-from collections.abc import Iterable, Iterator
-from concurrent.futures import Executor, Future, wait
+from concurrent.futures import Future, wait
 from dataclasses import replace
 from functools import lru_cache
 
@@ -31,25 +30,15 @@ from .sanitize import reproducible_text
 
 __all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
 
-Submission = tuple[str, str, dict]  # name, lesson, page
-
 _QUEUE_PER_WORKER = 4  # submissions that are submitted before their results are taken
 _ATTEMPTS = 3  # to grade a submission, each in a new nbval process
 _KILLS = 10  # of nbval processes while they start or grade one submission; they are not attempts
 
 
-def autograde(
-    submissions: Iterable[Submission],
-    key: Key | dict[str, Key],
-    *,
-    unsafe: bool = False,
-    workers: int | None = None,
-    executor: Executor | None = None,
-    limits: Limits | None = None,
-) -> Iterator[GradedSubmission]:
+def autograde(submissions, key, *, unsafe=False, workers=None, executor=None, limits=None):
     """Grade submissions, lazily and in order; yields a GradedSubmission for each.
 
-    `submissions` have a page as `exercises.page` describes it or only the answers, {exercise id: source};
+    `submissions` are (name, lesson, a page as `exercises.page` describes it or only {exercise id: source});
     they are read as results are taken, so that a generator of thousands needs no memory. `key` is for all, or
     {name: Key}; `unsafe` runs without a sandbox; `workers` are graded at once (None: one per core), by
     threads of this process, or by an Executor that runs `grade_one` elsewhere; `limits` are one kernel's.
@@ -91,7 +80,7 @@ class _Queue:
 
     def __init__(self, executor, options):
         self._executor, self._options = executor, options
-        self.waiting: deque[tuple[Submission, Key, Future]] = deque()
+        self.waiting: deque = deque()
 
     def add(self, submission, key):
         self.waiting.append((submission, key, self._submit(submission, key)))
@@ -137,7 +126,7 @@ class _Queue:
         exercises = (new[exercise.id] if exercise.id in ids else exercise for exercise in result.exercises)
         return replace(result, exercises=tuple(exercises))
 
-    def _result(self, submission: Submission, key: Key, future: Future) -> GradedSubmission:
+    def _result(self, submission, key, future):
         for _ in range(2):
             try:
                 return future.result()
@@ -146,7 +135,7 @@ class _Queue:
             except Exception as error:  # noqa: BLE001 - an executor and its workers may raise anything
                 fault = f"{type(error).__name__}: {error}"
                 future = self._submit(submission, key)
-        return _not_graded(key, *submission, fault)
+        return _not_graded(key, submission, fault)
 
     def close(self):
         """Forget what has not begun, and wait for what has."""
@@ -155,14 +144,7 @@ class _Queue:
         wait([future for *_, future in self.waiting])
 
 
-def grade_one(
-    submission: Submission,
-    key_folder: str,
-    digest: str,
-    *,
-    unsafe: bool = False,
-    limits: Limits | None = None,
-) -> GradedSubmission:
+def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
     """The GradedSubmission of one submission; a plain function that any Executor can run, here or elsewhere.
 
     The key's folder must exist on the machine that runs this, with the key of this digest: else
@@ -180,10 +162,10 @@ def grade_one(
                 raise
         except nbval_process.NbvalProcessKilled as error:
             kills += 1
-            result = _not_graded(key, *submission, f"the nbval process was killed {kills} times: {error}")
+            result = _not_graded(key, submission, f"the nbval process was killed {kills} times: {error}")
         except nbval_process.NbvalProcessEnded as error:
             attempts += 1  # an earlier submission must not cost this one anything
-            result = _not_graded(key, *submission, f"the nbval process ended: {error}")
+            result = _not_graded(key, submission, f"the nbval process ended: {error}")
         else:
             if not result.has_fault:
                 return result
@@ -201,7 +183,8 @@ def expected_key(folder, digest):
     return key
 
 
-def _not_graded(key, name, lesson, _page, fault):
+def _not_graded(key, submission, fault):
+    name, lesson, _ = submission
     message = reproducible_text(f"the autograder failed: {fault}")
     exercises = tuple(
         ungraded_exercise(exercise, Outcome.NOT_GRADED, message)

@@ -9,10 +9,8 @@ A table that a platform exported is filled so that it can be imported back uncha
 gradebook has a column for each assignment, Moodle's grading worksheet is of one. Only the points of graded
 lessons are written; every other cell stays as it is, save for an apostrophe before what a spreadsheet would
 take for a formula. A row is matched to a learner by the platform's number, which is part of the names of the
-files that the platform hands out; otherwise by a name, as a roster's (see `roster`).
-
-Our own tables are UTF-8 with a byte order mark, by which spreadsheets recognize it. No cell
-begins like a formula, either.
+files that the platform hands out; otherwise by a name (see `roster`). Our own tables are UTF-8 with a byte
+order mark, by which spreadsheets recognize it. No cell begins like a formula, either.
 """
 
 import csv

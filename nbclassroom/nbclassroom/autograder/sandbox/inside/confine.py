@@ -95,13 +95,8 @@ def unshare(flags):
     _check(_unshare_call(ctypes.c_int(flags)), "unshare")
 
 
-def open_pid_namespace():
-    """A descriptor of this process's own PID namespace, for `return_to_pid_namespace`."""
-    return os.open("/proc/self/ns/pid", os.O_RDONLY | os.O_CLOEXEC)
-
-
 def return_to_pid_namespace(descriptor):
-    """Start the next children in the namespace of `open_pid_namespace` again."""
+    """Start the next children in this PID namespace again."""
     _check(_libc.setns(descriptor, ctypes.c_int(NEWPID)), "setns")
 
 
@@ -187,12 +182,6 @@ def leave_session_keyring():
     number = dict(zip(_MACHINES, _CALLS["keyctl"], strict=True)).get(os.uname().machine)
     if number is not None:  # a system without keyrings has none to leave
         _libc.syscall(ctypes.c_long(number), ctypes.c_long(_JOIN_SESSION_KEYRING), None)
-
-
-def close_descriptors(but):
-    """Close all descriptors but the standard streams and one other."""
-    os.closerange(3, but)
-    os.closerange(but + 1, 1 << 20)
 
 
 def end_child(child, patience):

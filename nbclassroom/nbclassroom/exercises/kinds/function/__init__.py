@@ -1,1 +1,0 @@
-"""Functions: an answer gets arguments, and what it returns is compared."""

@@ -6,7 +6,7 @@ _EMIT = "from nbclassroom.autograder.sandbox.inside.check_cell import emit\n\nem
 
 
 class Kind(AnyKind):
-    """A function; also what nodes and packages have in common with it."""
+    """A function, whose values are compared; also what nodes and packages have in common with it."""
 
     name = "function"
     shows_values = True

@@ -235,8 +235,6 @@ class RecordingNode:
     def destroy_node(self):
         pass
 
-    # ------------------------------------------------------------ parameters
-
     def declare_parameter(self, name, value=None, descriptor=None, **options):
         if options or value is None or isinstance(value, enum.Enum):
             refuse("declare_parameter without a first value, or with other options")

@@ -2,7 +2,7 @@ from ..node.kind import Kind as NodeKind
 
 
 class Kind(NodeKind):
-    """A function that returns the files of a package."""
+    """A function that returns the files of a ROS 2 package: they are read, and their node is driven."""
 
     name, noun = "package", "function"
     kernel_modules = ("feed",)
