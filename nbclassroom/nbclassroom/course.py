@@ -98,12 +98,10 @@ def folders_of_lessons():
 
 
 def node_modules():
-    """What a node may import."""
     return ("rclpy", *_values()["ros_messages"], "cv_bridge")
 
 
 def release():
-    """The version of the course, as text."""
     values = _values()
     if values["distribution"]:
         return importlib.metadata.version(values["distribution"])

@@ -22,7 +22,6 @@ from .rules import CHECK_LINE, VARYING_TAG, master_problems
 # Fields of an Exercise and its parts that are Python, and those that are texts.
 _SOURCES = ("stub", "solution", "preparation", "helpers", "given")
 _TEXTS = ("title", "hint", "border_hint", "hints", "explanation", "another_way", "says")
-
 QUESTIONS = "questions.toml"
 TEMPLATE = Path(__file__).with_name("new_lesson.py.txt")
 OF_QUESTIONS = ("question", "ask")  # the roles of their cells: a text, and a call of `ask`

@@ -1,7 +1,4 @@
-"""Make an answer key: run each solution on inputs drawn from a secret seed, in the sandbox that grades.
-
-`answer_key` describes what a key contains, and reads it.
-"""
+"""Make an answer key; `answer_key` describes what a key contains, and reads it."""
 
 import contextlib
 import hashlib

@@ -1,7 +1,5 @@
 """Grade submissions, many at a time, in order.
 
-Each thread or process that grades keeps one nbval process (`nbval_process`), which grades one after another.
-
 A fault of the autograder (an exception, a process that was killed, a run without a result) costs nobody
 points: the submission is graded again in new processes, and if that fails too, the outcome is "not graded".
 A killed process is no sign of a fault that will come again, so it has more attempts.

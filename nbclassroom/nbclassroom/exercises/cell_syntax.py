@@ -112,7 +112,6 @@ def top_level(source):
 
 
 def names_used(source):
-    """The NamesUsed of each statement of a source."""
     return list(map(names_of, top_level(source)))
 
 
@@ -180,7 +179,6 @@ def _body(statement):
 
 
 def _initialization(statement):
-    """The statements of the __init__ of a class."""
     body = statement.body if isinstance(statement, ast.ClassDef) else []
     methods = [part for part in body if isinstance(part, _FUNCTIONS) and part.name == "__init__"]
     return _body(methods[-1]) if methods else []

@@ -90,7 +90,6 @@ class CheckFile:
             return replace(exercise, cases=tuple(cases))
 
     def _calls(self, exercise, case, stored_case):
-        """The calls of a case, as a tuple of ExpectedCall."""
         if "inputs" in stored_case:
             calls_arguments = exercise.arguments(replace(case, source=stored_case["inputs"]))
         else:

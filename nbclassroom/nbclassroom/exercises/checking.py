@@ -122,7 +122,6 @@ def run_check(exercise, function, progress=None, *, searches=True):
 
 
 def _with_names(result, names):
-    """The result with what the NamesRead say."""
     exercise, given, remarks = result.exercise, set(result.exercise.provided), result.remarks
     values = ", ".join(names.values(given))
     is_wrong = result.attempted and not all(case_result.passed for case_result in result.results)
@@ -169,7 +168,6 @@ def _end_of(call):
 
 
 def _judge_calls(exercise, function, calls):
-    """The CheckResult of the calls of a function."""
     errors = set(map(_end_of, calls))
     is_stub = is_whole_part(source_of(function), exercise.stub)  # False if its source is not known
     if "NotImplementedError" in errors or (is_stub and exercise.kind.expects_values):

@@ -24,8 +24,6 @@ _ROUNDING = {"float16": 1e-2, "float32": 1e-5, "float64": 1e-9, "float": 1e-9}
 
 @dataclass(frozen=True)
 class Difference:
-    """The first difference between an answer and the expected one."""
-
     kind: str  # "type", "shape", "dtype", "length", "keys" or "value"
     path: str  # inside the answer, "" for the answer itself: "[1]", "['edges']"
     message: str  # the difference as a sentence without its full stop

@@ -155,7 +155,6 @@ class Exercise:
         return answer
 
     def function_of_mistake(self, mistake):
-        """The function of a declared mistake, prepared."""
         return self.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
 
     def call(self, function, arguments, seconds=None, expected=None):

@@ -2,8 +2,7 @@
 
 The kernel has every module, and every value that a cell has ever made; grading has what the page makes. A
 checked function may be older than the cell on the screen: a cell that does not run leaves the function of an
-earlier run behind, and so does a cell that defines another name. In a kernel the last runs of the cells are
-recorded from the import of this package on; elsewhere nothing is recorded.
+earlier run behind, and so does a cell that defines another name. In a kernel `watch_cells` records the runs.
 """
 
 import builtins
@@ -78,7 +77,6 @@ class CellRuns:
         return self._runs[-1]
 
     def begin(self, info):
-        """Record that IPython begins to run a cell."""
         shell = sys.modules["IPython"].get_ipython()
         request = shell.get_parent() if hasattr(shell, "get_parent") else {}
         metadata = request.get("metadata", {})  # JupyterLab sends the cell's, and which cells were deleted

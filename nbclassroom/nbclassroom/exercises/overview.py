@@ -127,7 +127,6 @@ def _time(minutes):
 
 
 def _row(tag, cells):
-    """A row of the table, of cells with this tag."""
     cells = "".join(f'<{tag} style="text-align: left">{cell}</{tag[:2]}>' for cell in cells)
     return f"<tr>{cells}</tr>"
 

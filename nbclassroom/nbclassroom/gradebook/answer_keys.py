@@ -10,11 +10,7 @@ SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same shor
 
 
 class AnswerKeys:
-    """The keys that a folder of submissions is graded with.
-
-    One key per version of a lesson; the first that has a lesson is the default for it, and `lessons` is
-    {name: Lesson of the default key}.
-    """
+    """The first key that has a lesson is its default; `lessons` is {name: Lesson of the default key}."""
 
     def __init__(self, keys):
         self.keys = list(keys)
@@ -35,7 +31,6 @@ class AnswerKeys:
         return {(exercise.id, exercise.function) for version in versions for exercise in version.exercises}
 
     def describe(self, lesson, version):
-        """The Lesson, from the key for this version."""
         return self.key_for(lesson, version).lessons[lesson]
 
     def equal_to_solution(self, lesson, shapes):

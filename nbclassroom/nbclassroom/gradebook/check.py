@@ -10,9 +10,8 @@ from typing import Any
 
 from .. import course
 from ..authoring.lesson_names import notebook_name
-from ..autograder.nbval_plugin import ExerciseRun
+from ..autograder.nbval_plugin import ExerciseRun, PageKernels
 from ..autograder.outcomes import Outcome
-from ..autograder.page_kernels import PageKernels
 from ..autograder.results import GradedExercise, checked_exercise
 from ..autograder.sandbox.fork_server_client import KernelFactory
 from ..exercises import check_files

@@ -33,7 +33,6 @@ _NOT_THERE = "not there"
 _NOT_FILLED = "Not filled: "
 _MAX_LINES = 12  # of a run's summary, before the last lines
 
-
 # What to print after a run; how many submissions were not graded, and pages or tables not written.
 GradingSummary = namedtuple("GradingSummary", ("text", "not_graded", "failed_pages"))
 

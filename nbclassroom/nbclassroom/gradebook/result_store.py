@@ -143,7 +143,6 @@ class RunRules:
         self.kept = [_text_of(name, value) for name, value in before.items() if name not in given]
 
     def keep(self):
-        """Write the rules into the folder of grades."""
         values = {name: value for name, value in self.rules.items() if value}
         write_grades_file(self._path, json.dumps(values, indent=1, default=_plain))
 

@@ -145,7 +145,6 @@ def _written_by_place(cells):
 
 
 def _cell(cell, number, code_left, by_place):
-    """A cell as `read_notebook` describes it."""
     content = {
         "number": number,
         "id": _text(cell, "id") or "",

@@ -42,7 +42,6 @@ class LessonChanges:
 
     @property
     def written(self):
-        """Every file that was written."""
         return [*self.new, *self.updated, *(lesson for _, lesson in self.added_beside)]
 
     def lines(self):

@@ -1,8 +1,7 @@
 """The league: a class's controllers explore secret rooms, and a page for the class ranks them.
 
 In a drive the robot and its score are in a process of the league, the controller in a kernel of the sandbox,
-as in grading. What it says that it found comes out of the kernel. Anybody may have forged it: it is only
-compared.
+as in grading. Anybody may have forged what it says that it found: it is only compared.
 
 The folder of the league holds
 
@@ -30,9 +29,8 @@ from tqdm import tqdm
 
 from nbclassroom import course
 from nbclassroom.autograder.answer_key import read_or_make_seed, require_unguessable
-from nbclassroom.autograder.nbval_plugin import MAX_ANSWER, ExerciseRun
+from nbclassroom.autograder.nbval_plugin import MAX_ANSWER, ExerciseRun, PageKernels
 from nbclassroom.autograder.outcomes import TEXTS, Outcome
-from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.results import checked_exercise
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory

@@ -6,8 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
-from nbclassroom.autograder.nbval_plugin import ExerciseRun
-from nbclassroom.autograder.page_kernels import PageKernels
+from nbclassroom.autograder.nbval_plugin import ExerciseRun, PageKernels
 from nbclassroom.autograder.results import graded_exercises
 from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
 from nbclassroom.exercises.page import page_of

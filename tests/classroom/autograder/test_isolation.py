@@ -6,8 +6,7 @@ from unittest.mock import patch
 
 import pytest
 from attacks import LESSON, SHORT
-from nbclassroom.autograder.nbval_plugin import ExerciseRun
-from nbclassroom.autograder.page_kernels import PageKernels
+from nbclassroom.autograder.nbval_plugin import ExerciseRun, PageKernels
 from nbclassroom.autograder.pool import Limits, SandboxError, autograde
 from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel, KernelFactory
 from nbclassroom.exercises.page import page_of

@@ -4,7 +4,7 @@ from unittest.mock import patch
 
 import pytest
 from attacks import LESSON, SHORT, page_with
-from nbclassroom.autograder.page_kernels import PageKernels
+from nbclassroom.autograder.nbval_plugin import PageKernels
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox import fork_server_client
 from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel, KernelFactory

@@ -14,10 +14,9 @@ from contextlib import suppress
 import psutil
 import pytest
 from nbclassroom.autograder import nbval_process
-from nbclassroom.autograder.nbval_plugin import ExerciseRun
+from nbclassroom.autograder.nbval_plugin import ExerciseRun, PageKernels
 from nbclassroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
 from nbclassroom.autograder.outcomes import TEXTS, Outcome
-from nbclassroom.autograder.page_kernels import PageKernels
 from nbclassroom.autograder.pool import Limits, SandboxError, autograde, grade_one, open_worker_threads
 from nbclassroom.autograder.results import from_json, to_json
 from nbclassroom.autograder.sandbox import bubblewrap

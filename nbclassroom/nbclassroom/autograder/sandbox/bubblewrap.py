@@ -269,9 +269,8 @@ def environment(confined):
         "USER": "learner",
         "PYTHONHASHSEED": "0",
         "OPENCV_LOG_LEVEL": "ERROR",
-        "OPENBLAS_NUM_THREADS": "1",
-        "OMP_NUM_THREADS": "1",
-        "OPENCV_FOR_THREADS_NUM": "1",  # beside its threads no process can be forked
+        # Beside OpenCV's threads no process can be forked.
+        **dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "OPENCV_FOR_THREADS_NUM"), "1"),
         course.VARIABLE: COURSE_FILE if confined else str(course.file()),
         "LD_LIBRARY_PATH": str(mount_point / "lib") if mount_point != Path("/usr") else "",
     }

@@ -423,6 +423,5 @@ class KernelFactory(AbstractContextManager):
         self._spare = None
 
     def __exit__(self, *_error):
-        """End all kernels and the fork server."""
         self._drop_spare()
         self._fork_server.close()

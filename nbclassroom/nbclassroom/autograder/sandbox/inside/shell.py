@@ -95,8 +95,6 @@ def flush():
 
 
 class AnswerPublisher(DisplayPublisher):
-    """Sends what a check cell displays."""
-
     def publish(self, data, metadata=None, source=None, **_ignored):
         WRITER.send_answer(data)
 

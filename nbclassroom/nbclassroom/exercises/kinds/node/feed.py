@@ -225,7 +225,6 @@ def _is_connected(subscription, step):
 
 
 def _message(step, kind):
-    """The message of a step, of the class `kind`."""
     if "fields" in step:
         fields = step["fields"].items()
         return kind(**{name: array.array("f", v) if isinstance(v, list) else v for name, v in fields})
