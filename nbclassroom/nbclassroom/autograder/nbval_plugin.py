@@ -4,8 +4,7 @@ What nbval does: it collects each exercise's notebook, whose stored outputs are 
 sends the cells to what it takes for its kernel, reads the messages that come back, and compares each output
 with the stored one. A wrong answer is a cell that nbval lets fail, and costs its points for that reason.
 What ours does: `ExerciseKernel` takes the place of nbval's kernel and runs the cells in the sandbox; and
-where nbval compares (`stored != shown`), `StoredAnswer` is our comparison, with the case's tolerance. The
-session loop takes submissions from a socket as long as there are any.
+where nbval compares (`stored != shown`), `StoredAnswer` is our comparison, with the case's tolerance.
 """
 
 import ast

@@ -5,12 +5,11 @@ Ada Lovelace_12345_assignsubmission_file; Canvas reads the numbers of the learne
 from a file's name, lovelaceada_77_100_20_light.html. A platform has one maximum per assignment: if an
 exercise is excused, the others' points are scaled to it.
 
-A table that a platform exported is filled so that it can be imported back unchanged. Canvas's export of the
-gradebook has a column for each assignment, Moodle's grading worksheet is of one. Only the points of graded
-lessons are written; every other cell stays as it is, save for an apostrophe before what a spreadsheet would
-take for a formula. A row is matched to a learner by the platform's number, which is part of the names of the
-files that the platform hands out; otherwise by a name (see `roster`). Our own tables are UTF-8 with a byte
-order mark, by which spreadsheets recognize it. No cell begins like a formula, either.
+A table that a platform exported is filled so that it can be imported back unchanged: only the points of
+graded lessons are written; every other cell stays as it is, save for an apostrophe before what a spreadsheet
+would take for a formula. A row is matched to a learner by the platform's number, which is part of the names
+of the files that the platform hands out; otherwise by a name (see `roster`). Our own tables are UTF-8 with a
+byte order mark, by which spreadsheets recognize it. No cell begins like a formula, either.
 """
 
 import csv
@@ -174,7 +173,7 @@ def _graded_lessons(grades):
 
 
 def _lesson_columns(table, grades):
-    """{index of a column: lesson}; Moodle's worksheet has one column of points."""
+    """{index of a column: lesson}; Canvas has one for each assignment, Moodle's worksheet is of one."""
     lessons = lessons_of(grades)
     if not _is_canvas(table):
         return {table.columns.index("Grade"): _lesson_of_worksheet(table, grades, lessons)}

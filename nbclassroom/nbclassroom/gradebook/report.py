@@ -5,9 +5,8 @@ style (by its hash), images drawn by `answer_images`, and nothing else; on the p
 decides, one script of ours, too. The template escapes every text, and characters that a reader would not see
 are made visible before. The checks are HTML already, made so by `autograder.checked_answer`.
 
-The teacher's are review.html, and one page per exercise. It shows each learner's answer as it was graded,
-beside its checks; learners whose answers fail alike follow each other. What is typed there becomes lines for
-decisions.csv, to copy, or saved by `grade --review`.
+The teacher's are review.html, and one page per exercise, with each learner's answer as it was graded beside
+its checks. What is typed there becomes lines for decisions.csv, to copy, or saved by `grade --review`.
 """
 
 import base64

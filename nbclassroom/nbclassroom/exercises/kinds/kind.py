@@ -26,8 +26,6 @@ class Kind:
     graded_by_person = False  # by the lines of a rubric: nothing is run, and no case is declared
     cell_kinds: tuple[str, ...] = ("code",)  # of the cells with the stub and with the solution
 
-    # ---------------------------------------------------------------- declaration
-
     def declaration_rules(self, function, points, rubric):
         """(whether an argument of a declaration is wrong, what is wrong with it) of each rule."""
         is_name = isinstance(function, str) and function.isidentifier()
@@ -68,8 +66,6 @@ class Kind:
     def simulated_seconds(self, exercise):
         """How long a robot drives in all cases."""
         return 0.0
-
-    # ---------------------------------------------------------------- running
 
     def argument_names(self, answer):
         """The names of an answer's arguments; [] if they are not known."""
@@ -117,8 +113,6 @@ class Kind:
     def look_at(self, exercise):
         """What `check` shows of an answer that a person grades; only such a kind defines it."""
         raise NotImplementedError
-
-    # ---------------------------------------------------------------- judging and explaining
 
     def known_mistake(self, exercise, calls):
         """The declared Mistake that explains these calls, or None."""
