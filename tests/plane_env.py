@@ -154,9 +154,9 @@ PARTS = {
         '# %% role="hidden" title="any" points=3\ndef inputs(rng):\n'
         "    return (scenario(rng.integers(9, 99)),)"
     ),
-    "mistake": f'# %% role="mistake" name="late" says="It brakes too late."\n{LATE}',
+    "mistake": f'# %% role="mistake" name="it comes too near" says="It brakes too late."\n{LATE}',
     "second mistake": (
-        '# %% role="mistake" name="slow" says="It is too slow."\n'
+        '# %% role="mistake" name="it is slow" says="It is too slow."\n'
         "def control(observation, memory):\n    return 0.05, 0.0"
     ),
 }

@@ -1,12 +1,18 @@
 """What a robot's drive is judged by: bumps, clearance, ways and times, from the truth."""
 
 import math
+from statistics import fmean
 from typing import Any
+
+from .room_model import BALLS
 
 BALL_DISTANCE, BALL_AFTER = 0.6, 5.0  # metres from the camera to the ball's center, seconds
 PLACE = 0.5  # metres: the size of the cells that `places` counts
 NEAR = 0.2  # metres: what is nearer gets its name
 MOVING = 0.02  # m/s: who is slower stands, and is not judged by what is near
+LOW = ("building blocks", "slippers")  # what the laser scanner does not see
+BESIDE, TURNS = (5.0, 90.0), 0.1  # degrees, rad/s: a ball that is not in the middle, and a robot that turns
+LOOKS = 20.0, 30.0  # degrees on average: a robot that looks at a ball, and one that does not
 
 
 class Metrics:
@@ -16,7 +22,9 @@ class Metrics:
         self._simulation, self._goal, self._answer = simulation, goal, answer
         self._place, self._touching = simulation.place, False
         self._start, self._places = self._place, {cell_of(self._place)}
-        self._ball_errors: list[tuple[float, float]] = []
+        self._gaps: list[float] = []  # to the ball, and degrees from where the robot looks to each ball
+        self._sides: dict[str, list[float]] = {}
+        self._turns: list[bool] = []  # whether it turned away from the ball, where it turned
         self._values: dict[str, Any] = {
             "bumps": 0,
             "clearance": None,
@@ -76,18 +84,42 @@ class Metrics:
         return began
 
     def _note_ball(self, time):
-        if "ball" in self._simulation.movers and time > BALL_AFTER:
-            camera, ball = self._simulation.pose("camera"), self._simulation.pose("ball")
+        camera, sides = self._simulation.pose("camera"), {}
+        for name in filter(self._simulation.movers.__contains__, BALLS):
+            ball = self._simulation.pose(name)
             side = math.atan2(ball[1] - camera[1], ball[0] - camera[0]) - self._place[2]
-            gap = abs(math.dist(camera[:2], ball[:2]) - BALL_DISTANCE)
-            self._ball_errors.append((gap, abs(math.degrees(math.remainder(side, 2 * math.pi)))))
-            gaps, angles = zip(*self._ball_errors, strict=True)
-            self._values["ball_gap"] = math.fsum(gaps) / len(gaps)
-            self._values["ball_angle"] = math.fsum(angles) / len(angles)
+            sides[name] = math.degrees(math.remainder(side, 2 * math.pi))
+        speed = self._simulation.speeds[1]
+        if BESIDE[0] < abs(sides.get(BALLS[0], 0.0)) < BESIDE[1] and abs(speed) > TURNS:
+            self._turns.append(sides[BALLS[0]] * speed < 0)
+        if BALLS[0] in sides and time > BALL_AFTER:
+            self._gaps.append(math.dist(camera[:2], self._simulation.pose(BALLS[0])[:2]) - BALL_DISTANCE)
+            for name, degrees in sides.items():
+                self._sides.setdefault(name, []).append(abs(degrees))
+            self._values["ball_gap"] = fmean(map(abs, self._gaps))
+            self._values["ball_angle"] = fmean(self._sides[BALLS[0]])
+
+    def _remarks(self):
+        """{behaviour: a sentence}, of what only the truth shows."""
+        remarks, ball = {}, BALLS[0]
+        angles = {name: fmean(own) for name, own in self._sides.items()}
+        seen = min(angles, key=angles.__getitem__, default=ball)
+        if seen != ball and angles[seen] < LOOKS[0] < LOOKS[1] < angles[ball]:
+            remarks["another ball"] = f"It looked at the {seen}: {angles[seen]:.0f}° past it, on average."
+        elif len(self._turns) > 2 and all(self._turns[:3]):
+            remarks["it turns away from the ball"] = "When it began to turn, it turned away from the ball."
+        gap, follows = fmean(self._gaps or [0.0]), self._values["distance"] > BALL_DISTANCE
+        if self._values["bumped_into"] == ball:
+            remarks["it is too near"] = ""
+        elif follows and angles.get(ball, 180.0) < LOOKS[1] and abs(gap) > BALL_DISTANCE / 4:
+            text = "too far away" if gap > 0 else "too near"
+            remarks[f"it is {text}"] = f"On average it was {abs(gap):.2f} m {text}."
+        return remarks
 
     def info(self):
         """All metrics, rounded to 1e-4, as RoomEnv names them."""
-        values = self._values.items()
+        low = (self._values["bumped_into"] or self._values["nearest_to"]) in LOW
+        values = (self._values | {"low": low, "remarks": self._remarks()}).items()
         return {name: round(value, 4) if isinstance(value, float) else value for name, value in values}
 
 

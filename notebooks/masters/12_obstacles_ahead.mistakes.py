@@ -207,42 +207,20 @@ class BrakeNode(solution):
 # %% [markdown]
 # # obstacles-drive
 
-# %% role="mistake" name="it turns without an end" says="Your robot turns on the spot and drives hardly at all. Drive on while free_way ahead is long enough."
+# %% role="mistake" name="its speeds are too large" says="Is an angle in degrees? All angles here are in radians. And the linear speed is the first of the two numbers."
 def control(observation, memory):
-    return 0.03, 0.6
+    linear, angular = solution(observation, memory)
+    return linear, math.degrees(angular)
 
-# %% role="mistake" name="the laser scanner alone" says="Your robot drives straight into something low. Does it use the points of the camera? The laser scanner looks over slippers and blocks: obstacles(observation) has both. Or it brakes too late: what is low and nearer than 0.38 m is below the image, so brake at about 0.45 m."
-def control(observation, memory):
-    return solution(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
-
-# %% role="mistake" name="it brakes too late" says="Your robot drives straight into something low. Does it use the points of the camera? The laser scanner looks over slippers and blocks: obstacles(observation) has both. Or it brakes too late: what is low and nearer than 0.38 m is below the image, so brake at about 0.45 m."
-def control(observation, memory):
-    if free_way(obstacles(observation), 0.0, 0.40) < 0.08:
-        return 0.0, 0.8
-    return 0.3, 0.0
-
-# %% role="mistake" name="it only brakes" says="Your robot stops in time, but then it stands. Turn to a direction in which free_way is long, and drive on."
-def control(observation, memory):
-    if free_way(obstacles(observation), 0.0) < 0.45:
-        return 0.0, 0.0
-    return 0.3, 0.0
-
-# %% role="mistake" name="it does not look for its goal" says="Your robot turns left while the way is blocked, and then drives straight on, wherever that leads. Compute the direction of the goal from the odometry, and turn back to it when the way there is free."
-def control(observation, memory):
-    if free_way(obstacles(observation), 0.0) < 0.45:
-        return 0.0, 0.8
-    return 0.3, 0.0
-
-# %% role="mistake" name="it forgets" says="Your robot turns away from something low, then the camera does not see it any more, and the robot turns back to it. Store the points of all looks in memory, in the frame of the odometry."
-def control(observation, memory):
-    memory.pop("known", None)
-    return solution(observation, memory)
-
-# %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use the observation."
+# %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use the observation: things stand at other places each time."
 def control(observation, memory):
     return 0.25, 0.3
 
-# %% role="mistake" name="it stands at the goal" says="Your robot reaches the goal, and stays there. Choose another goal in a direction in which free_way is long, and drive on."
+# %% role="mistake" name="something low" says="Does it use the points of the camera? obstacles(observation) has both. Does it remember them, in the frame of the odometry? The camera sees nothing that is beside the robot, or nearer than 0.38 m. And does it stop 0.45 m before what is low?"
+def control(observation, memory):
+    return solution(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
+
+# %% role="mistake" name="it stands at the goal" says="Do not stop there: choose another goal in a direction in which free_way is long, and drive on."
 def control(observation, memory):
     x, y, _ = observation["odometry"]
     if memory.setdefault("stands", False) or math.dist((x, y), (2.2, 0.0)) < 0.4:
@@ -250,12 +228,21 @@ def control(observation, memory):
         return 0.0, 0.0
     return solution(observation, memory)
 
-# %% role="mistake" name="the same detour in each room" says="Your robot drives the same way in each room, whatever it sees. Use the observation: things stand at other places each time."
+# %% role="mistake" name="it stands" says="If the way ahead is not free, turn to a direction in which free_way is long, and drive on."
 def control(observation, memory):
-    x, y, yaw = observation["odometry"]
-    if memory.setdefault("is_there", False) or math.dist((x, y), (2.2, 0.0)) < 0.4:
-        memory["is_there"] = True
-        return 0.25, 0.3
-    aim = (1.1, 0.8) if x < 1.0 else (2.2, 0.0)
-    error = math.remainder(math.atan2(aim[1] - y, aim[0] - x) - yaw, 2 * math.pi)
-    return (0.3 if abs(error) < 0.2 else 0.0), 2 * error
+    if free_way(obstacles(observation), 0.0) < 0.45:
+        return 0.0, 0.0
+    return 0.3, 0.0
+
+# %% role="mistake" name="it turns on the spot" says="Drive on while free_way ahead is long enough. A direction that you stored is in the frame of the odometry: turn by the direction minus the yaw, wrapped. Points of earlier looks are in that frame, too: turn them back before you ask free_way."
+def control(observation, memory):
+    return 0.03, 0.6
+
+# %% role="mistake" name="it turns left and right" says="Three causes are usual: it forgets what it saw and decided (store the points of all looks, and the aim, in memory), the sign of the angular speed is wrong (a direction on the left is positive), or an angle is in degrees."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return linear, -angular
+
+# %% role="mistake" name="it comes too near" says="Is the corridor as wide as the robot with 0.2 m on each side (free_way: 0.64 m)? Does it stand while it turns to a new direction? And does it stop 0.45 m before what is in its way?"
+def control(observation, memory):
+    return 0.3, solution(observation, memory)[1]

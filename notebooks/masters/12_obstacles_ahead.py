@@ -998,37 +998,37 @@ def control(observation, memory):
 # %% role="check" tags=["long"]
 check("obstacles-drive", control)
 
-# %% role="case" title="a way on the left" points=1 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
+# %% role="case" title="a way on the left" points=1
 def inputs(rng):
     return (past_something_low(rng, "left"),)
 
 
-# %% role="case" title="a way on the right" points=1 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
+# %% role="case" title="a way on the right" points=1
 def inputs(rng):
     return (past_something_low(rng, "right"),)
 
 
-# %% role="case" title="a way that begins beside the goal" points=1 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
+# %% role="case" title="a way that begins beside the goal" points=1
 def inputs(rng):
     return (past_something_low(rng, "beside"),)
 
 
-# %% role="hidden" title="an unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
+# %% role="hidden" title="an unseen room" points=2
 def inputs(rng):
     return (past_something_low(rng),)
 
 
-# %% role="hidden" title="a second unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
+# %% role="hidden" title="a second unseen room" points=2
 def inputs(rng):
     return (past_something_low(rng),)
 
 
-# %% role="hidden" title="a third unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
+# %% role="hidden" title="a third unseen room" points=2
 def inputs(rng):
     return (past_something_low(rng),)
 
 
-# %% role="hidden" title="a fourth unseen room" points=2 hint="The camera sees nothing that is beside the robot, or nearer than 0.38 m: remember what it saw before."
+# %% role="hidden" title="a fourth unseen room" points=2
 def inputs(rng):
     return (past_something_low(rng),)
 

@@ -144,7 +144,7 @@ def update(state, covariance, measurement, H, R):
 # %% [markdown]
 # # tracking-drive
 
-# %% role="mistake" name="the largest red spot" says="Your robot follows the largest red spot: a ball that lies still. Stand for half a second, and take the ball that moves."
+# %% role="mistake" name="another ball" says="Stand for half a second, then take the spot that has moved, and store it in memory: memory[\"ball\"] = ... stays, memory = {...} is forgotten after the call. From then on, take only spots near the column where you predict it."
 def control(observation, memory):
     spots = [(max(width, height), col + width / 2)
              for col, row, width, height in red_spots(observation["image"])]
@@ -154,19 +154,30 @@ def control(observation, memory):
     linear = 1.2 * (176.25 * 0.22 / size - 0.6)
     return min(max(linear, -0.3), 0.3), min(max(2 * (160 - middle) / 176.25, -1.0), 1.0)
 
-# %% role="mistake" name="no distance" says="Your robot follows the ball at one speed, whatever the distance is, and pushes it. Drive in proportion to the distance minus 0.6."
+# %% role="mistake" name="it stands" says="Does your function return 0, 0 when it does not find the ball? Then turn to where you predict it: its column is moved by the robot's own turn."
 def control(observation, memory):
-    return 0.2, solution(observation, memory)[1]
+    linear, angular = solution(observation, memory)
+    return (linear, angular) if observation["time"] < 1.2 else (0.0, 0.0)
 
-# %% role="mistake" name="it only turns" says="Your robot turns to the ball, but does not follow it. Let it drive in proportion to the distance minus 0.6."
+# %% role="mistake" name="it turns on the spot" says="Drive in proportion to the distance minus 0.6, and turn in proportion to 160 minus the column of the ball."
 def control(observation, memory):
-    return 0.0, solution(observation, memory)[1]
+    return 0.03, 0.6
 
-# %% role="mistake" name="the other side" says="Your robot turns away from the ball. If the ball is on the left, its column is smaller than 160, and the angular speed must be positive."
+# %% role="mistake" name="it drives in circles" says="It lost the ball. When the robot turns to the left, all spots move to the right: add 17.6 times the angular speed to the column where you look for the ball. Is the angular speed in radians, and in proportion to 160 minus the column, divided by 176.25?"
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return 0.3, 1.5
+
+# %% role="mistake" name="it turns away from the ball" says="If the ball is on the left, its column is smaller than 160, and the angular speed must be positive."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, -angular
 
-# %% role="mistake" name="it turns without an end" says="Your robot only turns, and never drives. Use the column of the ball."
+# %% role="mistake" name="it is too near" says="Drive in proportion to the distance minus 0.6, backward too. In this image the focal length is 176.25 pixels, and the ball is 0.22 m wide."
 def control(observation, memory):
-    return 0.03, 0.6
+    return 0.2, solution(observation, memory)[1]
+
+# %% role="mistake" name="it is too far away" says="Drive in proportion to the distance minus 0.6. In this image the focal length is 176.25 pixels, and the ball is 0.22 m wide."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return 0.4 * linear, angular

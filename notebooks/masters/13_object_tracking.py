@@ -1094,37 +1094,37 @@ def control(observation, memory):
 # %% role="check" tags=["long"]
 check("tracking-drive", control)
 
-# %% role="case" title="one of three balls rolls away" points=1 hint="Which of the spots has moved while the robot stood?"
+# %% role="case" title="one of three balls rolls away" points=1
 def inputs(rng):
     return (one_of_three_balls(rng),)
 
 
-# %% role="case" title="another way" points=1 hint="Does the robot still look at the ball that rolled, when another one is in the image?"
+# %% role="case" title="another way" points=1
 def inputs(rng):
     return (one_of_three_balls(rng),)
 
 
-# %% role="case" title="a third way" points=1 hint="Does the robot keep 0.6 m when the ball stands?"
+# %% role="case" title="a third way" points=1
 def inputs(rng):
     return (one_of_three_balls(rng),)
 
 
-# %% role="hidden" title="an unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
+# %% role="hidden" title="an unseen way" points=2
 def inputs(rng):
     return (one_of_three_balls(rng),)
 
 
-# %% role="hidden" title="a second unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
+# %% role="hidden" title="a second unseen way" points=2
 def inputs(rng):
     return (one_of_three_balls(rng),)
 
 
-# %% role="hidden" title="a third unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
+# %% role="hidden" title="a third unseen way" points=2
 def inputs(rng):
     return (one_of_three_balls(rng),)
 
 
-# %% role="hidden" title="a fourth unseen way" points=2 hint="Look at the map and at the images: where did the robot lose the ball?"
+# %% role="hidden" title="a fourth unseen way" points=2
 def inputs(rng):
     return (one_of_three_balls(rng),)
 

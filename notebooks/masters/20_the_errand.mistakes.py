@@ -298,48 +298,51 @@ def believe(readings, names, votes):
 # %% [markdown]
 # # errand-drive
 
-# %% role="mistake" name="it stays at the sign" says="Your robot reads the sign, but does not come back. Drive to (0, 0) of the odometry; the direction is math.atan2(-y, -x), less the yaw."
+# %% role="mistake" name="it stands" says="Did it read the word, and stay there? Then drive back to (0, 0) of the odometry: the direction is math.atan2(-y, -x), less the yaw."
 def control(observation, memory):
     speeds = solution(observation, memory)
     return speeds if memory["task"] == "go" else (0.0, 0.0)
 
-# %% role="mistake" name="it does not answer" says="Your robot comes back, but looks in a wrong direction at the end. Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
-def control(observation, memory):
-    speeds = solution(observation, memory)
-    if "yaw" in memory:
-        memory["yaw"] = memory["seen"]  # it looks at the sign itself
-    return speeds
-
-# %% role="mistake" name="it turns without an end" says="Your robot only turns, and never drives. Drive to the sign when find_sign sees it."
+# %% role="mistake" name="it turns on the spot" says="When find_sign sees the sign, turn in proportion to its angle, and drive. A direction that you stored, less the yaw, must be wrapped."
 def control(observation, memory):
     return 0.03, 0.6
 
-# %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use find_sign and the odometry."
+# %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use find_sign and the odometry."
 def control(observation, memory):
     return 0.25, 0.3
 
 # %% [markdown]
 # # errand-explore
 
-# %% role="mistake" name="it turns without an end" says="Your robot turns on the spot and drives hardly at all. Drive on while way_before ahead is long enough."
-def control(observation, memory):
-    return 0.03, 0.6
-
-# %% role="mistake" name="a blind circle" says="Your robot drives in a circle, whatever it sees. Use the observation."
+# %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use the observation: things stand at other places each time."
 def control(observation, memory):
     return 0.25, 0.3
 
-# %% role="mistake" name="the laser scanner alone" says="Your robot drives into something low. Use the points of the camera, too: remembered(observation, memory) has both, and remembers them: what is low and near is below the image."
+# %% role="mistake" name="something low" says="Does it use the points of the camera? remembered(observation, memory) has both, and remembers them: what is low and near is below the image."
 def control(observation, memory):
     return solution(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
 
-# %% role="mistake" name="it only brakes" says="Your robot stops in time, but then it stands. Choose another direction, and drive on."
+# %% role="mistake" name="it stands" says="Choose another direction, and drive on."
 def control(observation, memory):
     if way_before(obstacles(observation), 0.0) < 0.45:
         return 0.0, 0.0
     return 0.3, 0.0
 
-# %% role="mistake" name="it takes the longest way" says="Your robot takes the longest free way, and drives to and fro over the same cells. Choose the way with the most new ones, by count_new."
+# %% role="mistake" name="it turns on the spot" says="Drive on while way_before ahead is long enough. A heading that you stored is in the frame of the odometry: turn by the heading minus the yaw, wrapped."
+def control(observation, memory):
+    return 0.03, 0.6
+
+# %% role="mistake" name="it turns left and right" says="Does each call choose again? Store the heading in memory, and choose a new one when the way is not free, or after a metre. And a direction on the left is positive."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return linear, -angular
+
+# %% role="mistake" name="it is slow" says="The time is over before it comes to 20 places."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return min(linear, 0.1), angular
+
+# %% role="mistake" name="it drives to the same places again" says="Choose the way with the most new cells, by count_new."
 def control(observation, memory):
     yaw, points = observation["odometry"][2], remembered(observation, memory)
     error = math.remainder(memory.setdefault("heading", yaw) - yaw, 2 * math.pi)
@@ -351,3 +354,7 @@ def control(observation, memory):
     ways = [min(way_before(points, direction, 0.64), 3.0) - 0.1 * abs(direction) for direction in directions]
     memory["heading"] = yaw + float(directions[np.argmax(ways)])
     return 0.0, 0.0
+
+# %% role="mistake" name="it comes too near" says="Is the corridor of way_before as wide as the robot with room on each side? Does it stand while it turns to a new heading? And does it stop 0.45 m before what is in its way?"
+def control(observation, memory):
+    return 0.3, solution(observation, memory)[1]

@@ -1169,32 +1169,32 @@ def control(observation, memory):
 # %% role="check" tags=["long"]
 check("errand-drive", control)
 
-# %% role="case" title="a sign" points=1 hint="Does the robot turn until it sees the sign?"
+# %% role="case" title="a sign" points=1
 def inputs(rng):
     return (far_from_a_sign(rng, 35.0),)
 
 
-# %% role="case" title="another sign" points=1 hint="Is the robot near its start again, at the end?"
+# %% role="case" title="another sign" points=1
 def inputs(rng):
     return (far_from_a_sign(rng, 35.0),)
 
 
-# %% role="case" title="a third sign" points=1 hint="Is the answer counted from the direction of the sign, to the left?"
+# %% role="case" title="a third sign" points=1
 def inputs(rng):
     return (far_from_a_sign(rng, 35.0),)
 
 
-# %% role="hidden" title="an unseen sign" points=3 hint="Look at the map and at the images: which task did not end?"
+# %% role="hidden" title="an unseen sign" points=3
 def inputs(rng):
     return (far_from_a_sign(rng, 40.0),)
 
 
-# %% role="hidden" title="a second unseen sign" points=3 hint="Look at the map and at the images: which task did not end?"
+# %% role="hidden" title="a second unseen sign" points=3
 def inputs(rng):
     return (far_from_a_sign(rng, 40.0),)
 
 
-# %% role="hidden" title="a third unseen sign" points=3 hint="Look at the map and at the images: which task did not end?"
+# %% role="hidden" title="a third unseen sign" points=3
 def inputs(rng):
     return (far_from_a_sign(rng, 40.0),)
 

@@ -234,6 +234,34 @@ def test_what_moves_counts_as_a_bump_but_not_for_the_clearance():
     env.close()
 
 
+@pytest.mark.parametrize(
+    ("balls", "speeds", "remarks"),
+    [
+        ([(1.1, 0.0)], (0.08, 0.0), {"it is too near": "On average it was 0.23 m too near."}),
+        ([(2.5, 0.0)], (0.08, 0.0), {"it is too far away": "On average it was 1.17 m too far away."}),
+        ([(1.0, 0.0)], (0.25, 0.0), {"it is too near": ""}),
+        (
+            [(1.0, 0.6), (1.5, 0.0)],
+            (0.0, 0.0),
+            {"another ball": "It looked at the second ball: 0° past it, on average."},
+        ),
+        (
+            [(1.5, 0.5)],
+            (0.0, -0.3),
+            {"it turns away from the ball": "When it began to turn, it turned away from the ball."},
+        ),
+        ([(1.5, 0.5)], (0.0, 0.05), {}),
+    ],
+)
+def test_what_only_the_truth_shows_of_a_ball_is_remarked(balls, speeds, remarks):
+    env = RoomEnv(())
+    env.reset(seed=0, options={"start": FREE, "balls": [[x, y, 0.0, 0.0] for x, y in balls], "duration": 8.0})
+    for _ in range(80):
+        *_, info = env.step(speeds)
+    assert info["remarks"] == remarks and not info["low"]
+    env.close()
+
+
 def test_who_stands_is_not_judged_by_the_clearance():
     env = RoomEnv(())
     env.reset(seed=0, options={"start": FREE, "movers": ["person"]})

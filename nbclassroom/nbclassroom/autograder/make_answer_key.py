@@ -169,7 +169,7 @@ class _Solutions:
     def _solve(self, exercise, case):
         """The ExpectedCalls of a case, of what the solution's check cell shows in such a kernel."""
         if case.id in self._drawn:
-            return self._drawn[case.id][0]
+            return self._drawn[case.id]
         drawn = exercise.arguments(case, self._seed)
         about = f"{exercise.master.name}, {case.id}: the solution"
         try:
@@ -196,9 +196,6 @@ class _Solutions:
         return map(ExpectedCall, drawn, calls)
 
     def _results_of(self, exercise, mistake, cases):
-        if self._drawn:
-            drawn = {case.id: self._drawn[case.id][1] for case in cases}
-            return {id: results[mistake.name] for id, results in drawn.items() if mistake.name in results}
         results = {case.id: exercise.results_of_mistake(mistake, case) for case in cases}
         # As a check cell would show them: answers are compared with them.
         return {id: read_calls(map(call_to_json, calls)) for id, calls in results.items()}

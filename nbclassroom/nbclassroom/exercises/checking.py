@@ -96,10 +96,10 @@ def run_cases(
 def run_mistake(exercise: Exercise, mistake: Mistake) -> CheckResult:
     """The CheckResult of a declared mistake of an Exercise on its public cases."""
     data = check_data_of(exercise)
-    for one, case in product(data.mistakes, data.cases):
+    for one, case in product(data.mistakes, data.cases if data.kind.expects_values else ()):
         one.results[case.id]  # computed here: below, the comparison with all of them has few seconds
-    calls = data.kind.run_mistake(data, mistake)
-    return _judge_calls(data, exercise.function_of_mistake(mistake), calls)
+    wrong_function = exercise.function_of_mistake(mistake)
+    return _judge_calls(data, wrong_function, data.kind.run_cases(data, wrong_function))
 
 
 def run_check(exercise, function, progress=None, *, searches=True):

@@ -119,7 +119,7 @@ def _advice(result, call, graded):
     elif call.result.error:
         yield kind.advice_on_error(result.exercise, call.result)
     yield result.one_change
-    if call.difference is None or call.result.changed or kind.explains_enough(call):
+    if call.difference is None or call.result.changed or kind.explains_enough:
         return
     diagnosis = result.diagnosis
     yield diagnosis.text

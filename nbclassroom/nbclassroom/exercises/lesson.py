@@ -240,8 +240,9 @@ class MistakeResults(dict):
         return any(case.id == case_id for case in self._about[2])
 
     def __missing__(self, case_id):
-        self.update(self._about[0].kind.results_of_mistake(*self._about, case_id))
-        return self[case_id]
+        exercise, mistake, cases = self._about
+        case = next(case for case in cases if case.id == case_id)
+        return self.setdefault(case_id, exercise.results_of_mistake(mistake, case))
 
 
 def with_results(exercise, cases, solve, results_of):
@@ -257,8 +258,11 @@ def with_results(exercise, cases, solve, results_of):
     unheeded = unused_arguments(exercise.solution, exercise.function)
     exercise = replace(exercise, names=tuple(names), provided=tuple(provided), unheeded=unheeded)
     cases = tuple(replace(case, calls=tuple(solve(exercise, case))) for case in cases)
+    exercise = replace(exercise, cases=cases)
+    if not exercise.kind.expects_values:
+        return exercise
     mistakes = [replace(one, results=results_of(exercise, one, cases)) for one in exercise.mistakes]
-    return replace(exercise, cases=cases, mistakes=tuple(mistakes))
+    return replace(exercise, mistakes=tuple(mistakes))
 
 
 # Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.

@@ -82,6 +82,9 @@ def _remarks_on_function(tree):
         yield STUB_LINE
     if any(isinstance(statement, ast.Return) for statement in tree.body[:-1]):
         yield SAYS["lines that never run"].format(name=f"{tree.name}()")
+    assigned = [ast.unparse(node.targets[0]) for node in ast.walk(tree) if isinstance(node, ast.Assign)]
+    if "memory" in assigned and any(argument.arg == "memory" for argument in tree.args.args):
+        yield SAYS["another memory"]
     slips = ((_slip(node), node) for node in ast.walk(tree))
     yield from (SAYS[slip].format(code=ast.unparse(node)) for slip, node in slips if slip)
 

@@ -1,19 +1,13 @@
 """A drive in a scenario: what a learner's two numbers do, what it gives, and what is said about it."""
 
 import json
+import math
 
 import numpy as np
 import pytest
-from nbclassroom.exercises.kinds.drive.drive import (
-    Drive,
-    decisive_moment,
-    metric_text,
-    passes,
-    question_of,
-    sentences_of,
-    speeds_of,
-)
+from nbclassroom.exercises.kinds.drive.drive import Drive, decisive_moment, metric_text, passes, speeds_of
 from nbclassroom.exercises.kinds.drive.scenario import read_scenario
+from nbclassroom.exercises.kinds.drive.sentences import behaviours, drives_alike, question_of, sentences_of
 from plane_env import PlaneEnv, driving_on_a_plane
 
 SCENARIO = {
@@ -31,11 +25,11 @@ def on_a_plane():
 
 
 def driven(speeds, **changes):
-    """The record of a drive at constant speeds, and its scenario."""
+    """The record of a drive at constant speeds, or at those of a function of time, and its scenario."""
     scenario = SCENARIO | changes
     drive = Drive(PlaneEnv(("scan", "odometry")), scenario)
     while not drive.over:
-        drive.act(speeds)
+        drive.act(speeds(drive.steps / 10) if callable(speeds) else speeds)
     return drive.record(), scenario
 
 
@@ -108,6 +102,7 @@ def test_the_first_metric_that_is_missed_asks_a_question_but_not_after_a_bump():
         operator, limit = metrics.get(name, [">=", 10])
         missing = [[name, value, operator, limit]]
         record = {"ended": "", "steps": 30, "bumps": [], "missed": missing, "actions": [[0.01, -0.05]]}
+        record |= {"path": [[0, 0, 0]] * 2, "limits": [0.3, 1.57], "metrics": {"distance": 0, "places": 1}}
         over = question_of(record | {"actions": [[0.3, 0.0], [0.0, -0.4]]})
         assert over.startswith("The time was over") == (name in ("answer_error", "home"))
         questions[name] = sentences_of(record, SCENARIO)[1:]
@@ -130,6 +125,63 @@ def test_a_metric_that_looks_like_its_limit_has_more_digits():
     cases = [("clearance", 0.0799), ("clearance", 0.076), ("clearance", 0.08), ("clearance", 0.3)]
     assert [metric_text(*case, 0.08) for case in cases] == ["0.0799 m", "0.076 m", "0.08 m", "0.30 m"]
     assert [metric_text("ball_angle", 15.3, limit) for limit in (15, 20)] == ["15.3°", "15°"]
+
+
+@pytest.mark.parametrize(
+    ("speeds", "behaviour", "sentence"),
+    [
+        ((0.1, 90.0), "its speeds are too large", "returned up to 90 rad/s; the robot can do 1.57 rad/s."),
+        ((0.0, 0.05), "it stands", "From 0.0 s to the end the robot stood: the function returned no speed."),
+        (
+            (0.0, 0.6),
+            "it turns on the spot",
+            "0.0 s to the end the robot turned on the spot, 1.9 times round.",
+        ),
+        ((0.0, 0.2), "it stays in one place", "From 0.0 s to the end the robot stayed in one place."),
+        (
+            lambda t: (0.3 * (t < 4), math.copysign(1, t % 4 - 2)),
+            "it turns left and right",
+            "From 3.0 s to the end the robot stayed in one place, and turned left and right by turns: 8 times.",
+        ),
+        ((0.3, 1.5), "it drives in circles", "In all, the robot turned 5 times round to the left."),
+        ((0.3, -1.5), "it drives in circles", "In all, the robot turned 5 times round to the right."),
+        ((0.1, 0.0), "it is slow", "The robot never drove faster than 0.10 m/s; it can drive with 0.3 m/s."),
+        (
+            lambda t: (math.copysign(0.3, 3 - t % 6), 0.0),
+            "it drives to the same places again",
+            "The robot drove 6.0 m, and came to 3 places: often to the same ones again.",
+        ),
+    ],
+)
+def test_a_drive_shows_how_its_controller_behaves(speeds, behaviour, sentence):
+    record, scenario = driven(speeds, duration=20.0, thresholds={"places": [">=", 9]})
+    (name, text), *_ = behaviours(record, scenario).items()
+    assert name == behaviour and text.endswith(sentence) and text in sentences_of(record, scenario)
+    assert behaviours(record | {"missed": []}, scenario) == {}
+
+
+def test_behaviours_depend_on_goal_bump_and_height():
+    record, scenario = driven((0.0, 0.0), duration=9.0, goal=(0.5, 0.0, 0.3))
+    assert [*behaviours(record, scenario)] == ["it stands at the goal"]
+    assert "stood, at the goal: the function" in sentences_of(record, scenario)[-1]
+    record, scenario = driven((0.3, 0.0), room=10)
+    assert [*behaviours(record, scenario)] == ["it comes too near"]
+    record["metrics"] |= {"low": True, "remarks": {"another ball": "It looked at the third ball."}}
+    assert [*behaviours(record, scenario)] == ["another ball", "something low", "it comes too near"]
+    record, scenario = driven((0.3, 0.5), room=5)
+    text = "at 1.1 s, while it drove with 0.30 m/s and turned to the left with 0.50 rad/s."
+    assert sentences_of(record, scenario)[0].endswith(text)
+
+
+def test_drives_are_alike_if_their_speeds_or_their_paths_are():
+    (straight, _), (other, _) = driven((0.3, 0.0)), driven((0.3, 0.0), room=10)
+    turned, _ = driven((0.3, 0.0), start=(0.0, 0.0, 3.0))
+    late, _ = driven(lambda t: (0.3, 0.0 if t < 2.5 else 0.1))
+    curve, _ = driven((0.3, 0.6))
+    alike = [drives_alike([straight, one]) for one in (other, turned, late, curve)]
+    assert alike == [True, True, True, False] and not drives_alike([straight])
+    still = [driven((0.0, 0.5), room=room)[0] for room in (10, 20)]
+    assert not drives_alike(still)
 
 
 def test_speeds_beyond_the_robots_limits_are_cut():

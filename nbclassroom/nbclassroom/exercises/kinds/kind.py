@@ -19,7 +19,8 @@ class Kind:
     expects_values = True  # whether what the solution gives is expected; else thresholds judge
     shares_kernel = True  # whether checks run one after another in one process
     shows_values = False  # whether its values are shown, explained, and searched for one change
-    has_sentences = False  # for what differs, so that hints and declared mistakes are not needed
+    has_sentences = False  # for what differs, so that declared mistakes are not needed
+    explains_enough = False  # of a call that returned, so that hints are not needed
     refuses_parts = False  # whether its check does not know all that an answer may use
     shows_last_prints = False  # of what an answer printed, not the first ones
     not_attempted = "not attempted yet"
@@ -94,16 +95,8 @@ class Kind:
         """The CaseCalls of an answer in an exercise's cases."""
         raise NotImplementedError
 
-    def run_mistake(self, exercise, mistake):
-        """The CaseCalls of a declared mistake."""
-        return self.run_cases(exercise, exercise.function_of_mistake(mistake))
-
-    def results_of_mistake(self, exercise, mistake, cases, case_id):
-        """{id of a case: CallResults} of a declared mistake, at least of the case `case_id`."""
-        raise NotImplementedError
-
     def draw_for_key(self, exercise, seed, run_solution):
-        """{id of a case: (its ExpectedCalls, {mistake: CallResults})} in a key; those left out are run."""
+        """{id of a case: its ExpectedCalls} in a key; those left out are run."""
         return {}
 
     def seconds_for_key(self, exercise):
@@ -128,10 +121,6 @@ class Kind:
 
         about = (result.error, result.message, result.line, exercise.names)
         return advice_on(*about, exercise.function, result.closest)
-
-    def explains_enough(self, call):
-        """Whether `explain` says all that is known of a call that returned."""
-        return self.has_sentences
 
     def common_failure(self, exercise, calls):
         """What went wrong in the same way in all calls, "" if nothing did."""

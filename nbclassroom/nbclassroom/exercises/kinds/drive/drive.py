@@ -18,7 +18,6 @@ from pathlib import Path
 import numpy as np
 
 from nbclassroom import course
-from nbclassroom.exercises.canonical import canonical
 
 STEP = 0.1  # seconds from one observation to the next
 STEP_SECONDS = 0.5  # how long one call of `control` may take
@@ -28,15 +27,12 @@ _MOST_MEMORY = 1_000_000_000  # bytes by which this process may grow
 SLOW = f"takes longer than {MEAN_STEP_SECONDS} s for a step on average: do less in each call, do not sleep"
 SLOW += ", or keep results in memory"
 LARGE = "takes more than 1 GB of memory: keep only what later steps need"
-PLACE_PERIOD = 5  # steps between two places of a path that is stored or compared
-PATH_TOLERANCE = 0.1  # metres: so near to each other are the paths of two drives that do the same
 SENSORS = ("scan", "depth", "image", "odometry")
 DURATION = 40.0  # seconds, of a scenario that does not say it
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _REPR = reprlib.Repr()
 _REPR.maxother = 80  # characters: an address is not cut
 COUNTS = {"<=": ("≤", "at most"), ">=": ("≥", "at least")}
-_MOVING = 0.02, 0.1  # m/s, rad/s: a robot with less of both has come to its end
 _EXPECTED = "expected two numbers, (linear, angular)"
 
 
@@ -161,7 +157,8 @@ class Drive:
         bumps     [step, x, y] of each bump
         missed    [metric, value, operator, limit] of each threshold that is not kept
         decisive  the step of the `decisive_moment`
-        actions   [linear, angular] of each step
+        actions   [linear, angular] of each step, as `control` returned them
+        limits    the largest [linear, angular] of the robot
         """
         env = self._env.unwrapped
         record = {
@@ -178,6 +175,7 @@ class Drive:
                 if not _is_kept(self._info[name], *limit)
             ],
             "actions": [list(speeds) for speeds in self._actions],
+            "limits": [round(float(most), 4) for most in self._env.action_space.high],
         }
         steps = {"the nearest place": self._decisive, "the end": self.steps}
         step = steps.get(decisive_moment(record))
@@ -232,13 +230,6 @@ def _memory():
         return 0
 
 
-def form_of(record):
-    """What is compared of a drive: its path in short, and which thresholds it missed."""
-    path = np.array(record["path"])[::PLACE_PERIOD, :2].astype(np.float32)
-    missed = sorted(metric for metric, *_ in record["missed"])
-    return canonical({"path": path, "missed": missed}, limit=None)
-
-
 def decisive_moment(record):
     """What texts call the moment of a drive that is shown: "the bump", "the nearest place" or "the end"."""
     missed = {name for name, *_ in record["missed"]}
@@ -284,44 +275,3 @@ def speeds_of(value):
 def _text_of(value):
     """A returned value in a line, without addresses, which differ from run to run."""
     return _ADDRESS.sub("0x…", " ".join(_REPR.repr(value).split()))
-
-
-def sentences_of(record, scenario):
-    """What went wrong in a drive, as a list of sentences; empty if it passes."""
-    if record["ended"]:
-        reason = record["ended"].rstrip(".")
-        return [f"The drive ended after {record['steps'] * STEP:.1f} s: {reason}."]
-    if record["steps"] < steps_of(scenario):
-        return ["The drive did not come to its end."]
-    names = {name for name, *_ in record["missed"]}
-    sentences = [
-        _sentence(record, *missed)
-        for missed in record["missed"]
-        if missed[0] != "clearance" or "bumps" not in names  # a bump says it
-    ]
-    return [*sentences, question] if (question := question_of(record)) else sentences
-
-
-def question_of(record):
-    """A question about the first metric that a drive missed, if there is one; after a bump, none."""
-    name = record["missed"][0][0] if record["missed"] and not record["bumps"] else "bumps"
-    moves = any(abs(speed) > least for speed, least in zip(record["actions"][-1], _MOVING, strict=True))
-    if name in ("reach", "home", "answer_error") and moves:
-        return "The time was over while it still drove or turned: what did it search, or wait for?"
-    return METRICS[name].question
-
-
-def _sentence(record, name, value, operator, limit):
-    if value is None:
-        return "The robot did not reach the goal." if name == "goal_time" else "The robot never drove."
-    asked = f"the task asks for {COUNTS[operator][1]} {metric_text(name, limit)}."
-    if name == "bumps" and record["bumps"]:
-        obstacle = record["metrics"].get("bumped_into") or "something"
-        text = f"The robot bumped into the {obstacle} at {record['bumps'][0][0] * STEP:.1f} s"
-        text += f", and bumped {value} times in all" if value > 1 else ""
-        return f"{text}; {asked}" if limit else f"{text}."
-    text = METRICS[name].sentence.format(metric_text(name, value, limit))
-    if name == "clearance":
-        thing = record["metrics"].get("nearest_to")
-        text += f" to {f'the {thing}' if thing else 'what stands still'} at {record['decisive'] * STEP:.1f} s"
-    return f"{text}; {asked}"

@@ -21,13 +21,12 @@ from .drive import (
     STEP_SECONDS,
     Drive,
     environment,
-    form_of,
     metric_text,
     passes,
     seconds_of,
-    sentences_of,
     steps_of,
 )
+from .sentences import sentences_of
 
 _LONGEST = 2_000  # characters of a text from a kernel
 
@@ -126,7 +125,7 @@ class DriveVerdict:
         return ", ".join(f"{METRICS[name].title} {metric_text(name, values[name])}" for name in names)
 
     def case_calls(self, exercise, case):
-        return [case_call(case, self.record, self.call or CallResult(value=form_of(self.record)))]
+        return [case_call(case, self.record, self.call or CallResult())]
 
 
 def case_call(case, record, result):

@@ -1,32 +1,14 @@
 """What is particular about controllers, `control(observation, memory)`."""
 
-import json
 import re
-from dataclasses import replace
-from functools import lru_cache
-
-import numpy as np
 
 from .... import course
-from ...canonical import array_of
 from ..kind import Kind as AnyKind
-from .drive import (
-    COUNTS,
-    METRICS,
-    PATH_TOLERANCE,
-    PLACE_PERIOD,
-    SENSORS,
-    SLOW,
-    STEP,
-    metric_text,
-    question_of,
-    seconds_of,
-    sentences_of,
-    steps_of,
-)
+from .drive import COUNTS, METRICS, SENSORS, STEP, metric_text, seconds_of, steps_of
+from .sentences import behaviours, drives_alike, sentences_of
 
 _CHECK = "from nbclassroom.autograder.sandbox.inside.drive_cell import drive\n\ndrive({function})"
-_SECONDS_PER_DRIVE = 1.5  # of the solution or a mistake, while a key is made, two exercises at a time
+_SECONDS_PER_DRIVE = 1.5  # while a key is made, two exercises at a time
 
 
 class Kind(AnyKind):
@@ -36,14 +18,11 @@ class Kind(AnyKind):
     kernel_modules = ("drive",)
     sensors = SENSORS
     expects_values = shares_kernel = False
-    shows_last_prints = True
+    shows_last_prints = explains_enough = True
     not_attempted = "not attempted yet; the function drives as you got it"
 
     def modules(self):
         return course.drive_allowed
-
-    def tolerance(self, declared):
-        return PATH_TOLERANCE
 
     def checked_inputs(self, case, calls, place):
         """One scenario, read and checked."""
@@ -90,14 +69,6 @@ class Kind(AnyKind):
             exercise, drive_scenarios(exercise, scenarios, lambda: with_own_globals(answer), progress)
         )
 
-    def run_mistake(self, exercise, mistake):
-        """It does not drive again."""
-        return _judged(exercise, _drives_of_mistake(exercise, mistake, exercise.cases))
-
-    def results_of_mistake(self, exercise, mistake, cases, case_id):
-        drives = _drives_of_mistake(exercise, mistake, cases)
-        return {case.id: (result,) for case, (_, result) in zip(cases, drives, strict=True)}
-
     def draw_for_key(self, exercise, seed, run_solution):
         from .draw_scenarios import draw_for_key
 
@@ -111,26 +82,19 @@ class Kind(AnyKind):
     # ---------------------------------------------------------------- judging and explaining
 
     def known_mistake(self, exercise, calls):
-        """One that drives as a learner's `control` does in each scenario in which that fails.
-
-        It misses the same thresholds, and its path stays within PATH_TOLERANCE of the learner's until a
-        second after the decisive moment. If several do, the nearest one counts.
-        """
-        failed = [call for call in calls if not call.passed]
-        if all(np.ptp(call.record["path"], axis=0).max() < 0.02 for call in failed):
-            return None  # it stands, and so is near to a robot that turns on the spot
-        nearest, least = None, np.inf
-        for mistake in exercise.mistakes:
-            driven = [call for call in failed if call.case.id in mistake.results]  # a key: only hidden ones
-            distance = max((_distance(mistake, call) for call in driven), default=np.inf)
-            nearest, least = (mistake, distance) if distance < least else (nearest, least)
-        return nearest if least <= PATH_TOLERANCE else None
+        """The first one that is named like a behaviour of the first drive that fails, or of all drives."""
+        drives = [
+            (call.record, *call.arguments) for call in calls if not call.passed and call.result.finished
+        ]
+        if not drives:
+            return None
+        names = set(behaviours(*drives[0]))
+        if drives_alike([call.record for call in calls]):
+            names.add("it drives the same way")
+        return next((mistake for mistake in exercise.mistakes if mistake.name in names), None)
 
     def explain(self, exercise, call):
         return "\n".join(sentences_of(call.record, *call.arguments))
-
-    def explains_enough(self, call):
-        return bool(call.record["ended"] or question_of(call.record))
 
     def common_failure(self, exercise, calls):
         """With the numbers of the first drive."""
@@ -172,21 +136,6 @@ class Kind(AnyKind):
         return rows if calls else ()
 
 
-def _distance(mistake, call):
-    """How far the paths of a mistake and of a drive part, metres; infinite if they fail in other ways."""
-    (predicted,) = mistake.results[call.case.id]
-    if not (predicted.finished and call.result.finished):
-        return np.inf
-    end = (call.record["decisive"] + round(1 / STEP)) // PLACE_PERIOD + 1
-    ((_, missed), (_, path)), ((_, own_missed), (_, own_path)) = (
-        result.value["items"] for result in (predicted, call.result)
-    )
-    path, own_path = array_of(path), array_of(own_path)
-    if path is None or own_path is None or missed != own_missed or path[:end].shape != own_path[:end].shape:
-        return np.inf
-    return float(np.abs(path[:end] - own_path[:end]).max())
-
-
 def scenario_of(case):
     """What a case lets a controller drive through, a dict."""
     ((scenario,),) = (call.arguments for call in case.calls)
@@ -198,20 +147,3 @@ def _judged(exercise, drives):
     from .graded import case_call
 
     return [case_call(case, *drive) for case, drive in zip(exercise.cases, drives, strict=True)]
-
-
-def _drives_of_mistake(exercise, mistake, cases):
-    """What a declared mistake drove: (record, CallResult) of each case; it drives once."""
-    same = replace(exercise, cases=(), mistakes=(), names=(), provided=())  # before and after it has run
-    return _drive_mistake(same, mistake, json.dumps(list(map(scenario_of, cases))))
-
-
-@lru_cache(maxsize=1024)
-def _drive_mistake(exercise, mistake, scenarios):
-    from ...percent_script import MasterError
-    from .runs import drive_scenarios
-
-    drives = drive_scenarios(exercise, json.loads(scenarios), lambda: exercise.function_of_mistake(mistake))
-    if any(SLOW in record["ended"] or result.timed_out for record, result in drives):
-        raise MasterError(f"{exercise.id}: mistake {mistake.name!r} was too slow; build on an idle machine")
-    return drives

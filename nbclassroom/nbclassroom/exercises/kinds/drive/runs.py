@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...running import CallResult, LimitedOutput, call_within, failure_fields
-from .drive import STEP, STEP_SECONDS, Cost, Drive, environment, form_of, seconds_of, steps_of
+from .drive import STEP, STEP_SECONDS, Cost, Drive, environment, seconds_of, steps_of
 
 _SHOWN_STEPS = 20  # between two states of the progress bar
 _KEPT_LINES = 13  # of what a drive prints: one more than is shown
@@ -64,7 +64,6 @@ class _Run:
 
     def result(self):
         """What it did as a CallResult; it printed the last lines before the moment that is shown."""
-        fields = self.failure or {"value": form_of(self.record)}
         end = math.inf if self.failure else self.record["decisive"] * STEP
         lines = [
             f"{seconds:.1f} s: {line}"
@@ -72,7 +71,7 @@ class _Run:
             for line in output.getvalue().splitlines()
             if seconds <= end
         ]
-        return CallResult(printed="\n".join(lines[-_KEPT_LINES:]), warning=self.warning, **fields)
+        return CallResult(printed="\n".join(lines[-_KEPT_LINES:]), warning=self.warning, **self.failure)
 
 
 def _reason(failure, name):

@@ -27,10 +27,6 @@ class Kind(AnyKind):
                 break  # a learner waits for one time limit, not for one per call
         return calls
 
-    def results_of_mistake(self, exercise, mistake, cases, case_id):
-        case = next(case for case in cases if case.id == case_id)
-        return {case_id: exercise.results_of_mistake(mistake, case)}
-
     def known_mistake(self, exercise, calls):
         from ...judging import known_mistake
 

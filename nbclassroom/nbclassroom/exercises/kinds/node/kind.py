@@ -10,7 +10,7 @@ class Kind(FunctionKind):
     name, noun = "node", "class"
     kernel_modules: tuple[str, ...] = ("feed", "recording_node", "ros_double")
     shows_values = False  # a record is no reading
-    has_sentences = True
+    has_sentences = explains_enough = True
     refuses_parts = True
 
     def name_of(self, function):

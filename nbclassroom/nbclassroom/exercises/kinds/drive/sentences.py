@@ -1,0 +1,173 @@
+"""What is said about a drive: the thresholds that it missed, and what its path and its speeds show.
+
+A behaviour is what a drive shows of its controller, whoever wrote it. A declared mistake of an exercise that
+drives has the name of a behaviour, and advises a learner whose robot behaves so.
+"""
+
+import math
+
+import numpy as np
+
+from .drive import COUNTS, METRICS, STEP, metric_text, steps_of
+
+_STAYS = 0.3, 5.0  # metres, seconds: a robot that is in one place so long
+_SAME = 0.15  # metres between two paths that are the same
+_TURNS = 0.3  # rad/s: a robot that turns, and does not only correct its direction
+_LEAST = 0.02, 0.1  # m/s, rad/s: a robot with less of both stands
+_LARGE = 10  # times the largest speed of the robot
+_ROUNDS, _CIRCLES = 1.5, 3.0  # times round: a robot that turns on the spot, one that drives in circles
+_SLOW = 0.6  # of the largest speed of the robot
+_AGAIN = 1.2  # times the way that its places need, if it never came back to one
+
+
+def sentences_of(record, scenario):
+    """What went wrong in a drive, as a list of sentences; empty if it passes."""
+    if record["ended"]:
+        reason = record["ended"].rstrip(".")
+        return [f"The drive ended after {record['steps'] * STEP:.1f} s: {reason}."]
+    if record["steps"] < steps_of(scenario):
+        return ["The drive did not come to its end."]
+    names = _missed(record)
+    sentences = [
+        _sentence(record, *missed)
+        for missed in record["missed"]
+        if missed[0] != "clearance" or "bumps" not in names  # a bump says it
+    ]
+    return [*sentences, *filter(None, behaviours(record, scenario).values() or [question_of(record)])]
+
+
+def question_of(record):
+    """A question about the first metric that a drive missed, if there is one; after a bump, none."""
+    name = record["missed"][0][0] if record["missed"] and not record["bumps"] else "bumps"
+    moves = any(abs(speed) > least for speed, least in zip(record["actions"][-1], _LEAST, strict=True))
+    if name in ("reach", "home", "answer_error") and moves:
+        return "The time was over while it still drove or turned: what did it search, or wait for?"
+    return METRICS[name].question
+
+
+def _sentence(record, name, value, operator, limit):
+    if value is None:
+        return "The robot did not reach the goal." if name == "goal_time" else "The robot never drove."
+    asked = f"the task asks for {COUNTS[operator][1]} {metric_text(name, limit)}."
+    if name == "bumps" and record["bumps"]:
+        obstacle = record["metrics"].get("bumped_into") or "something"
+        text = f"The robot bumped into the {obstacle} at {record['bumps'][0][0] * STEP:.1f} s"
+        text += _turning(record) + (f", and bumped {value} times in all" if value > 1 else "")
+        return f"{text}; {asked}" if limit else f"{text}."
+    text = METRICS[name].sentence.format(metric_text(name, value, limit))
+    if name == "clearance":
+        thing = record["metrics"].get("nearest_to")
+        text += f" to {f'the {thing}' if thing else 'what stands still'} at {record['decisive'] * STEP:.1f} s"
+    return f"{text}; {asked}"
+
+
+def _turning(record):
+    """What to add about the first bump, if the robot turned then."""
+    linear, angular = np.clip(
+        record["actions"][record["bumps"][0][0] - 1], *(np.array([[-1], [1]]) * record["limits"])
+    )
+    if abs(angular) < _TURNS:
+        return ""
+    side = "left" if angular > 0 else "right"
+    return f", while it drove with {linear:.2f} m/s and turned to the {side} with {abs(angular):.2f} rad/s"
+
+
+def _missed(record):
+    return {name for name, *_ in record["missed"]}
+
+
+# ---------------------------------------------------------------- behaviours
+
+
+def behaviours(record, scenario):
+    """{behaviour: a sentence about it, "" if others say it} of a whole drive that did not pass."""
+    missed = _missed(record)
+    if record["ended"] or not missed or record["steps"] < steps_of(scenario):
+        return {}
+    seen = _beyond_limits(record) | record["metrics"].get("remarks", {})
+    if record["metrics"].get("low") and missed & {"bumps", "clearance"}:
+        seen["something low"] = "This is so low that the laser scanner looks over it."
+    if missed - {"bumps", "clearance", "answer_error"}:
+        stay = {} if record["bumps"] else _stay(record, scenario.get("goal"))
+        seen |= stay or _circles(record)
+    if missed & {"places", "goal_time", "reach", "distance"} and not seen:
+        seen = _hesitation(record)
+    is_near = any(value is not None for name, value, *_ in record["missed"] if name in ("bumps", "clearance"))
+    return seen | ({"it comes too near": ""} if is_near else {})
+
+
+def drives_alike(records):
+    """Whether several drives have the same speeds, or the same path as seen from where each began."""
+    length = min(record["steps"] for record in records)
+    paths = [_from_its_start(np.array(record["path"]))[: length + 1] for record in records]
+    same_speeds = all(record["actions"][:length] == records[0]["actions"][:length] for record in records)
+    same_path = all(np.hypot(*(path - paths[0]).T).max() < _SAME for path in paths)
+    is_on_its_way = np.hypot(*paths[0].T).max() > _SAME
+    return len(paths) > 1 and (same_speeds or same_path) and bool(is_on_its_way)
+
+
+def _from_its_start(path):
+    c, s = math.cos(path[0, 2]), math.sin(path[0, 2])
+    return (path[:, :2] - path[0, :2]) @ np.array([[c, -s], [s, c]])
+
+
+def _beyond_limits(record):
+    """Of speeds in another unit, degrees for example."""
+    speeds, limits = np.abs(record["actions"]), record["limits"]
+    for own, limit, unit in zip(speeds.T, limits, ("m/s", "rad/s"), strict=True):
+        if np.mean(own > _LARGE * limit) > 1 / 20:
+            text = f"The function returned up to {own.max():.0f} {unit}; the robot can do {limit:g} {unit}."
+            return {"its speeds are too large": text}
+    return {}
+
+
+def _stay(record, goal):
+    """Of the longest time that the robot spent in one place."""
+    path, actions = np.array(record["path"]), np.array(record["actions"])
+    ends = [_left(path, start) for start in range(len(path))]
+    start = max(range(len(path)), key=lambda start: ends[start] - start)
+    end = ends[start]
+    if (end - start) * STEP < _STAYS[1]:
+        return {}
+    until = "the end" if end == len(path) - 1 else f"{end * STEP:.1f} s"
+    text = f"From {start * STEP:.1f} s to {until} the robot"
+    turned, signs = np.unwrap(path[start : end + 1, 2]), np.sign(actions[start:end, 1])
+    signs = signs[np.abs(actions[start:end, 1]) > _TURNS]
+    if np.mean((np.abs(actions[start:end]) < _LEAST).all(1)) > 0.9:
+        is_there = goal and math.dist(path[end, :2], goal[:2]) < goal[2] + _STAYS[0]
+        place = ", at the goal" if is_there else ""
+        text = f"{text} stood{place}: the function returned no speed."
+        return {"it stands at the goal" if is_there else "it stands": text}
+    if (rounds := abs(turned[-1] - turned[0]) / (2 * math.pi)) > _ROUNDS:
+        return {"it turns on the spot": f"{text} turned on the spot, {rounds:.1f} times round."}
+    if (changes := np.count_nonzero(np.diff(signs))) > 5:
+        text += f" stayed in one place, and turned left and right by turns: {changes} times."
+        return {"it turns left and right": text}
+    is_long = (end - start) * STEP > 2 * _STAYS[1]
+    return {"it stays in one place": f"{text} stayed in one place."} if is_long else {}
+
+
+def _left(path, start):
+    """The last step before a robot leaves the place in which it is at a step."""
+    away = np.hypot(*(path[start:, :2] - path[start, :2]).T) > _STAYS[0]
+    return start + (int(away.argmax()) if away.any() else len(away)) - 1
+
+
+def _circles(record):
+    yaws = np.unwrap(np.array(record["path"])[:, 2])
+    rounds = (yaws[-1] - yaws[0]) / (2 * math.pi)
+    side = "left" if rounds > 0 else "right"
+    text = f"In all, the robot turned {abs(rounds):.0f} times round to the {side}."
+    return {"it drives in circles": text} if abs(rounds) > _CIRCLES else {}
+
+
+def _hesitation(record):
+    fastest, limit = np.abs(record["actions"]).max(0)[0], record["limits"][0]
+    if _LEAST[0] < fastest < _SLOW * limit:
+        text = f"The robot never drove faster than {fastest:.2f} m/s; it can drive with {limit:g} m/s."
+        return {"it is slow": text}
+    way, places = record["metrics"]["distance"], record["metrics"]["places"]
+    if way > _AGAIN * places * 0.5:
+        text = f"The robot drove {way:.1f} m, and came to {places} places: often to the same ones again."
+        return {"it drives to the same places again": text}
+    return {}
