@@ -246,3 +246,9 @@ def control(observation, memory):
 # %% role="mistake" name="it comes too near" says="Is the corridor as wide as the robot with 0.2 m on each side (free_way: 0.64 m)? Does it stand while it turns to a new direction? And does it stop 0.45 m before what is in its way?"
 def control(observation, memory):
     return 0.3, solution(observation, memory)[1]
+
+# %% role="mistake" name="time to the goal" says="Does it steer to the goal, also after a way round something? Compute the direction of the goal from the odometry, and turn to it when the way there is free."
+def control(observation, memory):
+    if free_way(obstacles(observation), 0.0, 0.80) < 0.45:
+        return 0.0, 0.8
+    return 0.3, 0.0

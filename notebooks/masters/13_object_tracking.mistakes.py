@@ -165,7 +165,6 @@ def control(observation, memory):
 
 # %% role="mistake" name="it drives in circles" says="It lost the ball. When the robot turns to the left, all spots move to the right: add 17.6 times the angular speed to the column where you look for the ball. Is the angular speed in radians, and in proportion to 160 minus the column, divided by 176.25?"
 def control(observation, memory):
-    linear, angular = solution(observation, memory)
     return 0.3, 1.5
 
 # %% role="mistake" name="it turns away from the ball" says="If the ball is on the left, its column is smaller than 160, and the angular speed must be positive."

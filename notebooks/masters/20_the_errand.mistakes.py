@@ -311,6 +311,18 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.25, 0.3
 
+# %% role="mistake" name="from the start, at the end" says="Does it drive back to (0, 0) of its odometry? The direction is math.atan2(-y, -x), less the yaw."
+def control(observation, memory):
+    speeds = solution(observation, memory)
+    return speeds if memory["task"] == "go" else (0.1, 0.2)
+
+# %% role="mistake" name="error of the answer" says="Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
+def control(observation, memory):
+    speeds = solution(observation, memory)
+    if "yaw" in memory:
+        memory["yaw"] = memory["seen"]  # it looks at the sign itself
+    return speeds
+
 # %% [markdown]
 # # errand-explore
 

@@ -3,7 +3,6 @@
 import io
 import linecache
 import re
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -20,7 +19,7 @@ from nbclassroom.exercises.kinds.drive.runs import drive_scenarios
 from nbclassroom.exercises.kinds.drive.scenario import read_scenario
 from nbclassroom.exercises.lesson import check_data_of
 from PIL import Image
-from plane_env import BLIND, LATE, PARTS, RIGHT, STOPS, PlaneEnv, driving_on_a_plane
+from plane_env import BLIND, LATE, PARTS, RIGHT, PlaneEnv, driving_on_a_plane
 
 from imgproc_course.simulation import room_env
 

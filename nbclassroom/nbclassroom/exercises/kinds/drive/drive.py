@@ -38,12 +38,11 @@ _EXPECTED = "expected two numbers, (linear, angular)"
 
 @dataclass(frozen=True)
 class _Metric:
-    """How texts name a metric, its format, a sentence about its value, and a question if it is missed."""
+    """How texts name a metric, its format, and a sentence about its value."""
 
     title: str
     format: str
     sentence: str
-    question: str = ""
 
 
 METRICS = {
@@ -53,35 +52,18 @@ METRICS = {
     "reach": _Metric("reach", "{:.2f} m", "The robot got {} away from its start"),
     "places": _Metric("places", "{:.0f}", "The places that the robot came to (cells of 0.5 m): {}"),
     "time": _Metric("time", "{:.1f} s", "The robot drove for {}"),
-    "goal_time": _Metric(
-        "time to the goal",
-        "{:.1f} s",
-        "The robot reached the goal after {}",
-        "Does it steer to the goal, also after a way round something?",
-    ),
+    "goal_time": _Metric("time to the goal", "{:.1f} s", "The robot reached the goal after {}"),
     "home": _Metric(
-        "from the start, at the end",
-        "{:.2f} m",
-        "At the end, the robot was {} away from its start",
-        "Does it drive back to (0, 0) of its odometry?",
+        "from the start, at the end", "{:.2f} m", "At the end, the robot was {} away from its start"
     ),
     "answer_error": _Metric(
-        "error of the answer",
-        "{:.0f}°",
-        "At the end, the robot looked {} beside the right answer",
-        "Is the answer counted from where the sign is now, to the left, and are its degrees made radians?",
+        "error of the answer", "{:.0f}°", "At the end, the robot looked {} beside the right answer"
     ),
     "ball_gap": _Metric(
-        "error of the distance",
-        "{:.2f} m",
-        "The robot's distance to the ball was wrong by {}",
-        "Does it follow the right ball, and does it stop and drive back when it is too near?",
+        "error of the distance", "{:.2f} m", "The robot's distance to the ball was wrong by {}"
     ),
     "ball_angle": _Metric(
-        "ball beside the middle",
-        "{:.0f}°",
-        "The robot looked {} past the ball, on average",
-        "Does it turn to the side on which the ball is, also when it stands?",
+        "ball beside the middle", "{:.0f}°", "The robot looked {} past the ball, on average"
     ),
 }
 

@@ -1,7 +1,7 @@
 """What is said about a drive: the thresholds that it missed, and what its path and its speeds show.
 
 A behaviour is what a drive shows of its controller, whoever wrote it. A declared mistake of an exercise that
-drives has the name of a behaviour, and advises a learner whose robot behaves so.
+drives has the name of a behaviour, or of a metric that was missed, and advises a learner whose robot does so.
 """
 
 import math
@@ -33,16 +33,7 @@ def sentences_of(record, scenario):
         for missed in record["missed"]
         if missed[0] != "clearance" or "bumps" not in names  # a bump says it
     ]
-    return [*sentences, *filter(None, behaviours(record, scenario).values() or [question_of(record)])]
-
-
-def question_of(record):
-    """A question about the first metric that a drive missed, if there is one; after a bump, none."""
-    name = record["missed"][0][0] if record["missed"] and not record["bumps"] else "bumps"
-    moves = any(abs(speed) > least for speed, least in zip(record["actions"][-1], _LEAST, strict=True))
-    if name in ("reach", "home", "answer_error") and moves:
-        return "The time was over while it still drove or turned: what did it search, or wait for?"
-    return METRICS[name].question
+    return [*sentences, *filter(None, behaviours(record, scenario).values())]
 
 
 def _sentence(record, name, value, operator, limit):
@@ -92,8 +83,12 @@ def behaviours(record, scenario):
         seen |= stay or _circles(record)
     if missed & {"places", "goal_time", "reach", "distance"} and not seen:
         seen = _hesitation(record)
+    moves = (np.abs(record["actions"][-1]) > _LEAST).any()
+    if missed & {"reach", "home", "answer_error"} and not record["bumps"] and moves and not seen:
+        seen["the time is over"] = "The time was over while the robot still drove or turned."
     is_near = any(value is not None for name, value, *_ in record["missed"] if name in ("bumps", "clearance"))
-    return seen | ({"it comes too near": ""} if is_near else {})
+    seen |= {"it comes too near": ""} if is_near else {}
+    return seen | {METRICS[name].title: "" for name, *_ in record["missed"]}
 
 
 def drives_alike(records):
