@@ -235,9 +235,6 @@ def _img_tag(part, alt, count):
     return f'<img alt="{alt}" width="{width}" style="{style}" src="{source}">'
 
 
-# ---------------------------------------------------------------- check what is given
-
-
 def _check_images(images, titles, encoding, rows, cols):
     if isinstance(images, dict):
         if titles is not None:
@@ -370,9 +367,6 @@ def _describe(image):
     if image.first_row or image.first_col:
         position = f" from row {image.first_row}, col {image.first_col}"
     return f"{image.title or 'image'} ({kind}, {height} rows by {width} cols{position})"
-
-
-# ---------------------------------------------------------------- draw
 
 
 @dataclass
@@ -546,9 +540,6 @@ def _draw_bar(figure, panel, scale, cmap, arrays):
     scale_colours = ScalarMappable(Normalize(low, high), cmap)
     figure.colorbar(scale_colours, cax=axes, extend=extend[below, above])
     axes.tick_params(labelsize=8, length=3)
-
-
-# ---------------------------------------------------------------- store
 
 
 def _encode(figure):

@@ -55,8 +55,9 @@ class CvBridge:
         frame = image_to_array(img_msg, desired_encoding)
         if frame.flags.writeable:
             return frame
-        if desired_encoding == "passthrough" and frame.flags.c_contiguous and _is_writable(img_msg.data):
-            return np.frombuffer(img_msg.data, frame.dtype, frame.size).reshape(frame.shape)
+        data, is_whole = img_msg.data, desired_encoding == "passthrough" and frame.flags.c_contiguous
+        if is_whole and not isinstance(data, list | tuple) and not memoryview(data).readonly:
+            return np.frombuffer(data, frame.dtype, frame.size).reshape(frame.shape)
         return frame.copy()
 
     def cv2_to_imgmsg(self, cvim, encoding="passthrough", header=None):
@@ -197,7 +198,3 @@ def _scaled(values, limits, colormap):
     colored = cv2.applyColorMap(gray, colormap)
     colored[np.isnan(values)] = 0
     return colored, "bgr8"
-
-
-def _is_writable(data):
-    return not isinstance(data, list | tuple) and not memoryview(data).readonly

@@ -80,6 +80,7 @@ class CameraPublisher:
 
     def status(self):
         """What a `Camera` shows of it: a dict."""
+        publishers = self._entities.all if self.running else ()
         return {
             "running": self.running,
             "topic": self.topic,
@@ -87,11 +88,8 @@ class CameraPublisher:
             "played": self.played,
             "published": self.published,
             "last_error": self.last_error,
-            "subscribers": self._subscribers() if self.running else {},
+            "subscribers": {one.topic_name: one.get_subscription_count() for one in publishers},
         }
-
-    def _subscribers(self):
-        return {publisher.topic_name: publisher.get_subscription_count() for publisher in self._entities.all}
 
     def _play(self):
         next_check = time.monotonic() + CHECK_PERIOD

@@ -212,7 +212,8 @@ class Robot(contextlib.AbstractContextManager["Robot"]):
         start = time.monotonic()
         while not self._entities.closed and not self._is_robot_there():
             waited = time.monotonic() - start
-            if waited > TIMEOUT or (waited > ANSWER and not self._is_room_starting()):
+            is_room_starting = self._status().get("request", {}).get("source") == "room"
+            if waited > TIMEOUT or (waited > ANSWER and not is_room_starting):
                 raise RuntimeError(f"no robot answers on {self._topics['commands']}: {_START_ANY}")
             time.sleep(0.01)
         if is_new:
@@ -230,10 +231,6 @@ class Robot(contextlib.AbstractContextManager["Robot"]):
         with self._change:
             arrival = self._messages.get("odometry", (-math.inf, None))[0]
         return self._session.is_spinning_thread() or time.monotonic() - arrival < FRESH
-
-    def _is_room_starting(self):
-        """Whether the room's robot runs, and has not subscribed to the commands yet."""
-        return self._status().get("request", {}).get("source") == "room"
 
     def _status(self) -> dict[str, Any]:
         """What the robot process says of itself; empty without one."""

@@ -92,17 +92,17 @@ def _drawn(random, name):
         model=pieces.placed(places),
         free_space=FreeSpace(floor.millimetres, ORIGIN, CELL),
         rug=Rug((x, y), round(yaw + 0.06, 6)),
-        textures=functools.cache(functools.partial(_textures, places, word, markers)),
+        textures=functools.cache(
+            lambda lighting: (
+                textures(places, lighting, word, markers) | {"movers": read_image(f"movers_{lighting}.jpg")}
+            )
+        ),
         word=word,
         markers=markers,
         poses=poses,
         places=places,
         **ways,
     )
-
-
-def _textures(places, word, markers, lighting):
-    return textures(places, lighting, word, markers) | {"movers": read_image(f"movers_{lighting}.jpg")}
 
 
 @dataclass(frozen=True, eq=False)

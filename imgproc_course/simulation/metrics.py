@@ -23,23 +23,12 @@ class Metrics:
         self._place, self._touching = simulation.place, False
         self._start, self._places = self._place, {cell_of(self._place)}
         self._gaps: list[float] = []  # to the ball, and degrees from where the robot looks to each ball
-        self._sides: dict[str, list[float]] = {}
+        self._angles: list[list[float]] = []
         self._turns: list[bool] = []  # whether it turned away from the ball, where it turned
-        self._values: dict[str, Any] = {
-            "bumps": 0,
-            "clearance": None,
-            "distance": 0.0,
-            "reach": 0.0,
-            "places": 1,
-            "time": 0.0,
-            "goal_time": None,
-            "home": 0.0,
-            "answer_error": self._error_of_answer,
-            "ball_gap": None,
-            "ball_angle": None,
-            "bumped_into": "",
-            "nearest_to": "",
-        }
+        self._values: dict[str, Any] = {"bumps": 0, "places": 1, "answer_error": self._error_of_answer}
+        self._values |= dict.fromkeys(("distance", "reach", "time", "home"), 0.0)
+        self._values |= dict.fromkeys(("clearance", "goal_time", "ball_gap", "ball_angle"))
+        self._values |= dict.fromkeys(("bumped_into", "nearest_to"), "")
 
     def update(self, time):
         """After a step, `time` seconds after the start: (metres driven in it, whether a bump began)."""
@@ -84,34 +73,33 @@ class Metrics:
         return began
 
     def _note_ball(self, time):
-        camera, sides = self._simulation.pose("camera"), {}
-        for name in filter(self._simulation.movers.__contains__, BALLS):
-            ball = self._simulation.pose(name)
-            side = math.atan2(ball[1] - camera[1], ball[0] - camera[0]) - self._place[2]
-            sides[name] = math.degrees(math.remainder(side, 2 * math.pi))
+        names = [name for name in BALLS if name in self._simulation.movers]
+        ways = [self._simulation.pose(name)[:2] - self._simulation.pose("camera")[:2] for name in names]
+        yaws = [math.atan2(left, ahead) - self._place[2] for ahead, left in ways]
+        sides = [math.degrees(math.remainder(yaw, 2 * math.pi)) for yaw in yaws]
         speed = self._simulation.speeds[1]
-        if BESIDE[0] < abs(sides.get(BALLS[0], 0.0)) < BESIDE[1] and abs(speed) > TURNS:
-            self._turns.append(sides[BALLS[0]] * speed < 0)
-        if BALLS[0] in sides and time > BALL_AFTER:
-            self._gaps.append(math.dist(camera[:2], self._simulation.pose(BALLS[0])[:2]) - BALL_DISTANCE)
-            for name, degrees in sides.items():
-                self._sides.setdefault(name, []).append(abs(degrees))
+        if sides and BESIDE[0] < abs(sides[0]) < BESIDE[1] and abs(speed) > TURNS:
+            self._turns.append(sides[0] * speed < 0)
+        if sides and time > BALL_AFTER:
+            self._gaps.append(math.hypot(*ways[0]) - BALL_DISTANCE)
+            self._angles.append(list(map(abs, sides)))
             self._values["ball_gap"] = fmean(map(abs, self._gaps))
-            self._values["ball_angle"] = fmean(self._sides[BALLS[0]])
+            self._values["ball_angle"] = fmean(angles[0] for angles in self._angles)
 
     def _remarks(self):
         """{behaviour: a sentence}, of what only the truth shows."""
-        remarks, ball = {}, BALLS[0]
-        angles = {name: fmean(own) for name, own in self._sides.items()}
-        seen = min(angles, key=angles.__getitem__, default=ball)
-        if seen != ball and angles[seen] < LOOKS[0] < LOOKS[1] < angles[ball]:
-            remarks["another ball"] = f"It looked at the {seen}: {angles[seen]:.0f}° past it, on average."
+        remarks, angles = {}, [fmean(own) for own in zip(*self._angles, strict=True)] or [180.0]
+        seen = angles.index(min(angles))
+        if angles[seen] < LOOKS[0] < LOOKS[1] < angles[0]:
+            remarks["another ball"] = (
+                f"It looked at the {BALLS[seen]}: {angles[seen]:.0f}° past it, on average."
+            )
         elif len(self._turns) > 2 and all(self._turns[:3]):
             remarks["it turns away from the ball"] = "When it began to turn, it turned away from the ball."
         gap, follows = fmean(self._gaps or [0.0]), self._values["distance"] > BALL_DISTANCE
-        if self._values["bumped_into"] == ball:
+        if self._values["bumped_into"] == BALLS[0]:
             remarks["it is too near"] = ""
-        elif follows and angles.get(ball, 180.0) < LOOKS[1] and abs(gap) > BALL_DISTANCE / 4:
+        elif follows and angles[0] < LOOKS[1] and abs(gap) > BALL_DISTANCE / 4:
             text = "too far away" if gap > 0 else "too near"
             remarks[f"it is {text}"] = f"On average it was {abs(gap):.2f} m {text}."
         return remarks

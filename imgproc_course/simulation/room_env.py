@@ -70,7 +70,7 @@ class RoomEnv(gymnasium.Env):
 
     - "bumps": how often the robot began to touch something; "bumped_into": what it touched first, or ""
     - "clearance": the least distance of its body to what stands still, while it moved, metres;
-      "nearest_to": what that was, if nearer than 0.2 m, or ""
+      "nearest_to": what that was, if nearer than 0.2 m, or ""; "low": if the laser scanner looks over it
     - "distance": driven, metres; "reach": the greatest distance from the start, metres
     - "places": number of cells of 0.5 m that the robot has been in; "time": seconds
     - "goal_time": seconds until the robot was in the goal
@@ -78,6 +78,7 @@ class RoomEnv(gymnasium.Env):
     - "answer_error": from where the robot looks now to where the answer is, degrees
     - "ball_gap": of | distance from camera to ball - 0.6 m |, the mean after 5 s, metres; "ball_angle": from
       where the robot looks to where the ball is, the mean after 5 s, degrees
+    - "remarks": {what the robot does: a sentence}, of what only the truth shows
 
     The reward of a step is the distance driven in it, less 1 for a bump. An episode is truncated after its
     duration, and never terminated. `reset` takes a *scenario* as options; all of its keys may be left out:
