@@ -12,9 +12,9 @@ from pathlib import Path
 # Ceilings in lines. A change that needs more takes something away.
 CEILINGS = {
     "imgproc_course": 16_200,
-    "nbclassroom/nbclassroom": 19_640,
+    "nbclassroom/nbclassroom": 19_200,
     "notebooks/masters": 23_040,
-    "tests": 45_540,  # with those of nbclassroom
+    "tests": 45_500,  # with those of nbclassroom
 }
 MOST_COMPLEX = 19
 TEXTS = (".py", ".toml", ".yaml", ".txt", ".json")

@@ -35,7 +35,6 @@ from nbclassroom.authoring.lesson_files import lesson_file_differences, lesson_f
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.exercises.check_files import read_check_file
 from nbclassroom.exercises.checking import run_cases, run_check
-from nbclassroom.exercises.kinds.drive import kind as drive_kind
 from selection import IS_SHORT
 from solved_twin import assert_passing, solved_twin
 
@@ -157,14 +156,12 @@ def assert_points(exercise):
 
 
 @pytest.fixture
-def one_mistake_drives(monkeypatch):
-    """Of an exercise that drives, the last mistake does; the others are believed to drive as it is stored.
+def stub_and_solution_do_not_drive(monkeypatch):
+    """nbval's run of a lesson asserts that the stub fails everywhere, and that the solution passes.
 
-    nbval's run of the lesson asserts that the stub fails everywhere, and that the solution passes.
-    A drive takes a second, and one lesson has 27 of them. The benchmark `term` lets all drive, and so does a
-    build.
+    The benchmark `term` lets all drive, and so does a build.
     """
-    drive, run = drive_kind._drives_of_mistake, validation.run_cases
+    run = validation.run_cases
 
     def run_others(exercise, function, **options):
         if exercise.subject != "drive" or os.environ.get("WHOLE_TERM"):
@@ -173,26 +170,17 @@ def one_mistake_drives(monkeypatch):
         result = SimpleNamespace(passed=not is_stub)
         return SimpleNamespace(results=[result] * len(exercise.public))
 
-    def drive_the_last(exercise, mistake, cases):
-        (declared,) = (one for one in read_master(exercise.master).exercises if one.id == exercise.id)
-        if mistake == declared.mistakes[-1] or os.environ.get("WHOLE_TERM"):
-            return drive(exercise, mistake, cases)
-        stored = read_check_file(NOTEBOOKS / "checks" / f"{read_master(exercise.master).name}.json")
-        (results,) = (
-            known.results for known in stored.exercise(exercise.id).mistakes if known.name == mistake.name
-        )
-        return [(None, *results[case.id]) for case in cases]
-
-    monkeypatch.setattr(drive_kind, "_drives_of_mistake", drive_the_last)
     monkeypatch.setattr(validation, "run_cases", run_others)
 
 
 @pytest.mark.parametrize("path", by_lesson(MASTERS))
-def test_the_exercises_are_valid_and_their_stored_checks_say_the_same(path, tmp_path, one_mistake_drives):
+def test_the_exercises_are_valid_and_their_stored_checks_say_the_same(
+    path, tmp_path, stub_and_solution_do_not_drive
+):
     """For the stub, the solution and each known mistake; and the stored checks are those of the master.
 
     One test for both, because what the mistakes give is computed once in a process. Hidden scenarios of
-    drives are drawn by `key` until they fit.
+    drives are drawn by `key` until they fit; of their mistakes the last one drives here.
     """
     master = read_master(path)
     files = lesson_files(master)

@@ -145,9 +145,6 @@ def test_an_exercise_that_drives_is_validated(master, changes, problem):
     assert [text.startswith(problem) for text in problems[:1]] == ([True] if problem else [])
 
 
-# ---------------------------------------------------------------- driving
-
-
 def test_a_right_controller_earns_its_points(data):
     result = checked(data, RIGHT)
     assert result.passed and result.points == 4
@@ -285,9 +282,6 @@ def test_check_in_a_notebook_drives_and_notes_a_try(master, tmp_path, monkeypatc
     assert progress.progress_of("test-drive").passed
     with pytest.raises(TypeError, match="needs your function control itself"):
         check("test-drive", (0.3, 0.0))
-
-
-# ---------------------------------------------------------------- known mistakes
 
 
 def test_a_mistake_is_known_by_the_first_drive_that_fails(master):
