@@ -57,6 +57,7 @@ SHOWS = [
     ("try:\n    from rich.progress import track\nfinally:\n    print(*track(range(2)))", "0 1"),
     ("from rich import print as show\nshow('[red]7[/red]')\nprint('shown')", "shown"),
     ("print(len([__import__(name) for name in ['bs4', 'yaml']]))", "2"),  # not used
+    ("import doctest\nfrom PIL import Image\nprint(doctest.testmod().failed)", "0"),
     ("def module():\n    yield __import__('bs4')\nprint(len(list(module())))", "1"),
 ]
 
