@@ -167,11 +167,6 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.3, 1.5
 
-# %% role="mistake" name="it turns away from the ball" says="If the ball is on the left, its column is smaller than 160, and the angular speed must be positive."
-def control(observation, memory):
-    linear, angular = solution(observation, memory)
-    return linear, -angular
-
 # %% role="mistake" name="it is too near" says="Drive in proportion to the distance minus 0.6, backward too. In this image the focal length is 176.25 pixels, and the ball is 0.22 m wide."
 def control(observation, memory):
     return 0.2, solution(observation, memory)[1]
@@ -180,3 +175,12 @@ def control(observation, memory):
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return 0.4 * linear, angular
+
+# %% role="mistake" name="it drives the same way" says="Your robot drives the same way each time, whatever it sees. Use the image."
+def control(observation, memory):
+    return 0.25, 0.3
+
+# %% role="mistake" name="it turns away from the ball" says="If the ball is on the left, its column is smaller than 160, and the angular speed must be positive."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return linear, -angular

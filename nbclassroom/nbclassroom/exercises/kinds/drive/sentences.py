@@ -64,7 +64,8 @@ def _turning(record):
 
 
 def _missed(record):
-    return {name for name, *_ in record["missed"]}
+    """{metric: its value} of each threshold that is not kept."""
+    return {name: value for name, value, *_ in record["missed"]}
 
 
 # ---------------------------------------------------------------- behaviours
@@ -75,20 +76,21 @@ def behaviours(record, scenario):
     missed = _missed(record)
     if record["ended"] or not missed or record["steps"] < steps_of(scenario):
         return {}
-    seen = _beyond_limits(record) | record["metrics"].get("remarks", {})
-    if record["metrics"].get("low") and missed & {"bumps", "clearance"}:
-        seen["something low"] = "This is so low that the laser scanner looks over it."
-    if missed - {"bumps", "clearance", "answer_error"}:
+    metrics = record["metrics"]
+    seen = _beyond_limits(record) | metrics.get("remarks", {})
+    if metrics.get("low") and missed.keys() & {"bumps", "clearance"}:
+        thing = metrics["bumped_into"] or metrics["nearest_to"]
+        seen["something low"] = f"The laser scanner looks over the {thing}."
+    if missed.keys() - {"bumps", "clearance", "answer_error"}:
         stay = {} if record["bumps"] else _stay(record, scenario.get("goal"))
         seen |= stay or _circles(record)
-    if missed & {"places", "goal_time", "reach", "distance"} and not seen:
+    if missed.keys() & {"places", "goal_time", "reach", "distance"} and not seen:
         seen = _hesitation(record)
     moves = (np.abs(record["actions"][-1]) > _LEAST).any()
-    if missed & {"reach", "home", "answer_error"} and not record["bumps"] and moves and not seen:
+    if moves and missed.keys() & {"reach", "home", "answer_error"} and not (seen or record["bumps"]):
         seen["the time is over"] = "The time was over while the robot still drove or turned."
-    is_near = any(value is not None for name, value, *_ in record["missed"] if name in ("bumps", "clearance"))
-    seen |= {"it comes too near": ""} if is_near else {}
-    return seen | {METRICS[name].title: "" for name, *_ in record["missed"]}
+    seen |= {"it comes too near": ""} if record["bumps"] or missed.get("clearance") is not None else {}
+    return seen | {METRICS[name].title: "" for name in missed}
 
 
 def drives_alike(records):
