@@ -125,7 +125,7 @@ def test_a_metric_that_looks_like_its_limit_has_more_digits():
         (
             lambda t: (0.3 * (t < 4), math.copysign(1, t % 4 - 2)),
             "it turns left and right",
-            "the end the robot stayed in one place, and turned left and right by turns: 8 times.",
+            "the end the robot stayed in one place, and changed the side to which it turned 8 times.",
         ),
         ((0.3, 1.5), "it drives in circles", "In all, the robot turned 5 times round to the left."),
         ((0.3, -1.5), "it drives in circles", "In all, the robot turned 5 times round to the right."),

@@ -138,7 +138,7 @@ def _stay(record, goal):
     if (rounds := abs(turned[-1] - turned[0]) / (2 * math.pi)) > _ROUNDS:
         return {"it turns on the spot": f"{text} turned on the spot, {rounds:.1f} times round."}
     if (changes := np.count_nonzero(np.diff(signs))) > 5:
-        text += f" stayed in one place, and turned left and right by turns: {changes} times."
+        text += f" stayed in one place, and changed the side to which it turned {changes} times."
         return {"it turns left and right": text}
     is_long = (end - start) * STEP > 2 * _STAYS[1]
     return {"it stays in one place": f"{text} stayed in one place."} if is_long else {}
