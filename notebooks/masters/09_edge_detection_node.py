@@ -772,6 +772,10 @@ def no_edges(rng):
     return np.zeros((6, 7), dtype=np.uint8), rng.random((6, 7)) < 0.3, 2
 
 
+def nothing():
+    return np.zeros((6, 7), dtype=np.uint8), np.zeros((6, 7), dtype=bool), 2
+
+
 def no_outlines(rng):
     edges = np.where(rng.random((6, 7)) < 0.3, 255, 0).astype(np.uint8)
     return edges, np.zeros((6, 7), dtype=bool), 2
@@ -841,7 +845,7 @@ def inputs(rng):
 
 # %% role="case" title="no edges" points=0 hint="Without edges the result is 0.0."
 def inputs(rng):
-    return no_edges(rng)
+    return [no_edges(rng), nothing()]
 
 # %% role="case" title="no outlines" points=0 hint="Without outlines the result is 0.0."
 def inputs(rng):
@@ -860,7 +864,7 @@ def inputs(rng):
 
 # %% role="hidden" title="no edges, no outlines, no true positives" points=1 hint="Do not divide by zero: without edges, without outlines and without true positives the result is 0.0."
 def inputs(rng):
-    return [no_edges(rng), no_outlines(rng), far_edges(rng), some_edges(rng, 1), some_edges(rng, 2)]
+    return [no_edges(rng), no_outlines(rng), nothing(), far_edges(rng), some_edges(rng, 1), some_edges(rng, 2)]
 
 
 # %% [markdown]

@@ -158,9 +158,6 @@ def _changed(tree, changes):
     return tree
 
 
-# ---------------------------------------------------------------- what a rule does with a node
-
-
 def _setting(node, **values):
     return lambda: vars(node).update(values)
 
@@ -178,9 +175,6 @@ def _replacing(node, part):
     return replace
 
 
-# ---------------------------------------------------------------- rules: (question, how to change the node)
-
-
 def _compare(node, _tree):
     if isinstance(node, ast.Compare):
         for number, operator in enumerate(node.ops):
@@ -194,6 +188,8 @@ def _compare(node, _tree):
 
 def _order(node, _tree):
     elements = getattr(node, "elts", ())
+    if re.fullmatch(r"\(?(h|rows?|height), (w|cols?|width)\)?", ast.unparse(node)):
+        elements = ()  # in the order of a shape
     for first, last in pairwise(elements):
         swapped = {first: last, last: first}
         if ast.dump(first) != ast.dump(last):
@@ -251,7 +247,7 @@ def _call(node, _tree):
 def _constant(node, tree):
     value = node.value if isinstance(node, ast.Constant) else None
     if isinstance(value, int | float) and not isinstance(value, bool):
-        for number in (value + 1, value - 1, -value, 2 * value, value / 2, math.inf):
+        for number in (value + 1, value - 1, -value, 2 * value, value / 2, value * value, math.inf):
             if value or number > 0:
                 yield "is this number right?", _setting(node, value=number)
         for number in tree.numbers:

@@ -82,11 +82,20 @@ def _remarks_on_function(tree):
         yield STUB_LINE
     if any(isinstance(statement, ast.Return) for statement in tree.body[:-1]):
         yield SAYS["lines that never run"].format(name=f"{tree.name}()")
-    assigned = [ast.unparse(node.targets[0]) for node in ast.walk(tree) if isinstance(node, ast.Assign)]
-    if "memory" in assigned and any(argument.arg == "memory" for argument in tree.args.args):
-        yield SAYS["another memory"]
+    yield from _remarks_on_arguments(tree)
     slips = ((_slip(node), node) for node in ast.walk(tree))
     yield from (SAYS[slip].format(code=ast.unparse(node)) for slip, node in slips if slip)
+
+
+def _remarks_on_arguments(tree):
+    assigned = [ast.unparse(node.targets[0]) for node in ast.walk(tree) if isinstance(node, ast.Assign)]
+    for name in [argument.arg for argument in tree.args.args if argument.arg in assigned]:
+        word = re.compile(rf"\b{name}\b")
+        first = next(part for part in tree.body if word.search(ast.unparse(part)))
+        if name == "memory":
+            yield SAYS["another memory"]
+        elif isinstance(first, ast.Assign) and not word.search(ast.unparse(first.value)):
+            yield SAYS["overwritten"].format(name=name, code=ast.unparse(first))
 
 
 def _slip(node):
@@ -96,6 +105,8 @@ def _slip(node):
             return "value beside or"
         case ast.Expr(value=ast.Call(func=ast.Attribute(attr=name))) if name in _NOT_IN_PLACE:
             return "result not kept"
+        case ast.Expr(value=ast.Compare()):
+            return "comparison not used"
         case ast.Compare(ops=[ast.Is() | ast.IsNot()], comparators=[ast.Constant(value=bool())]):
             return "is True"
         case ast.For(body=[*_, ast.Return()]) if not re.search("continue|break", ast.unparse(node)):

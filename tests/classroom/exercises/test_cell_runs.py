@@ -57,8 +57,6 @@ def test_an_error_before_the_function_gets_its_advice():
     )
 
 
-# ---------------------------------------------------------------- real kernels
-
 CHECK_CELL = (
     "from imgproc_course.exercises import check\nresult = check('start-count', count_pixels)\nprint(result)"
 )

@@ -214,9 +214,6 @@ def test_speeds_are_finite(value):
         speeds_of(value)
 
 
-# ---------------------------------------------------------------- scenarios
-
-
 def test_a_scenario_becomes_plain_data():
     drawn = SCENARIO | {
         "seed": np.int64(5),

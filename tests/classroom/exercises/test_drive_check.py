@@ -53,9 +53,6 @@ def checked(data, source):
     return run_check(data, control_in(source))
 
 
-# ---------------------------------------------------------------- declaration
-
-
 def test_the_environment_of_the_room_is_as_a_drive_expects():
     assert (room_env.SENSORS, room_env.STEP) == (SENSORS, STEP)
     _, info = room_env.RoomEnv(()).reset(seed=1, options={"duration": 1.0})
@@ -295,9 +292,6 @@ def test_a_mistake_is_known_by_the_first_drive_that_fails(master):
     assert late.mistake.says == "it comes too near!" and "    it comes too near!\n" in repr(late)
     assert validate_exercise(declared) == []
     assert run_cases(declared, control_in(RIGHT)).mistake is None
-
-
-# ---------------------------------------------------------------- how it looks
 
 
 def test_the_table_has_metrics_thresholds_and_points(data):

@@ -51,7 +51,7 @@ ADVICE = {
     "SimpleNamespace(height=3).rows": "The number of its rows is height, and of its columns width",
     "a.copy[0] = 3": "here or where it got its name, as in new = old.copy()",
     "raise NameError(\"name 'rospy' is not defined\")": "rospy is the library of ROS 1, and ROS 2 has rclpy",
-    "a[1:] - a[:-2]": "These two differ by 1: look where each slice begins and ends,",
+    "a[1:] - a[:-2]": "One of these two is longer, by 1. Print the shapes of both:",
     "a[5, 0]": "so 4 is the last index of axis 0.",
     "colour[0, 0, 3]": "so 2 is the last index of axis 2. Axis 2 of a colour image holds its channels.",
     "values[3]": "the last index is len(...) - 1",

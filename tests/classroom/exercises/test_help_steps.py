@@ -136,9 +136,6 @@ def test_a_damaged_solution_is_named_with_the_remedy(lesson, text):
         solution("test-double", give_up=True)
 
 
-# ---------------------------------------------------------------- the files
-
-
 @pytest.mark.parametrize("function", [hint, solution, lambda id: check(id, right)])
 def test_for_an_unknown_exercise_the_nearest_is_named(function):
     with pytest.raises(

@@ -143,9 +143,6 @@ def test_a_nodes_stub_must_define_its_class(node_master):
     assert 'has subject="node"; its answer cell must define class Doubler(Node)' in str(error.value)
 
 
-# ---------------------------------------------------------------- what `check` knows of a class
-
-
 def answer_in(source, file="<cell>", **names):
     """The class of a source that can be read, as that of a notebook's cell."""
     return run_cell(source, {"np": np, "__name__": "__main__"} | names, file)["Doubler"]

@@ -26,6 +26,13 @@ CASES = {
     "an order": ("def f(a, b):\n    return a - b", [((1, 3), 2)], "line 2", "which of them comes first?"),
     "a function": ("def f(a):\n    return int(a)", [((1.6,), 2), ((1.2,), 1)], "line 2", "int(a)"),
     "a number": ("def f(a):\n    return a[1:-1]", [(([1, 2, 3],), [1, 2])], "line 2", "1 in return a[1:-1]"),
+    "a square": ("def f(a):\n    return 16 - a", [((0,), 256)], "line 2", "16 in return 16 - a"),
+    "the names of a shape": (
+        "def f(a):\n    height, width = a.shape\n    return a.sum() / height",
+        [((np.ones((2, 3)),), 2.0)],
+        "line 3",
+        "height in return a.sum() / height: is it the right variable?",
+    ),
     "a variable": ("def f(a, b):\n    return a * a", [((2, 5), 10)], "line 2", "a in return a * a"),
     "the dtype of an argument": (
         "def f(a):\n    return float(sum(a) / len(a))",

@@ -21,6 +21,11 @@ def remarks(source, errors=()):
         ("return a == 1 or 2", "In a == 1 or 2 the last part is no comparison, and is true or false by"),
         ("a.astype(int)\n    return a", "a.astype(int) gives a new value and changes nothing: keep it"),
         ("return a is True", "a is True asks for the value True or False itself: of the number 1"),
+        (
+            "b = a > 3\n    return a * b",
+            "b is what the function gets, and b = a > 3 replaces it before it is",
+        ),
+        ("a[b] == 9\n    return a", "a[b] == 9 stands alone: it compares, and nothing is done"),
         ("for c in a:\n        return c", "A return at the end of the block of a loop ends the function in"),
     ],
 )
@@ -29,7 +34,9 @@ def test_a_certain_mistake_is_named(line, start):
     assert remark.startswith(start)
 
 
-@pytest.mark.parametrize("line", ["a or 2", "for c in a:\n        if c: break\n        return c"])
+@pytest.mark.parametrize(
+    "line", ["a or 2", "b = b > a", "a += b", "for c in a:\n        if c: break\n        return c"]
+)
 def test_of_other_lines_nothing_is_said(line):
     assert remarks(f"def f(a, b):\n    {line}\n") == []
 
@@ -39,6 +46,11 @@ def test_what_a_loop_over_an_argument_gives_should_be_used():
     texts = remarks(source.format("top"), {""})
     assert texts == ["f() does not use what it gets: width."]
     assert remarks(source.format("top, width"), {""}) == []
+
+
+def test_memory_that_is_replaced_is_told():
+    (remark,) = remarks("def f(seen, memory):\n    memory = {'seen': seen}\n    return memory")
+    assert remark.startswith("memory = ... makes a new value that only this call has.")
 
 
 def test_a_source_that_is_not_known_gives_no_remark():

@@ -71,9 +71,6 @@ def named(name, change=lambda made: None):
     return of_this_name
 
 
-# ---------------------------------------------------------------- JupyterLab's own commands
-
-
 @case()
 def merged_with_the_cell_below(made):
     place = position_of(made, DOUBLE)

@@ -44,8 +44,6 @@ class Kind(AnyKind):
     def simulated_seconds(self, exercise):
         return STEP * sum(steps_of(scenario_of(case)) for case in exercise.cases)
 
-    # ---------------------------------------------------------------- running
-
     def check_source(self, exercise):
         return _CHECK.format(function=exercise.function)
 
@@ -78,8 +76,6 @@ class Kind(AnyKind):
         from .draw_scenarios import number_of_drives
 
         return _SECONDS_PER_DRIVE * number_of_drives(exercise)
-
-    # ---------------------------------------------------------------- judging and explaining
 
     def known_mistake(self, exercise, calls):
         """The first one that is named like a behaviour of the first drive that fails, or of all drives."""

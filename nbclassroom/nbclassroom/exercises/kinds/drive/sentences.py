@@ -68,9 +68,6 @@ def _missed(record):
     return {name: value for name, value, *_ in record["missed"]}
 
 
-# ---------------------------------------------------------------- behaviours
-
-
 def behaviours(record, scenario):
     """{behaviour: a sentence about it, "" if others say it} of a whole drive that did not pass."""
     missed = _missed(record)
