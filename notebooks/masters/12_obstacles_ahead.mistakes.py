@@ -171,7 +171,7 @@ def nan_is_near(msg):
 # %% role="mistake" name="never stops" says="Your robot drives whatever the scan shows. Compare forward and left of each range with the limits of the corridor, and publish 0.0 if one is inside."
 BrakeNode = with_scans(nothing_near)
 
-# %% role="mistake" name="the angle of the scan itself" says="Your node takes angle 0 of the scan for straight ahead, and that is to the left of the robot: laser_frame is turned by 90 degrees. Add math.pi / 2 to each angle."
+# %% role="mistake" name="the angle of the scan itself" says="Your node takes angle 0 of the scan for straight ahead, and that is to the left of the robot: laser_frame is turned by 90 degrees. Add math.pi / 2 to each angle; forward is the range times the cosine of the sum."
 BrakeNode = with_scans(turn(-math.pi / 2))
 
 # %% role="mistake" name="looks behind" says="Your node looks behind the robot: the sign of the turn is wrong. laser_frame is turned to the left, so add math.pi / 2 to each angle of the scan."

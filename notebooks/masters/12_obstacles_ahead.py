@@ -661,9 +661,16 @@ def scan(rng, *things, rays=60, lowest=0.05, **more):
         ranges[round((degrees + 90) * rays / 360) % rays] = value
     fields = {"angle_min": -math.pi, "angle_increment": 2 * math.pi / rays, "range_min": lowest,
               "range_max": 8.0, "ranges": ranges.tolist()}
-    places = ", ".join(f"{degrees}: {value}" for degrees, value in things)
-    about = "this scan has walls" + f" and (degrees to the left of straight ahead: metres) {places}" * bool(things)
+    places = ", ".join(place_of(*thing) for thing in things)
+    about = "this scan has walls all around" + f" and, counted to the left of straight ahead, {places}" * bool(things)
     return {"topic": "/kachaka/lidar/scan", "message": "LaserScan", "fields": fields, "about": about} | more
+
+
+def place_of(degrees, value):
+    if not 0.1 < value < 8:
+        return f"{value} at {degrees}°"
+    ahead, left = (value * f(math.radians(degrees)) for f in (math.cos, math.sin))
+    return f"{value} m at {degrees}° ({ahead:.2f} m ahead, {abs(left):.2f} m to the {'left' if left > 0 else 'right'})"
 
 
 def shuffled(rng, steps):

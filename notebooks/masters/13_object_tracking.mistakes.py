@@ -167,11 +167,11 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.3, 1.5
 
-# %% role="mistake" name="it is too near" says="Drive in proportion to the distance minus 0.6, backward too. In this image the focal length is 176.25 pixels, and the ball is 0.22 m wide."
+# %% role="mistake" name="it is too near" says="Is the speed in proportion to the distance minus 0.6, backward too? In this image the focal length is 176.25 pixels, the ball is 0.22 m wide, and its middle is col + width / 2."
 def control(observation, memory):
     return 0.2, solution(observation, memory)[1]
 
-# %% role="mistake" name="it is too far away" says="Drive in proportion to the distance minus 0.6. In this image the focal length is 176.25 pixels, and the ball is 0.22 m wide."
+# %% role="mistake" name="it is too far away" says="Is the speed in proportion to the distance minus 0.6, and forward if that is positive? In this image the focal length is 176.25 pixels, the ball is 0.22 m wide, and its middle is col + width / 2."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return 0.4 * linear, angular
@@ -180,7 +180,7 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.25, 0.3
 
-# %% role="mistake" name="it turns away from the ball" says="If the ball is on the left, its column is smaller than 160, and the angular speed must be positive."
+# %% role="mistake" name="it turns away from the ball" says="If the ball is on the left, its column is smaller than 160, and the angular speed must be positive. The linear speed is the first number that you return."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, -angular

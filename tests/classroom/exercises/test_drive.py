@@ -147,7 +147,7 @@ def test_a_drive_shows_how_its_controller_behaves(speeds, behaviour, sentence):
 def test_behaviours_depend_on_goal_bump_and_height():
     record, scenario = driven((0.0, 0.0), duration=9.0, goal=(0.5, 0.0, 0.3))
     assert next(iter(behaviours(record, scenario))) == "it stands at the goal"
-    assert "stood, at the goal: the function" in sentences_of(record, scenario)[-1]
+    assert "stood, 0.5 m from the goal: the function" in sentences_of(record, scenario)[-1]
     record, scenario = driven((0.3, 0.0), room=10)
     assert [*behaviours(record, scenario)] == ["it comes too near", "bumps", "clearance"]
     record["metrics"] |= {"low": True, "remarks": {"another ball": "It looked at the third ball."}}
@@ -158,12 +158,13 @@ def test_behaviours_depend_on_goal_bump_and_height():
 
 
 def test_drives_are_alike_if_their_speeds_or_their_paths_are():
-    (straight, _), (other, _) = driven((0.3, 0.0)), driven((0.3, 0.0), room=10)
-    turned, _ = driven((0.3, 0.0), start=(0.0, 0.0, 3.0))
-    late, _ = driven(lambda t: (0.3, 0.0 if t < 2.5 else 0.1))
-    curve, _ = driven((0.3, 0.6))
-    alike = [drives_alike([straight, one]) for one in (other, turned, late, curve)]
-    assert alike == [True, True, True, False] and not drives_alike([straight])
+    longer = {"duration": 7.0, "room": 60}
+    straight, turned = (driven((0.3, 0.0), **longer | {"start": (0, 0, yaw)})[0] for yaw in (0.0, 3.0))
+    late, curve = (driven(lambda t, yaw=yaw: (0.3, yaw * (t > 6)), **longer)[0] for yaw in (0.1, 2.0))
+    alike = [drives_alike([straight, one]) for one in (turned, late, curve)]
+    assert alike == [True, True, False] and not drives_alike([straight])
+    bumping = [driven(lambda t, last=last: (0.3, last), room=6)[0] for last in (0.0, 0.01)]
+    assert not drives_alike(bumping) and drives_alike(bumping[:1] * 2)
     still = [driven((0.0, 0.5), room=room)[0] for room in (10, 20)]
     assert not drives_alike(still)
 

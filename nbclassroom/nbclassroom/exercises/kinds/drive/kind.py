@@ -84,9 +84,8 @@ class Kind(AnyKind):
         ]
         if not drives:
             return None
-        names = set(behaviours(*drives[0]))
-        if drives_alike([call.record for call in calls]):
-            names.add("it drives the same way")
+        alike = ["it drives the same way"] * drives_alike([call.record for call in calls])
+        names = [*behaviours(*drives[0]), *alike]
         return next((mistake for mistake in exercise.mistakes if mistake.name in names), None)
 
     def explain(self, exercise, call):

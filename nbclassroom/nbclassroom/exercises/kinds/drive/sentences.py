@@ -96,8 +96,8 @@ def drives_alike(records):
     paths = [_from_its_start(np.array(record["path"]))[: length + 1] for record in records]
     same_speeds = all(record["actions"][:length] == records[0]["actions"][:length] for record in records)
     same_path = all(np.hypot(*(path - paths[0]).T).max() < _SAME for path in paths)
-    is_on_its_way = np.hypot(*paths[0].T).max() > _SAME
-    return len(paths) > 1 and (same_speeds or same_path) and bool(is_on_its_way)
+    way = np.hypot(*paths[0].T).max()
+    return len(paths) > 1 and bool((same_speeds and way > _SAME) or (same_path and way > 10 * _SAME))
 
 
 def _from_its_start(path):
@@ -107,8 +107,8 @@ def _from_its_start(path):
 
 def _beyond_limits(record):
     """Of speeds in another unit, degrees for example."""
-    speeds, limits = np.abs(record["actions"]), record["limits"]
-    for own, limit, unit in zip(speeds.T, limits, ("m/s", "rad/s"), strict=True):
+    speeds = np.abs(record["actions"]).T
+    for own, limit, unit in zip(speeds, record["limits"], ("m/s", "rad/s"), strict=True):
         if np.mean(own > _LARGE * limit) > 1 / 20:
             text = f"The function returned up to {own.max():.0f} {unit}; the robot can do {limit:g} {unit}."
             return {"its speeds are too large": text}
@@ -118,23 +118,22 @@ def _beyond_limits(record):
 def _stay(record, goal):
     """Of the longest time that the robot spent in one place."""
     path, actions = np.array(record["path"]), np.array(record["actions"])
-    ends = [_left(path, start) for start in range(len(path))]
-    start = max(range(len(path)), key=lambda start: ends[start] - start)
-    end = ends[start]
+    stays = [(start, _left(path, start)) for start in range(len(path))]
+    start, end = max(stays, key=lambda stay: stay[1] - stay[0])
     if (end - start) * STEP < _STAYS[1]:
         return {}
     until = "the end" if end == len(path) - 1 else f"{end * STEP:.1f} s"
     text = f"From {start * STEP:.1f} s to {until} the robot"
-    turned, signs = np.unwrap(path[start : end + 1, 2]), np.sign(actions[start:end, 1])
-    signs = signs[np.abs(actions[start:end, 1]) > _TURNS]
+    turned, turns = np.unwrap(path[start : end + 1, 2]), actions[start:end, 1]
     if np.mean((np.abs(actions[start:end]) < _LEAST).all(1)) > 0.9:
-        is_there = goal and math.dist(path[end, :2], goal[:2]) < goal[2] + _STAYS[0]
-        place = ", at the goal" if is_there else ""
+        away = math.dist(path[end, :2], goal[:2]) if goal else math.inf
+        is_there = away < (goal or [0, 0, 0])[2] + _STAYS[0]
+        place = f", {away:.1f} m from the goal" if is_there else ""
         text = f"{text} stood{place}: the function returned no speed."
         return {"it stands at the goal" if is_there else "it stands": text}
     if (rounds := abs(turned[-1] - turned[0]) / (2 * math.pi)) > _ROUNDS:
         return {"it turns on the spot": f"{text} turned on the spot, {rounds:.1f} times round."}
-    if (changes := np.count_nonzero(np.diff(signs))) > 5:
+    if (changes := np.count_nonzero(np.diff(np.sign(turns[np.abs(turns) > _TURNS])))) > 5:
         text += f" stayed in one place, and changed the side to which it turned {changes} times."
         return {"it turns left and right": text}
     is_long = (end - start) * STEP > 2 * _STAYS[1]
@@ -150,8 +149,9 @@ def _left(path, start):
 def _circles(record):
     yaws = np.unwrap(np.array(record["path"])[:, 2])
     rounds = (yaws[-1] - yaws[0]) / (2 * math.pi)
-    side = "left" if rounds > 0 else "right"
-    text = f"In all, the robot turned {abs(rounds):.0f} times round to the {side}."
+    text = (
+        f"In all, the robot turned {abs(rounds):.0f} times round to the {'left' if rounds > 0 else 'right'}."
+    )
     return {"it drives in circles": text} if abs(rounds) > _CIRCLES else {}
 
 

@@ -101,6 +101,8 @@ def _on_speed(wanted, given, steps):
     step = steps[-1]
     when = "this message comes" if "topic" in step else f"no message came for {step.get('seconds')} s"
     when = step.get("about", when)
+    if "topic" in step and "topic" not in steps[-2:][0]:
+        when += f" and is the first one after {steps[-2]['seconds']} s without any"
     must = f"drive with {wanted} m/s" if wanted else "stand"
     return f"When {when}, the robot must {must}, and the newest command of your node says {given} m/s."
 

@@ -207,7 +207,7 @@ class RecordingNode:
         if raw:
             refuse("raw=True")
         if not takes(callback, 1) and not takes(callback, 2):
-            raise NodeError("Pass the callback itself, without (): ROS calls image_callback(self, msg).")
+            raise NodeError("Pass the callback without (): ROS calls it: def image_callback(self, msg):")
         return self._create(self._node_record.subscriptions, msg_type, topic, qos_profile, callback)
 
     def _create(self, endpoints, msg_type, topic, qos_profile, callback=None):
