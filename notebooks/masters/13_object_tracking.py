@@ -631,8 +631,8 @@ def inputs(rng):
 
 # %% role="case" title="place and speed on the floor" points=1 hint="Is S the covariance seen by H, plus R, and does the gain use its inverse?"
 def inputs(rng):
-    return [(rng.uniform(-2, 2, 4).round(2), random_covariance(rng, 4), rng.uniform(-2, 2, 2).round(2), np.eye(2, 4),
-             random_covariance(rng, 2, scale)) for scale in (0.1, 1.0)]
+    return [(rng.uniform(-2, 2, 4).round(2), random_covariance(rng, 4), rng.uniform(-2, 2, 2).round(2), H,
+             random_covariance(rng, 2, scale)) for scale, H in ((0.1, np.eye(2, 4)), (1.0, np.eye(2, 4, 2)))]
 
 
 # %% role="hidden" title="any matrices" points=1 hint="Is each product in the right order?"

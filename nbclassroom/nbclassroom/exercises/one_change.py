@@ -187,9 +187,9 @@ def _compare(node, _tree):
 
 
 def _order(node, _tree):
-    elements = getattr(node, "elts", ())
-    if re.fullmatch(r"\(?(h|rows?|height), (w|cols?|width)\)?", ast.unparse(node)):
-        elements = ()  # in the order of a shape
+    names = ast.unparse(node) if isinstance(getattr(node, "ctx", None), ast.Store) else ""
+    is_as_in_shape = re.fullmatch(r"\(?(h|rows?|height), (w|cols?|width)\)?", names)
+    elements = () if is_as_in_shape else getattr(node, "elts", ())
     for first, last in pairwise(elements):
         swapped = {first: last, last: first}
         if ast.dump(first) != ast.dump(last):

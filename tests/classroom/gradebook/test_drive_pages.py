@@ -17,7 +17,10 @@ pytestmark = [pytest.mark.sandbox, pytest.mark.timeout(300)]
 
 MASTERS = Path(__file__).parents[1] / "autograder/driving/masters"
 SLOW = "def control(observation, memory):\n    return 0.1, 0.0"
-SENTENCE = "The robot drove {0} m; the task asks for at least {1} m (bumps 0, distance driven {0} m)".format
+SENTENCE = (
+    "The robot drove {0} m; the task asks for at least {1} m. The robot never drove faster than 0.10 m/s;"
+)
+SENTENCE = f"{SENTENCE} it can drive with 0.3 m/s (bumps 0, distance driven {{0}} m)".format
 PUBLIC, HIDDEN = SENTENCE("0.09", "0.15"), SENTENCE("0.19", "0.30")
 
 

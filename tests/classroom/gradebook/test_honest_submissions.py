@@ -165,9 +165,6 @@ def a_lambda_in_another_cell(made):
     insert(made, position_of(made, DOUBLE) + 1, new_cell(source))
 
 
-# ---------------------------------------------------------------- other tools
-
-
 @case()
 def nbstripout_with_its_defaults(made):
     for number, cell in enumerate(made["cells"]):

@@ -15,7 +15,7 @@ class Kind(AnyKind):
     """A controller, which thresholds judge, never values."""
 
     name = "drive"
-    kernel_modules = ("drive",)
+    kernel_modules = ("drive", "sentences")
     sensors = SENSORS
     expects_values = shares_kernel = False
     shows_last_prints = explains_enough = True
