@@ -34,9 +34,6 @@ def run(tmp_path, monkeypatch):
     return run
 
 
-# ---------------------------------------------------------------- workers
-
-
 def test_without_workers_there_is_one_for_two_cores(run, tmp_path, key_path, monkeypatch):
     write(tmp_path / "in" / "ada.ipynb", notebook(read_master(MASTERS / "21_sound.py"), {}))
     asked, grade_submissions = [], grade.grade_submissions
@@ -51,9 +48,6 @@ def test_without_workers_there_is_one_for_two_cores(run, tmp_path, key_path, mon
     assert run("grade", "in", "--key", key_path).exit_code == 0
     assert run("grade", "in", "--key", key_path, "--workers", 2).exit_code == 0
     assert asked == [3, 2]
-
-
-# ---------------------------------------------------------------- key
 
 
 def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_path):

@@ -69,8 +69,6 @@ def verdict_of_grade(path, answer_keys):
     return verdict_of(submission.content, store.page)
 
 
-# ---------------------------------------------------------------- damage
-
 CODE = [
     "",
     "# later",
@@ -186,9 +184,6 @@ def as_bytes(made, file_damage):
         "empty": b"",
         "list": b"[%s]" % data,
     }.get(file_damage, data)
-
-
-# ---------------------------------------------------------------- one verdict
 
 
 @settings(
