@@ -1,6 +1,6 @@
 """What is said about a drive: the thresholds that it missed, and what its path and its speeds show.
 
-A behaviour is what a drive shows of its controller, whoever wrote it. A declared mistake of an exercise that
+A behaviour is what a drive shows of any controller. A declared mistake of an exercise that
 drives has the name of a behaviour, or of a metric that was missed, and advises a learner whose robot does so.
 """
 
