@@ -70,7 +70,7 @@ def use(path):
 def file():
     """The path of the course.toml. CourseError: there is none."""
     if named := os.environ.get(VARIABLE):
-        return Path(named)
+        return Path(named).resolve()
     here = Path.cwd()
     for folder in (here, *here.parents):
         for path in (folder / FILE, folder / "notebooks" / FILE):

@@ -20,9 +20,9 @@ from ..authoring.lesson_files import exercise_files, stored_exercise
 from ..authoring.masters import find_masters, read_master
 from ..exercises.atomic_write import write_file, write_folder
 from ..exercises.canonical import encode
-from ..exercises.case_call import explain_call
 from ..exercises.lesson import ExpectedCall, with_results
 from ..exercises.percent_script import MasterError
+from ..exercises.running import explain_call
 from . import answer_key
 from .sandbox import bubblewrap
 from .sandbox.fork_server_client import KernelFactory

@@ -9,10 +9,9 @@ import numpy as np
 
 from . import feedback
 from .canonical import array_of
-from .case_call import CaseCall
 from .diagnosis import Diagnosis, diagnose
 from .lesson import Case, Exercise, Mistake
-from .running import attempt
+from .running import CaseCall, attempt
 
 NONE = {"type": "None"}  # the canonical form
 

@@ -12,11 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from .case_call import CaseCall, explain_call
 from .comparison import compare
 from .kinds import kind_of
 from .percent_script import MasterError
-from .running import CallResult, bytes_allowed, call
+from .running import CallResult, CaseCall, bytes_allowed, call, explain_call
 from .source_remarks import unused_arguments
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own

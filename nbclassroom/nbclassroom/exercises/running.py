@@ -32,7 +32,7 @@ from typing import Any
 import numpy as np
 
 from .canonical import canonical
-from .comparison import compare, named_items
+from .comparison import Difference, compare, named_items
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
 _MOST_BYTES = 200_000  # of a value, beside its share of the expected one: 8 for each element of an array
@@ -89,6 +89,45 @@ class CallResult:
         if ends[0] != ends[1]:
             return False
         return not self.finished or compare(other.value, self.value, tolerance, exact_type=exact_type) is None
+
+
+@dataclass(frozen=True)
+class CaseCall:
+    """One call of a case: what was expected, what the answer did; of a drive the `drive.Drive.record`."""
+
+    case: Any
+    arguments: tuple
+    expected: CallResult
+    result: CallResult
+    difference: Difference | None
+    record: dict | None = None
+
+    @property
+    def passed(self) -> bool:
+        return self.result.finished and not self.result.changed and self.difference is None
+
+
+def explain_call(result, difference, name):
+    """What went wrong in one call of an answer of this name, in a sentence or two; "" if nothing did."""
+    if result.timed_out:
+        text = f"{name} did not finish in time and was stopped."
+        return text + " It could not be stopped: restart the kernel before you go on." * result.stuck
+    if result.error:
+        text = f"{name} raised {result.error}" + (f": {result.message}" if result.message else "")
+        return text + (f"\nin your {result.line}" if result.line else "")
+    if result.changed:
+        argument = result.changed[0]
+        text = f"{name} changed its input {argument}."
+        if not argument.isidentifier():
+            return f"{text} Only read it, and store what you compute under new names."
+        advice = f"write the result into a new array, or begin with {argument} = {argument}.copy()."
+        return f"{text} Leave the input as it is: {advice}"
+    if difference is None:
+        return ""
+    if result.value["type"] == "None" and result.printed:
+        return f"{name} returned None. print only shows a value: write return in place of print."
+    message = difference.message[0].upper() + difference.message[1:] + "."
+    return f"In answer{difference.path}: {message}" if difference.path else message
 
 
 def call(function, arguments, names, time_limit, run=operator.call, most_bytes=None):

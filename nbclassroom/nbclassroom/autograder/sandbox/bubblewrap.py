@@ -30,7 +30,7 @@ _SOURCE = Path(nbclassroom.__file__).resolve().parent
 _STUB = _SOURCE / "autograder" / "sandbox" / "inside" / "package_stub.py"
 # Modules of `exercises` that check cells need, beside those of the kinds; none of them knows an answer.
 _EXERCISES = (
-    *("canonical", "case_call", "cell_syntax", "comparison", "page_run", "running"),
+    *("canonical", "cell_syntax", "comparison", "page_run", "running"),
     *("kinds/__init__", "kinds/kind"),
 )
 # Paths inside the sandbox.

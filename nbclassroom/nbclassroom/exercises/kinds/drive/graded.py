@@ -10,9 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...case_call import CaseCall
 from ...comparison import Difference
-from ...running import CallResult
+from ...running import CallResult, CaseCall
 from .drive import (
     LARGE,
     METRICS,

@@ -1,5 +1,4 @@
-from ...case_call import explain_call
-from ...running import overwrite_freed_memory
+from ...running import explain_call, overwrite_freed_memory
 from ..kind import Kind as AnyKind
 
 _EMIT = "from nbclassroom.autograder.sandbox.inside.check_cell import emit\n\nemit({function}{name})"
