@@ -168,13 +168,13 @@ def nothing_near(msg):
 def nan_is_near(msg):
     msg.ranges = [0.1 if math.isnan(value) else value for value in msg.ranges]
 
-# %% role="mistake" name="never stops" says="Your robot drives whatever the scan shows. Compare forward and left of each range with the limits of the corridor, and publish 0.0 if one is inside."
+# %% role="mistake" name="never stops" says="Your robot stands for none of the scans of these checks. Print the angle, forward and left of a range of 0.3 m straight ahead: are they 0, 0.3 and 0? An angle is angle_min + index * angle_increment + math.pi / 2, in radians. One range in the corridor is enough to publish 0.0."
 BrakeNode = with_scans(nothing_near)
 
-# %% role="mistake" name="the angle of the scan itself" says="Your node takes angle 0 of the scan for straight ahead, and that is to the left of the robot: laser_frame is turned by 90 degrees. Add math.pi / 2 to each angle; forward is the range times the cosine of the sum."
+# %% role="mistake" name="the angle of the scan itself" says="Your node looks to the left of the robot. Straight ahead is where the angle of the scan plus math.pi / 2 is 0: laser_frame is turned by 90 degrees. Forward is the range times the cosine of this sum, left its sine."
 BrakeNode = with_scans(turn(-math.pi / 2))
 
-# %% role="mistake" name="looks behind" says="Your node looks behind the robot: the sign of the turn is wrong. laser_frame is turned to the left, so add math.pi / 2 to each angle of the scan."
+# %% role="mistake" name="looks behind" says="Your node looks behind the robot. The angle seen from the robot is angle_min + index * angle_increment + math.pi / 2: all three parts count. Forward is the range times its cosine, left its sine."
 BrakeNode = with_scans(turn(math.pi))
 
 # %% role="mistake" name="drives backward" says="Your robot drives backward: by REP 103, x points forward, so linear.x is 0.2."
@@ -187,7 +187,7 @@ class BrakeNode(solution):
         command.linear.x = -command.linear.x
         self.forward.publish(command)
 
-# %% role="mistake" name="nan is near" says="nan stops your robot: a minimum with nan is nan, and each comparison with it is False. Leave out first what is not between range_min and range_max."
+# %% role="mistake" name="nan is near" says="nan stops your robot. Each comparison with nan is False, so it counts if you only ask what is too near or too far: leave out first what is not between range_min and range_max."
 BrakeNode = with_scans(nan_is_near)
 
 # %% role="mistake" name="what is below range_min counts" says="Ranges below range_min stop your robot. They are no measurements: the scanner sees itself. Leave them out: ranges >= msg.range_min."
@@ -207,7 +207,7 @@ class BrakeNode(solution):
 # %% [markdown]
 # # obstacles-drive
 
-# %% role="mistake" name="its speeds are too large" says="Is an angle in degrees? All angles here are in radians. And the linear speed is the first of the two numbers."
+# %% role="mistake" name="its speeds are too large" says="Two causes are usual: an angle is in degrees (all angles here are in radians), or the two numbers are exchanged (the linear speed is the first)."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, math.degrees(angular)
@@ -215,10 +215,6 @@ def control(observation, memory):
 # %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use the observation: things stand at other places each time."
 def control(observation, memory):
     return 0.25, 0.3
-
-# %% role="mistake" name="something low" says="Does it use the points of the camera? obstacles(observation) has both. Does it remember them, in the frame of the odometry? The camera sees nothing that is beside the robot, or nearer than 0.38 m. And does it stop 0.45 m before what is low?"
-def control(observation, memory):
-    return solution(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
 
 # %% role="mistake" name="it stands at the goal" says="Do not stop there: choose another goal in a direction in which free_way is long, and drive on."
 def control(observation, memory):
@@ -234,20 +230,30 @@ def control(observation, memory):
         return 0.0, 0.0
     return 0.3, 0.0
 
-# %% role="mistake" name="it turns on the spot" says="Drive on while free_way ahead is long enough. A direction that you stored is in the frame of the odometry: turn by the direction minus the yaw, wrapped. Points of earlier looks are in that frame, too: turn them back before you ask free_way."
+# %% role="mistake" name="it turns on the spot" says="Usual causes: the stored direction is in the frame of the odometry, and the turn is this direction minus the yaw, wrapped; points of earlier looks are not turned back before free_way is asked, or to the wrong side; an angle is in degrees (the yaw is in radians). Print which directions are free for your function where it stands."
 def control(observation, memory):
     return 0.03, 0.6
 
-# %% role="mistake" name="it turns left and right" says="Three causes are usual: it forgets what it saw and decided (store the points of all looks, and the aim, in memory), the sign of the angular speed is wrong (a direction on the left is positive), or an angle is in degrees."
+# %% role="mistake" name="it turns left and right" says="Usual causes: it forgets what it saw and decided (store the points of all looks, and the aim, in memory); the sign of the angular speed is wrong (a direction on the left is positive); the yaw is not subtracted; an angle is in degrees."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, -angular
 
-# %% role="mistake" name="it comes too near" says="Is the corridor as wide as the robot with 0.2 m on each side (free_way: 0.64 m)? Does it stand while it turns to a new direction? And does it stop 0.45 m before what is in its way?"
+# %% role="mistake" name="something low" says="Does it use the points of the camera? obstacles(observation) has both. It must remember them, too: the camera sees nothing that is beside the robot, or nearer than 0.38 m."
+def control(observation, memory):
+    others = {name: observation[name] for name in observation if name != "depth"}
+    return solution(others | {"depth": np.zeros((90, 160), np.uint16)}, memory)
+
+# %% role="mistake" name="something low seen" says="The camera saw it earlier, and from near it does not. Usual causes: it forgets the points of earlier looks (store them in the frame of the odometry); it does not turn them back before it asks free_way; the corridor is narrower than 0.64 m; it does not stop 0.45 m before, in each step."
+def control(observation, memory):
+    seen = dict(observation, depth=np.zeros_like(observation["depth"]))
+    return solution(seen, memory)
+
+# %% role="mistake" name="it comes too near" says="Usual causes: the corridor is narrower than the robot with 0.2 m on each side (0.64 m); it drives while it turns to a new direction; it does not stop 0.45 m before what is in its way; points of earlier looks are not turned back before free_way is asked."
 def control(observation, memory):
     return 0.3, solution(observation, memory)[1]
 
-# %% role="mistake" name="time to the goal" says="Does it steer to the goal, also after a way round something? Compute the direction of the goal from the odometry, and turn to it when the way there is free."
+# %% role="mistake" name="time to the goal" says="Usual causes: the direction of the goal is math.atan2(0 - y, 2.2 - x) less the yaw, wrapped; the robot must turn to it when the way there is free; and it must decide for one side of an obstacle, and keep to it (in memory) until then."
 def control(observation, memory):
     if free_way(obstacles(observation), 0.0, 0.80) < 0.45:
         return 0.0, 0.8

@@ -654,15 +654,21 @@ exercise(
 )
 
 
-def scan(rng, *things, rays=60, lowest=0.05, **more):
-    """A step of a drive: a scan of walls, and of things: (degrees to the left of straight ahead, range)."""
+def scan(rng, *things, rays=60, lowest=0.05, empty=(), **more):
+    """A step of a drive: a scan of walls, and of things: (degrees to the left of straight ahead, range).
+
+    Between the two degrees of `empty` nothing is met.
+    """
     ranges = rng.uniform(2.0, 4.0, rays).round(2)
-    for degrees, value in things:
+    step = 2 * math.pi / rays
+    for degrees, value in (*((degrees, math.inf) for degrees in range(*empty, 6)), *things) if empty else things:
         ranges[round((degrees + 90) * rays / 360) % rays] = value
-    fields = {"angle_min": -math.pi, "angle_increment": 2 * math.pi / rays, "range_min": lowest,
-              "range_max": 8.0, "ranges": ranges.tolist()}
+    fields = {"angle_min": -math.pi, "angle_max": -math.pi + (rays - 1) * step, "angle_increment": step,
+              "range_min": lowest, "range_max": 8.0, "ranges": ranges.tolist()}
     places = ", ".join(place_of(*thing) for thing in things)
-    about = "this scan has walls all around" + f" and, counted to the left of straight ahead, {places}" * bool(things)
+    about = "this scan has walls all around, at least 2 m away"
+    about += " (but inf from {}° to {}°)".format(*empty) if empty else ""
+    about += f" and, counted to the left of straight ahead, {places}" if things else ""
     return {"topic": "/kachaka/lidar/scan", "message": "LaserScan", "fields": fields, "about": about} | more
 
 
@@ -743,17 +749,20 @@ def inputs(rng):
 
 # %% role="case" title="step 2: brake" points=1 hint="Which angle of the scan is straight ahead? And are both limits used, forward and left?"
 def inputs(rng):
-    near = [(0, 0.3), (25, 0.35), (-30, 0.3)]  # in the corridor
+    near = [(0, 0.3), (24, 0.42), (-24, 0.42), (-30, 0.3)]  # in the corridor
     elsewhere = [(90, 0.3), (-90, 0.3), (180, 0.3), (60, 0.35), (-60, 0.35), (0, 0.6)]
     scans = [scan(rng, thing) for thing in (*near, *near, *elsewhere)]
-    return ("commands", shuffled(rng, [*scans, scan(rng, (0, 0.25), rays=120)]))
+    beside = scan(rng, (84, 0.25), (6, 0.35))
+    return ("commands", [scan(rng), *shuffled(rng, [*scans, beside, scan(rng, (0, 0.25), rays=120)])])
 
 
 # %% role="case" title="step 3: use only measurements" points=1 hint="Do nan, inf and ranges below range_min stop your robot? Or do they hide an obstacle?"
 def inputs(rng):
-    no_measurements = [(5, math.nan), (0, math.inf), (-5, math.nan), (10, 0.02), (-10, 9.5)]
-    scans = [scan(rng, *no_measurements, *thing) for thing in 2 * ([], [], [], [(15, 0.3)], [(-15, 0.3)], [(20, 0.35)])]
-    return ("commands", shuffled(rng, [*scans, scan(rng, (0, 0.15), lowest=0.2)]))
+    no_measurements = [(6, math.nan)], [(0, math.inf)], [(12, 0.02)], [(-6, 9.5)]
+    alone = [scan(rng, *things) for things in no_measurements]
+    obstacles = [scan(rng, *things, (18, 0.3)) for things in no_measurements]
+    gaps = [scan(rng, (12, 0.3), empty=(-90, 0)), scan(rng, (-12, 0.3), empty=(-90, -30)), scan(rng, empty=(-30, 60))]
+    return ("commands", shuffled(rng, [*alone, *obstacles, *gaps, scan(rng, (0, 0.15), lowest=0.2)]))
 
 
 # %% role="case" title="step 4: stop when the data stop" points=1 hint="A timer must publish 0.0 when no scan has come for 0.5 s, and each scan must begin its time again."
@@ -761,7 +770,8 @@ def inputs(rng):
     scans = [scan(rng) for _ in range(4)]
     mixed = [*scans, *(scan(rng, (degrees, 0.3)) for degrees in (0, 10, -10, 5))]
     first, then = shuffled(rng, mixed), shuffled(rng, mixed)
-    return ("commands", [{"seconds": 0.6}, *scans, scan(rng, seconds=0.3), *first, scan(rng), {"seconds": 1.2}, *then])
+    stopped = [scan(rng), {"seconds": 1.2}, scan(rng), {"seconds": 1.2}]
+    return ("commands", [{"seconds": 0.6}, *scans, scan(rng, seconds=0.3), *first, *stopped, *then])
 
 
 # %% role="hidden" title="other scans" points=1 hint="Does your node use angle_min, angle_increment, range_min and range_max of each scan?"

@@ -154,12 +154,12 @@ def control(observation, memory):
     linear = 1.2 * (176.25 * 0.22 / size - 0.6)
     return min(max(linear, -0.3), 0.3), min(max(2 * (160 - middle) / 176.25, -1.0), 1.0)
 
-# %% role="mistake" name="it stands" says="Does your function return 0, 0 when it does not find the ball? Then turn to where you predict it: its column is moved by the robot's own turn."
+# %% role="mistake" name="it stands" says="Usual causes: it returns 0, 0 when it does not find the ball (turn to where you predict it: its column is moved by the robot's own turn); or it never finds which spot moved (compare with the first image, which is stored once, after half a second or more)."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return (linear, angular) if observation["time"] < 1.2 else (0.0, 0.0)
 
-# %% role="mistake" name="it turns on the spot" says="Drive in proportion to the distance minus 0.6, and turn in proportion to 160 minus the column of the ball."
+# %% role="mistake" name="it turns on the spot" says="Usual causes: it lost the ball, because the column where it looks does not move with the robot's own turn (plus 17.6 times the angular speed: to the left, columns grow); or the angular speed has the wrong sign (positive for a column below 160); or the linear speed is not in proportion to the distance minus 0.6."
 def control(observation, memory):
     return 0.03, 0.6
 
@@ -167,11 +167,11 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.3, 1.5
 
-# %% role="mistake" name="it is too near" says="Is the speed in proportion to the distance minus 0.6, backward too? In this image the focal length is 176.25 pixels, the ball is 0.22 m wide, and its middle is col + width / 2."
+# %% role="mistake" name="it is too near" says="Usual causes: the linear speed is not in proportion to the distance minus 0.6, backward too; the distance is not 176.25 * 0.22 / width of the ball in the image."
 def control(observation, memory):
     return 0.2, solution(observation, memory)[1]
 
-# %% role="mistake" name="it is too far away" says="Is the speed in proportion to the distance minus 0.6, and forward if that is positive? In this image the focal length is 176.25 pixels, the ball is 0.22 m wide, and its middle is col + width / 2."
+# %% role="mistake" name="it is too far away" says="Usual causes: the linear speed is 0.6 minus the distance, and not the distance minus 0.6; the distance is not 176.25 * 0.22 / width of the ball in the image; the robot turns past the ball and loses it (its middle is col + width / 2, its angle is in radians)."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return 0.4 * linear, angular

@@ -298,12 +298,12 @@ def believe(readings, names, votes):
 # %% [markdown]
 # # errand-drive
 
-# %% role="mistake" name="it stands" says="Did it read the word, and stay there? Then drive back to (0, 0) of the odometry: the direction is math.atan2(-y, -x), less the yaw."
+# %% role="mistake" name="it stands" says="Usual causes: it read the word, and stays there (drive back to (0, 0) of the odometry: the direction is math.atan2(-y, -x), less the yaw); or it waits for a word that it cannot read any more, because the sign is above the image."
 def control(observation, memory):
     speeds = solution(observation, memory)
     return speeds if memory["task"] == "go" else (0.0, 0.0)
 
-# %% role="mistake" name="it turns on the spot" says="When find_sign sees the sign, turn in proportion to its angle, and drive. A direction that you stored, less the yaw, must be wrapped."
+# %% role="mistake" name="it turns on the spot" says="Usual causes: find_sign gives word, angle and distance, in this order, and the angular speed must be in proportion to the angle; so near that the sign is above the image it sees none (decide with the words that you have, and go back); a stored direction less the yaw must be wrapped; the direction of the answer is computed again in each step, and not stored once."
 def control(observation, memory):
     return 0.03, 0.6
 
@@ -311,12 +311,12 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.25, 0.3
 
-# %% role="mistake" name="from the start, at the end" says="Does it drive back to (0, 0) of its odometry? The direction is math.atan2(-y, -x), less the yaw."
+# %% role="mistake" name="from the start, at the end" says="Usual causes: it does not drive back to (0, 0) of its odometry (the direction is math.atan2(-y, -x), less the yaw); or it forgets in which part of its task it is (a value in memory is set only once: memory.setdefault)."
 def control(observation, memory):
     speeds = solution(observation, memory)
     return speeds if memory["task"] == "go" else (0.1, 0.2)
 
-# %% role="mistake" name="error of the answer" says="Turn by ANSWERS[word], which is in degrees (math.radians) and positive to the left, and count it from the sign: look at the sign again, because its direction at the start is not known."
+# %% role="mistake" name="error of the answer" says="Usual causes: ANSWERS[word] is in degrees (math.radians), positive to the left, and counts from the sign, so look at the sign again at the end and add its angle to the yaw; or it is not stored once, but computed again while the robot turns."
 def control(observation, memory):
     speeds = solution(observation, memory)
     if "yaw" in memory:
@@ -330,31 +330,37 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.25, 0.3
 
-# %% role="mistake" name="something low" says="Does it use the points of the camera? remembered(observation, memory) has both, and remembers them: what is low and near is below the image."
-def control(observation, memory):
-    return solution(dict(observation, depth=np.zeros((90, 160), np.uint16)), memory)
-
 # %% role="mistake" name="it stands" says="Choose another direction, and drive on."
 def control(observation, memory):
     if way_before(obstacles(observation), 0.0) < 0.45:
         return 0.0, 0.0
     return 0.3, 0.0
 
-# %% role="mistake" name="it turns on the spot" says="Drive on while way_before ahead is long enough. A heading that you stored is in the frame of the odometry: turn by the heading minus the yaw, wrapped."
+# %% role="mistake" name="it turns on the spot" says="Usual causes: a stored heading is in the frame of the odometry (yaw + direction), and the turn is the heading minus the yaw, wrapped; an angle is in degrees; it never drives on while way_before ahead is long enough."
 def control(observation, memory):
     return 0.03, 0.6
 
-# %% role="mistake" name="it turns left and right" says="Does each call choose again? Store the heading in memory, and choose a new one when the way is not free, or after a metre. And a direction on the left is positive."
+# %% role="mistake" name="it turns left and right" says="Usual causes: each call chooses again (store the heading in memory, and choose a new one when the way is not free, or after a metre); a stored heading is yaw + direction, and the turn is the heading minus the yaw, wrapped; a direction on the left is positive; an angle is in degrees."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, -angular
+
+# %% role="mistake" name="something low" says="Does it use the points of the camera? remembered(observation, memory) has both, and remembers them: what is low and near is below the image."
+def control(observation, memory):
+    others = {name: observation[name] for name in observation if name != "depth"}
+    return solution(others | {"depth": np.zeros((90, 160), np.uint16)}, memory)
+
+# %% role="mistake" name="something low seen" says="The camera saw it earlier, and remembered keeps it. Usual causes: it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before; the corridor is narrower than the robot with room on each side; an angle is in degrees, or the two speeds are exchanged."
+def control(observation, memory):
+    seen = dict(observation, depth=np.zeros_like(observation["depth"]))
+    return solution(seen, memory)
 
 # %% role="mistake" name="it is slow" says="The time is over before it comes to 20 places."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return min(linear, 0.1), angular
 
-# %% role="mistake" name="it drives to the same places again" says="Choose the way with the most new cells, by count_new."
+# %% role="mistake" name="it drives to the same places again" says="Usual causes: it does not choose the way with the most new cells, by count_new; or it gives count_new a direction without the yaw."
 def control(observation, memory):
     yaw, points = observation["odometry"][2], remembered(observation, memory)
     error = math.remainder(memory.setdefault("heading", yaw) - yaw, 2 * math.pi)
@@ -367,6 +373,6 @@ def control(observation, memory):
     memory["heading"] = yaw + float(directions[np.argmax(ways)])
     return 0.0, 0.0
 
-# %% role="mistake" name="it comes too near" says="Is the corridor of way_before as wide as the robot with room on each side? Does it stand while it turns to a new heading? And does it stop 0.45 m before what is in its way?"
+# %% role="mistake" name="it comes too near" says="Usual causes: the corridor of way_before is narrower than the robot with room on each side; it drives while it turns to a new heading; it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before what is in its way; the points of remembered are already seen from the robot, and must not be turned again."
 def control(observation, memory):
     return 0.3, solution(observation, memory)[1]

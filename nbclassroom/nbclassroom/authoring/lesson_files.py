@@ -24,7 +24,7 @@ from ..exercises.check_files import (
     reading,
 )
 from ..exercises.comparison import compare
-from ..exercises.lesson import Exercise, check_data_of
+from ..exercises.lesson import PUBLIC_SEED, Exercise, check_data_of
 
 KEEP_OUTPUT_TAG = "keep-output"
 TEXTS = "texts"  # name of the folder of captions and alternative texts
@@ -39,6 +39,7 @@ _FOR_SOME = {
     "unheeded": (),
     "figure": False,
     "rubric": (),
+    "witnesses": (),
 }
 
 
@@ -51,10 +52,20 @@ def lesson_files(master):
         files[f"{TEXTS}/{master.name}.json"] = _text_of(texts | master.questions)
     if master.exercises:
         # Rubrics are with the solutions: learners compare their answers with both.
-        as_learners_get = [replace(check_data_of(exercise), rubric=()) for exercise in master.exercises]
+        about = [(check_data_of(exercise), _witnesses(exercise)) for exercise in master.exercises]
+        as_learners_get = [replace(data, rubric=(), witnesses=witnesses) for data, witnesses in about]
         stored = {exercise.id: stored_exercise(exercise) for exercise in as_learners_get}
         files |= exercise_files(master, stored)
     return files
+
+
+def _witnesses(exercise):
+    """The cases of an exercise with other inputs than the learner's and any key's."""
+    if not exercise.kind.tries_changes:
+        return ()
+    cases = exercise.cases if exercise.kind.shows_values else exercise.hidden  # a node's record is long
+    cases = check_data_of(replace(exercise, mistakes=()), cases, PUBLIC_SEED + 1).cases
+    return tuple(case for case in cases if "arguments" in _case_entry(case))
 
 
 def exercise_files(master, stored, **about):
@@ -100,7 +111,8 @@ def stored_exercise(exercise):
     values = {}
     names = [field.name for field in fields(Exercise) if field.name not in _LEFT_OUT]
     entry = {name: value for name in names if (value := getattr(exercise, name)) != _FOR_SOME.get(name)}
-    entry["cases"] = list(map(_case_entry, exercise.cases))
+    for name in {"cases", "witnesses"} & entry.keys():
+        entry[name] = list(map(_case_entry, entry[name]))
     if any("inputs" in case for case in entry["cases"]):
         entry["preparation"] = exercise.preparation
     entry["mistakes"] = [_mistake_entry(mistake, exercise.cases) for mistake in exercise.mistakes]

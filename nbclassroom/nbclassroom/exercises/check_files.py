@@ -85,9 +85,13 @@ class CheckFile:
         with reading(self.path):
             entry = change_values(self.entries[id], lambda key, _tolerance: self.values[key])
             exercise = replace(msgspec.convert(entry | {"id": id}, Exercise), master=self.path)
-            pairs = zip(exercise.cases, entry["cases"], strict=True)
-            cases = [replace(case, calls=self._calls(exercise, case, stored)) for case, stored in pairs]
-            return replace(exercise, cases=tuple(cases))
+            witnesses = self._with_calls(exercise, exercise.witnesses, entry.get("witnesses", ()))
+            cases = self._with_calls(exercise, exercise.cases, entry["cases"])
+            return replace(exercise, cases=cases, witnesses=witnesses)
+
+    def _with_calls(self, exercise, cases, stored_cases):
+        pairs = zip(cases, stored_cases, strict=True)
+        return tuple(replace(case, calls=self._calls(exercise, case, stored)) for case, stored in pairs)
 
     def _calls(self, exercise, case, stored_case):
         if "inputs" in stored_case:
@@ -104,8 +108,9 @@ def change_values(entry, change):
     The tolerance is that of the case; None for an argument.
     """
     entry = copy.deepcopy(entry)
-    tolerances = {case["id"]: case["tolerance"] for case in entry["cases"]}
-    for case in entry["cases"]:
+    cases = (*entry["cases"], *entry.get("witnesses", ()))
+    tolerances = {case["id"]: case["tolerance"] for case in cases}
+    for case in cases:
         case["expected"] = [change(value, case["tolerance"]) for value in case["expected"]]
         if "arguments" in case:
             case["arguments"] = [[change(value, None) for value in call] for call in case["arguments"]]

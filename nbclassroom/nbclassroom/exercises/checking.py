@@ -7,11 +7,12 @@ from itertools import product
 
 from .cell_syntax import is_whole_part, plain_python, program_lines
 from .check_files import UnknownExerciseError, find_check_file
+from .diagnosis import UNCHANGED
 from .help_steps import Help
 from .judging import NONE, CheckResult, has_right_values, judge
 from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake, check_data_of
 from .names_read import RUNS, NamesRead
-from .one_change import sentence_on_change
+from .one_change import sentence_on_branch, sentence_on_change
 from .progress import ExerciseProgress, digest_of, note_progress, progress_of
 from .running import attempt, cells_of, globals_of, source_of
 from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
@@ -111,7 +112,10 @@ def run_check(exercise, function, progress=None, *, searches=True):
     calls = exercise.kind.run_cases(exercise, function, progress)
     result = _judge_calls(exercise, function, calls)
     result = attempt(lambda: _with_names(result, NamesRead(function, RUNS)), result)
+    searches = searches and exercise.kind.tries_changes and result.attempted and not result.mistake
     one_change = attempt(lambda: _one_change(result, function, calls), "", seconds=5) if searches else ""
+    if searches and not one_change:
+        one_change = attempt(lambda: _branch(result, function, calls), "")
     way = one_change and SAYS["way without return"].format(name=exercise.function)  # not the cause then
     remarks = tuple(remark for remark in result.remarks if remark != way)
     cell = next(iter(cells_of(function).values()), "")
@@ -144,21 +148,29 @@ def _remark_on_name(exercise, function):
 def _one_change(result, function, calls):
     """Where one change would make a wrong answer right, unless only its type is wrong."""
     exercise, shown = result.exercise, result.shown
-    if not exercise.kind.shows_values or not result.attempted or shown is None:
-        return ""
-    if any(call.result.timed_out for call in calls) or all(map(has_right_values, calls)):
+    if shown is None or any(call.result.timed_out for call in calls) or all(map(has_right_values, calls)):
         return ""
     # The shown call first: most changes fail it.
     ordered = sorted(calls, key=lambda call: call is not shown)
     pairs = [(call.case, ExpectedCall(call.arguments, call.expected)) for call in ordered]
+    others = [(case, call) for case in exercise.witnesses for call in case.calls]
     may_warn = any(call.result.warning for call in calls)  # else a nan would only hide the mistake
 
     def passes(changed, seconds):
-        judged = (exercise.judged_call(changed, *pair, seconds) for pair in pairs)
+        judged = (exercise.judged_call(changed, *pair, seconds) for pair in (*pairs, *others))
         return all(call.passed and (may_warn or not call.result.warning) for call in judged)
 
     task = "\n".join((exercise.stub, *exercise.hints, *(call.case.hint for call in calls)))
     return sentence_on_change(function, passes, task)
+
+
+def _branch(result, function, calls):
+    """Which condition never held, where nothing else says why the values are wrong."""
+    exercise, text = result.exercise, result.diagnosis.text
+    is_explained = (text and UNCHANGED not in text) or not exercise.kind.shows_values
+    if is_explained or result.passed or any(call.result.error or call.result.timed_out for call in calls):
+        return ""
+    return sentence_on_branch(function, lambda: [exercise.call(function, call.arguments) for call in calls])
 
 
 def _end_of(call):

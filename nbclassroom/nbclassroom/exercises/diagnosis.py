@@ -6,7 +6,7 @@ more than none.
 
 import math
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, permutations
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,8 @@ _FACTORS = {
 }
 
 _COINCIDENCE = 0.01
+_MANY = 4  # wrong values, of which a sentence is said that may be chance for fewer
+UNCHANGED = "unchanged: what you compute does not get into it"
 _RIGHT = "The values are right"
 _TRANSPOSED = "Rows and columns are exchanged: your result is the expected one, transposed."
 _FUNCTIONS: tuple[str, ...] = ("function", "builtin_function_or_method", "method")
@@ -68,14 +70,14 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
     # The first pair of each kind of difference
     wrong = {difference.kind: pair for difference, pair in reversed(differences) if difference}
     returned = [call for call in calls if call.result.finished]
-    advice = _advice_on_constant(calls)
+    advice = _advice_on_constant(calls, parts)
     if advice:
         return Diagnosis(advice)
     # If the type need not be exact, a dtype that cannot hold the values shows as wrong values.
     if wrong.keys() <= {"dtype", "value"}:
         different = [pair for difference, pair in differences if difference]
         advice = _advice_on_dtypes(different, tolerance, exact="dtype" in wrong)
-        return advice if advice.text or "dtype" in wrong else _diagnose_values(returned)
+        return advice if advice.text or "dtype" in wrong else _diagnose_values(returned, names)
     if "shape" in wrong:
         expected, actual = wrong["shape"]
         return _diagnose_shape(expected, actual, shown.arguments, names)
@@ -116,10 +118,16 @@ def _advice_on_type(expected, actual):
         text = f"You return one array, and the task asks for {count}: return {both}"
         return f"{text}, with a comma between them."
     if kind == "ndarray" and actual_kind in _SEQUENCES:
+        shapes = [form.get("shape") for form in actual.get("items", ())]
+        if expected["shape"] in shapes:
+            return (
+                f"You return {_noun(actual)}. The one at index {shapes.index(expected['shape'])} has the"
+                " shape of the task: return it alone."
+            )
         dtype = expected["dtype"]
         return f"A {actual['type']} is not an array. Make it one: np.array(..., dtype=np.{dtype})."
     if kind == "ndarray" and actual_kind in (*_NUMBERS, "bool"):
-        return "You return one number, not an array: is an axis missing, or does a loop keep only the last?"
+        return "You return one number, not an array. Which line makes one number of many?"
     wanted = _wanted(expected, actual)
     text = f"You return {_noun(actual)}, and the task asks for {wanted}."
     return text.replace("?.", "?") if wanted not in ("", _noun(actual)) else ""
@@ -216,6 +224,9 @@ def _shape_rules(expected, actual, given, name):
     values, actual_values = array_of(expected), array_of(actual)
     is_transposed = actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values)
     yield is_transposed, _TRANSPOSED
+    if len(shape) == 3 and values is not None and actual_values is not None:
+        orders = (_same(values.transpose(order), actual_values) for order in permutations(range(3)))
+        yield any(orders), f"{_RIGHT}; the axes stand in another order: rows come first, channels last."
     has_shape = len(shape) > 1 and actual_shape == (*shape[1::-1], *shape[2:]) != shape
     text = "Rows and columns are exchanged in the shape of your result: the number of rows comes first."
     yield has_shape, text
@@ -262,7 +273,7 @@ def _surplus(count, noun):
 # ---------------------------------------------------------------- values
 
 
-def _diagnose_values(calls):
+def _diagnose_values(calls, names):
     """The first sentence that is true of every call, and where the wrong values lie."""
     forms = _forms(calls)
     kinds = {kind_of(form) for pair in forms for form in pair}
@@ -274,25 +285,45 @@ def _diagnose_values(calls):
     text = _relation_of_angles(pairs) if are_numbers else ""
     if text or kinds <= {*_NUMBERS}:
         return Diagnosis(text or _relation_of_numbers(forms))
-    text = _relation_of_arrays(calls)
+    text = _unchanged(calls, names) or _relation_of_arrays(calls)
     # A sentence that only asks ("Is it ...?") leaves the hint in.
     return Diagnosis(text, replaces_hint="?" not in text) if text else _place(calls)
+
+
+def _unchanged(calls, names):
+    for number, name in enumerate(names):
+        pairs = [(call.arguments[number : number + 1], array_of(call.result.value)) for call in calls]
+        if all(
+            given and isinstance(given[0], np.ndarray) and values is not None and _same(given[0], values)
+            for given, values in pairs
+        ):
+            return f"Your result is {name}, {UNCHANGED}."
+    return ""
 
 
 def _forms(calls):
     return [(call.expected.value, call.result.value) for call in calls]
 
 
-def _advice_on_constant(calls):
+def _advice_on_constant(calls, parts):
     forms = _forms(calls)
     if len(forms) < 2 or all(expected == forms[0][0] for expected, _ in forms):
-        return ""
+        return _advice_on_equal_parts(parts)
     if not all(call.result.finished for call in calls):
         return ""
     if any(actual != forms[0][1] or actual.get("opaque") for _, actual in forms):
-        return ""
+        return _advice_on_equal_parts(parts)
     value = forms[0][1].get("value")
-    return f"Your function returns {'the same' if value is None else repr(value)} for every input."
+    text = "the same" if value is None else repr(value) if isinstance(value, str) else str(value)
+    return f"Your function returns {text} for every input of these checks."
+
+
+def _advice_on_equal_parts(parts):
+    (expected, actual), *others = parts
+    are_alike = others and all(form == actual for _, form in others) and kind_of(actual) == "ndarray"
+    if not are_alike or all(form == expected for form, _ in others):
+        return ""
+    return "All that you return is the same array: does it have two names?"
 
 
 def _number_pairs(forms):
@@ -342,11 +373,25 @@ def _relation_of_arrays(calls):
     for text, change in _RELATIONS:
         if all(_same(change(_wide(expected)), _wide(actual)) for expected, actual in arrays):
             return text
+    if text := _one_value_for_another(arrays):
+        return text
     if all(_is_multiple(*pair) for pair in arrays):
         return _ONE_FACTOR
     gaps = {gap for expected, actual in arrays for gap in np.unique(_wide(actual) - _wide(expected))} - {0}
     has_levels = all(expected.dtype.kind in "iu" and len(np.unique(expected)) > 2 for expected, _ in arrays)
     return _ONE_BESIDE.get(tuple(gaps), "") if has_levels else ""
+
+
+def _one_value_for_another(arrays):
+    """The sentence if the only wrong values are those of one expected value, and all have another one."""
+    masks = [(expected, actual, expected != actual) for expected, actual in arrays]
+    wrong = {pair for one, other, mask in masks for pair in zip(one[mask], other[mask], strict=True)}
+    right = {value for expected, _, mask in masks for value in expected[~mask]}
+    count = sum(mask.sum() for *_, mask in masks)
+    if len(wrong) != 1 or count < _MANY or not right or {value for value, _ in wrong} & right:
+        return ""
+    ((value, actual_value),) = wrong
+    return f"Where {value} is expected, your result has {actual_value}. Everything else is right."
 
 
 def _is_multiple(expected, actual):
@@ -375,6 +420,7 @@ _RELATIONS = (
     (_TRANSPOSED, lambda v: np.swapaxes(v, 0, 1) if v.ndim > 1 else v + np.nan),
     ("Your result is the expected one, mirrored from left to right.", _mirrored(1)),
     ("Your result is the expected one, upside down.", _mirrored(0)),
+    ("Your result is the expected one in reverse order, from the last value to the first.", np.flip),
     ("The channels are in the wrong order: the first and the last are exchanged.", _mirrored(2)),
 )
 

@@ -8,6 +8,7 @@ from .source_remarks import SAYS
 from .values import answer_parts, describe_value, differing_elements, table_rows
 
 _MOST_LINES = 12  # of the function's own prints
+_ON_NAMES = ("NameError", "AttributeError")  # what is advised on others is a guess
 
 
 def _labelled_forms(result, call):
@@ -112,11 +113,10 @@ def _advice(result, call, graded):
     kind = result.exercise.kind
     if result.mistake is not None:
         yield result.mistake.says
-        yield result.one_change
         return
     if call.result.timed_out:
         yield "" if graded else SAYS["time is up"]
-    elif call.result.error:
+    elif call.result.error and (not result.one_change or call.result.error in _ON_NAMES):
         yield kind.advice_on_error(result.exercise, call.result)
     yield result.one_change
     if call.difference is None or call.result.changed or kind.explains_enough:

@@ -87,6 +87,7 @@ class Exercise:
     figure: bool = False  # whether a person grades the last figure of a code cell
     rubric: tuple[tuple[str, int], ...] = ()  # (what to look for, points), where a person grades
     cases: tuple[Case, ...] = ()
+    witnesses: tuple[Case, ...] = ()  # with other inputs, for which a change must make an answer right, too
     mistakes: tuple[Mistake, ...] = ()
     master: Any = None  # the Path of the file that it was read from
     preparation: str = ""

@@ -4,28 +4,35 @@ A sentence that points at its place is true whatever the answer means, and it do
 """
 
 import ast
+import contextlib
 import copy
 import math
 import re
+import sys
 import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import groupby, pairwise, product
+from itertools import pairwise, product
 
 from .limited_fork import limit_memory, text_within
-from .running import code_of, globals_of, source_of
+from .running import cells_of, code_of, globals_of, source_of
 
-_MOST_SECONDS = 1.2  # for all changes together
+_MOST_SECONDS = 1.6  # for all changes together
 _PER_CALL = 0.1  # seconds, and ten times what the answer takes itself
 _LONGEST_SOURCE = 20_000  # characters
 _SHORT = 12  # characters: what is shorter is shown with its line
 _LIMIT = "is the limit itself included?"
 _DIRECTION = "is it the right way round?"
 _FIRST = "which of them comes first?"
+_ORDERED = ast.Sub | ast.Div | ast.MatMult | ast.Pow  # operators for which the order counts
+_ROUNDS = "should it run once, or in each round of the loop?"
 _TYPE = "your numbers do not fit into the dtype of {name}. Widen {name} first, with astype."
 _QUESTIONS = dict.fromkeys(("int", "round", "float", "floor"), "should it be cut or rounded here?")
 _QUESTIONS |= {"abs": "is its sign needed?", "sqrt": "is the root needed?"}
+_NEEDED = re.compile(
+    rf"{'|'.join(_QUESTIONS)}|sin|cos|u?int\d+|float\d+"
+)  # calls with a question of their own
 _ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
 _ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
 _COMPARISONS: dict[type[ast.cmpop], tuple[tuple[type[ast.cmpop], str], ...]] = {
@@ -39,10 +46,11 @@ _COMPARISONS |= {one: ((other, _DIRECTION),) for one, other in _OPPOSITES}
 _OPERATORS = {
     ast.Add: (ast.Sub,),
     ast.Sub: (ast.Add,),
-    ast.Mult: (ast.Div, ast.MatMult),
+    ast.Mult: (ast.Div, ast.MatMult, ast.Pow),
     ast.MatMult: (ast.Mult,),
     ast.Div: (ast.Mult, ast.FloorDiv),
     ast.FloorDiv: (ast.Div,),
+    ast.BitXor: (ast.Pow,),
     ast.BitAnd: (ast.BitOr,),
     ast.BitOr: (ast.BitAnd,),
     ast.LShift: (ast.RShift,),
@@ -70,11 +78,44 @@ def sentence_on_change(function, passes, task=""):
     return text_within(lambda: _find_change(function, passes, task), _MOST_SECONDS)
 
 
+def sentence_on_branch(function, run):
+    """A condition of a function that was never true, or always, while `run()` called it; "" if none was."""
+    return text_within(lambda: _find_branch(function, run), _MOST_SECONDS)
+
+
+def _find_branch(function, run):
+    code, source, ran = code_of(function), source_of(function), set()
+
+    def trace(frame, _event, _argument):
+        if frame.f_code is code:
+            ran.add(frame.f_lineno - code.co_firstlineno + 1)
+            return trace
+        return None
+
+    sys.settrace(trace)
+    run()
+    sys.settrace(None)
+    tree = ast.parse(source)
+    conditions = [node for node in ast.walk(tree) if isinstance(node, ast.If)]
+    last = [other for node in conditions for other in node.orelse]  # an elif is one of these
+    for node in conditions:
+        asks = [type(part) for part in ast.walk(node.test)]  # a comparison of sizes may be for other inputs
+        is_telling = node in last or {ast.Eq, ast.Is, ast.In, ast.NotEq, ast.Call} & {*asks}
+        blocks = {"never": node.body, "always": node.orelse} if is_telling else {}
+        for end, block in blocks.items():
+            if block and node.lineno in ran and block[0].lineno not in ran:
+                line = block[0].lineno + code.co_firstlineno - 1
+                return f"In these checks {ast.unparse(node.test)} was {end} true: line {line} never ran."
+    return ""
+
+
 def _find_change(function, passes, task):
-    code, source = code_of(function), source_of(function)
+    source, cell = source_of(function), next(iter(cells_of(function).values()), "")
     (tree,) = ast.parse(source if len(source) < _LONGEST_SOURCE else "pass").body
-    if not isinstance(tree, ast.FunctionDef):
+    if not isinstance(tree, ast.FunctionDef | ast.ClassDef):
         return ""
+    code, first = code_of(function), cell.partition(source.split("\n")[0])[0].count("\n")
+    first = code.co_firstlineno - 1 if code else first
     numbers = dict.fromkeys(re.findall(r"(?<![\w.])\d+(?:\.\d+)?\b", task))
     vars(tree)["numbers"] = [float(number) if "." in number else int(number) for number in numbers]
     started = time.perf_counter()
@@ -94,14 +135,19 @@ def _find_change(function, passes, task):
         _Change(rule, number, kind, question)
         for rule in _RULES
         for number, node in enumerate(nodes)
-        if node is tree or getattr(node, "lineno", 0) not in given
+        if node is tree or not (getattr(node, "lineno", 0) in given or _stands_in(task, node))
         for kind, (question, _) in enumerate(rule(node, tree))
     ]
     for changes in _groups(possible, nodes):
         if helps(changes):
             places = [nodes[change.number] for change in changes]
-            return _sentence(places, changes[0].question, lines, code.co_firstlineno - 1)
+            return _sentence(places, changes[0].question, lines, first)
     return ""
+
+
+def _stands_in(task, node):
+    """Whether an expression is one of the task's, and so right."""
+    return isinstance(node, ast.BinOp | ast.Call) and len(code := ast.unparse(node)) > _SHORT and code in task
 
 
 def _sentence(places, question, lines, offset):
@@ -109,7 +155,7 @@ def _sentence(places, question, lines, offset):
         return f"With one change, these checks pass: {question}"
     numbers = sorted({place.lineno for place in places})
     shown = dict.fromkeys(ast.unparse(place).split("\n")[0].rstrip(":") for place in places)
-    code = " and ".join(list(shown)[:2])
+    code = ", and ".join(list(shown)[:2])
     line = lines[numbers[0] - 1].strip().rstrip(":")
     if len(numbers) == 1 and len(code) < min(_SHORT, len(line)):
         code += f" in {line}"
@@ -129,16 +175,16 @@ def _compiled(tree, function):
 
 
 def _groups(possible, nodes):
-    """Lists of changes to try together: of each rule one by one, then those of a kind."""
-    for _, same_rule in groupby(possible, key=lambda change: change.rule):
-        groups = {}
-        for change in same_rule:
-            place, name = nodes[change.number], (change.kind, change.question)
-            groups[change] = [change]
+    """Lists of changes to try together: one by one, then those of a kind at several places."""
+    for are_usual in (True, False):
+        changes = [change for change in possible if (change.rule not in _LAST_RULES) == are_usual]
+        yield from ([change] for change in changes)
+        groups: dict[tuple, list] = {}
+        for change in changes:
+            place = nodes[change.number]
             for about in (getattr(place, "lineno", 0), _form(place), ast.unparse(place)):
-                groups.setdefault((name, about), []).append(change)
-        yield from ([change] for change in groups if isinstance(change, _Change))
-        yield from (changes for changes in groups.values() if len(changes) > 1)
+                groups.setdefault((change.rule, change.kind, change.question, about), []).append(change)
+        yield from (group for group in groups.values() if len(group) > 1)
 
 
 def _form(place):
@@ -175,12 +221,73 @@ def _replacing(node, part):
     return replace
 
 
+def _block_of(node, tree):
+    """The list of statements in which a statement stands; [] for anything else."""
+    blocks = (getattr(part, name, ()) for part in ast.walk(tree) for name in ("body", "orelse"))
+    return next((block for block in blocks if isinstance(block, list) and node in block), [])
+
+
+def _moving(statement, block, target, place=0):
+    """Lets a statement of a block stand in another one."""
+
+    def move():
+        block.remove(statement)
+        target.insert(place, statement)
+
+    return move
+
+
+def _block(node, tree):
+    block = _block_of(node, tree) if isinstance(node, ast.If | ast.Assign) else []
+    below = block[block.index(node) + 1 :] if block else []
+    if isinstance(node, ast.BinOp):
+        yield "is the second part needed?", _replacing(node, node.left)
+    if isinstance(node, ast.If) and not node.orelse:
+        yield "is this condition needed?", _setting(node, test=ast.Constant(True))
+        if below and isinstance(below[0], ast.If):
+            yield "should the if below it be elif?", _moving(below[0], block, node.orelse)
+    if isinstance(node, ast.Assign | ast.AugAssign):
+        yield from _assignment(node, below)
+    if isinstance(node, ast.Assign) and re.fullmatch(r"[\d., ()\[\]]+", ast.unparse(node.value)):
+        for loop in (part for part in ast.walk(tree) if isinstance(part, ast.For | ast.While)):
+            if any(loop in ast.walk(part) for part in below):
+                yield _ROUNDS, _moving(node, block, loop.body)
+            elif block is loop.body:
+                around = _block_of(loop, tree)
+                yield _ROUNDS, _moving(node, block, around, around.index(loop))
+
+
+def _assignment(node, below):
+    if isinstance(node, ast.AugAssign):
+        assigned = ast.Assign([node.target], node.value)
+        yield "should it be added, or replace what is there?", _replacing(node, assigned)
+        return
+    target, value = ast.unparse(node.targets[0]), ast.unparse(node.value)
+    if isinstance(node.value, ast.Name | ast.Subscript):
+        question = "is it a new array, or another name for the same one?"
+        yield question, _setting(node, value=_parsed(f"({value}).copy()"))
+    added = ast.AugAssign(node.targets[0], ast.Add(), node.value)
+    question = "is this line needed?" if value == "0" else "should it be added, or replace what is there?"
+    yield question, _replacing(node, added)
+    if below and isinstance(below[0], ast.Assign) and len(below[0].targets) == 1:
+        both = f"{target}, {ast.unparse(below[0].targets[0])} = {value}, {ast.unparse(below[0].value)}"
+
+        def join():
+            _replacing(node, ast.parse(both).body[0])()
+            _setting(below[0], targets=[ast.Name("_", ast.Store())], value=ast.Constant(0))()
+
+        yield "does the line below it need the old value?", join
+
+
 def _compare(node, _tree):
     if isinstance(node, ast.Compare):
         for number, operator in enumerate(node.ops):
             for comparison, question in _COMPARISONS.get(type(operator), ()):
                 ops = [*node.ops[:number], comparison(), *node.ops[number + 1 :]]
                 yield question, _setting(node, ops=ops)
+    for value in node.values if isinstance(node, ast.BoolOp) else ():
+        others = [other for other in node.values if other is not value]
+        yield "is each of these conditions needed?", _setting(node, values=others)
     if isinstance(node, ast.BoolOp):
         opposite = ast.And if isinstance(node.op, ast.Or) else ast.Or
         yield "must both be true, or is one enough?", _setting(node, op=opposite())
@@ -194,36 +301,36 @@ def _order(node, _tree):
         swapped = {first: last, last: first}
         if ast.dump(first) != ast.dump(last):
             yield _FIRST, _setting(node, elts=[swapped.get(element, element) for element in elements])
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub | ast.Div | ast.MatMult | ast.Pow):
+    has_order = isinstance(node, ast.BinOp) and isinstance(node.op, _ORDERED)
+    if has_order and not isinstance(node.right, ast.Constant):
         yield _FIRST, _setting(node, left=node.right, right=node.left)
     if isinstance(node, ast.BinOp) and isinstance(node.left, ast.BinOp):
         left = ast.BinOp(node.left.left, node.op, node.right)
         yield _FIRST, _setting(node, left=left, op=node.left.op, right=node.left.right)
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
-        yield from _parentheses(node)
+    yield from _parentheses(node)
     if isinstance(node, ast.Call) and len(node.args) > 1:
         yield "is the order of arguments right?", _setting(node, args=[*node.args[:-2], *node.args[:-3:-1]])
 
 
 def _parentheses(node):
-    """a * b - c + d becomes a * (b - c + d)."""
-    sums = [node]
-    while isinstance(sums[0].left, ast.BinOp) and isinstance(sums[0].left.op, ast.Add | ast.Sub):
-        sums = [sums[0].left, *sums]
-    first = sums[0].left
-    if isinstance(first, ast.BinOp):
-        total = first.right
-        for part in sums:
-            total = ast.BinOp(total, part.op, part.right)
-        yield "are parentheses missing?", _setting(node, left=first.left, op=first.op, right=total)
+    """a / b * c + d becomes a / (b * c + d), and a + b / c becomes (a + b) / c."""
+    text = ast.unparse(node) if isinstance(node, ast.BinOp) else ""
+    for operator in (" / ", " // ", " * "):
+        first, _, rest = text.partition(operator)
+        start, _, last = text.rpartition(operator)
+        for left, right in ((first, f"({rest})"), (f"({start})", last)) if rest else ():
+            with contextlib.suppress(SyntaxError):  # it is within other parentheses
+                changed = _parsed(left + operator + right)
+                if ast.dump(changed) != ast.dump(node):
+                    yield "are parentheses missing?", _replacing(node, changed)
 
 
 def _operator(node, _tree):
     if isinstance(node, ast.BinOp | ast.AugAssign):
         for operator in _OPERATORS.get(type(node.op), ()):
             yield "is it the right operator?", _setting(node, op=operator())
-    if isinstance(node, ast.BinOp):
-        yield "is the second part needed?", _replacing(node, node.left)
+    if isinstance(node, ast.Break | ast.Continue):
+        yield "is it needed?", _replacing(node, ast.Pass())
     if isinstance(node, ast.UnaryOp):
         yield _DIRECTION, _replacing(node, node.operand)
 
@@ -236,6 +343,20 @@ def _call(node, _tree):
         yield "is it the right function?", _setting(node, func=_parsed(f"{owner}{dot}{alike}"))
     if name in _QUESTIONS and node.args:
         yield _QUESTIONS[name], _replacing(node, node.args[0])
+    if owner in ("", "np", "math") and node.args and not _NEEDED.fullmatch(name):
+        yield "is this call needed?", _replacing(node, node.args[0])
+    elif isinstance(node.func, ast.Attribute) and name != "astype":
+        yield f"is .{name} needed?", _replacing(node, node.func.value)
+    yield from _call_arguments(node, name)
+
+
+def _call_arguments(node, name):
+    for number, keyword in enumerate(node.keywords):
+        others = [*node.keywords[:number], *node.keywords[number + 1 :]]
+        yield f"is {keyword.arg} needed?", _setting(node, keywords=others)
+    if name in ("max", "min"):
+        sizes = [_parsed(f"abs({ast.unparse(argument)})") for argument in node.args]
+        yield "is their sign needed?", _setting(node, args=sizes)
     if name == "len" and node.args:
         yield "is it the right size?", _replacing(node, _parsed(f"{ast.unparse(node.args[0])}.shape[1]"))
     for change in ("+ 1", "- 1", "* 2 + 1") if name == "range" and node.args else ():
@@ -252,6 +373,13 @@ def _constant(node, tree):
                 yield "is this number right?", _setting(node, value=number)
         for number in tree.numbers:
             yield "is it the number of the task?", _setting(node, value=number)
+    if isinstance(value, bool):
+        yield _DIRECTION, _setting(node, value=not value)
+    text = value if isinstance(value, str) else ""
+    if text.isdecimal():
+        yield "is a text ever equal to a number?", _setting(node, value=int(text))
+    if re.fullmatch(r"[<>=]?[iu]\d", text):
+        yield "can this type hold every value?", _setting(node, value=text.translate({105: "u", 117: "i"}))
     if isinstance(node, ast.Attribute) and re.fullmatch(r"u?int(8|16)|uint32", node.attr):
         yield "can this type hold every value?", _setting(node, attr="int64")
 
@@ -259,8 +387,13 @@ def _constant(node, tree):
 def _size(node, tree):
     is_number = isinstance(node, ast.Constant) and isinstance(node.value, int) and node.value > 2
     is_size = is_number or (isinstance(node, ast.BinOp) and re.fullmatch(r"\d+ \* \d+", ast.unparse(node)))
-    for argument, size in product(tree.args.args, ("size", "shape[0]", "shape[1]")) if is_size else ():
+    for argument, size in product(_arguments(tree), ("size", "shape[0]", "shape[1]")) if is_size else ():
         yield "is it the same for every input?", _replacing(node, _parsed(f"{argument.arg}.{size}"))
+
+
+def _arguments(tree):
+    """The arguments of a function; a class has none."""
+    return tree.args.args if isinstance(tree, ast.FunctionDef) else ()
 
 
 def _index(node, _tree):
@@ -284,20 +417,30 @@ def _index(node, _tree):
 
 
 def _argument(node, tree):
-    for argument in tree.args.args if node is tree else ():
+    for argument in _arguments(tree) if node is tree else ():
         line = ast.parse(f"{argument.arg} = {argument.arg}.astype(int)").body[0]
         yield _TYPE.format(name=argument.arg), lambda line=line: tree.body.insert(0, line)
 
 
 def _name(node, tree):
     stored = [part for part in ast.walk(tree) if isinstance(getattr(part, "ctx", None), ast.Store)]
-    names = [part.arg for part in tree.args.args] + [part.id for part in stored if isinstance(part, ast.Name)]
+    names = [part.arg for part in _arguments(tree)]
+    names += [part.id for part in stored if isinstance(part, ast.Name)]
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in names:
-        for variable in sorted({*names} - {node.id}):
+        beside = [getattr(part, "elts", None) or getattr(part, "args", None) for part in ast.walk(tree)]
+        beside = [
+            ast.unparse(part)
+            for items in beside
+            if isinstance(items, list) and node in items
+            for part in items
+        ]
+        for variable in sorted({*names} - {node.id, *beside}):
             yield "is it the right variable?", _setting(node, id=variable)
-        yield "is it half of what is needed?", _replacing(node, _parsed(f"2 * {node.id}"))
+        for factor, share in ((2, "half"), (3, "a third")):
+            yield f"is it {share} of what is needed?", _replacing(node, _parsed(f"{factor} * {node.id}"))
         yield _DIRECTION, _replacing(node, _parsed(f"{node.id} == False"))
 
 
 # The first change that helps counts.
-_RULES = (_argument, _compare, _order, _operator, _call, _constant, _size, _index, _name)
+_LAST_RULES = (_index, _name)
+_RULES = (_argument, _block, _compare, _order, _operator, _call, _constant, _size, *_LAST_RULES)

@@ -120,7 +120,7 @@ def explain_call(result, difference, name):
         text = f"{name} changed its input {argument}."
         if not argument.isidentifier():
             return f"{text} Only read it, and store what you compute under new names."
-        advice = f"write the result into a new array, or begin with {argument} = {argument}.copy()."
+        advice = f"write into something new, such as {argument}.copy(), and read from {argument}."
         return f"{text} Leave the input as it is: {advice}"
     if difference is None:
         return ""

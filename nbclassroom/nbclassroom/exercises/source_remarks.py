@@ -9,7 +9,11 @@ from .cell_syntax import top_level
 from .error_advice import read_phrases
 from .running import source_of
 
-_NOT_IN_PLACE = ("astype", "reshape", "flatten", "ravel", "transpose", "byteswap", "clip", "copy", "round")
+_NOT_IN_PLACE = (
+    *("astype", "reshape", "flatten", "ravel", "transpose", "byteswap", "clip", "copy", "round"),
+    *("upper", "lower", "strip", "replace", "split"),
+)
+_NEW = re.compile(r"(sorted|np\.(sort|pad|where|abs|round|clip|flip|unique|append|\w*stack))\(.*", re.DOTALL)
 STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
 # What is said of an answer, and not of the errors of its calls
 SAYS = read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8"))
@@ -26,7 +30,7 @@ def remarks_on_source(function, errors=(), unheeded=()):
     functions = [part for part in parts if isinstance(part, ast.FunctionDef)]
     remarks = [text for function in functions for text in _remarks_on_function(function)]
     if isinstance(tree, ast.FunctionDef):
-        remarks += _why_none(tree) if "None" in errors else []
+        remarks += _why_none(tree) if "None" in errors and SAYS["return in a loop"] not in remarks else []
         unused = [name for name in _unused(tree) if errors and name not in unheeded]
         remarks += [f"{tree.name}() does not use what it gets: {name}." for name in unused]
         has_loop = any(isinstance(node, ast.While) for node in ast.walk(tree))
@@ -67,6 +71,14 @@ def _unused(tree):
     return [*unused, *(part.id for part in parts if isinstance(part, ast.Name) and count[part.id] == 1)]
 
 
+def _returns(statement):
+    """Whether a statement ends its function in every case."""
+    parts = [statement.body, statement.orelse] if isinstance(statement, ast.If) else []
+    if parts:
+        return all(part and _returns(part[-1]) for part in parts)
+    return isinstance(statement, ast.Return)
+
+
 def _reaches_end(body):
     last = body[-1]
     if isinstance(last, ast.If):
@@ -84,7 +96,7 @@ def _remarks_on_function(tree):
         yield SAYS["lines that never run"].format(name=f"{tree.name}()")
     yield from _remarks_on_arguments(tree)
     slips = ((_slip(node), node) for node in ast.walk(tree))
-    yield from (SAYS[slip].format(code=ast.unparse(node)) for slip, node in slips if slip)
+    yield from (SAYS[slip].format(code=ast.unparse(node).split("\n")[0]) for slip, node in slips if slip)
 
 
 def _remarks_on_arguments(tree):
@@ -98,6 +110,21 @@ def _remarks_on_arguments(tree):
             yield SAYS["overwritten"].format(name=name, code=ast.unparse(first))
 
 
+def _only_sets(loop):
+    """Whether a loop gives its variable values that nobody reads."""
+    names = [part for part in ast.walk(loop) if isinstance(part, ast.Name)]
+    names = [name for name in names if name.id == ast.unparse(loop.target)]
+    sets = [name for name in names[1:] if isinstance(name.ctx, ast.Store)]
+    read = [name.lineno for name in names if isinstance(name.ctx, ast.Load)]
+    return bool(sets) and min(name.lineno for name in sets) > max(read, default=0)
+
+
+def _leaves_a_round(loop):
+    """Whether a loop has a break or continue of its own."""
+    own = (part for part in loop.body if not isinstance(part, ast.For | ast.While))
+    return any(isinstance(inner, ast.Break | ast.Continue) for part in own for inner in ast.walk(part))
+
+
 def _slip(node):
     """The key in SAYS of what is certain about one node; "" if nothing is."""
     match node:
@@ -105,10 +132,20 @@ def _slip(node):
             return "value beside or"
         case ast.Expr(value=ast.Call(func=ast.Attribute(attr=name))) if name in _NOT_IN_PLACE:
             return "result not kept"
+        case ast.Expr() if _NEW.fullmatch(ast.unparse(node)):
+            return "result not kept"
+        case ast.Assign(targets=[ast.Name(), ast.Subscript()]):
+            return "two names for a value"
+        case ast.BinOp(op=ast.LShift() | ast.RShift(), right=ast.BinOp(op=ast.Add() | ast.Sub())):
+            return "shift of a sum"
+        case ast.For() if _only_sets(node):
+            return "loop variable"
         case ast.Expr(value=ast.Compare()):
             return "comparison not used"
         case ast.Compare(ops=[ast.Is() | ast.IsNot()], comparators=[ast.Constant(value=bool())]):
             return "is True"
-        case ast.For(body=[*_, ast.Return()]) if not re.search("continue|break", ast.unparse(node)):
+        case ast.For(body=[*_, last]) if _returns(last) and not _leaves_a_round(node):
             return "return in a loop"
+        case ast.BinOp(left=ast.List(elts=[ast.List() | ast.BinOp(left=ast.List())]), op=ast.Mult()):
+            return "one row several times"
     return ""

@@ -198,7 +198,7 @@ def test_a_changed_input_fails_though_the_answer_is_right():
     result = check("test-double", changes)
     assert not result.passed
     assert (
-        "double() changed its input pixels. Leave the input as it is: write the result into a new array"
+        "double() changed its input pixels. Leave the input as it is: write into something new, such as"
         in repr(result)
     )
 

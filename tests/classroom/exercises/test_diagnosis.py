@@ -48,7 +48,7 @@ TYPES = [
     (GRAY, range(3), "You return a value of type range, and the task asks for an array."),
     ("a", ["a", "b"], "You return 2 values (a list), and the task asks for a single text."),
     (GRAY, GRAY.tolist(), "A list is not an array. Make it one: np.array(..., dtype=np.uint8)."),
-    (GRAY, 99, "You return one number, not an array: is an axis missing, or does a loop keep"),
+    (GRAY, 99, "You return one number, not an array. Which line makes one number of many?"),
     (GRAY, "gray", "You return a text, and the task asks for an array."),
     ((GRAY, MASK), GRAY, "You return one array, and the task asks for 2: return both, with a comma"),
     (

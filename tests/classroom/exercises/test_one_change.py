@@ -52,7 +52,7 @@ CASES = {
         "def f(a, b):\n    a = a // 2\n    b = b // 2\n    return a, b",
         [((1, 3), (0.5, 1.5))],
         "lines 2, 3",
-        "a // 2 and b // 2: is it the right operator?",
+        "a // 2, and b // 2: is it the right operator?",
     ),
     "a window": ("def f(a):\n    return [*range(a)]", [((1,), [0, 1, 2]), ((0,), [0])], "range(a)"),
     "a dtype": ("def f(a):\n    return int(np.uint16(a))", [((70000,), 70000)], "can this type hold every"),
@@ -67,7 +67,7 @@ CASES = {
         "            k += i * j\n    return k",
         [(("ab", "abc"), 18)],
         "lines 3, 4",
-        "range(1, len(a)) and range(1, len(b)): does it end at the right place?",
+        "range(1, len(a)), and range(1, len(b)): does it end at the right place?",
     ),
     "parentheses": (
         "def f(a, b, c, d):\n    return a * b - c + d",

@@ -18,7 +18,8 @@ class Kind:
     sensors: tuple[str, ...] = ()  # what an answer may observe, of which a declaration names some
     expects_values = True  # whether what the solution gives is expected; else thresholds judge
     shares_kernel = True  # whether checks run one after another in one process
-    shows_values = False  # whether its values are shown, explained, and searched for one change
+    shows_values = False  # whether its values are shown and explained
+    tries_changes = False  # whether one change is searched that makes it right
     has_sentences = False  # for what differs, so that declared mistakes are not needed
     explains_enough = False  # of a call that returned, so that hints are not needed
     refuses_parts = False  # whether its check does not know all that an answer may use

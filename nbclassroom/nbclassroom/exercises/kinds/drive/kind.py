@@ -5,7 +5,7 @@ import re
 from .... import course
 from ..kind import Kind as AnyKind
 from .drive import COUNTS, METRICS, SENSORS, STEP, metric_text, seconds_of, steps_of
-from .sentences import behaviours, drives_alike, sentences_of
+from .sentences import CLEAR, behaviours, drives_alike, sentences_of
 
 _CHECK = "from nbclassroom.autograder.sandbox.inside.drive_cell import drive\n\ndrive({function})"
 _SECONDS_PER_DRIVE = 1.5  # while a key is made, two exercises at a time
@@ -78,14 +78,16 @@ class Kind(AnyKind):
         return _SECONDS_PER_DRIVE * number_of_drives(exercise)
 
     def known_mistake(self, exercise, calls):
-        """The first one that is named like a behaviour of the first drive that fails, or of all drives."""
+        """The first one named like a behaviour of the first drive that fails, or a clear one of any drive."""
         drives = [
             (call.record, *call.arguments) for call in calls if not call.passed and call.result.finished
         ]
         if not drives:
             return None
         alike = ["it drives the same way"] * drives_alike([call.record for call in calls])
-        names = [*behaviours(*drives[0]), *alike]
+        shown = [behaviours(*drive) for drive in drives]
+        clear = [name for name in CLEAR if any(name in names for names in shown)]
+        names = [*shown[0], *alike, *clear]
         return next((mistake for mistake in exercise.mistakes if mistake.name in names), None)
 
     def explain(self, exercise, call):

@@ -14,6 +14,22 @@ _SHOWN_STEPS = 20  # between two states of the progress bar
 _KEPT_LINES = 13  # of what a drive prints: one more than is shown
 
 
+class _Observation(dict):
+    """An observation that notes what is read of it."""
+
+    def __init__(self, values, read):
+        super().__init__(values)
+        self._read = read
+
+    def __getitem__(self, name):
+        self._read.add(name)
+        return super().__getitem__(name)
+
+    def get(self, name, default=None):
+        self._read.add(name)
+        return super().get(name, default)
+
+
 @dataclass
 class _Run:
     """One drive of a `control`: what it was told, what it printed, and why it failed."""
@@ -27,6 +43,7 @@ class _Run:
     warning: str = ""
     failure: dict = field(default_factory=dict)
     record: dict = field(default_factory=dict)
+    read: set = field(default_factory=set)  # the names in its observations that it read
 
     def step(self, drive, name):
         """Let `control` answer what the robot sees now, and the robot drive until the next step."""
@@ -34,7 +51,7 @@ class _Run:
             self._end(drive)
             return
         try:
-            speeds = self._call(copy.deepcopy(drive.observation))
+            speeds = self._call(_Observation(copy.deepcopy(drive.observation), self.read))
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
@@ -97,5 +114,5 @@ def drive_scenarios(exercise, scenarios, make_control, progress=None):
             steps += 1
             if progress and steps % _SHOWN_STEPS == 0:
                 progress(steps / total)
-        run.record = drive.record()
+        run.record = drive.record() | {"read": sorted(run.read)}
     return [(run.record, run.result()) for run in runs]

@@ -10,12 +10,15 @@ import numpy as np
 
 from .drive import COUNTS, METRICS, STEP, metric_text, steps_of
 
+# Behaviours that say much of any controller, in whichever drive it shows them.
+CLEAR = ("its speeds are too large", "it turns left and right", "it stands", "it turns on the spot")
 _STAYS = 0.3, 5.0  # metres, seconds: a robot that is in one place so long
 _SAME = 0.15  # metres between two paths that are the same
 _TURNS = 0.3  # rad/s: a robot that turns, and does not only correct its direction
 _LEAST = 0.02, 0.1  # m/s, rad/s: a robot with less of both stands
-_LARGE = 10  # times the largest speed of the robot
+_LARGE = 3, 10  # times the largest speeds of the robot
 _ROUNDS, _CIRCLES = 1.5, 3.0  # times round: a robot that turns on the spot, one that drives in circles
+_OFTEN = 5  # changes of the side
 _SLOW = 0.6  # of the largest speed of the robot
 _AGAIN = 1.2  # times the way that its places need, if it never came back to one
 
@@ -58,7 +61,7 @@ def _turning(record):
         record["actions"][record["bumps"][0][0] - 1], *(np.array([[-1], [1]]) * record["limits"])
     )
     if abs(angular) < _TURNS:
-        return ""
+        return ", while it drove backward" if linear < 0 else ""
     side = "left" if angular > 0 else "right"
     return f", while it drove with {linear:.2f} m/s and turned to the {side} with {abs(angular):.2f} rad/s"
 
@@ -76,8 +79,7 @@ def behaviours(record, scenario):
     metrics = record["metrics"]
     seen = _beyond_limits(record) | metrics.get("remarks", {})
     if metrics.get("low") and missed.keys() & {"bumps", "clearance"}:
-        thing = metrics["bumped_into"] or metrics["nearest_to"]
-        seen["something low"] = f"The laser scanner looks over the {thing}."
+        seen |= _low(record)
     if missed.keys() - {"bumps", "clearance", "answer_error"}:
         stay = {} if record["bumps"] else _stay(record, scenario.get("goal"))
         seen |= stay or _circles(record)
@@ -88,6 +90,13 @@ def behaviours(record, scenario):
         seen["the time is over"] = "The time was over while the robot still drove or turned."
     seen |= {"it comes too near": ""} if record["bumps"] or missed.get("clearance") is not None else {}
     return seen | {METRICS[name].title: "" for name in missed}
+
+
+def _low(record):
+    """Of something low that the robot touched, or came too near."""
+    thing = record["metrics"]["bumped_into"] or record["metrics"]["nearest_to"]
+    is_seen = "depth" in (record.get("read") or ("depth",))  # what it read is known in a notebook
+    return {"something low" + " seen" * is_seen: f"The laser scanner looks over the {thing}."}
 
 
 def drives_alike(records):
@@ -108,8 +117,8 @@ def _from_its_start(path):
 def _beyond_limits(record):
     """Of speeds in another unit, degrees for example."""
     speeds = np.abs(record["actions"]).T
-    for own, limit, unit in zip(speeds, record["limits"], ("m/s", "rad/s"), strict=True):
-        if np.mean(own > _LARGE * limit) > 1 / 20:
+    for own, limit, times, unit in zip(speeds, record["limits"], _LARGE, ("m/s", "rad/s"), strict=True):
+        if np.mean(own > times * limit) > 1 / 20:
             text = f"The function returned up to {own.max():.0f} {unit}; the robot can do {limit:g} {unit}."
             return {"its speeds are too large": text}
     return {}
@@ -122,10 +131,14 @@ def _stay(record, goal):
     start, end = max(stays, key=lambda stay: stay[1] - stay[0])
     if (end - start) * STEP < _STAYS[1]:
         return {}
+    drives = np.flatnonzero(np.abs(actions[start:end, 0]) > _LEAST[0])
+    last = int(drives[-1]) + 1 if drives.size else 0
+    if (end - start - last) * STEP > _STAYS[1] and not _changes(actions[start:end, 1]):
+        start += last  # from there on it only stood or turned
     until = "the end" if end == len(path) - 1 else f"{end * STEP:.1f} s"
     text = f"From {start * STEP:.1f} s to {until} the robot"
     turned, turns = np.unwrap(path[start : end + 1, 2]), actions[start:end, 1]
-    if np.mean((np.abs(actions[start:end]) < _LEAST).all(1)) > 0.9:
+    if (np.abs(actions[start:end]) < _LEAST).all():
         away = math.dist(path[end, :2], goal[:2]) if goal else math.inf
         is_there = away < (goal or [0, 0, 0])[2] + _STAYS[0]
         place = f", {away:.1f} m from the goal" if is_there else ""
@@ -133,11 +146,17 @@ def _stay(record, goal):
         return {"it stands at the goal" if is_there else "it stands": text}
     if (rounds := abs(turned[-1] - turned[0]) / (2 * math.pi)) > _ROUNDS:
         return {"it turns on the spot": f"{text} turned on the spot, {rounds:.1f} times round."}
-    if (changes := np.count_nonzero(np.diff(np.sign(turns[np.abs(turns) > _TURNS])))) > 5:
+    if changes := _changes(turns):
         text += f" stayed in one place, and changed the side to which it turned {changes} times."
         return {"it turns left and right": text}
     is_long = (end - start) * STEP > 2 * _STAYS[1]
     return {"it stays in one place": f"{text} stayed in one place."} if is_long else {}
+
+
+def _changes(turns):
+    """How often a robot changed the side to which it turned, if that was often; else 0."""
+    changes = np.count_nonzero(np.diff(np.sign(turns[np.abs(turns) > _TURNS])))
+    return changes if changes > _OFTEN else 0
 
 
 def _left(path, start):

@@ -8,7 +8,7 @@ class Kind(AnyKind):
     """A function, whose values are compared; also what nodes and packages have in common with it."""
 
     name = "function"
-    shows_values = True
+    shows_values = tries_changes = True
 
     def check_source(self, exercise):
         name = "" if self.name == "function" else f', "{self.name}"'

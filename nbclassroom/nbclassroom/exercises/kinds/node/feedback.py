@@ -104,7 +104,8 @@ def _on_speed(wanted, given, steps):
     if "topic" in step and "topic" not in steps[-2:][0]:
         when += f" and is the first one after {steps[-2]['seconds']} s without any"
     must = f"drive with {wanted} m/s" if wanted else "stand"
-    return f"When {when}, the robot must {must}, and the newest command of your node says {given} m/s."
+    says = f"says {given:.3g} m/s" + " (or there was none yet)" * (not given)
+    return f"When {when}, the robot must {must}, and the newest command of your node {says}."
 
 
 def _is_of_edges(image):

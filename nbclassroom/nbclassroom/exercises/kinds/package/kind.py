@@ -6,6 +6,7 @@ class Kind(NodeKind):
 
     name, noun = "package", "function"
     kernel_modules = ("feed",)
+    tries_changes = False
 
     def name_of(self, function):
         return f"{function}()"
