@@ -22,7 +22,7 @@ class TriangleDepth:
         # Columns of all triangles, so that some of them are taken quickly: the joint, the plane (normal and
         # offset), and the corners (x y z, x y z, x y z).
         self._joint = room.joint
-        self._plane = np.vstack([room.normals.T, room.offsets])
+        self._plane = room.planes
         self._corners = np.ascontiguousarray(room.triangles.reshape(-1, 9).T, float)
         # By triangle number, of what the newest image shows: as _update_planes says.
         self._planes = np.zeros((5, len(self._label)), np.float32)

@@ -11,14 +11,10 @@ from ..geometry import Pose
 from .pieces import load_pieces, turned, turned_to_each
 from .placement import AREA, DOOR, ORIGIN, SMALL, Placement, cells, painted, squared_distances
 from .room import CAR_TIME, WALK_LENGTH, BallWay, CarWay, PersonWay, Room, Rug, recorded_room
-from .room_light import textures
+from .room_light import WORDS, textures
 from .room_model import FreeSpace, read_image
 from .wheels import TURNING
 
-WORDS = (
-    *("KITCHEN", "OFFICE", "BEDROOM", "GARAGE", "LIBRARY"),
-    *("STUDIO", "PANTRY", "LAUNDRY", "NURSERY", "CELLAR"),
-)
 CELL = 0.01  # metres: of the free space
 SHAPE = (460, 670)
 BEHIND_DOOR = (AREA[1, 0] - 0.45, sum(DOOR) / 2)  # always free, and every free place is reached from there

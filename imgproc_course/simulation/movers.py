@@ -109,14 +109,11 @@ class Movers:
         for name, ball in zip(BALLS, balls, strict=False):
             self.balls[name] = Ball.at(0.0, ball_way(ball, self._free_space))
 
-    def circles(self):
-        """{name: (x, y, radius)} of person and car."""
-        return {name: (*w.place(w.time), w.radius) for name, w in self.walkers.items()}
-
-    def gaps(self, robot):
-        """{name: metres} between the body at (x, y, yaw) and everyone who takes part; negative inside."""
-        balls = {name: (ball.x, ball.y, BALL_RADIUS) for name, ball in self.balls.items()}
-        circles = self.circles() | balls
+    def gaps(self, robot, *, balls=True):
+        """{name: metres} between the body at (x, y, yaw) and person, car and balls; negative inside."""
+        circles = {name: (*w.place(w.time), w.radius) for name, w in self.walkers.items()}
+        if balls:
+            circles |= {name: (ball.x, ball.y, BALL_RADIUS) for name, ball in self.balls.items()}
         return {name: nearest_on_body(robot, x, y)[1] - radius for name, (x, y, radius) in circles.items()}
 
     def step(self, dt, robot):

@@ -3,7 +3,7 @@
 import functools
 import json
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -38,7 +38,7 @@ class Pieces:
         u, v, height = np.moveaxis(self.model.triangles[moves].astype(float), -1, 0)
         triangles = self.model.triangles.copy()
         triangles[moves] = np.stack([u * c - v * s + x, u * s + v * c + y, height], -1)
-        return self.model.with_triangles(triangles)
+        return replace(self.model, triangles=triangles)
 
     def poses(self, places):
         """Poses (7,) in the map of sign and markers."""

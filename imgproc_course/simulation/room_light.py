@@ -25,6 +25,11 @@ X0, X1, Y0, Y1, HEIGHT = -0.9, 5.6, -2.1, 2.3, 2.45  # metres: the room
 SKY_SHARE = 0.85  # of the indirect light that a body in its way takes
 BRIGHTEST = {"direct": 2.0, "indirect": 2.0, "sun": 8.0}  # light of the code 255 in the images of light
 MARKERS = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
+# Of the sign; the first one is the recorded room's.
+WORDS = (
+    *("KITCHEN", "OFFICE", "BEDROOM", "GARAGE", "LIBRARY"),
+    *("STUDIO", "PANTRY", "LAUNDRY", "NURSERY", "CELLAR"),
+)
 INK = 26  # the value of the sign's writing
 # Row and column of each marker's upper left corner on the signs' texture, where it lies on its left side.
 MARKER_CORNERS, MARKER_SIDE = {"marker": (348, 709), "wall_marker": (709, 709)}, 268
@@ -86,21 +91,16 @@ def stored():
         return dict(file)
 
 
-def words():
-    """The words that the sign can have; the first one is the recorded room's."""
-    return tuple(name.removeprefix("word_") for name in stored() if name.startswith("word_"))
-
-
-def textures(poses, lighting, word=None, markers=None):
+def textures(poses, lighting, word=WORDS[0], markers=None):
     """The textures of a lighting, {atlas: (H, W, 3) uint8 BGR}, with pieces at {name: (x, y, yaw)}.
 
-    The sign has one of the `words()`, and the markers {name: number, 0 to 49}; else the recorded room's.
+    The sign has one of the WORDS, and the markers {name: number, 0 to 49}; else the recorded room's.
     """
     images = {atlas: read_image(f"pieces/{atlas}_{lighting}.jpg") for atlas in ATLASES}
     for name, number in (markers or {}).items():
         print_marker(images["signs"], name, number)
     small = {atlas: reduced(images[atlas], ATLASES[atlas].size) for atlas in ATLASES}
-    write(images["signs"], words()[0] if word is None else word)
+    write(images["signs"], word)
     placed = Placed(poses)
     floor = FloorLight(placed, lighting)
     light = {
@@ -161,8 +161,6 @@ def print_marker(image, name, number):
 
 def write(image, word):
     """Prints a word on the signs' texture, in place."""
-    if word not in words():
-        raise ValueError(f"the sign's word is one of {', '.join(words())}, got {word!r}")
     ink = stored()[f"word_{word}"][..., None].astype(np.uint16)
     top, left = stored()["sign_corner"]
     box = image[top : top + ink.shape[0], left : left + ink.shape[1]]

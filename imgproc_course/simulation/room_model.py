@@ -1,7 +1,8 @@
 """The room as arrays: triangles, labels, joints, and the free floor. environment/room makes the files."""
 
+import functools
 import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -25,18 +26,17 @@ class RoomModel:
     label: np.ndarray  # (N,) uint8
     joint: np.ndarray  # (N,) int, NO_JOINT for what stands still
     atlas: np.ndarray  # (N,) int, index into atlas_names
-    normals: np.ndarray  # (N, 3) float64, of the planes
-    offsets: np.ndarray  # (N,) float64, of the planes
     atlas_names: list[str]
     joint_names: list[str]
     joint_tree: dict[str, dict[str, Any]]  # {name: parent and offset}, parents first
     markers: dict[str, np.ndarray]
     label_names: dict[int, str]
 
-    def with_triangles(self, triangles):
-        """A copy with other triangles (N, 3, 3), and their planes."""
-        normals, offsets = triangle_planes(triangles)
-        return replace(self, triangles=triangles, normals=normals, offsets=offsets)
+    @functools.cached_property
+    def planes(self):
+        """Normals and offset (4, N) float64 of the triangles' planes."""
+        normals, offsets = triangle_planes(self.triangles)
+        return np.vstack([normals.T, offsets])
 
 
 def load_room(folder=FILES):
@@ -45,11 +45,8 @@ def load_room(folder=FILES):
         arrays = {name: file[name] for name in names}
     description = json.loads((folder / "scene.json").read_text(encoding="utf-8"))
     _add_balls(arrays, description)
-    normals, offsets = triangle_planes(arrays["triangles"])
     return RoomModel(
         **arrays,
-        normals=normals,
-        offsets=offsets,
         atlas_names=description["atlases"],
         joint_names=description["joints"],
         joint_tree=description["joint_tree"],

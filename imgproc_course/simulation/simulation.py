@@ -17,7 +17,7 @@ from .renderer import NEAR, NEAREST
 from .room import BALLS, MOVERS, Room, recorded_room
 from .scene import Scene
 from .sensor import Sensor
-from .wheels import Odometry, WheelOdometry, Wheels, clearance, gap, nearest_on_body
+from .wheels import Odometry, WheelOdometry, Wheels, clearance, gap
 
 # The recorded drive's camera: 1280×720, and where it stands on the robot.
 CAMERA = CameraModel(1280, 720, 705.0, 705.0, 639.5, 359.5, (-0.170, 0.035, 0.0004, -0.0003, 0.0))
@@ -104,8 +104,9 @@ class Simulation(contextlib.AbstractContextManager["Simulation"]):
         for name, distance in self._distances(self._wheels.place).items():
             if distance < 0:
                 remedy = "time" if start is None else f"start, such as {self.room.start}"
+                thing = f"the {name.replace('toy', 'toy ')}" if name else "a wall or furniture"
                 raise ValueError(
-                    f"the robot cannot start at {self._wheels.place}: {name} is in its way; "
+                    f"the robot cannot start at {self._wheels.place}: {thing} is in its way; "
                     f"choose another {remedy}"
                 )
         self._held: tuple[Any, float, frozenset[float]] = self._wheels.place, 0.0, frozenset()  # _note_held
@@ -176,11 +177,9 @@ class Simulation(contextlib.AbstractContextManager["Simulation"]):
         return any(after[name] < limit and after[name] <= before[name] for name in after)
 
     def _distances(self, place):
-        """{name: metres} between the body at (x, y, yaw) and everything; negative inside."""
-        distances = {"a wall or furniture": clearance(self.room.free_space.distance, *place)}
-        for name, (x, y, radius) in self._movers.circles().items():
-            distances[f"the {name.replace('toy', 'toy ')}"] = nearest_on_body(place, x, y)[1] - radius
-        return distances
+        """As `gaps`, at another (x, y, yaw), without balls and quickly."""
+        still = clearance(self.room.free_space.distance, *place)
+        return {"": still, **self._movers.gaps(place, balls=False)}
 
     # what it sees
 
