@@ -9,7 +9,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import cv2
 import matplotlib as mpl
@@ -392,12 +392,6 @@ class _Panel:
         return self.is_numbered and self.box[0] / self.image.array.shape[1] < 6 * longest + 4
 
 
-class _PanelFigure(Figure):
-    """A figure of several images: a list of panels for each line."""
-
-    panels: Sequence[list[_Panel]] = ()
-
-
 def _draw_panels(panels, scale, cmap, columns):
     count = _choose_boxes(panels, columns)
     lines = [panels[k : k + count] for k in range(0, len(panels), count)]
@@ -406,9 +400,9 @@ def _draw_panels(panels, scale, cmap, columns):
         _place_line(line, height)
         height += line[0].height
     width = max(line[-1].left + line[-1].width for line in lines)
-    figure = _PanelFigure(figsize=(width / 100, height / 100), dpi=100 * DENSITY)
+    figure: Any = Figure(figsize=(width / 100, height / 100), dpi=100 * DENSITY)
     FigureCanvasAgg(figure)
-    figure.panels, axes = lines, []
+    figure.panels, axes = lines, []  # `_encode` makes an image of each
     for line in lines:
         for panel in line:
             axes.append(_draw_image(figure, panel, scale, cmap))

@@ -18,7 +18,8 @@ from IPython.display import display
 from imgproc_course.display.controls import Controls, in_a_row, make_button
 from imgproc_course.display.figures import Output, split_text
 from imgproc_course.display.printing import captured_prints, last_lines
-from imgproc_course.display.screen import Screen, Style, View, describe_error
+from imgproc_course.display.screen import Screen, Style, View
+from imgproc_course.learner_errors import describe
 
 MAX_RATE = 30  # frames per second: enough for a camera on a screen, and the browser must keep up
 PING_INTERVAL = 0.5  # seconds between two pings to the browser
@@ -239,7 +240,7 @@ class LiveView(View):
             self._screen.show(self.value)
         except (Exception, SystemExit) as error:  # noqa: BLE001  the learner's function may raise anything
             self.error = error
-            self._say_error(describe_error(error, self._process))
+            self._say_error(describe(error) or f"{type(error).__name__}: {error}")
         else:
             if self._failing:
                 self._screen.say()

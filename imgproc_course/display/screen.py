@@ -8,9 +8,8 @@ import ipywidgets as widgets
 import numpy as np
 from traitlets import Unicode
 
-from imgproc_course.display.controls import Controls, name_of
+from imgproc_course.display.controls import Controls
 from imgproc_course.display.figures import check_image, is_scaled, resize, to_rgb
-from imgproc_course.learner_errors import advice_on, learners_calls
 
 GAP = 6
 WIDTH, WIDTH_OF_SEVERAL, HIGHEST = 640, 960, 480
@@ -182,13 +181,3 @@ def _split_result(result):
 
 def _encode(image):
     return cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, QUALITY])[1].tobytes()
-
-
-def describe_error(error, function):
-    """Type and message of an error, the advice, and the learner's line that raised it, a line each."""
-    text = "\n".join(filter(None, [f"{type(error).__name__}: {error}".strip(), advice_on(error)]))
-    calls = learners_calls(error)
-    if not calls:
-        return f"{text}\n(called as {name_of(function)})"
-    call = calls[-1]
-    return f"{text}\nin {call.name}, line {call.lineno}:  {call.line}"

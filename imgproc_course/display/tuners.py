@@ -14,7 +14,8 @@ from IPython.display import display
 from imgproc_course.display.controls import Controls, in_a_row
 from imgproc_course.display.figures import Output, split_text
 from imgproc_course.display.printing import captured_prints, last_lines
-from imgproc_course.display.screen import Screen, Style, View, describe_error
+from imgproc_course.display.screen import Screen, Style, View
+from imgproc_course.learner_errors import describe
 
 PATIENCE = 10  # seconds that `.value` waits for a computation
 QUICK = 0.05  # seconds that the kernel waits for a computation before it reads its next message
@@ -162,7 +163,7 @@ class Tuner(View):
             self._jpeg = self._screen.show(self._value)
         except (Exception, SystemExit) as error:  # noqa: BLE001  the learner's function may raise anything
             self.error, self._value = error, None
-            self._screen.say(describe_error(error, self._function), is_error=True)
+            self._screen.say(describe(error) or f"{type(error).__name__}: {error}", is_error=True)
             return
         if self.error is not None:
             self._screen.say()
