@@ -1,9 +1,9 @@
 """Image processing by hand, in NumPy: grayscale, noise, filters, binarization, gradients and Canny."""
 
 from .binarization import adaptive_threshold, otsu_threshold, threshold
-from .canny import CannyStages, canny_stages, double_threshold, hysteresis, smooth, suppress
+from .canny import CannyStages, canny_stages, double_threshold, hysteresis, suppress
 from .canny_fast import canny
-from .filters import bilateral_filter, box_blur, gaussian_blur, gaussian_kernel, median_blur
+from .filters import bilateral_filter, box_blur, gaussian_blur, median_blur
 from .gradients import direction, gradient_angle, magnitude, sobel
 from .grayscale import average_gray, lightness_gray, linear_light_gray, to_gray
 from .noise import add_gaussian_noise, add_salt_and_pepper
@@ -22,7 +22,6 @@ __all__ = [
     "direction",
     "double_threshold",
     "gaussian_blur",
-    "gaussian_kernel",
     "gradient_angle",
     "hysteresis",
     "lightness_gray",
@@ -31,7 +30,6 @@ __all__ = [
     "median_blur",
     "otsu_threshold",
     "psnr",
-    "smooth",
     "sobel",
     "ssim",
     "suppress",

@@ -97,7 +97,8 @@ def canny_stages(
     low_in_unit = threshold_in_unit(low, aperture, l2_gradient)
     high_in_unit = threshold_in_unit(high, aperture, l2_gradient)
 
-    smoothed = smooth(gray, sigma)
+    sigma = check_number(sigma, "sigma", minimum=0)
+    smoothed = gaussian_blur(gray, sigma) if sigma else check_gray(gray).copy()
     grad_row, grad_col = canny_gradient(smoothed, aperture)
     magnitudes = magnitude(grad_row, grad_col, "L2 squared" if l2_gradient else "L1")
     directions = direction(grad_row, grad_col)
@@ -107,34 +108,8 @@ def canny_stages(
     return CannyStages(smoothed, grad_row, grad_col, magnitudes, directions, thinned, weak, strong, edges)
 
 
-def smooth(gray: Gray, sigma: float = 0) -> Gray:
-    """First stage: blur away noise that would look like edges; sigma=0 gives a copy.
-
-    Parameters
-    ----------
-    gray : (H, W) uint8
-    sigma : pixels, 0 or more
-
-    Returns
-    -------
-    (H, W) uint8, a new array
-
-    Raises
-    ------
-    ValueError : another shape or dtype, a negative sigma
-
-    Examples
-    --------
-    >>> print(smooth(np.array([[0, 0, 100, 100, 100]], np.uint8), 0.8))
-    [[  5  25  75  98 100]]
-    """
-    if check_number(sigma, "sigma", minimum=0) == 0:
-        return check_gray(gray).copy()
-    return gaussian_blur(gray, sigma)
-
-
 def canny_gradient(smoothed, aperture):
-    """Second stage: Sobel's gradient; at aperture 7 a sixteenth of it, halves to even, as in cv2.Canny."""
+    """Sobel's gradient; at aperture 7 a sixteenth of it, halves to even, as in cv2.Canny."""
     grad_row, grad_col = sobel(smoothed, aperture)
     if aperture == 7:
         grad_row = np.rint(grad_row / APERTURE_7_SCALE).astype(np.int32)

@@ -18,7 +18,8 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from .array_types import Gray
-from .canny import APERTURE_7_SCALE, check_thresholds, smooth, threshold_in_unit
+from .canny import APERTURE_7_SCALE, check_thresholds, threshold_in_unit
+from .filters import gaussian_blur
 from .gradients import TAN_22, TAN_SHIFT, check_aperture
 from .row_blocks import pad_border, row_blocks
 from .validation import check_gray, check_number
@@ -60,7 +61,7 @@ def canny(
     low = int(threshold_in_unit(low, aperture, l2_gradient))
     high = int(threshold_in_unit(high, aperture, l2_gradient))
     if check_number(sigma, "sigma", minimum=0) > 0:
-        gray = smooth(gray, sigma)
+        gray = gaussian_blur(gray, sigma)
 
     # One pixel more than Sobel needs: then every pixel has eight neighbours with a magnitude.
     margin = aperture // 2 + 1

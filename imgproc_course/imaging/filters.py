@@ -70,29 +70,11 @@ def box_mean(image, size, border):
     return filter_blocks(image, size // 2, border, mean_of_block)
 
 
-def gaussian_kernel(sigma: float, size: int | None = None) -> list[float]:
-    """Gaussian kernel along one axis, as floats of sum 1.
+def gaussian_kernel(sigma, size=None):
+    """The floats of cv2.getGaussianKernel, of sum 1.
 
-    Parameters
-    ----------
-    sigma : standard deviation in pixels; if 0 or less, OpenCV's choice for the size: 0.3 ((size - 1) / 2 - 1)
-        + 0.8, and its table for sizes up to 9
-    size : odd number of weights; if None, OpenCV's choice for the sigma: 6 sigma + 1, rounded and made odd
-
-    Returns
-    -------
-    list of `size` floats, symmetric, of sum 1
-
-    Raises
-    ------
-    ValueError : an even size; neither sigma nor size
-
-    Source: cv2.getGaussianKernel.
-
-    Examples
-    --------
-    >>> gaussian_kernel(0, 3)
-    [0.25, 0.5, 0.25]
+    If the size is omitted, it is 6 sigma + 1, rounded and made odd. If sigma is 0 or less, a table has the
+    kernel up to size 9; then sigma is 0.3 ((size - 1) / 2 - 1) + 0.8.
     """
     sigma = check_number(sigma, "sigma")
     if size is None:

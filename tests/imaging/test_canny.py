@@ -14,8 +14,8 @@ from imgproc_course.imaging import (
     canny,
     canny_stages,
     double_threshold,
+    gaussian_blur,
     hysteresis,
-    smooth,
     suppress,
 )
 from imgproc_course.imaging.canny import canny_gradient, threshold_in_unit
@@ -164,7 +164,7 @@ def test_the_stages_are_as_documented(gray_frames, aperture, l2_gradient):
     assert edges[stages.strong].all() and (stages.weak | stages.strong)[edges].all()
     assert set(np.unique(stages.edges)) == {0, 255}
     # Every stage is the result of its function on the stages before it.
-    assert np.array_equal(stages.smoothed, smooth(gray, 1.0))
+    assert np.array_equal(stages.smoothed, gaussian_blur(gray, 1.0))
     assert np.array_equal(stages.grad_row, canny_gradient(stages.smoothed, aperture)[0])
     assert np.array_equal(stages.thinned, suppress(stages.magnitude, stages.direction))
     in_unit = [threshold_in_unit(value, aperture, l2_gradient) for value in (low, high)]

@@ -11,10 +11,9 @@ from imgproc_course.imaging import (
     bilateral_filter,
     box_blur,
     gaussian_blur,
-    gaussian_kernel,
     median_blur,
 )
-from imgproc_course.imaging.filters import fixed_point_gaussian_kernel
+from imgproc_course.imaging.filters import fixed_point_gaussian_kernel, gaussian_kernel
 
 SIZES = (1, 3, 5, 7, 9, 15, 31)
 SIGMAS = (0.05, 0.3, 0.5, 0.84, 1, 1.4, 2, 3.7, 8, 25)
