@@ -274,7 +274,7 @@ def test_a_profile_with_a_note_is_a_warning(monkeypatch):
     from imgproc_course.ros import DdsProfile
 
     note = "/dev/shm has 10 MiB free and images need 18; enlarge it"
-    profile = DdsProfile("nobody", free_bytes=10 << 20, note=note)
+    profile = DdsProfile("nobody", note=note)
     monkeypatch.setattr("imgproc_course.ros.dds_profile", lambda: profile)
     findings = findings_of(graph.check_ros)
     assert findings["DDS profile"] == Finding("DDS profile", "warning", "none: Fast DDS's defaults", note)

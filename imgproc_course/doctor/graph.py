@@ -118,7 +118,7 @@ def _why_no_frames_of_the_camera():
     from imgproc_course.ros.robot_process import running_robot
 
     robot = running_robot(RosSession.current().context.get_domain_id())
-    if robot is not None and robot.get("running"):
+    if robot.get("running"):
         return _why_no_frames(robot["topic"])  # whatever it plays
     with open_camera() as camera:
         return _why_no_frames(camera.topic)

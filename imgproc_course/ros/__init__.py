@@ -4,6 +4,7 @@ Importing this package chooses the Fast DDS profile (unless you set one). The im
 ROS, `ros_available()` is False, and everything that needs a graph raises RosMissingError with the remedy.
 """
 
+import functools
 import logging
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +13,7 @@ from imgproc_course.ros.availability import (
     RosMissingError,
     class_stub,
     import_problem,
-    run_processor_stub,
+    refuse_to_run,
     say_what_is_skipped,
 )
 from imgproc_course.ros.numeric_parameter import NumericParameter
@@ -41,7 +42,7 @@ else:
         for name in ("Camera", "ImageProcessor", "ImageSubscriber", "Robot", "RosSession", "open_camera")
     )
     RobotInUseError = RosMissingError  # so that `except RobotInUseError` is no mistake
-    run_processor = run_processor_stub(_problem)
+    run_processor = functools.partial(refuse_to_run, _problem)
 
 
 def ros_available() -> bool:

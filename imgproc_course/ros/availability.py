@@ -69,14 +69,10 @@ def _load_problem(error):
     )
 
 
-def run_processor_stub(problem):
-    """A `run_processor` for a node that cannot start: prints the reason in one line, returns exit code 2."""
-
-    def run_processor(make_node, args=None):
-        print(f"cannot start: {problem}", file=sys.stderr)
-        return 2
-
-    return run_processor
+def refuse_to_run(problem, make_node, args=None):
+    """In place of `run_processor`: prints why the node cannot start, in one line, and returns exit code 2."""
+    print(f"cannot start: {problem}", file=sys.stderr)
+    return 2
 
 
 def class_stub(name, problem):

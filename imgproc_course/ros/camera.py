@@ -245,10 +245,8 @@ def _connect(request, switch, on_event):
     if not shareable():
         return _OwnRobot(request, on_event)
     domain = RosSession.current().context.get_domain_id()
-    if request["source"] == "topic":
-        robot = running_robot(domain)
-        if robot is None or robot["topic"] != request["topic"]:
-            return None
+    if request["source"] == "topic" and running_robot(domain).get("topic") != request["topic"]:
+        return None
     return RobotConnection(domain, ROBOT_MODULE, request, switch=switch, on_event=on_event)
 
 

@@ -35,21 +35,17 @@ class DdsProfile:
     ----------
     chosen_by : "course", "user" (by an environment variable or a file), or "nobody" (Fast DDS's defaults)
     path : the profile file, or None if none is used
-    segment_bytes : size of the shared-memory segment that the course's profile requests; None otherwise
-    free_bytes : free shared memory at the time of the choice; None without a /dev/shm that can be written
     note : a problem, with the remedy; None if there is none
     """
 
     chosen_by: str
     path: str | None = None
-    segment_bytes: int | None = None
-    free_bytes: int | None = None
     note: str | None = None
 
     def __str__(self):
-        if self.path is not None and self.segment_bytes is not None:
-            size = f"{self.segment_bytes >> 20} MiB shared memory"
-            profile = f"the course's {Path(self.path).name}: {size}, and UDP"
+        if self.path is not None and self.chosen_by == "course":
+            path = Path(self.path)
+            profile = f"the course's {path.name}: {SEGMENT_BYTES[path] >> 20} MiB shared memory, and UDP"
         elif self.chosen_by == "user":
             profile = f"your own choice ({self.path})" if self.path else "your own choice"
         else:
@@ -68,13 +64,13 @@ def choose_profile():
     problem = _why_not(free)
     if problem is not None:
         warnings.warn(problem, RuntimeWarning, stacklevel=3)
-        return DdsProfile("nobody", free_bytes=free, note=problem)
+        return DdsProfile("nobody", note=problem)
     path = LARGE if free is None or free >= _LARGE_NEEDS else SMALL
     for variable in PROFILE_VARIABLES:
         os.environ[variable] = str(path)
     remedy = "docker run --shm-size=1g, or sudo mount -o remount,size=1g /dev/shm, gives more"
     note = f"{SHARED_MEMORY} has only {(free or 0) >> 20} MiB free; {remedy}"
-    return DdsProfile("course", str(path), SEGMENT_BYTES[path], free, note if path is SMALL else None)
+    return DdsProfile("course", str(path), note if path is SMALL else None)
 
 
 def _why_not(free):

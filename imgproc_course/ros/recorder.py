@@ -150,12 +150,11 @@ class Recorder(Stoppable):
 
     def _robots_subscribers(self):
         """{topic: subscribers} of the robot process; empty if there is none, or before it publishes."""
-        status = running_robot(self._session.context.get_domain_id())
-        return (status or {}).get("subscribers", {})
+        return running_robot(self._session.context.get_domain_id()).get("subscribers", {})
 
     def _sensor_mounts(self):
         """{frame: its pose on the robot} of the room's robot; empty for another one."""
-        if "seed" not in (running_robot(self._session.context.get_domain_id()) or {}):
+        if "seed" not in running_robot(self._session.context.get_domain_id()):
             return {}
         from imgproc_course.ros.room_messages import MOUNTS  # here: a room takes a while to import
 

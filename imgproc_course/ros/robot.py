@@ -236,7 +236,7 @@ class Robot(contextlib.AbstractContextManager["Robot"]):
         """What the robot process says of itself; empty without one."""
         if not self._is_of_the_room():
             return {}
-        return running_robot(self._session.context.get_domain_id()) or {}
+        return running_robot(self._session.context.get_domain_id())
 
     def _is_of_the_room(self):
         return self._topics["commands"] == COMMANDS

@@ -92,17 +92,14 @@ def robot_runs(domain):
 
 
 def running_robot(domain):
-    """The status of the robot that runs in a domain, or None. The caller does not become a user of it."""
+    """The status of the robot that runs in a domain; {} if none does. The caller does not become its user."""
     connection = _connect(domain) if shareable() else None
-    if connection is None:
-        return None
-    with connection:
-        try:
+    if connection is not None:
+        with connection, contextlib.suppress(EOFError, OSError):  # it may just have ended
             connection.send(("status",))
-            _kind, _content, status = connection.recv() if connection.poll(ANSWER_TIMEOUT) else (None,) * 3
-            return status
-        except (EOFError, OSError):
-            return None  # it has just ended
+            if connection.poll(ANSWER_TIMEOUT):
+                return connection.recv()[-1]
+    return {}
 
 
 class RobotConnection:

@@ -43,7 +43,6 @@ class RoomImages:
         self.simulation = begun(self.options)
         self.simulation.frame()  # the first one takes a second, which the robot would miss while it drives
         self.on_motion: Callable[[int], None] = lambda stamp: None
-        self.reached_rate: float | None = None  # images per second over the last seconds
         self.bumps = 0
         # Other threads set the command, and append to the restarts.
         self._command = STAND_STILL
@@ -64,7 +63,7 @@ class RoomImages:
         odometry begins at zero in any case. After a ValueError the running one goes on.
         """
         if changes.keys() == {"lighting"}:
-            changes["start"] = planar(self.simulation.pose("robot"))
+            changes["start"] = self.simulation.place
         if "room" in changes and "start" not in changes:
             changes["start"] = room_of(changes["room"]).start
         options = self.options | changes
@@ -115,12 +114,12 @@ class RoomImages:
         return (linear, angular) if time.monotonic() - since <= COMMAND_TIMEOUT else (0.0, 0.0)
 
     def _measure_rate(self):
-        """Counts an image; at the end of a RATE_WINDOW sets the reached rate, and warns if it is low."""
+        """Counts an image; warns once, at the end of a RATE_WINDOW, if the reached rate is low."""
         self._times.append(time.monotonic())
         seconds = self._times[-1] - self._times[0]
         if seconds < RATE_WINDOW:
             return
-        self.reached_rate = rate = (len(self._times) - 1) / seconds
+        rate = (len(self._times) - 1) / seconds
         del self._times[:-1]
         if rate < SLOW * self.rate and not self._is_reported:
             self._is_reported = True
@@ -142,11 +141,6 @@ class RoomImages:
 def begun(options, time=0.0):
     """A Simulation with a number in place of its room."""
     return Simulation(**options | {"room": room_of(options["room"])}, time=time)
-
-
-def planar(pose):
-    """(x, y, yaw) of a pose [x, y, z, qx, qy, qz, qw] on the floor."""
-    return float(pose[0]), float(pose[1]), 2 * math.atan2(pose[5], pose[6])
 
 
 class RoomImage(FrameImage):

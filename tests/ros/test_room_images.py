@@ -30,6 +30,7 @@ class FakeSimulation:
 
     drawing = 0.0
     clock = None
+    place = (1.0, 2.0, 1.287)
 
     def __init__(self, *, time=0.0, **options):
         if options.get("seed") == 13:
@@ -47,9 +48,6 @@ class FakeSimulation:
     def depth(self, camera="front"):
         self.depths.append((camera, threading.current_thread() is not threading.main_thread()))
         return np.full((2, 3), len(self.steps), np.uint16)
-
-    def pose(self, name):
-        return [1.0, 2.0, 0.0, 0.0, 0.0, 0.6, 0.8]
 
     def close(self):
         self.closed = True
@@ -117,7 +115,6 @@ def test_a_room_that_is_too_slow_says_it_once(room, caplog):
         "the room reaches 20.0 of 30 images per second on this machine; ask for "
     )
     assert 'open_camera("room", rate=20, switch=True)' in record.message
-    assert images.reached_rate == pytest.approx(20.0, abs=0.3)
 
 
 def test_a_room_in_time_says_nothing(room, caplog):
@@ -127,7 +124,6 @@ def test_a_room_in_time_says_nothing(room, caplog):
         next(iterator)
         clock.now += 0.02
     assert not caplog.records
-    assert images.reached_rate == pytest.approx(30.0, abs=0.3)
 
 
 def test_after_the_machine_slept_the_robot_goes_on_from_there(room):
@@ -155,7 +151,7 @@ def test_a_restart_begins_with_the_next_step_and_the_time_goes_on_or_begins(room
     assert (old.closed, len(old.steps), new.steps) == (True, 30, [(0.0, 0.0, pytest.approx(1 / 30))])
     start = new.options["start"]
     assert new.options == {"seed": 0, "lighting": "evening", "start": start, "room": recorded_room()}
-    assert start == pytest.approx((1.0, 2.0, 2 * 0.6435), abs=1e-3)  # where the robot stood
+    assert start == old.place  # where the robot stood
     assert new.time - 1 / 30 == pytest.approx(old.time)
     with pytest.raises(ValueError, match="unlucky"):
         images.restart(seed=13)
