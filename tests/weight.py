@@ -11,7 +11,7 @@ from pathlib import Path
 
 # Ceilings in lines. A change that needs more takes something away.
 CEILINGS = {
-    "imgproc_course": 16_200,
+    "imgproc_course": 16_100,
     "nbclassroom/nbclassroom": 19_490,
     "notebooks/masters": 23_060,
     "tests": 45_500,  # with those of nbclassroom

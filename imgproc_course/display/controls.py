@@ -63,7 +63,8 @@ class Controls:
     """
 
     def __init__(self, function, ranges, on_change=lambda: None):
-        self._function, self._parameters = function, _parameters(function)
+        self._name = getattr(function, "__name__", type(function).__name__)
+        self._parameters = _parameters(function)
         self._names = {}  # keyword -> names of the one or two parameters that it sets
         self._widgets = {}
         for keyword, range_ in ranges.items():
@@ -94,7 +95,7 @@ class Controls:
     def call(self):
         first = next(iter(self._parameters or ()), "frame")
         arguments = ", ".join([first, *(f"{name}={_as_code(value)}" for name, value in self._values.items())])
-        return f"{name_of(self._function)}({arguments})"
+        return f"{self._name}({arguments})"
 
     def note(self, text):
         """Writes a line of text under the code."""
@@ -146,7 +147,7 @@ class Controls:
         if len(pairs) == 1 and isinstance(getattr(range_, "value", range_), tuple) and not close_matches:
             return pairs[0]
         raise ValueError(
-            f"{name_of(self._function)} has no parameter {keyword!r}; it has: {', '.join(parameters)}. "
+            f"{self._name} has no parameter {keyword!r}; it has: {', '.join(parameters)}. "
             + (f"Did you mean {close_matches[0]}? " if close_matches else "")
             + "A new name makes one range slider for two parameters, if they are called low and high"
         )
@@ -200,10 +201,6 @@ def _parameters(function):
         return inspect.signature(function).parameters
     except (TypeError, ValueError):  # a function written in C, such as one of cv2, may not have a signature
         return None
-
-
-def name_of(function):
-    return getattr(function, "__name__", type(function).__name__)
 
 
 def _as_code(value):

@@ -36,9 +36,6 @@ class OutputPublishers:
             events = log.publisher_events(node.resolve_topic_name(f"~/{output}"))
             self.publishers[output] = node.create_publisher(Image, f"~/{output}", qos, event_callbacks=events)
 
-    def topics(self):
-        return [publisher.topic_name for publisher in self.publishers.values()]
-
     def subscribed(self):
         """The names of the outputs that have a subscriber."""
         return [output for output, publisher in self.publishers.items() if publisher.get_subscription_count()]

@@ -183,7 +183,8 @@ class ImageProcessor(Node):
         if losses:
             self._log.warn("losses", *losses)
         if self._silence.has_become_silent():
-            received, topics = self._statistics.received, self._outputs.topics()
+            received = self._statistics.received
+            topics = [publisher.topic_name for publisher in self._outputs.publishers.values()]
             reason = explain_missing_messages(self, self._subscription, SILENCE, received, own_topics=topics)
             self.get_logger().warning(reason)
         self._log.warn_about_duplicate_name()

@@ -234,9 +234,7 @@ class Robot(contextlib.AbstractContextManager["Robot"]):
 
     def _status(self) -> dict[str, Any]:
         """What the robot process says of itself; empty without one."""
-        if not self._is_of_the_room():
-            return {}
-        return running_robot(self._session.context.get_domain_id())
+        return running_robot(self._session.context.get_domain_id()) if self._is_of_the_room() else {}
 
     def _is_of_the_room(self):
         return self._topics["commands"] == COMMANDS

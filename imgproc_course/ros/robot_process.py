@@ -25,11 +25,10 @@ import sys
 import threading
 import time
 import weakref
-from dataclasses import dataclass
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 try:
     import fcntl
@@ -48,8 +47,7 @@ class RobotInUseError(RuntimeError):
     """Other programs use the robot in another way. The text names them, and says what to do."""
 
 
-@dataclass(frozen=True)
-class User:
+class User(NamedTuple):
     """A program that uses the robot."""
 
     program: str

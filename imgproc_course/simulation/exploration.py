@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from ..geometry import compose_poses
 from .metrics import cell_of
 from .room_env import STEP, RoomEnv, reachable_cells
 
@@ -68,6 +69,4 @@ def _in_map(start, point):
         forward, left = (float(value) for value in point)
     except (TypeError, ValueError, OverflowError):
         return None
-    x, y, yaw = start
-    c, s = math.cos(yaw), math.sin(yaw)
-    return x + c * forward - s * left, y + s * forward + c * left
+    return compose_poses(start, (forward, left, 0.0))[:2].tolist()

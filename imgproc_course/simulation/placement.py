@@ -76,7 +76,9 @@ class Placement:
         self._random, self._hulls, self._origins = random, pieces.hulls, pieces.origins
         self._borders = pieces.borders
         self._taken, self._kept, self._rug = (np.zeros(SHAPE, np.uint8) for _ in range(3))
-        self._doorway = painted(np.zeros(SHAPE, np.uint8), [self._before_the_door()])
+        middle, half = (DOOR[0] + DOOR[1]) / 2, (DOOR[1] - DOOR[0]) / 2 + BORDER
+        doorway = turned(rectangle(DOORWAY, half), (AREA[1, 0], middle, math.pi))
+        self._doorway = painted(np.zeros(SHAPE, np.uint8), [doorway])
         self._to_taken = self._to_rug = np.full(SHAPE, np.inf)
         self._spans: list[list[tuple[float, float, str]]] = [[] for _ in WALLS]
 
@@ -85,11 +87,6 @@ class Placement:
         steps = [(self._at_wall, name) for name in FRONTS]
         steps += [(self._rug_place, "rug"), *((self._free_place, name) for name in FREE)]
         return all(any(step(name) for _ in range(TRIES)) for step, name in steps)
-
-    @staticmethod
-    def _before_the_door():
-        middle, half = (DOOR[0] + DOOR[1]) / 2, (DOOR[1] - DOOR[0]) / 2 + BORDER
-        return turned(rectangle(DOORWAY, half), (AREA[1, 0], middle, math.pi))
 
     def _uniform(self, low, high, digits=3):
         return round(float(self._random.uniform(low, high)), digits)

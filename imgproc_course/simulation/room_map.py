@@ -59,12 +59,7 @@ def draw_map(
     for _, *place in bumps:
         cv2.drawMarker(image, pixel(place), BUMP, cv2.MARKER_TILTED_CROSS, 16, 3)
     image = np.ascontiguousarray(image[::-1])
-    return _draw_scale(image)
-
-
-def _draw_scale(image):
-    """Draws a bar of 1 m at the bottom on the left."""
-    x, y = 16, image.shape[0] - 16
+    x, y = 16, image.shape[0] - 16  # a bar of 1 m, at the bottom on the left
     cv2.rectangle(image, (x - 6, y - 18), (x + PIXELS + 6, y + 6), FLOOR, -1)
     cv2.rectangle(image, (x, y - 2), (x + PIXELS, y + 2), SCALE, -1)
     cv2.putText(image, "1 m", (x + 16, y - 5), cv2.FONT_HERSHEY_SIMPLEX, 0.4, SCALE, 1, cv2.LINE_AA)
