@@ -138,7 +138,7 @@ def otsu(gray):
 def otsu(gray):
     return int(np.median(gray))
 
-# %% role="mistake" name="always 0" says="Your function returned 0 for every image. Is return inside the for loop? Then the function ends with the first t: move it to the left, below the loop. If not, best_t never got a new value, because no variance was larger than 0. Print w0, w1 and the variance for one t: the shares need /, not //, and ** 2 belongs to the difference of the two means."
+# %% role="mistake" name="always 0" says="Your function returned 0 for every image: best_t never got a new value, or lost it again. Usual causes: return stands inside the for loop and ends it with the first t; best_t = 0 stands inside it; no variance is larger than 0 (print w0, w1 and the variance for one t: the shares need /, not //, and ** 2 belongs to the difference of the two means)."
 def otsu(gray):
     return 0
 

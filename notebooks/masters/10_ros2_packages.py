@@ -185,7 +185,7 @@ def inputs(rng):
 
 # %% role="case" title="four different names" hint="Compare the order of the names, and each sign between them."
 def inputs(rng):
-    return ("edges", "image_edge_detection", "edge_node", "main")
+    return ("edges", "image_edge_detection", "edge_node", "run_edges")
 
 # %% role="hidden" title="another function" hint="Do you use all four arguments?"
 def inputs(rng):

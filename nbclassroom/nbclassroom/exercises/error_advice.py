@@ -82,6 +82,9 @@ def _broadcast_rules(first, second, source):
         return
     has_kernel = any(shape in ((3, 3), (5, 5)) for shape in (first, second)) and re.search("kernel|:", source)
     yield has_kernel, _ADVICE["<kernel>"]
+    is_square = len(second) == 2 and second[0] == second[1]
+    yield is_square and re.search(r"[\w)\]] / [A-Za-z(]", source), _ADVICE["<division by a matrix>"]
+    yield first == second[::-1], _ADVICE["<exchanged>"]
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     yield gap <= 2, _ADVICE["<nearly one shape>"].format(gap)
     yield len(first) == 2 and first[1] == second[1] < 5, _ADVICE["<rows with rows>"]

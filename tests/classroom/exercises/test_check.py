@@ -8,9 +8,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from nbclassroom.exercises import check, checking, read_exercises
+from nbclassroom.exercises.canonical import canonical
 from nbclassroom.exercises.check_files import find_check_file
 from nbclassroom.exercises.checking import run_check
+from nbclassroom.exercises.lesson import ExpectedCall
 from nbclassroom.exercises.names_read import CellRuns
+from nbclassroom.exercises.running import CallResult
 from readable_cell import run_cell
 from template_master import write_carried_files
 
@@ -161,6 +164,18 @@ def test_a_way_without_return_is_not_named_beside_the_one_change_that_helps():
     text = repr(check("test-double", double))
     assert "With one change in line 4, these checks pass." in text
     assert "no return is reached" not in text
+
+
+def test_a_change_that_helps_in_the_shown_calls_alone_is_not_told(monkeypatch):
+    data = find_check_file("test-double").exercise("test-double")
+    pixels = np.full((3, 4), 7, np.uint8)
+    (witness,) = [ExpectedCall((pixels,), CallResult(canonical(pixels * 3, limit=None)))]
+    others = replace(data, witnesses=(replace(data.cases[0], calls=(witness,)),))
+    half = run_cell("def double(pixels):\n    return np.clip(pixels.astype(int) * 1, 0, 255)", {"np": np})[
+        "double"
+    ]
+    assert "With one change" in repr(run_check(data, half))
+    assert "With one change" not in repr(run_check(others, half))
 
 
 @pytest.mark.parametrize(

@@ -50,6 +50,12 @@ TYPES = [
     (GRAY, GRAY.tolist(), "A list is not an array. Make it one: np.array(..., dtype=np.uint8)."),
     (GRAY, 99, "You return one number, not an array. Which line makes one number of many?"),
     (GRAY, "gray", "You return a text, and the task asks for an array."),
+    (
+        GRAY,
+        (3, GRAY),
+        "You return 2 values (a tuple). The one at index 1 has the shape of the task: return it",
+    ),
+    (COLOUR, COLOUR.transpose(2, 0, 1), "the axes stand in another order: rows come first, channels last."),
     ((GRAY, MASK), GRAY, "You return one array, and the task asks for 2: return both, with a comma"),
     (
         (GRAY, GRAY),
@@ -112,6 +118,9 @@ VALUES = [
     (GRAY[:5, :5], GRAY[:5, :5].T, "Rows and columns are exchanged"),
     (SIGNED, SIGNED[:, ::-1], "mirrored from left to right"),
     (SIGNED, SIGNED[::-1], "upside down"),
+    (SIGNED, SIGNED[::-1, ::-1], "the expected one in reverse order, from the last value to the first."),
+    (np.where(MASK, 255, 0), np.where(MASK, 1, 0), "Where 255 is expected, your result has 1. Everything"),
+    ((MASK, ~MASK), (MASK, MASK), "All that you return is the same array: does it have two names?"),
     (COLOUR, COLOUR[..., ::-1], "the first and the last are exchanged"),
     (SIGNED, changed(SIGNED, 2, SIGNED[2] - 1), "Each wrong value is one too small: is it rounded down,"),
     ((2, -1.2), (2, 2 * np.pi - 1.2), "Your angle is a whole turn (2π) away: bring it into the range"),
@@ -136,6 +145,10 @@ def test_a_wrong_form_is_named_without_a_hint_about_values(expected, actual, tex
 def test_a_wrong_size_alone_says_no_cause_and_leaves_the_hint(expected, actual, text):
     diagnosis = say(expected, actual)
     assert diagnosis.text.startswith(text) and not diagnosis.replaces_hint
+
+
+def test_an_input_that_comes_back_unchanged_is_told():
+    assert say(255 - GRAY, GRAY).text.startswith("Your result is image, unchanged")
 
 
 def test_of_another_number_or_a_value_in_place_of_none_the_hint_tells_more():

@@ -38,7 +38,7 @@ ADVICE = {
     "np.linalg.solve(np.zeros((3, 3)), np.ones(3))": "The equations have no single solution",
     "a.shape[2]": "The shape of a gray image has two numbers",
     "a * kernel": "equal shapes. A kernel needs a window of its own size for each pixel.",
-    "np.zeros(8).reshape(3, 3)": "8 values do not fill the shape (3,3). A pixel of mono16 has 2 bytes,",
+    "np.zeros(8).reshape(3, 3)": "8 values do not fill the shape (3,3). Usual causes: the shape is not",
     "a[number + 1, number]": "so 4 is the last index of axis 0. Here number + 1 goes further.",
     "np.ones((3, 4))[:] = np.ones((2, 4))": "Values are stored in a place of their own shape",
     "np.ones((3, 4))[:] = np.cumsum(np.ones((3, 4)))": "All values are in one row here.",

@@ -111,6 +111,45 @@ CASES = {
         [((3,), 48)],
         "8 in return a * 8: is this number right?",
     ),
+    "elif": (
+        "def f(a):\n    b = 0\n    if a > 5:\n        b = 2\n    if a > 3:\n        b = 1\n    return b",
+        [((9,), 2), ((4,), 1), ((1,), 0)],
+        "line 3",
+        "should the if below it be elif?",
+    ),
+    "in each round": (
+        "def f(a):\n    n = 0\n    sums = []\n    for row in a:\n        for b in row:\n            n += b\n"
+        "        sums.append(n)\n    return sums",
+        [(([[1, 2], [3]],), [3, 3])],
+        "n = 0: should it run once, or in each round of the loop?",
+    ),
+    "two names": (
+        "def f(a):\n    b = a\n    b[0] = b[0] + a[1]\n    b[1] = b[1] + a[0]\n    return b",
+        [(([1, 5],), [6, 6])],
+        "another name for the same one?",
+    ),
+    "a condition": (
+        "def f(a):\n    b = []\n    for c in a:\n        if c > 1:\n            b.append(c)\n    return b",
+        [(([1, 5],), [1, 5])],
+        "if c > 1: is this condition needed?",
+    ),
+    "a call": ("def f(a):\n    return sorted(a)", [(([2, 1],), [2, 1])], "sorted(a)", "is this call needed?"),
+    "a keyword": (
+        "def f(a):\n    return sorted(a, reverse=True)",
+        [(([2, 1],), [1, 2])],
+        "is reverse needed?",
+    ),
+    "the old value": (
+        "def f(a, b):\n    a = a + b\n    b = a - b\n    return [a, b]",
+        [((5, 2), [7, 3])],
+        "does the line below it need the old value?",
+    ),
+    "a text": (
+        "def f(a):\n    return a == '1'",
+        [((1,), True), ((2,), False)],
+        "is a text ever equal to a number?",
+    ),
+    "a denominator": ("def f(a, b):\n    return a / b * 4", [((8, 2), 1)], "are parentheses missing?"),
     "a part too many": ("def f(a, b):\n    return a * b + b", [((2, 3), 6)], "is the second part needed?"),
 }
 
@@ -121,6 +160,24 @@ def test_the_place_of_one_change_is_named(name):
     text = sentence(source, *pairs)
     assert "these checks pass" in text
     assert all(part in text for part in parts), text
+
+
+def test_a_change_is_found_in_a_class():
+    source = "class f:\n    def __init__(self, a):\n        self.a = a - 1\n"
+    made = run_cell(f"x = 1\n\n{source}")["f"]
+    right = call(lambda: 5, (), [], 1).value
+    text = sentence_on_change(made, lambda changed, _: call(lambda: changed(4).a, (), [], 1).value == right)
+    assert "line 5" in text and "is it the right operator?" in text
+
+
+def test_a_condition_that_never_held_is_named():
+    source = "def f(a):\n    if a == '1':\n        return 1\n    elif a > 9:\n        return 2\n    return 3"
+    function = run_cell(source)["f"]
+    text = "In these checks a == '1' was never true: line 3 never ran."
+    assert one_change.sentence_on_branch(function, lambda: function(5)) == text
+    text = "In these checks a > 9 was never true: line 5 never ran."
+    assert one_change.sentence_on_branch(function, lambda: (function("1"), function(5))) == text
+    assert one_change.sentence_on_branch(function, lambda: (function("1"), function(10))) == ""
 
 
 def test_a_number_of_the_task_is_tried():

@@ -26,6 +26,18 @@ def remarks(source, errors=()):
             "b is what the function gets, and b = a > 3 replaces it before it is",
         ),
         ("a[b] == 9\n    return a", "a[b] == 9 stands alone: it compares, and nothing is done"),
+        ("c = a[b] = 9\n    return c", "c = a[b] = 9 gives the value on the right to each name on its left"),
+        ("return a << b + 1", "In a << b + 1 the sum is computed before the shift."),
+        ("sorted(a)\n    return a", "sorted(a) gives a new value and changes nothing: keep it"),
+        (
+            "for c in a:\n        if c > b:\n            c = 9",
+            "In the loop for c in a: its variable gets another",
+        ),
+        ("return [[0] * a] * b", "[[0] * a] * b has one row several times: what is set in one"),
+        (
+            "for c in a:\n        if c:\n            return c\n        else:\n            return b",
+            "A return at the",
+        ),
         ("for c in a:\n        return c", "A return at the end of the block of a loop ends the function in"),
     ],
 )

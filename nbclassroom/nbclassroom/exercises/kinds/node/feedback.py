@@ -94,7 +94,10 @@ def _on_pixels(wanted, given, steps):
         return text
     if _is_of_edges(given):
         return f"{text} Compute the edges of the gray image itself, with the values of the parameters."
-    return "An image of edges has only the values 0 and 255. Yours has more: publish what cv2.Canny returns."
+    levels = np.unique(given)
+    own = " and ".join(map(str, levels)) if len(levels) < 3 else f"{len(levels)} different ones"
+    text = f"An image of edges has only the values 0 and 255, yours has {own}"
+    return f"{text}: publish what cv2.Canny returns."
 
 
 def _on_speed(wanted, given, steps):

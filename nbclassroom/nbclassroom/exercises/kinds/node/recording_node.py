@@ -69,8 +69,10 @@ class _Endpoint(_Part):
 
     def publish(self, msg):
         if not isinstance(msg, self.msg_type):
-            text = f"publish takes a message of the type {self.msg_type.__name__}, and this is a value of the"
-            raise NodeError(f"{text} type {type(msg).__name__}. cv2_to_imgmsg makes a message of an array.")
+            kind = self.msg_type.__name__
+            text = f"publish takes a message of the type {kind}, and this is a value of the type"
+            makes = "cv2_to_imgmsg makes one of an array" if kind == "Image" else f"make one with {kind}()"
+            raise NodeError(f"{text} {type(msg).__name__}: {makes}.")
         self._record.published.append((self.topic_name, fields_of(msg)))
 
 
