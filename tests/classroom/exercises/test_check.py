@@ -171,9 +171,8 @@ def test_a_change_that_helps_in_the_shown_calls_alone_is_not_told(monkeypatch):
     pixels = np.full((3, 4), 7, np.uint8)
     (witness,) = [ExpectedCall((pixels,), CallResult(canonical(pixels * 3, limit=None)))]
     others = replace(data, witnesses=(replace(data.cases[0], calls=(witness,)),))
-    half = run_cell("def double(pixels):\n    return np.clip(pixels.astype(int) * 1, 0, 255)", {"np": np})[
-        "double"
-    ]
+    source = "def double(pixels):\n    return np.minimum(pixels.astype(int) * 1, 255).astype(np.uint8)"
+    half = run_cell(source, {"np": np})["double"]
     assert "With one change" in repr(run_check(data, half))
     assert "With one change" not in repr(run_check(others, half))
 
