@@ -80,7 +80,7 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         return advice if advice.text or "dtype" in wrong else _diagnose_values(returned, names)
     if "shape" in wrong:
         expected, actual = wrong["shape"]
-        return _diagnose_shape(expected, actual, shown.arguments, names)
+        return _diagnose_shape(expected, actual, shown.arguments, names, is_turned=_are_turned(returned))
     other_pair = next(pair for difference, pair in differences if difference and difference.kind != "value")
     text = _advice_on_part(expected, *other_pair)
     return Diagnosis(text, replaces_hint=bool(text))
@@ -211,14 +211,20 @@ def _same(values, actual, tolerance=0.0):
 # ---------------------------------------------------------------- shape
 
 
-def _diagnose_shape(expected, actual, arguments, names):
+def _are_turned(calls):
+    """Whether all arrays have the numbers of their rows and columns exchanged."""
+    shapes = [(np.shape(expected), np.shape(actual)) for expected, actual, _ in _arrays(calls)]
+    return all(actual == (*shape[1::-1], *shape[2:]) for shape, actual in shapes if len(shape) > 1)
+
+
+def _diagnose_shape(expected, actual, arguments, names, *, is_turned):
     given = [np.shape(value) for value in arguments if isinstance(value, np.ndarray)]
-    rules = _shape_rules(expected, actual, given, names[0] if names else "")
+    rules = _shape_rules(expected, actual, given, names[0] if names else "", is_turned)
     text = next((advice for holds, advice in rules if holds), "")
     return Diagnosis(text, replaces_hint=bool(text) and not text.startswith("Your result has"))
 
 
-def _shape_rules(expected, actual, given, name):
+def _shape_rules(expected, actual, given, name, is_turned):
     """(whether it holds, advice) of each rule, the surest first; `given` are the shapes of the arguments."""
     shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
     values, actual_values = array_of(expected), array_of(actual)
@@ -227,7 +233,7 @@ def _shape_rules(expected, actual, given, name):
     if len(shape) == 3 and values is not None and actual_values is not None:
         orders = (_same(values.transpose(order), actual_values) for order in permutations(range(3)))
         yield any(orders), f"{_RIGHT}; the axes stand in another order: rows come first, channels last."
-    has_shape = len(shape) > 1 and actual_shape == (*shape[1::-1], *shape[2:]) != shape
+    has_shape = is_turned and len(shape) > 1 and actual_shape == (*shape[1::-1], *shape[2:]) != shape
     text = "Rows and columns are exchanged in the shape of your result: the number of rows comes first."
     yield has_shape, text
     if values is not None and actual_values is not None and len(np.unique(values)) > 2:
