@@ -31,6 +31,7 @@ import numpy as np
 import psutil
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.autograder.make_answer_key import make_key
+from nbclassroom.autograder.nbval_process import usual_workers
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.exercises import array_of, read_exercises
 from platformdirs import user_cache_path
@@ -296,11 +297,12 @@ def side_by_side(venv, folder, key, lesson, count, workers):
 
 
 def growth(key, lesson, count):
-    """Print time and memory while many submissions are graded."""
+    """Print time and memory while many submissions are graded, with as many workers as `grade` takes."""
     table = Table("submissions", "s", "ms each", "MB, all processes", title="growth", title_justify="left")
     marks = sorted({count // 10, count // 4, count // 2, count})
     start = time.perf_counter()
-    for number, _ in enumerate(autograde(answers_of(lesson, count), key), 1):
+    workers = usual_workers(key.lessons.values())
+    for number, _ in enumerate(autograde(answers_of(lesson, count), key, workers=workers), 1):
         if number in marks:
             seconds = time.perf_counter() - start
             table.add_row(str(number), f"{seconds:.1f}", f"{seconds / number * 1000:.0f}", f"{_memory():.0f}")
