@@ -1,23 +1,19 @@
-"""What the sources of a notebook's cells say by their syntax: what they define, what waits, and slips.
+"""What the sources of a notebook's cells say by their syntax: what they define, and what waits.
 
 Nothing is run. Only the standard library is imported, no other module of ours: the process that reads
 notebooks loads this file alone (see `gradebook.submission_reader`).
 """
 
 import ast
-import difflib
 import dis
 import inspect
-import itertools
-import keyword
 import re
+import textwrap
 from types import CodeType
 from typing import NamedTuple
 
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
-_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
-_DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
-_CALLABLE_VALUES = (ast.Lambda, ast.Name, ast.Attribute, ast.Call, ast.Subscript)
+DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _LOADS = ("LOAD_NAME", "LOAD_GLOBAL", "LOAD_FROM_DICT_OR_GLOBALS")
 _STORES = ("STORE_NAME", "STORE_GLOBAL")
 _MAGIC = re.compile(
@@ -34,27 +30,12 @@ _MAGIC = re.compile(
 _FIRST_PROMPT = re.compile(r"\s*(>>>( |$)|In \[\d+\]: )")
 _PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
 _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
-_INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]+)(?=\S)")  # of a whole cell: Jupyter drops it
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
-# Calls of a program that runs by itself: they do not end, or come once in a process; or they wait.
-ENDLESS_CALLS = re.compile(r"\.?(spin\w{0,22}|ok)|rclpy\.(init|(try_)?shutdown)")
-_WAITING_CALLS = re.compile(rf"{ENDLESS_CALLS.pattern}|main|input|(cv2\.)?(imshow|waitKey\w{{0,9}})")
+# Calls of a program that runs by itself: they do not end, or wait for somebody.
+_WAITING_CALLS = re.compile(
+    r"(^|\.)(spin\w*|ok)$|^(rclpy\.(init|(try_)?shutdown)|main|input|(cv2\.)?(imshow|waitKey\w*))$"
+)
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
-_MOST_CHARACTERS = 5_000  # of a source that is mended: each try reads all of it
-_MOST_TRIES = 60
-# What a keyboard writes, for what a chat, a word processor or a web page puts in its place.
-_PLAIN = {
-    **dict.fromkeys("\u201c\u201d\u201e\u201f\u2033\u00ab\u00bb", '"'),
-    **dict.fromkeys("\u2018\u2019\u201a\u201b\u2032\u00b4", "'"),
-    **dict.fromkeys("\u2010\u2011\u2012\u2013\u2014\u2015\u2212", "-"),
-    **dict.fromkeys("\u00a0\u2002\u2003\u2007\u2009\u202f\u3000", " "),
-    **dict.fromkeys("\u200b\u200c\u200d\u2060\ufeff\u00ad", ""),
-    **{"\u00d7": "*", "\u00f7": "/", "\u2026": "...", "\u2264": "<=", "\u2265": ">=", "\u2260": "!="},
-    # The wide forms of East Asian keyboards.
-    **{chr(code): chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F) if not chr(code).isalnum()},
-    **{"\u3001": ",", "\u3002": "."},
-}
-_PLAIN_BY_CODE = str.maketrans(_PLAIN)
 
 
 def plain_python(source):
@@ -67,9 +48,7 @@ def plain_python(source):
     try:
         ast.parse(source)
     except UNPARSABLE:
-        source = _FENCE.sub("#", source)
-        if indent := _INDENT.match(source):
-            source = "\n".join(line.removeprefix(indent[1]) for line in source.split("\n"))
+        source = textwrap.dedent(_FENCE.sub("#", source))
         cell_magic = _CELL_MAGIC.match(source)
         if cell_magic and cell_magic[1] not in _PYTHON_MAGICS:
             return "#" + "\n#".join(source.splitlines())  # another language
@@ -143,66 +122,47 @@ def names_in(code):
     return names
 
 
-def definitions(source):
-    """{name: statement} of what may be called: functions, classes, `f = np.vectorize(g)`.
-
-    Of two of one name the last that is no stub.
-    """
-    found = {}
-    for statement in (part for whole in top_level(source) for part in _parts_to_name(whole, is_main=True)):
-        name = callable_name(statement)
-        if name and (name not in found or not is_blank(statement)):
-            found[name] = statement
-    return found
+def is_part_of(source, whole):
+    """Whether all statements of a source stand in another one, such as a stub; comments do not count."""
+    try:
+        parts, known = ({*map(ast.dump, top_level(text))} for text in (source, whole))
+    except UNPARSABLE:
+        return False
+    return bool(parts) and parts <= known
 
 
-def callable_name(statement):
-    """The name under which a statement defines something to call, or ""."""
-    if isinstance(statement, _DEFINITIONS):
-        return statement.name
-    if isinstance(statement, ast.Assign | ast.AnnAssign) and isinstance(statement.value, _CALLABLE_VALUES):
-        target = statement.targets[-1] if isinstance(statement, ast.Assign) else statement.target
-        return target.id if isinstance(target, ast.Name) else ""
-    return ""
-
-
-def is_whole_part(source, stub):
-    """Whether a source stands in a stub, as a whole definition of it."""
-    return source.strip() in map(str.strip, re.split(r"\n(?=\S)", stub))
-
-
-def _body(statement):
-    """The statements of a function or class without its docstring or `...`; of anything else none."""
-    body = statement.body if isinstance(statement, _DEFINITIONS) else []
-    is_text = body and isinstance(body[0], ast.Expr) and isinstance(body[0].value, ast.Constant)
-    return body[1:] if is_text else body
-
-
-def _initialization(statement):
-    body = statement.body if isinstance(statement, ast.ClassDef) else []
-    methods = [part for part in body if isinstance(part, _FUNCTIONS) and part.name == "__init__"]
-    return _body(methods[-1]) if methods else []
-
-
-def is_blank(statement):
-    """Whether a statement is a stub: `...`, `pass`, NotImplementedError first or in a class's __init__."""
-    if not isinstance(statement, _DEFINITIONS):
+def is_stub(statement, stub):
+    """Whether a statement is a definition as handed out, or one that computes nothing."""
+    if not isinstance(statement, DEFINITIONS):
         return False
     body = _body(statement)
-    if not body or [*map(type, body)] == [ast.Pass]:
-        return True
-    return _is_not_implemented(body[0]) or any(map(_is_not_implemented, _initialization(statement)))
+    is_handed_out = ast.dump(statement) in map(ast.dump, top_level(stub))
+    return is_handed_out or not body or _end(body) is not None
 
 
-def has_stub_line(statement):
-    """Whether a function goes on after the stub's NotImplementedError, or a class has it in __init__."""
-    return any(map(_is_not_implemented, [*_body(statement)[:-1][:1], *_initialization(statement)]))
+def has_stub_line(definition):
+    """Whether a definition has the stub's NotImplementedError, and other statements beside it."""
+    body = _body(definition)
+    return len(body) > 1 and _end(body) is not None
 
 
-def _is_not_implemented(statement):
-    error = statement.exc if isinstance(statement, ast.Raise) else None
-    error = error.func if isinstance(error, ast.Call) else error
-    return isinstance(error, ast.Name) and error.id == "NotImplementedError"
+def _body(definition):
+    """The statements of a function, or of a class and its __init__, without texts, `...` and `pass`."""
+    parts: list[ast.stmt] = []
+    for part in definition.body:
+        parts += part.body if getattr(part, "name", "") == "__init__" else [part]
+    texts = [part for part in parts if isinstance(part, ast.Expr) and isinstance(part.value, ast.Constant)]
+    return [part for part in parts if not isinstance(part, ast.Pass) and part not in texts]
+
+
+def _end(body):
+    """The place of the statement that raises NotImplementedError before anything is returned, or None."""
+    for place, part in enumerate(body):
+        if isinstance(part, ast.Raise) and "NotImplementedError" in ast.dump(part):
+            return place
+        if any(isinstance(inner, ast.Return) for inner in ast.walk(part)):
+            break
+    return None
 
 
 def program_lines(source, *, is_main=True):
@@ -212,83 +172,22 @@ def program_lines(source, *, is_main=True):
     `if __name__ == ...` they count if the cell is the main program.
     """
     try:
-        body = [part for statement in top_level(source) for part in _parts_to_name(statement, is_main)]
-        found = statements_that_call(body, _WAITING_CALLS)
-        return [[node.lineno, ast.unparse(node).split("\n")[0]] for node in found]
+        body = [part for statement in top_level(source) for part in _parts(statement, is_main)]
+        return [[part.lineno, ast.unparse(part).split("\n")[0]] for part in body if _waits(part)]
     except UNPARSABLE:
         return []
 
 
-def statements_that_call(statements, calls):
-    """Those statements that make such calls, directly or through what they define."""
-    nodes = [node for statement in statements for node in ast.walk(statement)]
-    definitions = [node for node in nodes if isinstance(node, _DEFINITIONS)]
-    names: set[str] = set()
-    for _ in range(3):  # one may call another one that stands below it
-        names |= {node.name for node in definitions if _makes_call(node, calls, names)}
-    others = (node for node in statements if not isinstance(node, _DEFINITIONS))
-    return [node for node in others if _makes_call(node, calls, names)]
-
-
-def _makes_call(node, calls, names):
-    """Whether a node makes such a call, or one of these names; a class does so in its __init__."""
-    body = node.body if isinstance(node, ast.ClassDef) else [node]
-    body = [part for part in body if part is node or getattr(part, "name", "__init__") == "__init__"]
-    parts = [inner for own in body for inner in ast.walk(own)]
-    called = [part.func for part in parts if isinstance(part, ast.Call)]
-    plain = {part.id for part in called if isinstance(part, ast.Name)}
-    owned = {(getattr(part.value, "id", ""), part.attr) for part in called if isinstance(part, ast.Attribute)}
-    is_named = names & (plain | {name for _, name in owned})
-    made = plain | {f".{name}" for _, name in owned} | set(map(".".join, owned))
-    return bool(is_named) or any(map(calls.fullmatch, made))
-
-
-def _parts_to_name(statement, is_main):
+def _parts(statement, is_main):
     """The statements of an `if`, `try` or `with`, or the one itself."""
     if isinstance(statement, ast.If) and not is_main and ast.unparse(statement.test).startswith("__name__"):
         return []
     if isinstance(statement, ast.If | ast.Try | ast.With):
         parts = [node for node in ast.iter_child_nodes(statement) if isinstance(node, ast.stmt)]
-        return [inner for part in parts for inner in _parts_to_name(part, is_main)]
-    return [statement]
+        return [inner for part in parts for inner in _parts(part, is_main)]
+    return [] if isinstance(statement, DEFINITIONS) else [statement]
 
 
-def plain_character(character):
-    """What a keyboard writes for a typographic character, "" for one that nobody sees; None if not known."""
-    return _PLAIN.get(character)
-
-
-def without_slip(source, error):
-    """A source that does not parse, mended by one change in a line, and its ast.Module; or None."""
-    if len(source) > _MOST_CHARACTERS:
-        return None
-    for candidate in itertools.islice(_candidates(source, error), _MOST_TRIES):
-        try:
-            return candidate, ast.parse(candidate)
-        except UNPARSABLE:
-            continue
-    return None
-
-
-def _candidates(source, error):
-    plain = source.translate(_PLAIN_BY_CODE)
-    if plain != source:
-        yield plain
-    if isinstance(error, TabError):
-        yield source.expandtabs(4)
-        yield source.expandtabs(8)
-    lines, number = source.split("\n"), (error.lineno or 1) - 1
-    if number >= len(lines):
-        return
-    for line in _mended_lines(lines[number], error):
-        yield "\n".join([*lines[:number], line, *lines[number + 1 :]])
-
-
-def _mended_lines(line, error):
-    """Lines with one space more or less, or with one word made a keyword, which it nearly is: `retrun`."""
-    if isinstance(error, IndentationError):
-        yield from (f" {line}", line[1:])
-    elif "invalid syntax" in error.msg:
-        for word in re.finditer(r"[A-Za-z]+", line):
-            for name in difflib.get_close_matches(word[0], keyword.kwlist, n=2):
-                yield line[: word.start()] + name + line[word.end() :]
+def _waits(statement):
+    calls = [node.func for node in ast.walk(statement) if isinstance(node, ast.Call)]
+    return any(_WAITING_CALLS.search(ast.unparse(called)) for called in calls)

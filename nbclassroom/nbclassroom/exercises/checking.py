@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from itertools import product
 
-from .cell_syntax import is_whole_part, plain_python, program_lines
+from .cell_syntax import is_part_of, plain_python, program_lines
 from .check_files import UnknownExerciseError, find_check_file
 from .diagnosis import UNCHANGED
 from .help_steps import Help
@@ -68,8 +68,9 @@ def check(exercise_id: str, function: Callable | None = None) -> CheckResult | H
 
 
 def _check_in_notebook(exercise, function):
-    why_older = RUNS.why_older(exercise.id, exercise.function, function)
-    if why_older:
+    name = exercise.function if _is_known(exercise, function) else getattr(function, "__name__", "")
+    if why := RUNS.why_gone(name):
+        why_older = SAYS["gone"].format(name=exercise.kind.name_of(name), why=why)
         return CheckResult(exercise, attempted=True, why_older=why_older)
     try:
         with exercise.kind.progress(exercise) as progress:
@@ -136,11 +137,15 @@ def _with_names(result, names):
     return replace(result, refused=refused, gone=names.gone(), remarks=remarks)
 
 
+def _is_known(exercise, function):
+    """Whether the notebook has this function under the name of the task."""
+    return globals_of(function).get(exercise.function) is function
+
+
 def _remark_on_name(exercise, function):
     """What to do about an answer that has another name than its task."""
     own_name = getattr(function, "__name__", "")
-    is_known = globals_of(function).get(exercise.function) is function
-    if is_known or own_name == exercise.function or not RUNS.binding(own_name):
+    if _is_known(exercise, function) or own_name == exercise.function or not RUNS.binding(own_name):
         return ()
     return (SAYS["another try"].format(name=exercise.answer_name, other=own_name),)
 
@@ -181,7 +186,7 @@ def _end_of(call):
 
 def _judge_calls(exercise, function, calls):
     errors = set(map(_end_of, calls))
-    is_stub = is_whole_part(source_of(function), exercise.stub)  # False if its source is not known
+    is_stub = is_part_of(source_of(function), exercise.stub)  # False if its source is not known
     if "NotImplementedError" in errors or (is_stub and exercise.kind.expects_values):
         of_class = () if is_stub else (STUB_LINE,)
         remarks = of_class if isinstance(function, type) else tuple(remarks_on_source(function))

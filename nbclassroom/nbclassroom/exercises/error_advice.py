@@ -7,11 +7,14 @@ the line that raised: `thinned > high and thinned < 9` needs another sentence th
 import ast
 import math
 import re
+import unicodedata
 from pathlib import Path
 
 from nbclassroom import course
 
-from .cell_syntax import plain_character
+# What a keyboard writes, for what a chat or a word processor puts in its place, or for a kind of character.
+_PLAIN = {"\u2212": "-", "\u00d7": "*", "\u00f7": "/", "\u2264": "<=", "\u2265": ">=", "\u2260": "!="}
+_PLAIN |= {"Pi": '"', "Pf": '"', "Ps": '"', "Pd": "-", "Cf": "", "\u3001": ",", "\u3002": "."}
 
 
 def advice_on(error, message, line="", parameters=None, function="", closest=""):
@@ -107,14 +110,16 @@ def _index_outside(match, source):
 
 def _typographic(match, _source):
     character = match[1] or chr(int(match[2], 16))
-    plain = plain_character(character)
+    narrow = unicodedata.normalize("NFKC", character)  # of wide letters and spaces
+    is_plain = narrow.isascii() and not narrow.isalnum()
+    plain = narrow if is_plain else _PLAIN.get(character, _PLAIN.get(unicodedata.category(character)))
     name = match[1] or f"U+{match[2]}, which nobody sees,"
     if plain is None:
         return f"{name} is no character of Python, except in texts and comments."
     origin = f"{name} is no character of Python: chats, word processors and web pages write it"
     if not plain:
         return f"{origin}. Type this line again."
-    written = {" ": "a space", "'": "' or \"", '"': "\" or '"}.get(plain, plain)
+    written = {" ": "a space", '"': "\" or '"}.get(plain, plain)
     return f"{origin} in the place of {written}. Type {written} there."
 
 

@@ -36,8 +36,8 @@ def _remarks(result):
     for used in result.refused.values():
         text = f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
         yield f"{text} You may use {', '.join(['numpy', *result.exercise.allowed])}."
-    for name, end in result.gone.items():
-        yield SAYS["gone"].format(answer=result.exercise.answer_name, name=name, end=end)
+    for name, why in result.gone.items():
+        yield SAYS["gone"].format(name=name, why=why)
     yield from result.remarks
 
 

@@ -37,7 +37,7 @@ class CheckResult:
     """The result of `check`. A notebook shows it as HTML; `print(result)` gives the same as plain text.
 
     `refused` is {module that the exercise does not allow: what the answer uses of it}, `gone` is {name that
-    the answer reads: "changed" or "deleted", as is the cell that made it}.
+    the answer reads: what has happened to the cell that made it}.
     """
 
     exercise: Exercise
@@ -49,7 +49,7 @@ class CheckResult:
     diagnosis: Diagnosis = field(default_factory=Diagnosis)  # of the values of the shown call
     remarks: tuple[str, ...] = ()  # what is certain from the source of the function, sentences
     one_change: str = ""  # where one change would make it right, a sentence
-    why_older: str = ""  # why the function is older than the learner's cell, and was not run
+    why_older: str = ""  # why the function is older than the page, and was not run
     calls: tuple[CaseCall, ...] = ()  # those that passed too
 
     @property

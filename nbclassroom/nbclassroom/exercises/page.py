@@ -8,7 +8,7 @@ A page is plain data:
               exercise that the cell answers, or ""; `file` is the name that `%%writefile` gives, or "", with
               a `mode`: "w", or "a" to append
     checks    {exercise id: [number of a cell, number of a statement in it], before which its check runs}
-    left_out  [[number of a cell, number of a statement], ...]: stubs, and what spins a node
+    left_out  [[number of a cell, number of a statement], ...]: stubs
 
 Nothing is run here, and only the standard library and `cell_syntax` are imported: the process that reads
 notebooks loads this file (see `gradebook.submission_reader`). `page_run` runs a page.
@@ -33,8 +33,8 @@ def page_of(answers, lesson):
             cells += [_counted("given", source) for source in exercise.given]
             cells.append(_counted("own", answers[exercise.id], exercise.id))
             checks[exercise.id] = [len(cells), 0]
-    functions = {exercise.id: exercise.function for exercise in lesson.exercises}
-    return _page(dict(answers), cells, checks, functions)
+    defined = [_definitions(cells, exercise.function, exercise.stub) for exercise in lesson.exercises]
+    return _page(dict(answers), cells, checks, defined)
 
 
 def page_of_notebook(cells, lesson_cells, exercises):
@@ -43,76 +43,60 @@ def page_of_notebook(cells, lesson_cells, exercises):
     `cells` are as `submission_reader.read_notebook` describes them, `lesson_cells` {cell id: source of a
     check or given cell as handed out, None for the others}, `exercises` [id, function, source of the stub].
     """
-    functions = {id: function for id, function, _ in exercises}
-    counted, checks = _counted_cells(cells, lesson_cells, functions)
+    counted, origins, checks = _counted_cells(cells, lesson_cells, exercises)
+    defined = [_definitions(counted, function, stub) for _, function, stub in exercises]
     answers, places = {}, {}
-    for id, function, stub in exercises:
-        found = [
-            place for place, (_, cell) in enumerate(counted) if cell and _is_answer(cell, id, function, stub)
-        ]
-        marked = [place for place, (one, _) in enumerate(counted) if one["exercise"] == id]
-        check = checks.setdefault(id, [len(counted), 0])
-        above_check = [place for place in found if place in marked][:1]
-        if above_check and above_check[0] >= check[0]:  # the check stands above the answer
-            checks[id] = check = [above_check[0] + 1, 0]
-        ordered = sorted(
-            found, key=lambda place: ([place, 0] >= check, place if [place, 0] >= check else -place)
-        )
-        places[id] = [counted[place][1]["number"] for place in ordered]
+    for (id, *_), (definitions, _) in zip(exercises, defined, strict=True):
+        found = sorted({place for place, _ in definitions})
+        marked = [place for place, cell in enumerate(counted) if cell["exercise"] == id]
+        check = checks.get(id, [len(counted), 0])
+        checks[id] = check = max([check, *([place + 1, 0] for place in marked[:1])])
+        above = [place for place in reversed(found) if [place, 0] < check]
+        ordered = [*above, *(place for place in found if place not in above)]
+        places[id] = [origins[place]["number"] for place in ordered]
         for place in [*ordered, *marked][:1]:
-            counted[place][0]["exercise"] = id
-            answers[id] = counted[place][1]["source"]
-    return _page(answers, [one for one, _ in counted], checks, functions), places
+            counted[place]["exercise"] = id
+            answers[id] = counted[place]["source"]
+    return _page(answers, counted, checks, defined), places
 
 
-def _counted_cells(cells, lesson_cells, functions):
-    """([(a page's cell, the notebook's cell or None), ...], {exercise id: place of its last check})."""
-    in_code = {name for cell in cells if cell["type"] == "code" for name in cell["functions"]}
-    in_text = set(functions.values()) - in_code  # an answer in a text counts if there is no other one
+def _counted_cells(cells, lesson_cells, exercises):
+    """(A page's cells, for each the notebook's cell, {exercise id: place of its last check})."""
+    in_code = {name for cell in cells if cell["type"] == "code" for name in cell["names"]}
+    in_text = {function for _, function, _ in exercises} - in_code  # counts if there is no other answer
+    counted, origins, checks = [], [], {}
+    for cell in [*_deleted(cells, lesson_cells), *cells]:
+        if cell["type"] == "code" or in_text & {*cell["names"]}:
+            parts = [*_parts(cell, lesson_cells, exercises)]
+            counted += parts
+            origins += [cell] * len(parts)
+            for id, statement in _checks_in(cell, exercises):
+                checks[id] = [len(counted) - 1, statement] if parts else [len(counted), 0]
+    return counted, origins, checks
+
+
+def _deleted(cells, lesson_cells):
+    """The given cells that a notebook lacks."""
     present = {cell["id"] for cell in cells}
-    absent = [id for id in lesson_cells if id.startswith("given-") and lesson_cells[id] and id not in present]
-    counted, checks = [(_counted("given", lesson_cells[id]), None) for id in absent], {}
-    for cell in cells:
-        if cell["type"] == "code" or in_text & {*cell["functions"]}:
-            own = [*_parts(cell, lesson_cells.get(cell["id"]), cell["id"] in lesson_cells, functions)]
-            counted += own
-            for id in functions if cell["type"] == "code" else ():
-                if (statement := _statement_of_check(id, cell.get("source") or "")) is not None:
-                    checks[id] = [len(counted) - 1, statement] if own else [len(counted), 0]
-    return counted, checks
+    for id, source in lesson_cells.items():
+        if id.startswith("given-") and source and id not in present:
+            yield {"id": id, "type": "code", "exercise": "", "source": source}
 
 
-def _parts(cell, handed_out, is_lessons, functions):
-    """What runs of a cell, see `_counted_cells`: a given cell as handed out, and what was changed."""
-    source = cell.get("source")
+def _parts(cell, lesson_cells, exercises):
+    """What runs of a cell: a given cell as handed out, and what was changed."""
+    source, handed_out = cell.get("source"), lesson_cells.get(cell["id"])
     if handed_out is not None and cell["id"].startswith("given-"):
-        yield _counted("given", handed_out), None
+        yield _counted("given", handed_out)
     is_as_handed_out = handed_out is not None and handed_out.strip() == (source or "").strip()
-    mark = next((id for id in functions if is_marked(cell, id)), "")
+    mark = next((id for id, *_ in exercises if is_marked(cell, id)), "")
     if not is_as_handed_out and source is not None and (source.strip() or mark):
-        yield _counted("lesson" if is_lessons and not mark else "own", source, mark), cell
+        yield _counted("lesson" if cell["id"] in lesson_cells and not mark else "own", source, mark)
 
 
 def is_marked(cell, exercise):
     """Whether a cell is the answer cell of an exercise, by its id or its metadata."""
     return cell["id"] == f"answer-{exercise}" or cell["exercise"] == exercise
-
-
-def _is_answer(cell, exercise, function, stub):
-    """Whether a cell defines the function of an exercise, and not as the stub.
-
-    A marked cell may define it in any way, or so that reading does not find out.
-    """
-    if function in cell["functions"]:
-        source = cell_syntax.plain_python(cell["source"])
-        definition = cell_syntax.definitions(source)[function]
-        own_source = ast.get_source_segment(source, definition) or source
-        is_handed_out = cell_syntax.is_whole_part(own_source, stub)
-        return not is_handed_out and not cell_syntax.is_blank(definition)
-    if "answer" not in cell or cell["type"] != "code" or not is_marked(cell, exercise):
-        return False
-    names = cell["answer"]["names"]
-    return not cell["answer"]["error"] and (names is None or function in names)
 
 
 def _counted(kind, source, exercise=""):
@@ -124,28 +108,28 @@ def _counted(kind, source, exercise=""):
     return {"kind": kind, "source": cell_syntax.plain_python(source), "exercise": exercise, "file": ""}
 
 
-def _statement_of_check(id, source):
-    """The number of the last statement with an exercise's check, 0 if it is unknown; None: there is none."""
-    call = re.compile(rf"""\bcheck\(\s*["']{re.escape(id)}["']""")
-    if not call.search(source):
-        return None
-    source = cell_syntax.plain_python(source)
-    parts = [ast.get_source_segment(source, part) or "" for part in cell_syntax.top_level(source)]
-    numbers = [number for number, part in enumerate(parts) if call.search(part)]
-    return numbers[-1] if numbers else None if parts else 0
+def _checks_in(cell, exercises):
+    """(exercise id, number of the statement) of each of the checks in a cell."""
+    source = cell.get("source") or ""
+    statements = cell_syntax.top_level(cell_syntax.plain_python(source)) if "check" in source else []
+    for number, statement in enumerate(statements):
+        for call in (node for node in ast.walk(statement) if isinstance(node, ast.Call)):
+            if "check" in (getattr(call.func, "id", ""), getattr(call.func, "attr", "")):
+                values = [getattr(argument, "value", None) for argument in call.args[:1]]
+                yield from ((id, number) for id, *_ in exercises if id in values)
 
 
-def _page(answers, cells, checks, functions):
-    left_out, stubs, defined = [], [], set()
+def _definitions(cells, function, stub):
+    """([number of a cell, of a statement] of all statements that bind a function, of its stubs apart)."""
+    found: tuple[list, list] = ([], [])
     for number, cell in enumerate(cells):
-        statements = [] if cell["file"] else cell_syntax.top_level(cell["source"])
-        endless = cell_syntax.statements_that_call(statements, cell_syntax.ENDLESS_CALLS)
-        for place, statement in enumerate(statements):
-            name = cell_syntax.callable_name(statement)
-            left_out += [[number, place]] if statement in endless else []
-            if name in functions.values() and cell_syntax.is_blank(statement):
-                stubs.append((name, [number, place]))
-            else:
-                defined.add(name)
-    left_out += [place for name, place in stubs if name in defined]
+        is_read = function and function in cell["source"] and cell["kind"] != "given" and not cell["file"]
+        for place, statement in enumerate(cell_syntax.top_level(cell["source"]) if is_read else ()):
+            if function in cell_syntax.names_of(statement).binds:
+                found[cell_syntax.is_stub(statement, stub)].append([number, place])
+    return found
+
+
+def _page(answers, cells, checks, defined):
+    left_out = [place for definitions, stubs in defined if definitions for place in stubs]
     return {"answers": answers, "cells": cells, "checks": checks, "left_out": left_out}

@@ -9,20 +9,23 @@ import __future__
 import ast
 import asyncio
 import builtins
+import contextlib
 import linecache
 import os
 import sys
 import time
+from collections import deque
 from pathlib import Path
 
 from . import running
-from .cell_syntax import UNPARSABLE, names_in
+from .cell_syntax import UNPARSABLE, names_of
 
 STATEMENT_SECONDS = 5.0  # that one statement may take
 # Of all cells of a kind together.
 TOGETHER_SECONDS = {"given": 20.0, "lesson": 10.0, "own": 10.0, "answer": 20.0}
 # Annotations are not computed: they cost nobody a point.
 _FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT | __future__.annotations.compiler_flag
+_FILE = "<cell {}>"
 _KNOWN = ("RefusedModule", "NotGradedError")  # errors of ours, which keep their class
 # Looked up before any code of a learner's runs.
 _process, _end_process, _monotonic = os.getpid, os._exit, time.monotonic
@@ -69,27 +72,28 @@ class PageRun:
 
     def __init__(self, page, names, skip=(), tell=lambda cell, statement: None):
         self._cells, self._names, self._tell = page["cells"], names, tell
-        self._left_out = {tuple(place) for place in page["left_out"]}
         self._skip = {tuple(place) for place in skip}
         self.errors = []  # of statements: (number of the cell, type and text of the exception)
         self._seconds = dict.fromkeys(TOGETHER_SECONDS, 0.0)
-        self._place, self._process = [0, 0], _process()
-        self._statements = [self._read(number, cell) for number, cell in enumerate(self._cells)]
+        left_out = {tuple(place) for place in page["left_out"]}
+        steps = [step for number, cell in enumerate(self._cells) for step in self._steps_of(number, cell)]
+        self._steps = deque(step for step in steps if step[0] not in left_out)
         # After the first cell that uses asyncio, an event loop is running, as in JupyterLab.
-        self._loop = None
+        self._process, self._loop = _process(), None
         self.uses_loop = any("async" in cell["source"] or "await" in cell["source"] for cell in self._cells)
 
-    def _read(self, number, cell):
-        """The statements of a cell; a cell that is not Python is one error."""
+    def _steps_of(self, number, cell):
+        """[(place, statement), ...] of a cell, or None for the file that it writes."""
         if cell["file"]:
-            return []
-        source, file = cell["source"], _file_of(number)
+            return [((number, 0), None)]
+        source, file = cell["source"], _FILE.format(number + 1)
         linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
         try:
-            return ast.parse(source, file).body
+            statements = ast.parse(source, file).body
         except UNPARSABLE as error:
             self.errors.append((number, type(error).__name__, str(error)))
             return []
+        return [((number, position), node) for position, node in enumerate(statements)]
 
     def adopt_process(self):
         """Go on in this process, a fork of the one that has run the page until now."""
@@ -97,77 +101,46 @@ class PageRun:
 
     def run_to(self, place):
         """Run on, as far as a place: [number of a cell, number of a statement]."""
-        cell, statement = place
-        while self._place[0] < min(cell, len(self._cells)):
-            self._run_cell(len(self._statements[self._place[0]]))
-            self._place = [self._place[0] + 1, 0]
-        if cell < len(self._cells):
-            self._run_cell(statement)
+        while self._steps and self._steps[0][0] < tuple(place):
+            self._run(*self._steps.popleft())
 
     def run_below(self, is_found):
         """Run the cells below, until a name is there."""
-        while self._place[0] < len(self._cells) and not is_found():
-            self.run_to([self._place[0] + 1, 0])
+        while self._steps and not is_found():
+            self.run_to((self._steps[0][0][0] + 1, 0))
 
     def run_beside(self, source):
         """Run a source that is no part of the page, such as a check; the exception that ended it, or None."""
-        try:
-            self._evaluate(compile(source, "<check>", "exec", _FLAGS, dont_inherit=True))
-        except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
-            return error
-        return None
+        return _error_of(
+            lambda: self._evaluate(compile(source, "<check>", "exec", _FLAGS, dont_inherit=True))
+        )
 
-    def _run_cell(self, end):
-        number, statement = self._place
-        if not statement and self._cells[number]["file"]:
-            self._write(self._cells[number])
-        for position in range(statement, end):
-            self._run_statement(number, position)
-        self._place = [number, max(statement, end)]
-
-    def _write(self, cell):
-        path = Path(cell["file"])
-        if path.is_absolute() or ".." in path.parts:
-            path = Path(path.name)
-        try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            with path.open(cell["mode"], encoding="utf-8") as file:
-                file.write(f"{cell['source']}\n")
-        except (OSError, UnicodeError):
+    def _run(self, place, node):
+        cell = self._cells[place[0]]
+        if node is None:
+            _write(cell)
             return
-        if "" not in sys.path:
-            sys.path.append("")
-
-    def _run_statement(self, number, position):
-        place, node = (number, position), self._statements[number][position]
-        if place in self._left_out:
-            return
-        cell = self._cells[number]
         kind = "answer" if cell["exercise"] else cell["kind"]
         began = _monotonic()
-        code, error = _compiled(node, number)
+        error: BaseException | None = None
         if place in self._skip:
             error = RuntimeError("it ended the process, or did not end in time")
         elif self._seconds[kind] > TOGETHER_SECONDS[kind]:
             error = TimeoutError("the cells above took all the time that they may take")
-        elif code:
+        else:
             self._tell(*place)
-            error = self._execute(code)
+            error = _error_of(
+                lambda: running.call_within(lambda: self._execute(place, node), STATEMENT_SECONDS)
+            )
         if _process() != self._process:
             _end_process(0)  # a copy of this process, which the learner's code made
         self._seconds[kind] += _monotonic() - began
         if error is not None:
-            self._note(code, number, error)
+            self._note(place[0], node, error)
 
-    def _execute(self, code):
-        """Run a statement; the exception that ended it, or None."""
-        try:
-            running.call_within(lambda: self._evaluate(code), STATEMENT_SECONDS)
-        except running.TimeUp:
-            return TimeoutError("it did not end in time")
-        except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
-            return error
-        return None
+    def _execute(self, place, node):
+        module = ast.Module([node], [])
+        self._evaluate(compile(module, _FILE.format(place[0] + 1), "exec", _FLAGS, dont_inherit=True))
 
     def _evaluate(self, code):
         if not self.uses_loop:
@@ -179,37 +152,43 @@ class PageRun:
         value = eval(code, self._names)
         return await value if asyncio.iscoroutine(value) else value
 
-    def _note(self, code, number, error):
+    def _note(self, number, node, error):
+        """Note the error of a statement; the names that it has not bound stand for it."""
         name = running.error_name(error)
         text = running.attempt(lambda: str(error), "")[:2_000]
         self.errors.append((number, name, text))
-        if code is None or all(map(self._is_known, code.co_names)):
-            return
-        for bound in names_in(code).binds:
-            if bound == "*" or self._is_known(bound):
-                continue
+        for bound in names_of(node).binds - {"*"} - self._names.keys() - vars(builtins).keys():
             if name not in _KNOWN:
                 why = f"{name}: {text}" if text else name
-                text = f"{bound} is not there, because the statement that defines it fails ({why[:300]})"
-                error = NameError(text, name=bound)
+                said = f"{bound} is not there, because the statement that defines it fails ({why[:300]})"
+                error = NameError(said, name=bound)
             self._names[bound] = Missing(error)
 
-    def _is_known(self, name):
-        return name in self._names or hasattr(builtins, name)
+
+def _error_of(function):
+    """The exception that ends a function, or None."""
+    try:
+        function()
+    except running.TimeUp:
+        return TimeoutError("it did not end in time")
+    except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
+        return error
+    return None
+
+
+def _write(cell):
+    """Write the file of a cell, under its name alone where its path leads elsewhere."""
+    path = Path(cell["file"])
+    if path.is_absolute() or ".." in path.parts:
+        path = Path(path.name)
+    with contextlib.suppress(OSError, UnicodeError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open(cell["mode"], encoding="utf-8") as file:
+            file.write(f"{cell['source']}\n")
+        if "" not in sys.path:
+            sys.path.append("")
 
 
 def is_missing(value):
     """Whether a value stands for a name whose statement failed."""
     return type(value) is Missing
-
-
-def _file_of(number):
-    return f"<cell {number + 1}>"
-
-
-def _compiled(node, number):
-    """(The code of a statement, None), or (None, why Python does not compile it)."""
-    try:
-        return compile(ast.Module([node], []), _file_of(number), "exec", _FLAGS, dont_inherit=True), None
-    except UNPARSABLE as error:
-        return None, error

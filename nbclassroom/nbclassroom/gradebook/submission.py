@@ -120,7 +120,7 @@ def read_submission(data, catalog, reader, name=""):
     for exercise in lesson.exercises:
         content.states[exercise.id] = state = _inspect_answer(exercise, answers[exercise.id], content)
         for cell in cells if state is AnswerState.NOT_ATTEMPTED else ():
-            if cell["type"] != "code" and exercise.function in cell["functions"]:
+            if cell["type"] != "code" and exercise.function in cell["names"]:
                 text = f"its answer is in a text cell ({_place(cell)}), which does not run"
                 content.add(f"{text}; make it a code cell (key Y)", exercise.id)
         _compare_given(exercise, cells, lesson, content)
@@ -206,7 +206,7 @@ def _recognize(notebook, cells, catalog, name, content):
 def _signs_of_lessons(cells, catalog):
     """{lesson: ids of its exercises with an answer cell}, {lesson: its functions that are defined}."""
     marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
-    defined = {name for cell in cells for name in cell["functions"]}
+    defined = {name for cell in cells for name in cell["names"]}
     marked, functions = {}, {}
     for lesson in catalog.lessons:
         asked = catalog.functions(lesson)
@@ -276,11 +276,10 @@ def _problem(exercise, cell):
     if all(not line or line.startswith("#") for line in lines):
         return "its answer cell is empty", False
     if cell["answer"]["error"]:
-        return _syntax_problem(exercise, cell["answer"])
-    names = cell["answer"]["names"]
-    if names is not None and exercise.function not in names:
+        return _syntax_problem(*cell["answer"]["error"]), False
+    if exercise.function not in cell["names"]:
         # The function whose name was meant: the only one, or one written nearly so.
-        defined = sorted(cell["functions"])
+        defined = sorted(cell["answer"]["functions"])
         meant = defined if len(defined) == 1 else difflib.get_close_matches(exercise.function, defined, 1)
         name = exercise.kind.name_of(sanitize_line(meant[0], 60)) if meant else ""
         text = f"its answer cell does not define {exercise.answer_name}"
@@ -288,15 +287,11 @@ def _problem(exercise, cell):
     return "", False
 
 
-def _syntax_problem(exercise, syntax):
-    line, text, message = syntax["error"]
+def _syntax_problem(line, text, message):
     text, message = sanitize_line(text, 80), sanitize_line(message, 100)
     problem = f"line {line} {NOT_PYTHON}: {text} ({message})"
     advice = advice_on("SyntaxError", message, f"line {line}: {text}")
-    mended_line, names = syntax["slip"] or ("", ())
-    is_slip = names is None or exercise.function in names
-    change = f"One change makes it Python: {sanitize_line(mended_line, 80)!r}" if is_slip else ""
-    return ". ".join(filter(None, [problem, advice.removesuffix("."), change])), is_slip
+    return f"{problem}. {advice}".rstrip(". ")
 
 
 def _report_place(exercise, answer, content):

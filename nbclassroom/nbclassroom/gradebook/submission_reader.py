@@ -32,7 +32,7 @@ MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
 MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what comes after is not searched
 _COURSE_IDS = ("answer-", "check-", "given-")
-_MOST_FUNCTIONS = 200  # functions that are returned per cell
+_MOST_NAMES = 500  # that are returned of a cell
 _MOST_NAME = 200  # characters of a name or an id
 _SAVE = "save it again in JupyterLab"
 _FENCED = re.compile(r"^```\w*\n(.*?)^```", re.M | re.S)  # code in a Markdown cell
@@ -40,7 +40,6 @@ _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.
 _CHECK_OF_WRITTEN = re.compile(r"""\s*check\(\s*["']([\w-]+)["']\s*\);?\s*""")
 _PR_SET_PDEATHSIG = 1
 _COURSE = sys.argv[3] if __name__ == "__main__" else course.name
-_UNKNOWN_SYNTAX: dict = {"error": None, "slip": None, "names": None, "stub_lines": []}
 # Of the shape of an answer.
 LONGEST = 20_000  # characters of an answer; a longer one is not compared
 _NAMES = ("id", "arg", "name", "asname")  # fields of syntax that hold a name
@@ -59,8 +58,8 @@ def read_notebook(data):
     lesson, version, python  str, or None if the notebook does not name them
     deeper  list, with the ids of the exercises that can be left out
     cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
-           `exercise` (the id in its metadata, or `by_place` that of the check below; or "") and `functions`
-           (names, see `cell_syntax.definitions`; of a cell that is no code only if its text is). A code cell
+           `exercise` (the id in its metadata, or `by_place` that of the check below; or "") and `names`
+           (that it binds at its top level; of a cell that is no code only if its text is). A code cell
            and a cell of the course have `source` (str, at most one character more than MOST_CHARACTERS; None
            if it is not text, or after MOST_CODE), an answer cell also `answer` (see `_parsed_answer`)
     """
@@ -150,7 +149,7 @@ def _cell(cell, number, code_left, by_place):
         "id": _text(cell, "id") or "",
         "type": _text(cell, "cell_type") or "",
         "exercise": _text(cell, "metadata", _COURSE, "exercise") or "",
-        "functions": [],
+        "names": [],
     }
     has_mark = content["exercise"] or content["id"].startswith(_COURSE_IDS)
     content["by_place"] = number in by_place and not has_mark
@@ -165,8 +164,8 @@ def _cell(cell, number, code_left, by_place):
         content["answer"] = _parsed_answer(source)
     source = content["source"] if content["type"] == "code" else _code_in(source or "")
     if source:
-        content["functions"] = _functions(source)
-    if content["functions"]:
+        content["names"] = _bound_names(source)
+    if content["names"]:
         content["source"] = source
     return content
 
@@ -178,48 +177,27 @@ def _code_in(text):
 
 
 @functools.lru_cache(maxsize=2_000)  # most cells are the lesson's, in every notebook
-def _functions(source):
-    names = cell_syntax.definitions(cell_syntax.plain_python(source))
-    return [name for name in names if len(name) <= _MOST_NAME][:_MOST_FUNCTIONS]
+def _bound_names(source):
+    names = sorted(cell_syntax.bound_names(cell_syntax.plain_python(source)))
+    return [name for name in names if len(name) <= _MOST_NAME][:_MOST_NAMES]
 
 
 def _parsed_answer(source):
     """What the syntax of an answer says.
 
-    error : [line number, text of the line, message] of a syntax error, or None
-    slip : [the line mended, names as below] if one change makes a source with an error Python, or None
-    names : list of str, what the source binds at its top level; None if that is unknown
-    stub_lines : list of str, the functions that go on after the stub's `raise NotImplementedError(...)`
+    error : [line number, text of the line, message] of an error, or None
+    functions : names of its functions and classes
+    stub_lines : those that go on after the stub's `raise NotImplementedError(...)`
     """
-    source = cell_syntax.plain_python(source)
     try:
-        tree = ast.parse(source)
-    except SyntaxError as error:
-        text = (error.text or "").strip()[:_MOST_NAME]
-        line = [error.lineno or 1, text, error.msg[:_MOST_NAME]]
-        return {**_UNKNOWN_SYNTAX, "error": line, "slip": _slip(source, error)}
-    except (ValueError, RecursionError, MemoryError):
-        return _UNKNOWN_SYNTAX
-    return {
-        **_UNKNOWN_SYNTAX,
-        "names": _bound_names(tree),
-        "stub_lines": [part.name for part in tree.body if cell_syntax.has_stub_line(part)][:_MOST_FUNCTIONS],
-    }
-
-
-def _bound_names(tree):
-    """The names that a module binds at its top level, sorted; None if `import *` hides them."""
-    names = set().union(*(cell_syntax.names_of(part).binds for part in tree.body))
-    return None if "*" in names else sorted(names)
-
-
-def _slip(source, error):
-    mended = cell_syntax.without_slip(source, error)
-    if mended is None:
-        return None
-    mended_source, tree = mended
-    lines = re.split("\r\n?|\n", mended_source)  # as Python counts them
-    return [lines[min(error.lineno or 1, len(lines)) - 1].strip()[:_MOST_NAME], _bound_names(tree)]
+        statements = ast.parse(cell_syntax.plain_python(source)).body
+    except cell_syntax.UNPARSABLE as error:
+        line, text = getattr(error, "lineno", None) or 1, getattr(error, "text", None) or ""
+        message = getattr(error, "msg", type(error).__name__)
+        return {"error": [line, text.strip()[:_MOST_NAME], message[:_MOST_NAME]]}
+    found = [part for part in statements if isinstance(part, cell_syntax.DEFINITIONS)][:_MOST_NAMES]
+    stubs = [part.name for part in found if cell_syntax.has_stub_line(part)]
+    return {"error": None, "functions": [part.name for part in found], "stub_lines": stubs}
 
 
 def syntax_tokens(source):

@@ -12,6 +12,7 @@ from nbclassroom.exercises.checking import run_check
 from nbclassroom.exercises.lesson import check_data_of
 from nbclassroom.exercises.names_read import CellRuns
 from nbclassroom.exercises.percent_script import read_script
+from nbclassroom.exercises.source_remarks import SAYS
 from readable_cell import run_cell
 
 # Lines of the feedback that hold values, titles or points, and no sentence about the mistake.
@@ -73,7 +74,8 @@ def feedback_on(exercise, answer, *, searches=True):
     namespace = exercise.namespace()
     run_cell(exercise.stub, namespace, f"<stub of {exercise.id}>")
     runs = CellRuns()
-    run = runs.start(answer.source, f"answer-{exercise.id}")
+    runs.start(exercise.stub, exercise.id)
+    run = runs.start(answer.source, exercise.id)
     try:
         add_earlier_names(namespace, answer.source, lesson_statements(exercise.master, exercise.id))
         run_cell(answer.source, namespace, f"<{exercise.id}: {answer.name}>")
@@ -81,8 +83,8 @@ def feedback_on(exercise, answer, *, searches=True):
         run.fail(error)
     function = namespace[exercise.function]
     result = run_check(check_data_of(exercise), function, searches=searches)
-    why_older = runs.why_older(exercise.id, exercise.function, function)
-    if why_older:
+    if why := runs.why_gone(exercise.function):
+        why_older = SAYS["gone"].format(name=exercise.answer_name, why=why)
         result = CheckResult(result.exercise, attempted=True, why_older=why_older)
     return result, sentences(repr(result), exercise.id)
 

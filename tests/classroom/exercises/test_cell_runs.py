@@ -10,51 +10,46 @@ RIGHT = "def count_pixels(frame):\n    return frame.shape[0] * frame.shape[1]"
 OTHER = "def count_channels(frame):\n    return frame.shape[2]"
 
 
-def function_of(source, name="count_pixels"):
-    namespace = {}
-    exec(source, namespace)
-    return namespace[name]
+NODE = "class Doubler(Node):\n    pass"
 
 
-def why_older(*cells, error=None, cell_id=""):
-    """What is said after some runs of cells, the last of which ended with an error."""
+def why_gone(*cells, error=None, line=0, cell_id="mine", name="count_pixels"):
+    """What is said of a name after some runs of a cell, the last of which may have ended with an error."""
     runs = CellRuns()
     for source in cells:
         run = runs.start(source, cell_id)
     if error is not None:
-        run.fail(error)
-    return runs.why_older("start-count", "count_pixels", function_of(RIGHT))
+        run.fail(error, line)
+    return runs.why_gone(name)
 
 
-def test_a_cell_that_ran_leaves_no_older_function():
-    assert why_older(RIGHT) == why_older() == why_older("x = 1") == ""
+def test_a_cell_that_ran_leaves_nothing_that_is_older():
+    assert why_gone(RIGHT) == why_gone("x = 1") == why_gone(RIGHT, f"x = 1\n{RIGHT}") == ""
+    assert why_gone(RIGHT, "x = 1", cell_id="") == ""  # two cells, perhaps
+    assert why_gone(OTHER, "count_pixels = lambda frame: frame.size // 3") == ""
 
 
-def test_another_cell_may_define_another_function():
-    assert why_older(RIGHT, OTHER) == ""
-    assert why_older(RIGHT, RIGHT.replace("count_pixels", "count_pixel"), cell_id="answer-other") == ""
-
-
-def test_a_lambda_or_an_emptied_cell_in_the_answer_cell():
-    assert why_older("count_pixels = lambda frame: frame.size // 3", cell_id="answer-start-count") == ""
-    assert "Your cell defines no function" in why_older("frame.size // 3", cell_id="answer-start-count")
+def test_a_cell_that_makes_another_name():
+    assert why_gone(RIGHT, OTHER) == "now makes count_channels"
+    assert why_gone(RIGHT, "count_pixels(frame)") == "now makes nothing that has a name"
+    assert why_gone(NODE, NODE.replace("Doubler", "Doublr"), name="Doubler") == "now makes Doublr"
 
 
 def test_a_cell_that_python_cannot_read_is_older_even_with_the_same_function():
     error = SyntaxError("expected ':'", ("cell", 7, 1, ""))
-    text = why_older(RIGHT, f"{RIGHT}\nif x", error=error)
-    assert "Python cannot read it: SyntaxError, expected ':', in line 7." in text
-    assert "Python still has the older count_pixels()" in text and "Repair the cell, run it" in text
+    assert why_gone(RIGHT, f"{RIGHT}\nif x", error=error) == (
+        "failed when it ran last (SyntaxError: expected ':', line 7)"
+    )
+    error = SyntaxError("invalid character '\u201c' (U+201C)", ("cell", 1, 1, "\u201c"))
+    assert "no character of Python: chats, word processors" in why_gone(RIGHT, "\u201c", error=error)
 
 
-def test_an_error_before_the_function_gets_its_advice():
-    text = why_older(
-        f"import sklearn\n{OTHER}\n{RIGHT[:-1]}", error=ModuleNotFoundError("No module named 'sklearn'")
-    )
-    assert (
-        "ModuleNotFoundError: No module named 'sklearn'. No library with the name sklearn is installed"
-        in text
-    )
+def test_what_stands_above_the_line_that_failed_is_there():
+    error = ModuleNotFoundError("No module named 'sklearn'")
+    cell = f"import sklearn\n{RIGHT}"
+    text = why_gone(RIGHT, cell, error=error, line=1)
+    assert "(ModuleNotFoundError: No module named 'sklearn'). No library with the name sklearn" in text
+    assert why_gone(RIGHT, f"{RIGHT}\n1 / 0", error=ZeroDivisionError("division by zero"), line=3) == ""
 
 
 CHECK_CELL = (
@@ -74,28 +69,29 @@ def kernel():
     manager.shutdown_kernel(now=True)
 
 
-def run(kernel, source):
-    """What a cell prints; errors are shown by the kernel and end the cell."""
+def run(kernel, source, cell_id=None, deleted=()):
+    """What a cell prints, run as in JupyterLab; errors are shown by the kernel and end the cell."""
+    metadata = {"cellId": cell_id or source, "deletedCells": list(deleted)}
+    content = {"code": source, "silent": False, "store_history": True, "stop_on_error": False}
+    message = kernel.session.msg("execute_request", content, metadata=metadata)
+    kernel.shell_channel.send(message)
     printed = []
-
-    def collect(message):
-        if message["msg_type"] == "stream":
-            printed.append(message["content"]["text"])
-
-    kernel.execute_interactive(
-        source, timeout=60, output_hook=collect, allow_stdin=False, stop_on_error=False
-    )
-    return "".join(printed)
+    while True:
+        reply = kernel.get_iopub_msg(timeout=60)
+        if reply["parent_header"].get("msg_id") == message["header"]["msg_id"]:
+            printed += [reply["content"]["text"]] if reply["msg_type"] == "stream" else []
+            if reply["content"].get("execution_state") == "idle":
+                return "".join(printed)
 
 
 @pytest.fixture
 def checked(kernel):
     """Runs a right answer, then another cell, and gives what check prints after it."""
     run(kernel, "import numpy as np\nimport imgproc_course.exercises")
-    run(kernel, RIGHT)
+    run(kernel, RIGHT, "mine")
 
     def check_after(source):
-        run(kernel, source)
+        run(kernel, source, "mine")
         return run(kernel, CHECK_CELL)
 
     return check_after
@@ -103,8 +99,8 @@ def checked(kernel):
 
 def test_in_a_kernel_a_syntax_error_leaves_an_older_function(checked):
     text = checked(RIGHT.replace(":\n", "\n"))
-    assert text.startswith("start-count: this is an older function.\nThe last run of your cell failed.")
-    assert "SyntaxError, expected ':', in line 1." in text and "checks pass" not in text
+    assert text.startswith("start-count: this is an older function.\ncount_pixels() is older than the page:")
+    assert "(SyntaxError: expected ':', line 1)" in text and "checks pass" not in text
 
 
 def test_in_a_kernel_an_error_above_the_function_leaves_an_older_one(checked):
@@ -112,26 +108,16 @@ def test_in_a_kernel_an_error_above_the_function_leaves_an_older_one(checked):
     assert "this is an older function" in text and "nothing_of_this_name" in text
 
 
-def run_cell(kernel, source, cell_id):
-    """Run a cell as JupyterLab does, with the id of the cell."""
-    content = {"code": source, "silent": False, "store_history": True, "stop_on_error": False}
-    message = kernel.session.msg("execute_request", content, metadata={"cellId": cell_id})
-    kernel.shell_channel.send(message)
-    while kernel.get_shell_msg(timeout=60)["parent_header"].get("msg_id") != message["header"]["msg_id"]:
-        pass
+def test_in_a_kernel_an_error_below_the_function_leaves_none(checked):
+    assert "both checks pass" in checked(f"{RIGHT}\n\ncount_pixels(no_frame)")
 
 
-def test_in_a_kernel_the_answer_cell_is_known_by_its_id(kernel, checked):
-    run_cell(kernel, RIGHT, "answer-start-count")
-    run_cell(kernel, RIGHT.replace("count_pixels", "how_many"), "answer-start-count")
-    text = run(kernel, CHECK_CELL)
-    assert (
-        "Your cell defines how_many(), and this exercise needs a function with the name count_pixels()"
-        in text
-    )
-    run_cell(kernel, RIGHT, "answer-start-count")
-    run_cell(kernel, RIGHT.replace("count_pixels", "count_pixel"), "answer-another-exercise")
-    assert "both checks pass" in run(kernel, CHECK_CELL)
+def test_in_a_kernel_the_cell_may_make_another_name_or_be_deleted(kernel, checked):
+    assert "its cell now makes how_many." in checked(RIGHT.replace("count_pixels", "how_many"))
+    assert "both checks pass" in checked(RIGHT)
+    run(kernel, "x = 1", deleted=["mine"])
+    assert "count_pixels() is older than the page: its cell was deleted." in run(kernel, CHECK_CELL)
+    assert "both checks pass" in checked(RIGHT)  # the deletion was undone
 
 
 def test_in_a_kernel_a_cell_that_checks_its_own_function(checked):

@@ -2,13 +2,13 @@
 
 import pytest
 from nbclassroom.exercises.cell_syntax import (
-    ENDLESS_CALLS,
     bound_names,
-    is_whole_part,
+    has_stub_line,
+    is_part_of,
+    is_stub,
     names_used,
     plain_python,
     program_lines,
-    statements_that_call,
     top_level,
 )
 
@@ -49,7 +49,6 @@ def main(args=None):
         ("node = Gray()\nrclpy.spin(node)", "rclpy.spin(node)"),
         ("executor.spin()", "executor.spin()"),
         ("MultiThreadedExecutor().spin()", "MultiThreadedExecutor().spin()"),
-        ("Gray().run()", "Gray().run()"),
         ("while rclpy.ok():\n    rclpy.spin_once(Gray())", "while rclpy.ok():"),
         ("rclpy.init()", "rclpy.init()"),
         ("import matplotlib.pyplot as plt\nplt.show()", ""),
@@ -61,16 +60,37 @@ def main(args=None):
         ("TABLE = [3]; main()", "main()"),
     ],
 )
-def test_lines_of_a_program_are_named_and_those_that_spin_left_out(lines, named):
+def test_lines_of_a_program_are_named(lines, named):
     assert [code for _, code in program_lines(SCRIPT + lines)][:1] == [named] * bool(named)
-    left_out = statements_that_call(top_level(SCRIPT + lines), ENDLESS_CALLS)
-    assert bool(left_out) == (bool(named) and not any(name in lines for name in ("cv2", "input")))
 
 
 def test_a_stub_whose_last_lines_are_missing_is_none():
     stub = "import math\n\ndef f(a):\n    b = 1\n    return b\n"
-    assert is_whole_part(stub[13:], stub)
-    assert not is_whole_part("def f(a):\n    b = 1", stub) and not is_whole_part("", stub)
+    assert is_part_of("# mine\n" + stub[13:], stub)
+    assert not is_part_of("def f(a):\n    b = 1", stub) and not is_part_of("", stub)
+
+
+RAISES = "raise NotImplementedError"
+
+
+@pytest.mark.parametrize(
+    ("source", "is_blank", "goes_on"),
+    [
+        ("def f(a):\n    'Text.'\n    ...", True, False),
+        ("class A:\n    pass", True, False),
+        (f"def f(a):\n    {RAISES}('your turn')", True, False),
+        (f"def f(a):\n    b = a\n    {RAISES}\n    return b", True, True),
+        (f"def f(a):\n    if a:\n        return a\n    {RAISES}", False, False),
+        (f"class A(B):\n    def __init__(self):\n        super().__init__()\n        {RAISES}", True, True),
+        (f"class A:\n    def __init__(self):\n        {RAISES}\n    def g(self): return 1", True, True),
+        ("def f(a):\n    return 3", True, False),  # as handed out
+        ("def f(a):\n    return 4", False, False),
+    ],
+)
+def test_a_stub_computes_nothing_or_is_as_it_was_handed_out(source, is_blank, goes_on):
+    [statement] = top_level(source)
+    assert is_stub(statement, "def f(a):\n    return 3  # your turn") == is_blank
+    assert has_stub_line(statement) == goes_on
 
 
 def test_bound_names():

@@ -117,6 +117,10 @@ ADVICE = {
     "a = 3\u200b": "U+200B, which nobody sees, is no character of Python: chats, word processors and web"
     " pages write it. Type this line again.",
     "a = 3\u00b2": "\u00b2 is no character of Python, except in texts and comments.",
+    "a = 3 \u2013 2": "in the place of -. Type - there.",
+    "a = (3\uff09": "\uff09 is no character of Python: chats, word processors and web pages write it in the"
+    " place of ). Type ) there.",
+    "retrun a": "is a word misspelled (return, def, else)",
 }
 
 

@@ -10,7 +10,6 @@ from nbclassroom.exercises.declaration import MasterError, read_exercises
 from nbclassroom.exercises.help_steps import solution
 from nbclassroom.exercises.kinds import kind_of
 from nbclassroom.exercises.lesson import check_data_of
-from nbclassroom.exercises.names_read import CellRuns
 from nbclassroom.exercises.progress import digest_of
 from nbclassroom.exercises.running import (
     call,
@@ -244,26 +243,6 @@ def test_the_source_of_a_class_is_found_by_its_methods():
     source = f"{IMPORTS}\n@str\nclass Base:\n    def callback(self): ...\n\n@same\n{own}\ny = 2\n"
     assert source_of(answer_in(source, same=lambda kind: kind)) == f"@same\n{own}"
     assert source_of(answer_in("class Doubler:\n    pass")) == ""
-
-
-def why_older(*cells, error=None):
-    runs = CellRuns()
-    for cell in cells:
-        run = runs.start(cell, exercise="test-double" if "Node" in cell else "")
-    if error is not None:
-        run.fail(error)
-    return runs.why_older("test-double", "Doubler", answer_in(RIGHT))
-
-
-def test_a_class_that_is_older_than_its_cell_is_not_run():
-    assert why_older(RIGHT) == why_older("x = 1") == why_older(RIGHT, "class Camera: pass") == ""
-    assert why_older(RIGHT, RIGHT.replace("Doubler", "Doublr")) == (
-        "Your cell defines Doublr, and this exercise needs a class with the name Doubler. Python still has"
-        " the older Doubler. Write class Doubler(...): in the cell, run it, then run this one."
-    )
-    text = why_older(RIGHT, f"import rclpi\n{WRONG}", error=ModuleNotFoundError("No module named 'rclpi'"))
-    assert "Python still has the older Doubler, not the one on the screen." in text
-    assert why_older(f"{RIGHT}\n1 / 0", error=ZeroDivisionError("division by zero")) == ""
 
 
 def test_an_object_is_no_answer(node_master, monkeypatch, tmp_path):

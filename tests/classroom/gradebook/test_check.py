@@ -76,19 +76,11 @@ def remove(id):
     return lambda cells: cells.update({id: None})
 
 
-def assign(cells):
-    """A variable or an import in another cell is not a misplaced definition."""
-    cells["mine"] = dict(
-        cells[ANSWER], id="mine", metadata={}, source="double = 3\nfrom math import floor as double"
-    )
-    cells[ANSWER] = None
-
-
 MISSING = "its answer cell (answer-template-double) is missing"
 
 
 def test_an_answer_that_would_get_no_points_is_reported(lesson):
-    lesson_check, found, notes = inspect(lesson(assign))
+    lesson_check, found, notes = inspect(lesson(remove(ANSWER)))
     assert found == "missing" and not lesson_check.ready
     assert f"{MISSING} Open the lesson afresh" in notes
 

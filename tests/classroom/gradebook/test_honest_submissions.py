@@ -376,7 +376,7 @@ SOURCES = {  # {name of a submission: what `case` takes}, if nothing else was do
     "with_the_quotation_marks_of_a_word_processor": {
         "points": 3,
         "double": 'def double(pixels):\n    """Twice."""\n    print(\u201cDouble\u201d)\n    return pixels',
-        "finding": "One change makes it Python: 'print(\"Double\")'",
+        "finding": "(U+201C)). \u201c is no character of Python",
     },
     "with_such_quotation_marks_in_a_text": {
         "double": RIGHT[DOUBLE].replace("return", 'print("\u201cDouble\u201d")\n    return')
@@ -384,7 +384,7 @@ SOURCES = {  # {name of a submission: what `case` takes}, if nothing else was do
     "with_a_misspelled_keyword": {
         "points": 3,
         "double": RIGHT[DOUBLE].replace("return", "retrun"),
-        "finding": "One change makes it Python",
+        "finding": "is a word misspelled (return, def, else)",
     },
     "an_annotation_that_cannot_be_read": {
         "double": f"from PIL import Image\ndef double(pixels: Image.Image) -> Image.Image:\n{BODY}"

@@ -220,7 +220,7 @@ def alike(light, key_path, tmp_path_factory):
     ("name", "cause", "advice"),
     [
         ("syntax", "statement in its cell fails: SyntaxError: expected ':'", "run the cell in the lesson"),
-        ("quotes", "SyntaxError: invalid character '\u2019' (U+2019)", "Type ' or \" there."),
+        ("quotes", "SyntaxError: invalid character '\u2019' (U+2019)", "Type \" or ' there."),
         ("unknown", "statement in its cell fails: NameError: name 'cv'", "Nothing has the name cv here."),
         ("refused", "Write this exercise without cv2", "write it by hand"),
         ("endless", "double() used more than 1 s of processor time.", "loop whose condition stays true"),

@@ -137,13 +137,25 @@ def test_a_retyped_answer_cell(read, made, light, kind):
             "broken",
             "line 1 of its answer cell is not Python: I don\u2019t know (invalid char",
         ),
+        (
+            "from numpy import *\ndef double(p):\n    retrun p",
+            "broken",
+            "line 3 of its answer cell is not Python: retrun p (invalid syntax). Look at this line",
+        ),
+        (
+            "def double(p):\r    return p\u00d72",  # line ends that only Python counts
+            "broken",
+            "line 2 of its answer cell is not Python: return p\u00d72 (invalid character '\u00d7'"
+            " (U+00D7)). \u00d7 is no character of Python: chats, word processors and web pages write it in"
+            " the place of *. Type * there",
+        ),
         ("double_it = 3", "broken", "its answer cell does not define double()"),
         ('def double(pixels):\n    # hm\n    raise NotImplementedError("your turn")', "not attempted", ""),
         ("double = lambda p: p", "answered", ""),
         ("from numpy import abs as double", "answered", ""),
-        ("from numpy import *", "answered", ""),
+        ("from numpy import *", "broken", "its answer cell does not define double()"),
         ("if True:\n    def double(p): return p", "answered", ""),
-        ("double = " + "-" * 90_000 + "1", "answered", ""),  # too deep to parse: it may be right
+        ("double = " + "-" * 90_000 + "1", "broken", "line 1 of its answer cell is not Python:  ("),
     ],
 )
 def test_the_state_of_an_answer(read, made, source, state, text):
@@ -163,19 +175,6 @@ def test_the_state_of_an_answer(read, made, source, state, text):
             "LIMIT = 3\ndef Double(p):\n    return p",
             "broken",
             "its answer cell does not define double(), but Double(); the name must be the one of the task",
-        ),
-        (
-            "from numpy import *\ndef double(p):\n    retrun p",
-            "broken",
-            "line 3 of its answer cell is not Python: retrun p (invalid syntax). One change makes it Python:"
-            " 'return p'",
-        ),
-        (
-            "def double(p):\r    return p\u00d72",  # line ends that only Python counts
-            "broken",
-            "line 2 of its answer cell is not Python: return p\u00d72 (invalid character '\u00d7'"
-            " (U+00D7)). \u00d7 is no character of Python: chats, word processors and web pages write it in"
-            " the place of *. Type * there. One change makes it Python: 'return p*2'",
         ),
         (
             "def double(p):\n    raise NotImplementedError('your turn')\n    return p * 2",
@@ -201,13 +200,11 @@ def test_syntax_of_a_newer_python_is_named(read, made, version, is_named):
     assert any(text.startswith("it was run with Python 3.99, and Python 3.") for text in findings) == is_named
 
 
-def test_a_pasted_program_is_named_and_what_spins_is_not_run(read, made):
+def test_a_pasted_program_is_named(read, made):
     cell_of(made, DOUBLE)["source"] = (
         "def double(p):\n    return p\n\nwhile rclpy.ok():\n    spin(3)\ninput()"
     )
     content = read(made)
-    number = [cell["exercise"] for cell in content.page["cells"]].index("light-double")
-    assert content.page["left_out"] == [[number, 1]]
     (loop, person) = texts(content, "message")
     assert loop.startswith("line 4, while rclpy.ok():, belongs to a program that runs by itself")
     assert person.startswith("line 6, input(), belongs to a program")
