@@ -64,7 +64,8 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, s
     files: dict = {}
     for master in masters:
         own = {exercise.id: stored[exercise.id] for exercise in master.exercises}
-        files |= exercise_files(master, own, number=master.number, title=master.title)
+        code = [cell.source for cell in master.cells if cell.kind == "code"]
+        files |= exercise_files(master, own, number=master.number, title=master.title, code=code)
     try:
         write_folder(out, files, permissions=0o700)
     except OSError as error:

@@ -298,6 +298,7 @@ class GradingPlugin:
     def _grade(self, job):
         key = expected_key(job["key"], job["digest"])
         lesson, page = key.lessons[job["lesson"]], job["page"]
+        self._kernel_factory.prepare(lesson.code)
         kernels = PageKernels(page, self._kernel_factory)
         graded = [exercise for exercise in lesson.exercises if not exercise.practice]
         found, runs, stop_at = {}, {}, time.monotonic() + self._kernel_factory.limits.submission

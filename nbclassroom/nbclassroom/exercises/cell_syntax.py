@@ -6,6 +6,7 @@ notebooks loads this file alone (see `gradebook.submission_reader`).
 
 import ast
 import dis
+import functools
 import inspect
 import re
 import textwrap
@@ -38,6 +39,7 @@ _WAITING_CALLS = re.compile(
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
+@functools.lru_cache(maxsize=2_000)  # most cells are the lesson's, in every notebook
 def plain_python(source):
     """The source without magics, prompts, shell commands and indent; its lines stay. As it is if it parses.
 

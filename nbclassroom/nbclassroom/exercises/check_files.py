@@ -4,7 +4,7 @@
 hidden cases, and with inputs from a secret seed. `check`, `hint` and `solution` read the lesson's, grading
 reads the key's. A checks file holds, as text:
 
-    format, lesson, version; a key's has `number` and `title` of the lesson, too
+    format, lesson, version; a key's has `number` and `title` of the lesson, and the `code` of its cells, too
     cells      {cell id: source of a check or given cell, null for the others}
     exercises  {id: the fields of Exercise, with a key of `values` in the place of each value; in addition a
                 case has `expected`, one result for each call, and `arguments`, one list for each call}
@@ -72,11 +72,13 @@ class CheckFile:
     values: dict
     number: str = ""
     title: str = ""
+    code: tuple = ()
 
     def read(self):
         """The whole Lesson; errors as in `exercise`."""
         exercises = tuple(map(self.exercise, self.entries))
-        return Lesson(self.lesson, self.version, exercises, self.cells, self.number, self.title)
+        about = (self.number, self.title, self.code)
+        return Lesson(self.lesson, self.version, exercises, self.cells, *about)
 
     def exercise(self, id):
         """One of its exercises; CheckFileError: the file is damaged."""
@@ -165,8 +167,9 @@ def read_check_file(path):
 def _read_check_file(path, _version):
     data = read_lesson_file(path)
     cells, entries, values = (dict(data[name]) for name in ("cells", "exercises", "values"))
-    head = (str(data.get(name, "")) for name in ("number", "title"))
-    return CheckFile(path, str(data["lesson"]), str(data["version"]), cells, entries, values, *head)
+    number, title = (str(data.get(name, "")) for name in ("number", "title"))
+    about = str(data["lesson"]), str(data["version"]), cells, entries, values, number, title
+    return CheckFile(path, *about, tuple(map(str, data.get("code", ()))))
 
 
 def checks_folders(beside=None):

@@ -224,6 +224,7 @@ class Lesson:
     cells: dict  # {cell id: source of a check or given cell, None for the others}
     number: str = ""  # only its place in the course: "04"; number and title are in keys alone
     title: str = ""
+    code: tuple = ()  # of a key: the sources of its code cells, as handed out
 
     @property
     def points(self):

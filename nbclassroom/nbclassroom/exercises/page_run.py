@@ -14,21 +14,25 @@ import linecache
 import os
 import sys
 import time
+import zlib
 from collections import deque
+from functools import lru_cache
 from pathlib import Path
 
 from . import running
-from .cell_syntax import UNPARSABLE, names_of
+from .cell_syntax import UNPARSABLE, names_in, plain_python
 
 STATEMENT_SECONDS = 5.0  # that one statement may take
 # Of all cells of a kind together.
 TOGETHER_SECONDS = {"given": 20.0, "lesson": 10.0, "own": 10.0, "answer": 20.0}
 # Annotations are not computed: they cost nobody a point.
 _FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT | __future__.annotations.compiler_flag
-_FILE = "<cell {}>"
 _KNOWN = ("RefusedModule", "NotGradedError")  # errors of ours, which keep their class
 # Looked up before any code of a learner's runs.
 _process, _end_process, _monotonic = os.getpid, os._exit, time.monotonic
+
+
+_PREPARED: dict[str, list] = {}  # {source of a cell: what _compiled gives}
 
 
 class Missing:
@@ -86,14 +90,12 @@ class PageRun:
         """[(place, statement), ...] of a cell, or None for the file that it writes."""
         if cell["file"]:
             return [((number, 0), None)]
-        source, file = cell["source"], _FILE.format(number + 1)
-        linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
         try:
-            statements = ast.parse(source, file).body
+            statements = _PREPARED.get(cell["source"]) or _compiled(cell["source"], f"<cell {number + 1}>")
         except UNPARSABLE as error:
             self.errors.append((number, type(error).__name__, str(error)))
             return []
-        return [((number, position), node) for position, node in enumerate(statements)]
+        return [((number, position), statement) for position, statement in enumerate(statements)]
 
     def adopt_process(self):
         """Go on in this process, a fork of the one that has run the page until now."""
@@ -115,32 +117,28 @@ class PageRun:
             lambda: self._evaluate(compile(source, "<check>", "exec", _FLAGS, dont_inherit=True))
         )
 
-    def _run(self, place, node):
+    def _run(self, place, code):
         cell = self._cells[place[0]]
-        if node is None:
+        if code is None:
             _write(cell)
             return
         kind = "answer" if cell["exercise"] else cell["kind"]
         began = _monotonic()
-        error: BaseException | None = None
-        if place in self._skip:
+        error = code if isinstance(code, BaseException) else None
+        if error is not None:  # Python does not compile it
+            pass
+        elif place in self._skip:
             error = RuntimeError("it ended the process, or did not end in time")
         elif self._seconds[kind] > TOGETHER_SECONDS[kind]:
             error = TimeoutError("the cells above took all the time that they may take")
         else:
             self._tell(*place)
-            error = _error_of(
-                lambda: running.call_within(lambda: self._execute(place, node), STATEMENT_SECONDS)
-            )
+            error = _error_of(lambda: running.call_within(lambda: self._evaluate(code), STATEMENT_SECONDS))
         if _process() != self._process:
             _end_process(0)  # a copy of this process, which the learner's code made
         self._seconds[kind] += _monotonic() - began
         if error is not None:
-            self._note(place[0], node, error)
-
-    def _execute(self, place, node):
-        module = ast.Module([node], [])
-        self._evaluate(compile(module, _FILE.format(place[0] + 1), "exec", _FLAGS, dont_inherit=True))
+            self._note(place[0], code, error)
 
     def _evaluate(self, code):
         if not self.uses_loop:
@@ -152,17 +150,46 @@ class PageRun:
         value = eval(code, self._names)
         return await value if asyncio.iscoroutine(value) else value
 
-    def _note(self, number, node, error):
+    def _note(self, number, code, error):
         """Note the error of a statement; the names that it has not bound stand for it."""
         name = running.error_name(error)
         text = running.attempt(lambda: str(error), "")[:2_000]
         self.errors.append((number, name, text))
-        for bound in names_of(node).binds - {"*"} - self._names.keys() - vars(builtins).keys():
+        binds = set() if error is code else _binds(code)
+        for bound in binds - {"*"} - self._names.keys() - vars(builtins).keys():
             if name not in _KNOWN:
                 why = f"{name}: {text}" if text else name
                 said = f"{bound} is not there, because the statement that defines it fails ({why[:300]})"
                 error = NameError(said, name=bound)
             self._names[bound] = Missing(error)
+
+
+def prepare(sources):
+    """Compile cells that pages will have, so that forks of this process find them compiled."""
+    for source in map(plain_python, sources):
+        with contextlib.suppress(*UNPARSABLE):
+            _PREPARED[source] = _compiled(source)
+            for code in _PREPARED[source]:
+                _binds(code)
+
+
+def _compiled(source, name="<cell>"):
+    """The code of each statement of a cell, or why Python does not compile it; `name` is for other errors."""
+    file = f"<cell {zlib.crc32(source.encode('utf-8', 'replace'))}>"  # the same in each page
+    linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
+    return [_code_of(node, file) for node in ast.parse(source, name).body]
+
+
+def _code_of(statement, file):
+    try:
+        return compile(ast.Module([statement], []), file, "exec", _FLAGS, dont_inherit=True)
+    except UNPARSABLE as error:
+        return error
+
+
+@lru_cache(maxsize=10_000)
+def _binds(code):
+    return frozenset(names_in(code).binds)
 
 
 def _error_of(function):

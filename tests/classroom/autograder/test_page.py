@@ -8,6 +8,7 @@ from nbclassroom.autograder.nbval_plugin import PageKernels
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox import fork_server_client
 from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel, KernelFactory
+from nbclassroom.exercises import page_run
 from nbclassroom.exercises.page import page_of
 
 pytestmark = pytest.mark.sandbox
@@ -33,6 +34,20 @@ def test_own_cells_cost_the_checks_nothing(key, right):
     pages = [(name, LESSON, page_with(key, own, right)) for name, own in OWN_CELLS.items()]
     points = {result.name: result.points for result in autograde(pages, key, workers=2)}
     assert points == dict.fromkeys(OWN_CELLS, 10)
+
+
+def test_a_key_has_the_cells_as_handed_out_and_kernels_find_them_compiled(key, monkeypatch):
+    monkeypatch.setattr(page_run, "_PREPARED", {})
+    page_run.prepare([*key.lessons[LESSON].code, "x = 1", "y = ("])
+    monkeypatch.setattr(page_run, "_compiled", None)
+    for source in ("x = 1", key.lessons[LESSON].code[0]):
+        cell = {"kind": "lesson", "source": source, "exercise": "", "file": ""}
+        names: dict = {}
+        run = page_run.PageRun({"cells": [cell], "left_out": []}, names)
+        run.run_to([1, 0])
+        assert names.get("x", 1) == 1 and not [error for error in run.errors if error[1] != "ImportError"]
+    with pytest.raises(TypeError):
+        page_run.PageRun({"cells": [cell | {"source": "z = 1"}], "left_out": []}, {})
 
 
 def test_a_statement_that_cannot_be_stopped_is_left_out_of_a_second_run(key, right):

@@ -2,6 +2,7 @@
 
 `fork_server_client` starts it with a socket (SOCK_SEQPACKET). It takes these orders:
     {"op": "fork", "id": 7}                   with the kernel's socket
+    {"op": "prepare", "code": [...]}          compile a lesson's cells, as handed out
     {"op": "end", "id": 7, "patience": 1.0}   kill the kernel and all that it started, if it does not end by
                                               itself within a second; reply how it ended, null without
                                               patience
@@ -17,6 +18,7 @@ import socket
 import sys
 
 from nbclassroom.autograder.sandbox.inside import confine
+from nbclassroom.exercises import page_run
 
 # They use what is loaded at its first use.
 _USUAL_CELLS = (
@@ -120,6 +122,8 @@ def main():
         if order["op"] == "fork":
             child = _fork(control, descriptors[0], order["id"], settings, loaded, namespace)
             kernels[order["id"]] = child
+        elif order["op"] == "prepare":
+            page_run.prepare(order["code"])
         else:
             child, status = kernels.pop(order["id"], None), None
             if child is None:  # a kernel of a fork server before this one
