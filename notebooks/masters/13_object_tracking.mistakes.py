@@ -144,6 +144,11 @@ def update(state, covariance, measurement, H, R):
 # %% [markdown]
 # # tracking-drive
 
+# %% role="mistake" name="its speeds are too large" says="Usual causes: an angle is in degrees (all angles here are in radians), or its factor is too large (2 or 3 times the angle is usual); or the two numbers are exchanged (the linear speed is the first)."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return linear, math.degrees(angular)
+
 # %% role="mistake" name="another ball" says="Stand for half a second, then take the spot that has moved, and store it in memory: memory[\"ball\"] = ... stays, memory = {...} is forgotten after the call. From then on, take only spots near the column where you predict it."
 def control(observation, memory):
     spots = [(max(width, height), col + width / 2)
@@ -159,7 +164,7 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return (linear, angular) if observation["time"] < 1.2 else (0.0, 0.0)
 
-# %% role="mistake" name="it turns on the spot" says="Usual causes: it lost the ball, because the column where it looks does not move with the robot's own turn (plus 17.6 times the angular speed: to the left, columns grow); or the angular speed has the wrong sign (positive for a column below 160); or the linear speed is not in proportion to the distance minus 0.6."
+# %% role="mistake" name="it turns on the spot" says="Usual causes: it lost the ball, because the column where it looks does not move with the robot's own turn (plus 17.6 times the angular speed: to the left, columns grow); or the angular speed has the wrong sign (positive for a column below 160), is in degrees, or its factor is too large (2 or 3 times the angle); or the linear speed is not in proportion to the distance minus 0.6."
 def control(observation, memory):
     return 0.03, 0.6
 

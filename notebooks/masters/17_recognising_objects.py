@@ -226,6 +226,7 @@ def gradients(rng, rows=4, cols=4):
     grad_row[1, 0], grad_col[1, 0] = 0.0, 0.0
     grad_row[1, 1], grad_col[1, 1] = -31.0, -rng.integers(40, 80)
     grad_row[1, 2], grad_col[1, 2] = 33.0, -rng.integers(12, 30)
+    grad_row[2, 0], grad_col[2, 0] = 8.0, -rng.integers(40, 60)
     return grad_row, grad_col
 
 

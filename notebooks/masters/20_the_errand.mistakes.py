@@ -298,6 +298,11 @@ def believe(readings, names, votes):
 # %% [markdown]
 # # errand-drive
 
+# %% role="mistake" name="its speeds are too large" says="Usual causes: an angle is in degrees (all angles here are in radians), or its factor is too large (2 or 3 times the angle is usual); or the two numbers are exchanged (the linear speed is the first)."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return linear, math.degrees(angular)
+
 # %% role="mistake" name="it stands" says="Usual causes: it read the word, and stays there (drive back to (0, 0) of the odometry: the direction is math.atan2(-y, -x), less the yaw); or it waits for a word that it cannot read any more, because the sign is above the image."
 def control(observation, memory):
     speeds = solution(observation, memory)
@@ -325,6 +330,11 @@ def control(observation, memory):
 
 # %% [markdown]
 # # errand-explore
+
+# %% role="mistake" name="its speeds are too large" says="Usual causes: an angle is in degrees (all angles here are in radians), or its factor is too large (2 or 3 times the angle is usual); or the two numbers are exchanged (the linear speed is the first)."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return linear, math.degrees(angular)
 
 # %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use the observation: things stand at other places each time."
 def control(observation, memory):

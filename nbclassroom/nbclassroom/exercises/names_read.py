@@ -133,6 +133,7 @@ class NamesRead:
         self._runs = runs or CellRuns()
         self.names: dict = {}
         self._uses: list = []  # (module, the name that is used of it, the value that is made with it or "")
+        self._values: set = set()  # names of values that the functions themselves read
         waiting = deque((names, "") for names in self._needs(self._name, answer))
         while waiting:  # first what the answer itself reads
             names, source = waiting.popleft()
@@ -157,8 +158,9 @@ class NamesRead:
             module = value.__name__ if isinstance(value, types.ModuleType) else value.__module__ or "builtins"
             if module != self._namespace.get("__name__"):
                 self._uses.append((module, name, source))
-        else:
-            source = source or name
+        elif not source:
+            source = name
+            self._values.add(name)
         return [(names, source) for names in self._needs(name, value)]
 
     def refused(self, allowed, given=frozenset()):
@@ -173,9 +175,8 @@ class NamesRead:
 
     def values(self, given):
         """The names of values of other cells, sorted; a wrong answer may take them for its arguments."""
-        values = {name for name, value in self.names.items() if not isinstance(value, _NO_VALUES)}
         own = self._runs.binding(self._name)
-        return sorted(values.difference(given, own.names() if own else ()))
+        return sorted(self._values.difference(given, own.names() if own else ()))
 
     def gone(self):
         """{name: what has happened to the cell that made it}."""

@@ -13,7 +13,7 @@ import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise, product
+from itertools import combinations, pairwise, product
 
 from .limited_fork import limit_memory, text_within
 from .running import cells_of, code_of, globals_of, source_of
@@ -238,16 +238,22 @@ def _moving(statement, block, target, place=0):
 
 
 def _block(node, tree):
-    block = _block_of(node, tree) if isinstance(node, ast.If | ast.Assign) else []
-    below = block[block.index(node) + 1 :] if block else []
     if isinstance(node, ast.BinOp):
         yield "is the second part needed?", _replacing(node, node.left)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        yield "is the first part needed?", _replacing(node, node.right)
     if isinstance(node, ast.If) and not node.orelse:
         yield "is this condition needed?", _setting(node, test=ast.Constant(True))
+        block = _block_of(node, tree)
+        below = block[block.index(node) + 1 :][:1]
         if below and isinstance(below[0], ast.If):
             yield "should the if below it be elif?", _moving(below[0], block, node.orelse)
-    if isinstance(node, ast.Assign | ast.AugAssign):
-        yield from _assignment(node, below)
+
+
+def _assigned(node, tree):
+    block = _block_of(node, tree) if isinstance(node, ast.Assign | ast.AugAssign) else []
+    below = block[block.index(node) + 1 :] if block else []
+    yield from _assignment(node, below) if block else ()
     if isinstance(node, ast.Assign) and re.fullmatch(r"[\d., ()\[\]]+", ast.unparse(node.value)):
         for loop in (part for part in ast.walk(tree) if isinstance(part, ast.For | ast.While)):
             if any(loop in ast.walk(part) for part in below):
@@ -354,7 +360,10 @@ def _call_arguments(node, name):
     for number, keyword in enumerate(node.keywords):
         others = [*node.keywords[:number], *node.keywords[number + 1 :]]
         yield f"is {keyword.arg} needed?", _setting(node, keywords=others)
-    if name in ("max", "min"):
+    if name in ("max", "min") and len(node.args) == 1:
+        largest = _parsed(f"{ast.unparse(node)[:-1]}, key={ast.unparse(node.args[0])}.get)")
+        yield "of a dict, this compares the keys: are the values meant?", _replacing(node, largest)
+    elif name in ("max", "min"):
         sizes = [_parsed(f"abs({ast.unparse(argument)})") for argument in node.args]
         yield "is their sign needed?", _setting(node, args=sizes)
     if name == "len" and node.args:
@@ -384,11 +393,14 @@ def _constant(node, tree):
         yield "can this type hold every value?", _setting(node, attr="int64")
 
 
+_SIZES = ("{}.size", "{}.shape[0]", "{}.shape[1]", "2 * {} + 1", "{} + 1")
+
+
 def _size(node, tree):
     is_number = isinstance(node, ast.Constant) and isinstance(node.value, int) and node.value > 2
     is_size = is_number or (isinstance(node, ast.BinOp) and re.fullmatch(r"\d+ \* \d+", ast.unparse(node)))
-    for argument, size in product(_arguments(tree), ("size", "shape[0]", "shape[1]")) if is_size else ():
-        yield "is it the same for every input?", _replacing(node, _parsed(f"{argument.arg}.{size}"))
+    for argument, size in product(_arguments(tree), _SIZES) if is_size else ():
+        yield "is it the same for every input?", _replacing(node, _parsed(size.format(argument.arg)))
 
 
 def _arguments(tree):
@@ -398,6 +410,12 @@ def _arguments(tree):
 
 def _index(node, _tree):
     part = getattr(node, "slice", None)
+    is_place = isinstance(node, ast.Subscript)
+    text = ast.unparse(node).removeprefix(ast.unparse(node.value)) if is_place else ""
+    for first, last in combinations(sorted({*re.findall(r"\b[a-z_]\w*", text)}), 2):
+        parts = (re.sub(rf"\b{last}\b", first, rest) for rest in re.split(rf"\b{first}\b", text))
+        swapped = _parsed(f"_{last.join(parts)}").slice
+        yield f"are {first} and {last} exchanged?", _setting(node, slice=swapped)
     indices = getattr(part, "elts", [part])
     if isinstance(node, ast.Slice) and isinstance(node.lower, ast.BinOp):
         lower = _parsed(f"max(0, {ast.unparse(node.lower)})")
@@ -443,4 +461,4 @@ def _name(node, tree):
 
 # The first change that helps counts.
 _LAST_RULES = (_index, _name)
-_RULES = (_argument, _block, _compare, _order, _operator, _call, _constant, _size, *_LAST_RULES)
+_RULES = (_argument, _block, _compare, _order, _operator, _call, _constant, _assigned, _size, *_LAST_RULES)

@@ -135,6 +135,8 @@ def _stay(record, goal):
     last = int(drives[-1]) + 1 if drives.size else 0
     if (end - start - last) * STEP > _STAYS[1] and not _changes(actions[start:end, 1]):
         start += last  # from there on it only stood or turned
+    moves = (np.abs(actions[start:end]) > _LEAST).any(1)
+    start += int(moves.argmax()) if moves.any() else 0  # before that it stood
     until = "the end" if end == len(path) - 1 else f"{end * STEP:.1f} s"
     text = f"From {start * STEP:.1f} s to {until} the robot"
     turned, turns = np.unwrap(path[start : end + 1, 2]), actions[start:end, 1]
