@@ -147,7 +147,7 @@ def update(state, covariance, measurement, H, R):
 # %% role="mistake" name="its speeds are too large" says="Usual causes: an angle is in degrees (all angles here are in radians), or its factor is too large (2 or 3 times the angle is usual); or the two numbers are exchanged (the linear speed is the first)."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
-    return linear, math.degrees(angular)
+    return 100 * linear, angular  # centimetres per second
 
 # %% role="mistake" name="another ball" says="Stand for half a second, then take the spot that has moved, and store it in memory: memory[\"ball\"] = ... stays, memory = {...} is forgotten after the call. From then on, take only spots near the column where you predict it."
 def control(observation, memory):
