@@ -147,6 +147,13 @@ def test_a_wrong_size_alone_says_no_cause_and_leaves_the_hint(expected, actual, 
     assert diagnosis.text.startswith(text) and not diagnosis.replaces_hint
 
 
+def test_rows_and_columns_are_exchanged_only_if_they_are_so_in_every_check():
+    calls = [call_of(GRAY, np.zeros(GRAY.shape[::-1], np.uint8), GRAY)]
+    assert "are exchanged in the shape" in diagnose(calls, calls[0], ("image",)).text
+    calls.append(call_of(WIDE, WIDE[1:], WIDE))
+    assert "exchanged" not in diagnose(calls, calls[0], ("image",)).text
+
+
 def test_an_input_that_comes_back_unchanged_is_told():
     assert say(255 - GRAY, GRAY).text.startswith("Your result is image, unchanged")
 
