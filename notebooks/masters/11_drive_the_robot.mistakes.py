@@ -64,7 +64,7 @@ def stopping_distance(speed, deceleration, rate, latency):
 def stopping_distance(speed, deceleration, rate, latency):
     return speed / rate + speed**2 / (2 * deceleration)
 
-# %% role="mistake" name="without the wait for a frame" says="The wait for the next frame is missing: add 1 / rate to the latency."
+# %% role="mistake" name="without the wait for a frame" says="The wait for the next frame is missing, or 0 (1 // rate): add 1 / rate to the latency."
 def stopping_distance(speed, deceleration, rate, latency):
     return speed * latency + speed**2 / (2 * deceleration)
 
