@@ -18,7 +18,7 @@ from itertools import combinations, pairwise, product
 from .limited_fork import limit_memory, text_within
 from .running import cells_of, code_of, globals_of, source_of
 
-_MOST_SECONDS = 1.6  # for all changes together
+_MOST_SECONDS, _BRANCH_SECONDS = 1.2, 0.3  # for all changes together, and for what never ran
 _PER_CALL = 0.1  # seconds, and ten times what the answer takes itself
 _LONGEST_SOURCE = 20_000  # characters
 _SHORT = 12  # characters: what is shorter is shown with its line
@@ -80,7 +80,7 @@ def sentence_on_change(function, passes, task=""):
 
 def sentence_on_branch(function, run):
     """A condition of a function that was never true, or always, while `run()` called it; "" if none was."""
-    return text_within(lambda: _find_branch(function, run), _MOST_SECONDS)
+    return text_within(lambda: _find_branch(function, run), _BRANCH_SECONDS)
 
 
 def _find_branch(function, run):
