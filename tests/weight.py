@@ -12,9 +12,9 @@ from pathlib import Path
 # Ceilings in lines. A change that needs more takes something away.
 CEILINGS = {
     "imgproc_course": 16_100,
-    "nbclassroom/nbclassroom": 19_490,
+    "nbclassroom/nbclassroom": 19_200,
     "notebooks/masters": 23_080,
-    "tests": 45_510,  # with those of nbclassroom
+    "tests": 45_500,  # with those of nbclassroom
 }
 MOST_COMPLEX = 19
 TEXTS = (".py", ".toml", ".yaml", ".txt", ".json")

@@ -304,11 +304,10 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
     since it is in doubt whose a file is, 1 nothing was graded, 130 interrupted.
     """
     from nbclassroom.autograder.nbval_process import usual_workers
-    from nbclassroom.gradebook.answer_keys import load_keys
-    from nbclassroom.gradebook.result_store import RULES, RunRules
+    from nbclassroom.gradebook.answer_keys import AnswerKeys
+    from nbclassroom.gradebook.result_store import RunRules
 
-    given = options | {"keys": keys}
-    rules = RunRules(out, {name: given[name] for name in RULES}, forget=forget_rules)
+    rules = RunRules(out, options | {"keys": keys}, forget=forget_rules)
     if rules.kept:
         click.echo(f"As in the run before: {', '.join(rules.kept)}.")
     options |= rules.rules
@@ -318,7 +317,7 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
 
         click.echo(who_sent_what(submissions, keys, layouts=options["layouts"] or ()))
         return
-    options["workers"] = options["workers"] or usual_workers(load_keys(keys).lessons.values())
+    options["workers"] = options["workers"] or usual_workers(AnswerKeys(keys).lessons.values())
     report = _grade_and_review(submissions, keys, out, rules, review, options)
     click.echo(report.text)
     if not review:

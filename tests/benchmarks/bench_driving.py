@@ -55,7 +55,8 @@ def class_problems(learners):
         ]
         results, cpu, wall = measured(lambda: list(autograde(submissions, key, workers=CORES)))
     for result in results[:3]:
-        print(f"  {result.points} of {result.max_points}: {result.exercises[0].cases[0].message}")
+        exercise = result.exercises[0]
+        print(f"  {result.points} of {exercise.max_points}: {exercise.cases[0].message}")
     minutes = 30 * cpu / learners / CORES / 60
     print(
         f"{learners} submissions: {cpu / learners:.1f} s of processor time each, {wall:.0f} s in all;", end=""

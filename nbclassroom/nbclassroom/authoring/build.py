@@ -258,8 +258,7 @@ def differences(built, stored_path):
         problems.append(f"{stored_path.name}: the lesson's metadata (title, minutes, version) differ")
     ids, stored_ids = [cell.id for cell in built.cells], [cell.id for cell in stored.cells]
     if ids != stored_ids:
-        pairs = zip_longest(ids, stored_ids)
-        first = next(id or stored_id for id, stored_id in pairs if id != stored_id)
+        first = next(id or stored for id, stored in zip_longest(ids, stored_ids) if id != stored)
         return [*problems, f"{stored_path.name}: its cells differ from the master's, from {first} on"]
     for cell, stored_cell in zip(built.cells, stored.cells, strict=True):
         difference = _cell_difference(cell, stored_cell)

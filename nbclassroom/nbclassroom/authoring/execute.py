@@ -66,9 +66,8 @@ def execute(notebook, master_path, kernel_name="python3", files=None):
             on_cell_start=lambda cell, cell_index: running.update(id=cell.id),
         )
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        environment = kernel_environment() | {"IPYTHONDIR": str(Path(folder) / ".ipython")}
         try:
-            client.execute(env=environment, **quiet)
+            client.execute(env=kernel_environment() | {"IPYTHONDIR": f"{folder}/.ipython"}, **quiet)
         except CellExecutionError as error:
             reason = f"{error.ename}: {error.evalue}".splitlines()[0]
         except CellTimeoutError:

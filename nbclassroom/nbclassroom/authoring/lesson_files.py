@@ -246,8 +246,7 @@ def without_outputs(data):
         if any(cell["outputs"] or cell["execution_count"] is not None for cell in cells):
             for cell in cells:
                 cell["outputs"], cell["execution_count"] = [], None
-            text = json.dumps(notebook, ensure_ascii=False, indent=1, sort_keys=True)
-            return (text + "\n").encode()
+            return f"{json.dumps(notebook, ensure_ascii=False, indent=1, sort_keys=True)}\n".encode()
     return data
 
 

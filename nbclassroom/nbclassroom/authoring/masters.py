@@ -143,14 +143,14 @@ def read_master(path):
     title = str(script.front_matter.get("title", "")) + " (optional)" * optional
     match = LESSON_FILE.fullmatch(path.stem)
     with_asks, questions = with_questions(script.cells, path, references)
-    timed = timed_script(replace(script, cells=with_asks))
-    cells = list(_lesson_cells(path, timed, exercises, references))
+    timed, deeper, minutes, core_minutes = timed_script(replace(script, cells=with_asks))
+    cells = list(_lesson_cells(path, zip(timed, deeper, strict=True), exercises, references))
     if match and cells and cells[0].kind == "markdown" and cells[0].source.startswith("# "):
         heading, line_end, text = cells[0].source[2:].partition("\n")
         source = f"# {match['number']} · {heading}{' (optional)' * optional}{line_end}{text}"
         cells[0] = replace(cells[0], source=source, solved_source=source)
     parts = tuple(cells), exercises, _texts(script, references), questions
-    master = Master(path, title, timed.whole, timed.core, optional, *parts)
+    master = Master(path, title, minutes, core_minutes, optional, *parts)
     problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
@@ -194,7 +194,7 @@ def _lesson_cells(path, timed, exercises, references):
     solutions = {exercise.id: exercise.solution for exercise in exercises}
     varying = {exercise.id for exercise in exercises if not exercise.kind.expects_values}
     position = 0
-    for cell, deeper in zip(timed.cells, timed.deeper, strict=True):
+    for cell, deeper in timed:
         role = cell.role
         if role == "exercise":
             latest = next(declared).id

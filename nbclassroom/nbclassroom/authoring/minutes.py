@@ -9,7 +9,6 @@ it runs, and can be understood, without the deeper sections. tests/notebooks/tes
 import re
 from collections import Counter
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
 
 from nbclassroom.authoring.rules import CHECK_LINE
 
@@ -23,7 +22,6 @@ MINUTES = {  # fitted to an estimate of each section; the words carry the time f
     "further minutes": 1,
 }
 _REFERENCE = re.compile(r"\[\[minutes(?:\+(?P<further>\d+))?\]\]")
-
 _PART = re.compile(r"^(?=#{2,4} )", re.M)  # of a Markdown cell: a heading and the text below it
 _HEADING = re.compile(rf"(#{{2,4}}) .*?(?P<timed> \({_REFERENCE.pattern}(?P<words>, [a-z, ]+)?\))?$", re.M)
 _NO_WORDS = re.compile(r"\$\$.+?\$\$|```.*?```|\[\[(?:[^|\[\]]*\|)?", re.S)  # a label counts
@@ -38,21 +36,13 @@ class Section:
     counts: Counter = field(default_factory=Counter)
 
 
-class TimedScript(NamedTuple):
-    """A script's cells with their minutes filled in; whether each is deeper; minutes of whole and core."""
-
-    cells: tuple
-    deeper: tuple
-    whole: int
-    core: int
-
-
 def minutes_of(counts):
     """The minutes, a float, for words, code lines and so on."""
     return sum(MINUTES[name] * count for name, count in counts.items())
 
 
 def timed_script(script):
+    """(Cells with their minutes filled in, whether each is deeper, the minutes of the whole, of the core)."""
     sections, deeper = read_sections(script.cells)
     minutes = [max(1, round(minutes_of(section.counts))) for section in sections]
     of_core = (m for m, section in zip(minutes, sections, strict=True) if not section.deeper)
@@ -60,7 +50,7 @@ def timed_script(script):
     time = f"about {core} minutes" + f" for the core, {whole} with the deeper sections" * any(deeper)
     headings = iter(minutes[1:])
     cells = tuple(_filled(cell, headings, time) if cell.kind == "markdown" else cell for cell in script.cells)
-    return TimedScript(cells, tuple(deeper), whole, core)
+    return cells, deeper, whole, core
 
 
 def _filled(cell, minutes, time):

@@ -127,10 +127,9 @@ class References:
         raise MasterError(f"{self._place(target)}: {path.name} has no section {section}")
 
     def _place(self, target):
-        files = (self._path, self._path.with_suffix(MISTAKES_SUFFIX))
         places = (
             f"{file.name}, line {number}"
-            for file in files
+            for file in (self._path, self._path.with_suffix(MISTAKES_SUFFIX))
             if file.exists()
             for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1)
             if f"[[{target}]]" in line

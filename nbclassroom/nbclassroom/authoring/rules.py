@@ -51,8 +51,7 @@ def _exercise_rules(exercise):
     )
     why = "needs explanation=...: why is its solution written in this way?"
     yield not _is_text(exercise.explanation), why
-    another_way = 'needs another_way="You can also write ...", one sentence'
-    yield not _is_text(exercise.another_way), another_way
+    yield not _is_text(exercise.another_way), 'needs another_way="You can also write ...", one sentence'
     no_class = f'has subject="node"; its answer cell must define class {exercise.function}(Node)'
     yield exercise.kind.noun == "class" and exercise.function not in classes, no_class
     for name, count in Counter(mistake.name for mistake in exercise.mistakes).items():
@@ -108,7 +107,7 @@ def _cell_problems(cell, next_cell):
         return
     yield from (problem for is_broken, problem in _cell_rules(cell, lines, next_cell) if is_broken)
     yield from _figure_problems(cell)
-    if cell.folded and not (_asserts(cell) and all(map(_belongs_to_asserts, _parse(cell.source).body))):
+    if cell.folded and not (_asserts(cell) and all(map(_belongs_to_asserts, top_level(cell.source)))):
         yield f"a cell that begins with '{CHECK_LINE}' is folded: it holds only asserts, and names for them"
 
 
@@ -127,9 +126,8 @@ def _cell_rules(cell, lines, next_cell):
     yield re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M), comment
     varies = f"tagged {VARYING_TAG}: the next code cell must begin with '{CHECK_LINE}' and hold its asserts"
     yield cell.varies and cell.role != "check" and not (next_cell and _asserts(next_cell)), varies
-    is_loose = not cell.folded and _asserts(cell)
-    yield is_loose, f"move its asserts into a cell that begins with '{CHECK_LINE}'"
-    is_python = _parse(cell.source) is not None
+    yield not cell.folded and _asserts(cell), f"move its asserts into a cell that begins with '{CHECK_LINE}'"
+    is_python = bool(top_level(cell.source))
     yield cell.role and not is_python, f"a {cell.role} cell must be plain Python; it takes no magics"
     call = re.search(rf"""check\(\s*["']{re.escape(cell.exercise)}["']""", cell.source)
     yield cell.role == "check" and not call, f'must call check("{cell.exercise}", ...)'
@@ -180,8 +178,7 @@ def _cell_after(master, predict_cell):
 
 
 def _is_compared(guess, cell):
-    module = _parse(cell.source) if cell else None
-    match module and module.body[-1:]:
+    match cell and top_level(cell.source)[-1:]:
         case [ast.Expr(ast.Call(ast.Name("compare_guess"), [ast.Name(name), value, *_]))]:
             return name == guess and any(isinstance(node, ast.Name) for node in ast.walk(value))
     return False
@@ -192,13 +189,5 @@ def _asserts(cell):
 
 
 def _nodes(cell):
-    module = _parse(cell.source)
-    return ast.walk(module) if module else ()
-
-
-def _parse(source):
-    """The syntax tree of a cell; None for a cell with a magic or an error, which running it will show."""
-    try:
-        return ast.parse(source)
-    except SyntaxError:
-        return None
+    """The syntax nodes of a cell; none if it has a magic or an error, which running it will show."""
+    return [node for statement in top_level(cell.source) for node in ast.walk(statement)]

@@ -137,8 +137,7 @@ def _seed_problems(exercise, case, solution, seeds):
 
 def _passes_by_chance(guesses, answers, agree):
     """Whether these answers, call by call and then again, are right with more seeds than chance explains."""
-    passed = (all(map(agree, drawn, cycle(guesses))) for drawn in answers)
-    return sum(passed) > _MOST_BY_CHANCE
+    return sum(all(map(agree, drawn, cycle(guesses))) for drawn in answers) > _MOST_BY_CHANCE
 
 
 def _agree(answer, guess, tolerance, exact_type):

@@ -40,13 +40,9 @@ class Key:
     digest: str  # identifies it
     lessons: dict[str, Lesson]  # by their names, in the order of the course
 
-    def find(self, id):
-        """The Lesson and the Exercise of that id, or None and None."""
-        pairs = ((lesson, exercise) for lesson in self.lessons.values() for exercise in lesson.exercises)
-        return next((pair for pair in pairs if pair[1].id == id), (None, None))
-
     def exercise(self, id: str) -> Exercise | None:
-        return self.find(id)[1]
+        every = (exercise for lesson in self.lessons.values() for exercise in lesson.exercises)
+        return next((exercise for exercise in every if exercise.id == id), None)
 
     def solutions(self, lesson: str) -> dict[str, str]:
         """{exercise id: solution} of a lesson."""

@@ -7,7 +7,7 @@ from ..exercises.document import Html, Paragraphs
 from ..exercises.error_advice import advice_on
 from ..exercises.feedback import blocks_of
 from ..exercises.judging import CheckResult, judge
-from .outcomes import PHRASES, TEXTS, Outcome
+from .outcomes import PHRASES, Outcome
 from .sanitize import reproducible_text, sanitize_text
 
 _LONGEST = 2_000  # characters of a text, and of what an answer printed
@@ -36,8 +36,7 @@ class CheckedAnswer:
 
     def for_learner(self):
         """The checks as HTML: of a hidden one only its title, how it ended, and its hint."""
-        told = replace(self.hidden, results=self.hidden_for_learner, calls=())
-        return self._html(self.public, told)
+        return self._html(self.public, replace(self.hidden, results=self.hidden_for_learner, calls=()))
 
     def for_teacher(self):
         """The checks as HTML, with all values."""
@@ -49,8 +48,7 @@ class CheckedAnswer:
         return sanitize_text(text, 10 * _LONGEST)
 
     def _html(self, *results):
-        out = PageHtml()
-        return "".join(block.html(out) for block in self._blocks(*results))
+        return "".join(block.html(PageHtml()) for block in self._blocks(*results))
 
     def _blocks(self, *results):
         yield from map(Paragraphs, self.remarks)
@@ -115,7 +113,7 @@ def _readable(call):
 
 def _ending(case, *, is_said):
     """How a case ended that no call explains, a sentence."""
-    label = "" if case.outcome == Outcome.WRONG and case.message else TEXTS[case.outcome].label
+    label = "" if case.outcome == Outcome.WRONG and case.message else PHRASES[case.outcome]
     return _sentence(": ".join(filter(None, (label, "" if is_said else case.message))))
 
 
@@ -135,7 +133,7 @@ def _advice(cases, message):
     """What helps if all cases ended alike, "" if nothing is certain."""
     outcome = cases[0].outcome
     if outcome != Outcome.RAISED:
-        return TEXTS[outcome].advice
+        return PHRASES.get(f"{outcome}: advice", "")
     if ": RefusedModule: " in message:
         return PHRASES["value: advice"]
     if message:

@@ -21,8 +21,7 @@ def main():
 
     from .nbval_plugin import GradingPlugin
 
-    plugin = GradingPlugin(connection, settings["folder"], kernel_factory)
-    sys.exit(pytest.main(arguments, plugins=[plugin]))
+    sys.exit(pytest.main(arguments, plugins=[GradingPlugin(connection, settings["folder"], kernel_factory)]))
 
 
 def _leave_out_kernels_of_nbval():

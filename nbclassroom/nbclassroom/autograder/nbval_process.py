@@ -119,8 +119,7 @@ class NbvalProcess:
         # The blocked imports first, so that nbval does not import what they block.
         for plugin in (*_BLOCKED_PLUGINS, "nbclassroom.autograder.blocked_imports", "nbval.plugin"):
             command += ["-p", f"no:{plugin}" if plugin in _BLOCKED_PLUGINS else plugin]
-        inherited = ("PATH", "LANG", "HOME")
-        environment = {name: os.environ[name] for name in inherited if name in os.environ}
+        environment = {name: os.environ[name] for name in ("PATH", "LANG", "HOME") if name in os.environ}
         environment |= {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "OPENBLAS_NUM_THREADS": "1"}
         environment[course.VARIABLE] = str(course.file())
         environment["TMPDIR"] = str(folder)

@@ -1,6 +1,5 @@
 """How a test case can end, and the texts that belong to each outcome: the only such table."""
 
-from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
@@ -26,26 +25,14 @@ class Outcome(StrEnum):
     NOT_GRADED = "not graded"  # the autograder itself failed: a teacher must look
 
 
-@dataclass(frozen=True)
-class OutcomeTexts:
-    label: str  # a few words beside the case's title on a page
-    message: str = ""  # the case's, if the kernel was ended like this; "" if it depends on the answer
-    # For the learner, if every case of an exercise ended so: no input is the cause, and no case's hint helps.
-    advice: str = ""
-
-
 # Of the cases that are not run because those before them took too long.
 BUDGET_MESSAGE = "it was not run: the checks before it took too much time"
 # How the message of a case begins whose function is not there, because its cell raised an exception.
 CELL_FAILS = "its cell does not run"
-# The key of a text is an outcome, with the field if it is not the label; of other advice, what it is about.
+# The key of a text is an outcome, for its label beside a case's title; "<outcome>: message", for a case whose
+# kernel was ended so; "<outcome>: advice", for the learner, if all cases of an exercise ended so: no input is
+# the cause, and no case's hint helps. Of other advice it is what the advice is about.
 PHRASES = {
     key: text.format(command=course.command)
     for key, text in read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")).items()
-}
-TEXTS = {
-    outcome: OutcomeTexts(
-        PHRASES[outcome], PHRASES.get(f"{outcome}: message", ""), PHRASES.get(f"{outcome}: advice", "")
-    )
-    for outcome in Outcome
 }

@@ -26,8 +26,6 @@ from .sandbox import bubblewrap
 from .sandbox.bubblewrap import Limits, SandboxError
 from .sanitize import reproducible_text
 
-__all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
-
 _QUEUE_PER_WORKER = 4  # submissions that are submitted before their results are taken
 _ATTEMPTS = 3  # to grade a submission, each in a new nbval process
 _KILLS = 10  # of nbval processes while they start or grade one submission; they are not attempts

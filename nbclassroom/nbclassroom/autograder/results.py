@@ -13,14 +13,13 @@ import json
 import re
 from dataclasses import dataclass, replace
 from itertools import chain
-from typing import NamedTuple
 
 import msgspec
 
 from ..exercises.kinds.node.recording_node import UNKNOWN_PART
 from ..exercises.running import attempt
 from .checked_answer import checked_answer
-from .outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
+from .outcomes import BUDGET_MESSAGE, CELL_FAILS, PHRASES, Outcome
 from .sanitize import reproducible_text
 from .verdict import CaseRun, Verdict
 from .written_answer import rendered_text
@@ -92,10 +91,6 @@ class GradedSubmission:
         return sum(exercise.points for exercise in self.exercises)
 
     @property
-    def max_points(self):
-        return sum(exercise.max_points for exercise in self.exercises)
-
-    @property
     def has_fault(self):
         """Whether an exercise was not graded, and not because its node uses what the check does not know."""
         return any(
@@ -107,13 +102,6 @@ class GradedSubmission:
     def exercises_with(self, outcome):
         """The ids of the exercises of which at least one case has that outcome."""
         return {one.id for one in self.exercises if any(case.outcome == outcome for case in one.cases)}
-
-
-class Cause(NamedTuple):
-    """Why an exercise fails, a sentence, "" if its checks say it; the id of the exercise that tells it."""
-
-    text: str
-    told_by: str
 
 
 def to_json(result):
@@ -152,14 +140,17 @@ def graded_exercises(exercise_runs, page, tried):
     exercises = [run.exercise for run in exercise_runs.values()]
     causes = causes_of(exercises, {id: run.runs for id, run in exercise_runs.items()}, page)
     hostile = {id for id, _ in tried}
-    about = {id: (run, causes.get(id), bool(hostile & {id, ""})) for id, run in exercise_runs.items()}
-    return {id: _with_pages(*checked_exercise(one[0].exercise, *one)) for id, one in about.items()}
+    graded = {}
+    for id, run in exercise_runs.items():
+        about = causes.get(id, ("", "")), bool(hostile & {id, ""})
+        graded[id] = _with_pages(*checked_exercise(run.exercise, run, *about))
+    return graded
 
 
-def checked_exercise(exercise, exercise_run, cause=None, is_hostile=False):
+def checked_exercise(exercise, exercise_run, cause=("", ""), is_hostile=False):
     """(the GradedExercise of an exercise whose cases all have run, without pages, its CheckedAnswer).
 
-    A Cause replaces the calls. A hostile answer gets no advice about its loops.
+    A cause, see `causes_of`, replaces the calls. A hostile answer gets no advice about its loops.
     """
     runs = exercise_run.runs
     cases = tuple(_case_of_run(exercise, case, exercise_run) for case in exercise.cases)
@@ -168,10 +159,11 @@ def checked_exercise(exercise, exercise_run, cause=None, is_hostile=False):
     error = next(iter(runs.values()), CaseRun()).answer.error  # it costs nothing if the function is defined
     text = f"a statement in its cell fails: {_exception_text(*error)}" if error[0] else ""
     about = runs, mistake, text
-    if cause and cause.text:
-        about, advises = ({}, None, reproducible_text(cause.text)), False
+    why, told_by = cause
+    if why:
+        about, advises = ({}, None, reproducible_text(why)), False
     graded, answer = _checked(exercise, cases, *about, advises=advises)
-    return replace(graded, cause=cause.told_by if cause else ""), answer
+    return replace(graded, cause=told_by), answer
 
 
 def _checked(exercise, cases, runs, mistake, message, *, advises=True):
@@ -227,7 +219,7 @@ def _outcome_of_run(exercise, case, run):
         return Outcome.TIME, BUDGET_MESSAGE
     if run.ended:
         outcome = Outcome(run.ended)
-        return outcome, _at(TEXTS[outcome].message, run.verdict)
+        return outcome, _at(PHRASES[f"{outcome}: message"], run.verdict)
     error = run.check.error
     if error[0] and not run.check.answers:
         if error[0] == "NameError":
@@ -287,10 +279,11 @@ def _message_of_hidden(outcome, message, verdict):
     """The message without any text of the learner's: an exception could carry the hidden input out."""
     if outcome in (Outcome.WRONG, Outcome.HOSTILE) and verdict.told_of_hidden:
         return verdict.told_of_hidden
-    if outcome == Outcome.RAISED or (outcome == Outcome.MEMORY and message != TEXTS[outcome].message):
+    usual_message = PHRASES.get(f"{outcome}: message", "")
+    if outcome == Outcome.RAISED or (outcome == Outcome.MEMORY and message != usual_message):
         name = message.partition(":")[0]
         return name if name in _EXCEPTIONS else "an exception"
-    return message if TEXTS[outcome].message or outcome == Outcome.MISSING else ""
+    return message if usual_message or outcome == Outcome.MISSING else ""
 
 
 def _exception_text(name, text):
@@ -298,8 +291,9 @@ def _exception_text(name, text):
 
 
 def causes_of(exercises, runs, page):
-    """{exercise id: Cause} of the exercises that a cell which is not their answer lets fail: it is told once.
+    """{exercise id: its cause} of the exercises that a cell which is not their answer lets fail.
 
+    A cause is (a sentence, "" if the checks say it; the id of the exercise that tells it: it is told once).
     `runs` are {exercise id: {case id: CaseRun}}, in the order of the exercises.
     """
     places: dict[str, tuple[int, str]] = {}
@@ -315,7 +309,7 @@ def causes_of(exercises, runs, page):
         owner = page["cells"][number]["exercise"]
         first = owner if owner in failed else next(one for one in places if places[one][0] == number)
         same = f'It fails for the same reason as "{titles[first]}": mend that first'
-        causes[id] = Cause(same if first != id else text, first)
+        causes[id] = same if first != id else text, first
     return causes
 
 

@@ -7,12 +7,9 @@ hidden character may be the very thing that the reader must know. HTML is escape
 import re
 
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
-# How IPython and ipykernel name a cell, with a number that differs from run to run.
-_CELL = re.compile(r"<ipython-input-[^<>\s]*>|(?<!\S)\S*/ipykernel_\d+/\d+\.py|\b\d{5,}\.py\b")
 _MOST_READ = 4  # characters that are read of a text, for each one that is kept
 _FORMULA_STARTS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
-_FORMULA_START = rf"(?=[{re.escape(''.join(_FORMULA_STARTS))}])"
-_AFTER_SEMICOLON = re.compile(rf"(;[ '\"]*){_FORMULA_START}")
+_AFTER_SEMICOLON = re.compile(rf"(;[ '\"]*)(?=[{re.escape(''.join(_FORMULA_STARTS))}])")
 
 
 def sanitize_text(text, max_length=300):
@@ -33,9 +30,8 @@ def sanitize_text(text, max_length=300):
 
 
 def reproducible_text(text, max_length=500):
-    """Sanitized text of a learner's without what differs from run to run: addresses and names of cells."""
-    text = text[: _MOST_READ * max_length]
-    return sanitize_text(_CELL.sub("its cell", _ADDRESS.sub("0x…", text)), max_length)
+    """Sanitized text of a learner's without addresses, which differ from run to run."""
+    return sanitize_text(_ADDRESS.sub("0x…", text[: _MOST_READ * max_length]), max_length)
 
 
 def sanitize_line(text, max_length=300):

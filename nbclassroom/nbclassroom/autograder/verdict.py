@@ -16,7 +16,7 @@ import msgspec
 import numpy as np
 
 from ..exercises.canonical import MOST_CHARACTERS, MOST_INT_BITS, PLAIN_TYPES, SCALARS
-from ..exercises.comparison import Difference, compare
+from ..exercises.comparison import compare
 from ..exercises.running import CallResult
 from .sandbox.cell_run import CellRun
 
@@ -36,7 +36,6 @@ _DIGEST = re.compile(r"[0-9a-f]{64}")
 class Verdict:
     calls: list | None = None  # of CallResult; None: the check cell showed no well-formed answer, or several
     failed_call: int | None = None  # index of the first call that did not do what the key expects
-    difference: Difference | None = None  # of that call's value; None: there was no value to compare
 
     # What a partner measures is told of hidden cases, too (see `kinds.drive.graded.DriveVerdict`).
     when, measured, told_of_hidden = "", "", ""
@@ -105,11 +104,6 @@ class StoredAnswer:
     def __eq__(self, shown):
         return isinstance(shown, CaseRun) and self.verdict(shown).passed
 
-    def explain(self, shown):
-        """Why `stored == shown` is false, in a line."""
-        difference = getattr(self.verdict(shown), "difference", None)
-        return difference.message if difference else "it is not what the solution gives"
-
 
 def verdict_on(payloads, expected, tolerance, *, exact_type=True):
     """The Verdict on the one payload that a check cell showed, against a canonical form for each call.
@@ -122,9 +116,8 @@ def verdict_on(payloads, expected, tolerance, *, exact_type=True):
     for number, form in enumerate(expected):
         if number >= len(calls) or calls[number].value is None or calls[number].changed:
             return Verdict(calls, number)
-        difference = compare(form, calls[number].value, tolerance, exact_type=exact_type)
-        if difference is not None:
-            return Verdict(calls, number, difference)
+        if compare(form, calls[number].value, tolerance, exact_type=exact_type) is not None:
+            return Verdict(calls, number)
     return Verdict(calls, len(expected) if len(calls) > len(expected) else None)
 
 

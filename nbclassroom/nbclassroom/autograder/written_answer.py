@@ -23,8 +23,7 @@ def rendered_text(text):
     import bleach
     import mistune
 
-    plugins = ["strikethrough", "table"]
-    html_of = mistune.create_markdown(escape=True, plugins=plugins)
+    html_of = mistune.create_markdown(escape=True, plugins=["strikethrough", "table"])
     return bleach.clean(html_of(sanitize_text(text, _LONGEST)), _TAGS, attributes={}, strip=True)
 
 

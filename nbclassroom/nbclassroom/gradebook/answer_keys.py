@@ -10,10 +10,10 @@ SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same shor
 
 
 class AnswerKeys:
-    """The first key that has a lesson is its default; `lessons` is {name: Lesson of the default key}."""
+    """The keys in some folders; KeyFolderError: one is none. `lessons` is {name: Lesson of the first key}."""
 
-    def __init__(self, keys):
-        self.keys = list(keys)
+    def __init__(self, folders):
+        self.keys = list(map(load_key, folders))
         self.lessons: dict[str, Any] = {}
         self._solution_shapes: dict[str, dict] = {}
         for key in self.keys:
@@ -53,8 +53,3 @@ class AnswerKeys:
 
     def key_of(self, digest):
         return next(key for key in self.keys if key.digest == digest)
-
-
-def load_keys(folders):
-    """Read the AnswerKeys in some folders; KeyFolderError: one of them is not an answer key."""
-    return AnswerKeys([load_key(folder) for folder in folders])

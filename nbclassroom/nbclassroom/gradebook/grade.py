@@ -11,13 +11,14 @@ import tempfile
 import threading
 from collections import namedtuple
 from functools import partial
+from itertools import chain
 from pathlib import Path
 
 from ..autograder.pool import open_scheduler
 from ..autograder.sandbox import bubblewrap
 from ..autograder.sanitize import sanitize_line
 from . import grades_json, result_store
-from .answer_keys import load_keys
+from .answer_keys import AnswerKeys
 from .collect import Collection
 from .csv_table import TableError
 from .learners import read_all
@@ -53,7 +54,6 @@ def grade_submissions(
     platform_tables=(),
     roster=None,
     layouts=(),
-    quiet=None,
     **options,
 ):
     """Grade submissions, and write the folder of grades; returns a GradingSummary.
@@ -61,13 +61,12 @@ def grade_submissions(
     The options are those of the command `grade`; in addition:
 
     deadline  a local datetime
-    quiet     True for no progress bars; None: none if stderr is no terminal
     options   unsafe, workers, limits, executor, as `autograde` takes them
 
     CollectError, KeyFolderError, SandboxError and other ValueErrors are one line with the remedy.
     """
     out, submissions = Path(out), Path(submissions)
-    answer_keys = load_keys(keys)
+    answer_keys = AnswerKeys(keys)
     _require_separate_folder(submissions, keys, out)
     platform_tables = read_tables(platform_tables)
     unsafe = options.get("unsafe", False)
@@ -87,12 +86,12 @@ def grade_submissions(
         store = result_store.ResultStore(out / "results", {"unsafe": unsafe})
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
-        learners = read_all(collection, answer_keys, store, quiet=quiet)
+        learners = read_all(collection, answer_keys, store)
         rules.assign(learners, roster or ())
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         stack.callback(pages.parts.close)
         threading.Thread(target=prepare_templates, daemon=True).start()
-        options |= {"fresh": fresh, "quiet": quiet, "on_result": pages.result_stored}
+        options |= {"fresh": fresh, "on_result": pages.result_stored}
         graded_now = result_store.grade_missing(learners, answer_keys, store, **options)
         about = {"sandbox": not unsafe, "anonymous_pages": anonymous, "open_as_zero": open_as_zero}
         about["roster"] = roster_report(roster, learners) if roster is not None else None
@@ -102,16 +101,15 @@ def grade_submissions(
     return _summary(grades, graded_now, out, changes, table_lines, pages.failed)
 
 
-def who_sent_what(submissions, keys, *, layouts=(), quiet=None):
+def who_sent_what(submissions, keys, *, layouts=()):
     """The text of `grade --dry-run`: each learner's files, which of them count, and what is left out.
 
     Nothing is graded or written; the errors are those of `grade_submissions`.
     """
-    answer_keys = load_keys(keys)
+    answer_keys = AnswerKeys(keys)
     with tempfile.TemporaryDirectory() as results, contextlib.ExitStack() as stack:
         collection = stack.enter_context(Collection(submissions, tuple(answer_keys.lessons), layouts or ()))
-        store = result_store.ResultStore(results, {})
-        learners = read_all(collection, answer_keys, store, quiet=quiet)
+        learners = read_all(collection, answer_keys, result_store.ResultStore(results, {}))
     lines = [f"layout {collection.layout}: {count_of(len(learners), 'learner')}, nothing graded"]
     for learner in learners:
         lines.append(learner.name)
@@ -228,19 +226,14 @@ class LearnerPages:
         policy = self._rules.policy
         try:
             results = {lesson: self._store.result(digest) for lesson, digest in learner.digests.items()}
-            keep = partial(self._keep_parts, learner)
+            pages = [self._store.page(digest)[2] for digest in learner.digests.values()]
+            answers = dict(chain.from_iterable(page["answers"].items() for page in pages))
+            keep = partial(self.parts.keep, entry["page"], answers)
             page = learner_page(page_entry, results, self._answer_keys, policy, keep=keep)
         except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
             self.failed[page_entry["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
             page = learner_page(page_entry, {}, self._answer_keys, policy, incomplete=True)
         result_store.write_grades_file(self._out / entry["page"], page)
-
-    def _keep_parts(self, learner, lesson, exercises):
-        """Keep what the teacher's pages show of a lesson's answers; the lesson may have none."""
-        digest = learner.digests.get(lesson)
-        answers = self._store.page(digest)[2]["answers"] if digest else {}
-        for exercise in exercises:
-            self.parts.keep(learner.name, exercise["id"], answers.get(exercise["id"], ""), exercise["review"])
 
 
 def write_grades(out, grades, pages):
@@ -252,11 +245,9 @@ def write_grades(out, grades, pages):
     result_store.write_grades_file(out / "grades.json", text)
     result_store.write_grades_file(out / "grades.csv", grades_csv(grades))
     page_grades = grades_json.without_names(grades) if grades["anonymous_pages"] else grades
-    entries = zip(page_grades["learners"], grades["learners"], strict=True)
-    names = {shown_entry["name"]: entry["name"] for shown_entry, entry in entries}
     if before is not None and grades_json.grades_text(before) != text:
         result_store.write_grades_file(out / PREVIOUS, grades_json.grades_text(before))
-    _write_review(out, page_grades, pages.parts, names, pages.solutions)
+    _write_review(out, page_grades, pages.parts, pages.solutions)
     files = feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         result_store.write_grades_file(out / "exports" / name, data)

@@ -43,8 +43,7 @@ def grades_text(grades):
     """The text of grades.json: the same for the same grades."""
     # One line per learner: json's own indentation is several times slower.
     learners = ",\n".join(json.dumps(learner, sort_keys=True) for learner in grades["learners"])
-    other_fields = json.dumps(grades | {"learners": []}, sort_keys=True)
-    head, tail = other_fields.split('"learners": []')
+    head, tail = json.dumps(grades | {"learners": []}, sort_keys=True).split('"learners": []')
     return f'{head}\n"learners": [\n{learners}\n]{tail}\n'
 
 

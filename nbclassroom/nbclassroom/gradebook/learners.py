@@ -58,7 +58,7 @@ class Learner:
         return {lesson: one.answers_digest for lesson, one in self.submissions.items() if one.answers_digest}
 
 
-def read_all(collection, answer_keys, store, *, quiet=None):
+def read_all(collection, answer_keys, store):
     """The Learners of all files, by name; their answers are added to the store.
 
     CollectError, with a list: which of a learner's files counts is unknown.
@@ -67,7 +67,7 @@ def read_all(collection, answer_keys, store, *, quiet=None):
     seconds: dict[str, float] = defaultdict(float)
     by_lesson, doubtful = defaultdict(list), []
     with NotebookReader(NOTEBOOK_SECONDS) as reader:
-        for file in tqdm(collection.files, desc="reading", unit=" files", disable=quiet, leave=False):
+        for file in tqdm(collection.files, desc="reading", unit=" files", disable=None, leave=False):
             start = time.monotonic()
             learner = learners.setdefault(file.learner, Learner(file.learner))
             if seconds[learner.name] > READING_SECONDS:
@@ -126,5 +126,4 @@ def _latest(submissions):
     if not answered:
         return sorted(submissions, key=lambda one: bool(one.answers_digest))[-1:]
     newest = dict(sorted(one.file.version for one in answered)).items()  # of each family the last one
-    latest = (one for one in answered if one.file.version in newest)
-    return list({one.answers_digest: one for one in latest}.values())
+    return list({one.answers_digest: one for one in answered if one.file.version in newest}.values())

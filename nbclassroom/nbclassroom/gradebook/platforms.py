@@ -34,7 +34,7 @@ COLUMNS = (
 EXCUSED = "EX"  # what Canvas writes
 _CANVAS = ("Student", "ID"), ("LastName", "FirstName", "ID")
 _NUMBER = re.compile(r"[+-]?[\d.,]*")
-_WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
+_ITS_NUMBER = re.compile(r" \(\d+\)\Z")  # of an assignment
 
 
 def grades_csv(grades):
@@ -127,8 +127,7 @@ def read_tables(paths):
 
 def _is_canvas(table):
     """Whether Canvas exported it; else Moodle did."""
-    begins = any(table.columns[: len(names)] == names for names in _CANVAS)
-    return begins and "Section" in table.columns
+    return "Section" in table.columns and any(table.columns[: len(one)] == one for one in _CANVAS)
 
 
 def fill_table(table, grades):
@@ -155,18 +154,16 @@ def fill_table(table, grades):
         [cell if _NUMBER.fullmatch(cell.strip()) else without_formulas(cell) for cell in row]
         for row in (table.columns, *rows)
     )
-    text = csv_text(cells, delimiter=table.delimiter)
-    return table.byte_order_mark + text, lines
+    return table.byte_order_mark + csv_text(cells, delimiter=table.delimiter), lines
 
 
 def _graded_lessons(grades):
     """{learner's name: {lesson: entry}}, without lessons that are graded in part."""
-    any_counts = grades["open_as_zero"]
     return {
         learner["name"]: {
             one["lesson"]: one
             for one in learner["lessons"]
-            if one["status"] == "graded" and (any_counts or not one["open_points"])
+            if one["status"] == "graded" and (grades["open_as_zero"] or not one["open_points"])
         }
         for learner in grades["learners"]
     }
@@ -181,8 +178,7 @@ def _lesson_columns(table, grades):
     names |= {lesson["title"].casefold(): name for name, lesson in lessons.items()}
     columns = {}
     for number, column in enumerate(table.columns):
-        match = _WITH_NUMBER.fullmatch(column)
-        title = lesson_name((match[1] if match else column).strip().casefold())
+        title = lesson_name(_ITS_NUMBER.sub("", column).strip().casefold())
         if number > table.columns.index("Section") and title in names:
             columns[number] = names[title]
     if not columns:

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import course
-from ..autograder.outcomes import TEXTS, Outcome
+from ..autograder.outcomes import PHRASES, Outcome
 from ..autograder.sanitize import sanitize_text, spreadsheet_text
 from ..autograder.written_answer import rendered_text
 from .csv_table import csv_text
@@ -117,7 +117,7 @@ def _own_code(name):
     """A file of ours that a page contains as it is, and its hash, by which the page's policy allows it."""
     text = (TEMPLATES / name).read_text(encoding="utf-8")
     digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
-    return _environment().filters["safe"](text), f"'sha256-{digest}'"
+    return safe_html(text), f"'sha256-{digest}'"
 
 
 def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, keep=None):
@@ -125,13 +125,13 @@ def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, 
 
     Of a lesson without a GradedSubmission in `results`, {lesson: result}, the page shows only the points.
     `policy` is the LatePolicy or None; `incomplete`: the page says that its details are missing. `keep` is
-    called with each lesson's name and its exercises, whose `review` is what the teacher sees of the checks.
+    called with each exercise, whose `review` is what the teacher sees of the checks.
     """
     content = {"learner": entry, "late_policy": policy and policy.text, "incomplete": incomplete}
     content |= {"submitted": submitted_lessons(entry), "offered": len(answer_keys.lessons)}
     lessons = [_lesson_view(one, results.get(one["lesson"]), answer_keys) for one in entry["lessons"]]
-    for lesson in lessons if keep else ():
-        keep(lesson["lesson"], lesson["exercises"])
+    for exercise in [one for lesson in lessons for one in lesson["exercises"]] if keep else ():
+        keep(exercise)
     return render_page("learner.html", lessons=lessons, **content)
 
 
@@ -178,35 +178,32 @@ class AnswerParts:
         self._file, self._places = tempfile.TemporaryFile(dir=folder), {}  # noqa: SIM115 - `close` closes it
         self.close = self._file.close
 
-    def keep(self, learner, exercise, answer, body):
-        """Keep the source of an answer, and its checks as HTML."""
-        texts = [text.encode("utf-8") for text in (_coloured(answer), body)]
-        self._places[learner, exercise] = self._file.seek(0, 2), *map(len, texts)
+    def keep(self, page, answers, exercise):
+        """Keep the source of an answer, and its checks as HTML, by the path of its learner's page."""
+        parts = _coloured(answers.get(exercise["id"], "")), exercise["review"]
+        texts = [text.encode("utf-8") for text in parts]
+        self._places[page, exercise["id"]] = self._file.seek(0, 2), *map(len, texts)
         self._file.writelines(texts)
 
-    def read(self, learner, exercise):
+    def read(self, page, exercise):
         """(source, checks) of an answer, both HTML; empty if its page could not be written."""
-        from jinja2.utils import markupsafe  # see `prepare_templates`
-
-        start, *lengths = self._places.get((learner, exercise), (0, 0, 0))
+        start, *lengths = self._places.get((page, exercise), (0, 0, 0))
         self._file.seek(start)
-        return [markupsafe.Markup(self._file.read(length).decode("utf-8")) for length in lengths]
+        return [safe_html(self._file.read(length).decode("utf-8")) for length in lengths]
 
 
 def _coloured(source):
     """A source as HTML; hidden characters are made visible before."""
-    from jinja2.utils import markupsafe
-
     text = sanitize_text(source, 2 * _MOST_COLOURED)
-    span, parts, end = markupsafe.Markup('<span class="{}">{}</span>'), [], 0
+    span, parts, end = safe_html('<span class="{}">{}</span>'), [], 0
     for token in _TOKENS.finditer(text) if len(text) <= _MOST_COLOURED else ():
         parts += [text[end : token.start()], span.format(token.lastgroup, token[0])]
         end = token.end()
-    return markupsafe.Markup("").join([*parts, text[end:]])
+    return safe_html("").join([*parts, text[end:]])
 
 
-def review_pages(grades, parts, names, solutions):
-    """Yields (path, HTML) of each page; `parts` are AnswerParts, `names` {shown name: the learner's}.
+def review_pages(grades, parts, solutions):
+    """Yields (path, HTML) of each page; `parts` are AnswerParts.
 
     `solutions(lesson)` gives {exercise: solution}, of what a person grades a model answer.
     """
@@ -214,7 +211,7 @@ def review_pages(grades, parts, names, solutions):
     if reviews:
         yield "review.html", render_page("review.html", reviews=reviews)
     for one, *around in zip(reviews, [None, *reviews], [*reviews[1:], None], strict=False):
-        content = {"review": one, "around": around, "parts": parts, "names": names, "model": ""}
+        content = {"review": one, "around": around, "parts": parts, "model": ""}
         if one["rubric"]:
             content["model"] = safe_html(rendered_text(solutions(one["lesson"]["lesson"])[one["id"]]))
             content["line"] = csv_text([(EVERYBODY, one["lesson"]["lesson"], one["id"])], lineterminator="")
@@ -265,7 +262,7 @@ def _way(exercise):
 
 def _ending(case):
     """How a case ended; of an exception its name, because the rest quotes the learner's own line."""
-    label, message = TEXTS[case["outcome"]].label, case["message"]
+    label, message = PHRASES[case["outcome"]], case["message"]
     if case["outcome"] == Outcome.RAISED:
         message = "".join(re.findall(r"^[A-Z]\w+", message))
     is_drive = message.startswith("The robot ")  # and returned no other value

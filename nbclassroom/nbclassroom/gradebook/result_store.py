@@ -35,7 +35,6 @@ _RULES: dict[str, tuple[str, Callable[[str], Any]]] = {
     "roster": ("the roster", Path),
     "layouts": ("the layout", str),
 }
-RULES = tuple(_RULES)
 _LISTS = ("keys", "layouts")  # whose value is a list
 
 
@@ -104,12 +103,12 @@ class ResultStore:
             return None
 
 
-def grade_missing(learners, answer_keys, store, *, fresh, quiet, on_result, **options):
+def grade_missing(learners, answer_keys, store, *, fresh, on_result, **options):
     """Grade what has no result, or all if `fresh`, equal answers once; the number of those graded now."""
     digests = sorted({digest for learner in learners for digest in learner.digests.values()})
     missing = [digest for digest in digests if fresh or store.result(digest) is None]
     done, about = len(digests) - len(missing), {"desc": "grading", "unit": " submissions"}
-    with tqdm(total=len(digests), initial=done, disable=quiet, **about) as bar:
+    with tqdm(total=len(digests), initial=done, disable=None, **about) as bar:
         threading.Thread(target=show_time, args=(bar,), daemon=True).start()
         keys = {digest: answer_keys.key_of(store.page(digest)[0]) for digest in missing}
         submissions = ((digest, *store.page(digest)[1:]) for digest in missing)
@@ -128,7 +127,7 @@ def show_time(bar):
 
 
 class RunRules:
-    """The rules of a run: those given, and else those of the run before; `given` has a value for each name.
+    """The rules of a run: those given, and else those of the run before; `given` are the options of `grade`.
 
     rules  {name: value}, as the command `grade` takes them
     kept   texts: the rules that were not given, and are those of the run before
@@ -137,7 +136,7 @@ class RunRules:
     def __init__(self, out, given, *, forget=False):
         self._path = Path(out) / _RULES_FILE
         before = {} if forget else _read_rules(self._path)
-        given = {name: value for name, value in given.items() if value}
+        given = {name: given[name] for name in _RULES if given[name]}
         self.rules = dict.fromkeys(_RULES) | before | given
         self.rules["keys"] = self.rules["keys"] or [Path("key")]
         self.kept = [_text_of(name, value) for name, value in before.items() if name not in given]

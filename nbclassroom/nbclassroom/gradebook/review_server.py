@@ -18,7 +18,7 @@ from pathlib import Path
 from ..authoring.lesson_names import lesson_name
 from ..autograder.sanitize import spreadsheet_text
 from ..exercises.progress import one_at_a_time
-from .answer_keys import load_keys
+from .answer_keys import AnswerKeys
 from .csv_table import TableError, csv_text, is_comment, read_csv
 from .report import count_of
 from .result_store import write_grades_file
@@ -52,7 +52,7 @@ class ReviewServer(ThreadingHTTPServer):
 
 def serve_review(out, keys, decisions=None, *, say=print):
     """Serve the pages of a folder of grades until Ctrl-C; the arguments are those of the command `grade`."""
-    with ReviewServer(out, decisions or Path(out) / "decisions.csv", load_keys(keys)) as server:
+    with ReviewServer(out, decisions or Path(out) / "decisions.csv", AnswerKeys(keys)) as server:
         say(f"Read the answers and decide: {server.url}")
         say("What you type there is saved at once, and counted when you press Ctrl-C here.")
         with contextlib.suppress(KeyboardInterrupt):

@@ -53,8 +53,7 @@ def read_roster(path):
             f"{path}: its columns are {shown_columns}; expected one that"
             " names people: Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
         )
-    entries = (entry_of(table.record(row)) for _, row in table.rows)
-    return [entry for entry in entries if entry is not None]
+    return list(filter(None, (entry_of(table.record(row)) for _, row in table.rows)))
 
 
 def entry_of(row):
@@ -111,10 +110,9 @@ def names_in_roster(roster, learners):
     names: dict[str, str | None] = {}
     count = Counter(name for entry in roster for name in {entry.name, *entry.names})
     for entry, senders in _people(roster, learners).items():
-        certainties = []  # of two with nearly one name, the platform's number decides, then the exact name
-        for one in senders:
-            has_name = one.name.casefold() in map(str.casefold, entry.names)
-            certainties.append((entry.number in one.numbers, has_name, one.name))
+        # Of two with nearly one name, the platform's number decides, then the exact name.
+        own = set(map(str.casefold, entry.names))
+        certainties = [(entry.number in one.numbers, one.name.casefold() in own, one.name) for one in senders]
         sender = max(certainties)[-1] if senders else None
         names |= {name: sender for name in (entry.name, *entry.names) if count[name] == 1}
     return names

@@ -217,10 +217,9 @@ def _signs_of_lessons(cells, catalog):
 
 def _most(sets):
     """The key whose set is the largest; None if all are empty, or two are equally large."""
-    sizes = sorted(((len(values), key) for key, values in sets.items()), reverse=True)
-    if not sizes or not sizes[0][0] or (len(sizes) > 1 and sizes[0][0] == sizes[1][0]):
-        return None
-    return sizes[0][1]
+    largest = max(map(len, sets.values()), default=0)
+    keys = [key for key, values in sets.items() if values and len(values) == largest]
+    return keys[0] if len(keys) == 1 else None
 
 
 def _inspect_answer(exercise, answer, content):
@@ -272,8 +271,7 @@ def _inspect_source(exercise, answer, content):
 
 def _problem(exercise, cell):
     """(why a marked cell cannot get its points, whether a slip may be the cause), ("", False) if it can."""
-    lines = map(str.strip, cell["source"].splitlines())
-    if all(not line or line.startswith("#") for line in lines):
+    if all(not line or line.startswith("#") for line in map(str.strip, cell["source"].splitlines())):
         return "its answer cell is empty", False
     if cell["answer"]["error"]:
         return _syntax_problem(*cell["answer"]["error"]), False

@@ -4,7 +4,7 @@ import statistics
 from collections import Counter
 from itertools import chain
 
-from ..autograder.outcomes import CELL_FAILS, TEXTS, Outcome
+from ..autograder.outcomes import CELL_FAILS, PHRASES, Outcome
 from ..autograder.sanitize import spreadsheet_text
 from ..exercises.running import MEANT
 from .csv_table import csv_text
@@ -135,7 +135,7 @@ def _about_exercises(lesson):
             is_module = outcome is Outcome.REFUSED_MODULE  # as the messages of its cases name it
             messages = [case["message"] for case in cases if is_module and case["outcome"] == outcome]
             module = next(filter(None, messages), "").rpartition(" ")[2]
-            text = f"{TEXTS[outcome].label}: {module}" if module else TEXTS[outcome].label
+            text = f"{PHRASES[outcome]}: {module}" if module else PHRASES[outcome]
             yield _LIST_OF[outcome], id, f"{id}: {text}"
         is_elsewhere = exercise["cause"] and exercise["message"]
         if is_elsewhere:

@@ -144,9 +144,9 @@ def _exercise(text, lesson, answer_keys, place):
     if not text:
         return None
     for key in answer_keys.keys:
-        key_lesson, exercise = key.find(text)
-        if exercise and key_lesson.name == lesson.name and not exercise.practice:
-            return exercise
+        for exercise in key.lessons.get(lesson.name, lesson).exercises:
+            if exercise.id == text and not exercise.practice:
+                return exercise
     names = ", ".join(exercise.id for exercise in lesson.exercises if not exercise.practice)
     problem = f"{lesson.name} has no exercise {_quoted(text)}"
     raise TableError(f"{place}: {problem}; it has {names or 'none with points'}")

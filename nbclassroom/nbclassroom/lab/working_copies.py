@@ -142,13 +142,9 @@ def _name_under_older_number(folder, name, origins):
 
 def _take_origin(origins, folder, name, old_name):
     """Where a copy came from; also under an older number, if an update was interrupted after its renaming."""
-    if name in origins:
-        return origins.pop(name)
-    unnumbered = _unnumbered(name)
-    for entry in sorted(origins):
-        if _unnumbered(entry) == unnumbered and (entry == old_name or not (folder / entry).exists()):
-            return origins.pop(entry)
-    return None
+    older = [entry for entry in sorted(origins) if _unnumbered(entry) == _unnumbered(name)]
+    taken = [name, old_name, *(entry for entry in older if not (folder / entry).exists())]
+    return next((origins.pop(entry) for entry in taken if entry in origins), None)
 
 
 def _unnumbered(name):
@@ -208,8 +204,7 @@ def _work_digest(name, data):
     """
     if name.endswith(".ipynb"):
         with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
-            cells = json.loads(data)["cells"]
-            work = [_work_of(cell) for cell in cells]
+            work = [_work_of(cell) for cell in json.loads(data)["cells"]]
             return _digest(json.dumps(work, sort_keys=True).encode())
     return _digest(data)
 

@@ -30,7 +30,7 @@ from tqdm import tqdm
 from nbclassroom import course
 from nbclassroom.autograder.answer_key import read_or_make_seed, require_unguessable
 from nbclassroom.autograder.nbval_plugin import MAX_ANSWER, ExerciseRun, PageKernels
-from nbclassroom.autograder.outcomes import TEXTS, Outcome
+from nbclassroom.autograder.outcomes import PHRASES, Outcome
 from nbclassroom.autograder.results import checked_exercise
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
@@ -94,7 +94,7 @@ class Controller:
     def notes(self):
         """Sentences about what went wrong, without a text of the learner's."""
         outcomes = [drive.outcome for drive in self.explorations if not drive.values]
-        ends = [(outcomes.count(outcome), TEXTS[outcome].label) for outcome in Outcome if outcome in outcomes]
+        ends = [(outcomes.count(outcome), PHRASES[outcome]) for outcome in Outcome if outcome in outcomes]
         notes = [f"{count_of(count, 'room')} without points: {label}" for count, label in ends]
         silent = sum(bool(drive.values) and not drive.told for drive in self.explorations)
         return notes + ([f'nothing in memory["found"] in {count_of(silent, "room")}'] if silent else [])
@@ -108,7 +108,7 @@ def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, 
     rooms     how many
     seed      secret; None: the one stored in `out`, or a new one
     names     show names instead of aliases
-    options   workers, None for one per core; unsafe: without a sandbox; quiet: no progress bar
+    options   workers, None for one per core; unsafe: without a sandbox
 
     SandboxError and ValueErrors are one line with the remedy.
     """
@@ -173,8 +173,7 @@ def _reason_not_to_drive(source):
         return f"line {error.lineno or 1} is not Python"
     except UNPARSABLE:
         return "it is too complicated to be read"
-    is_there = bound_names(source) & {FUNCTION, "*"}
-    return "" if is_there else "it does not define control(observation, memory)"
+    return "" if bound_names(source) & {FUNCTION, "*"} else "it does not define control(observation, memory)"
 
 
 def name_all(controllers, seed, *, with_names=False):
@@ -203,14 +202,14 @@ def _secret_number(seed, about):
     return int.from_bytes(digest[:4]) >> 1
 
 
-def _drive_and_draw(controllers, scenarios, *, workers=None, unsafe=False, quiet=None):
+def _drive_and_draw(controllers, scenarios, *, workers=None, unsafe=False):
     """The controllers in the order of their scores, with their explorations, ranks and images."""
     executor = ProcessPoolExecutor(workers, get_context("spawn"), start_drives, (unsafe,))
     try:
         # One room after another: its images are made once in each process.
         pairs = list(itertools.product(scenarios, controllers))
         futures = [executor.submit(explore, one.source, scenario) for scenario, one in pairs]
-        bar = tqdm(futures, desc="driving", unit=" drives", disable=quiet, leave=False)
+        bar = tqdm(futures, desc="driving", unit=" drives", disable=None, leave=False)
         for (_, controller), future in zip(pairs, bar, strict=True):
             controller.explorations.append(future.result())
         ranked = ranking(controllers)
@@ -306,14 +305,13 @@ def draw(record, scenario, *, with_film):
 
 
 def _exercise(scenario):
-    case = Case(_CASE, "", 1, "", 0.0, calls=(ExpectedCall((scenario,)),))
     return Exercise(
         id="league",
         function=FUNCTION,
         subject="drive",
         sensors=SENSORS,
         allowed=(*course.drive_allowed, *course.league_allowed),
-        cases=(case,),
+        cases=(Case(_CASE, "", 1, "", 0.0, calls=(ExpectedCall((scenario,)),)),),
     )
 
 
@@ -321,7 +319,6 @@ def _found(run: CaseRun) -> dict | None:
     """What a controller says that it found, as `course.league_score` takes it; None if it says nothing."""
     try:
         (told,) = run.told
-        markers = {int(number): (x, y) for number, x, y in told["markers"]}
-        return {"markers": markers, "word": told["word"]}
+        return {"markers": {int(number): (x, y) for number, x, y in told["markers"]}, "word": told["word"]}
     except (TypeError, ValueError, LookupError, OverflowError):
         return None

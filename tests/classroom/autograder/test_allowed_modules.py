@@ -5,6 +5,7 @@ from textwrap import dedent
 import pytest
 from nbclassroom.autograder.sandbox.bubblewrap import Limits
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
+from printed import run_printing
 
 pytestmark = pytest.mark.sandbox
 DOUBLES = "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)\n"
@@ -19,9 +20,9 @@ def kernel_factory():
 def run(kernel_factory, allowed, code):
     """(what a new kernel prints, the error)."""
     kernel = kernel_factory.start(allowed, 60)
-    result = kernel.run(code)
+    result, printed = run_printing(kernel, code)
     kernel.stop()
-    return result.printed, result.error
+    return printed, result.error
 
 
 USES = {

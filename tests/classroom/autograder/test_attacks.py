@@ -22,4 +22,4 @@ def test_an_attack_gains_nothing_is_reported_and_harms_nobody(results, attack):
     assert not attack.unreported or attack.unreported not in public.message
     assert "seen" not in hidden.message.lower()
     assert result.harmed == ()
-    assert result.alone.points == result.alone.max_points == 10
+    assert result.alone.points == 10

@@ -9,6 +9,7 @@ import platform
 import pytest
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
+from printed import run_printing
 
 pytestmark = [
     pytest.mark.sandbox,
@@ -157,17 +158,18 @@ def test_one_kernel_leaves_nothing_for_the_next(kernel_factory, name):
     leave, look = CHANNELS[name]
     first = kernel_factory.start((), 30)
     try:
-        before = first.run("import os\nprint((os.getpriority(0, 0), len(os.sched_getaffinity(0))))").printed
-        left = first.run(leave)
-        assert (left.ended, left.printed.strip()) == ("", "")
+        before = "import os\nraise ValueError((os.getpriority(0, 0), len(os.sched_getaffinity(0))))"
+        _, before = first.run(before).error
+        left, printed = run_printing(first, leave)
+        assert (left.ended, printed.strip()) == ("", "")
     finally:
         first.stop()
     second = kernel_factory.start((), 30)
     try:
         assert second.run(f"BEFORE = {before}").ended == ""
-        found = second.run(look)
+        found, printed = run_printing(second, look)
         assert (found.ended, found.error) == ("", ("", ""))
-        assert found.printed.split() == []
+        assert printed.split() == []
     finally:
         second.stop()
 
@@ -180,5 +182,5 @@ def test_a_fork_server_that_has_lost_its_bubblewrap_ends_with_its_kernels(monkey
     monkeypatch.setattr(bubblewrap, "sandbox_command", lambda _: ["sh", "-c", live_on, "sh", *command])
     with KernelFactory(unsafe=True) as factory:
         kernel = factory.start((), 10)
-        assert kernel.run("print(6 * 7)").printed == "42\n"
+        assert kernel.run("assert 6 * 7 == 42").error == ("", "")
         kernel.stop()

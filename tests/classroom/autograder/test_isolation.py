@@ -10,6 +10,7 @@ from nbclassroom.autograder.nbval_plugin import ExerciseRun, PageKernels
 from nbclassroom.autograder.pool import Limits, SandboxError, autograde
 from nbclassroom.autograder.sandbox.fork_server_client import ForkedKernel, KernelFactory
 from nbclassroom.exercises.page import page_of
+from printed import run_printing
 
 pytestmark = pytest.mark.sandbox
 MEAN = "float(np.mean(values))"
@@ -151,7 +152,7 @@ def test_a_kernel_that_ended_while_it_waited_is_replaced(key, right):
 STATE = """import random, signal, sys
 print(sorted(name for name in globals() if not name.startswith("_")))
 print(random.random(), np.random.random(), signal.getitimer(signal.ITIMER_PROF))
-print(signal.getsignal(signal.SIGINT).__name__, sys.exc_info(), sys.stdout.name)
+print(signal.getsignal(signal.SIGINT).__name__, sys.exc_info(), sys.__stdout__.name)
 print(get_ipython().execution_count, _, __, sorted(get_ipython().user_ns_hidden)[:3], In, Out)"""
 
 
@@ -160,8 +161,8 @@ def test_a_kernel_that_has_waited_is_as_a_new_one():
     with KernelFactory() as kernel_factory:
         for _ in range(3):  # a new one, then two that have waited
             kernel = kernel_factory.start((), 5.0)
-            run = kernel.run(STATE)
-            texts.append((run.printed, run.error))
+            run, printed = run_printing(kernel, STATE)
+            texts.append((printed, run.error))
             kernel.stop()
     assert "random" in texts[0][0] and texts[0][1] == ("", "")
     assert texts[1:] == texts[:1] * 2

@@ -30,7 +30,6 @@ def test_the_stored_answer_equals_what_is_within_the_tolerance():
     stored = StoredAnswer([canonical(2.0)], tolerance=0.1)
     assert stored == shown(2.05)
     assert stored != shown(2.2)
-    assert "2.2" in stored.explain(shown(2.2))
     assert stored != "passed"
     assert stored != CaseRun()
 

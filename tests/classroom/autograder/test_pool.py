@@ -16,7 +16,7 @@ import pytest
 from nbclassroom.autograder import nbval_process
 from nbclassroom.autograder.nbval_plugin import ExerciseRun, PageKernels
 from nbclassroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
-from nbclassroom.autograder.outcomes import TEXTS, Outcome
+from nbclassroom.autograder.outcomes import PHRASES, Outcome
 from nbclassroom.autograder.pool import Limits, SandboxError, autograde, grade_one, open_worker_threads
 from nbclassroom.autograder.results import from_json, to_json
 from nbclassroom.autograder.sandbox import bubblewrap
@@ -103,7 +103,7 @@ def test_each_sample_gets_its_outcome(results, name):
     assert tuple(case.outcome for case in exercise.cases) == outcomes
     points = sum(points for points, outcome in zip((1, 2), outcomes, strict=True) if outcome == "passed")
     assert (exercise.points, exercise.max_points) == (points, 3)
-    assert (results[name].points, results[name].max_points) == (7 + points, 10)
+    assert results[name].points == 7 + points
 
 
 def test_a_result_is_read_back_from_its_json(results):
@@ -135,8 +135,7 @@ def test_a_hidden_check_says_that_the_cell_does_not_run_or_which_exception_was_r
 
 
 def test_every_outcome_has_its_texts():
-    assert set(TEXTS) == set(Outcome)
-    assert all(texts.label for texts in TEXTS.values())
+    assert all(PHRASES[outcome] for outcome in Outcome)
 
 
 def test_a_failed_public_case_shows_what_it_printed(results):

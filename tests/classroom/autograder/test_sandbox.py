@@ -13,6 +13,7 @@ import pytest
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.bubblewrap import Limits, used_under
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
+from printed import run_printing
 
 pytestmark = pytest.mark.sandbox
 
@@ -20,7 +21,8 @@ pytestmark = pytest.mark.sandbox
 def test_the_environment_and_the_paths_reveal_nothing():
     with KernelFactory() as kernel_factory:
         kernel = kernel_factory.start((), 30)
-        printed = kernel.run("import os, sys\nprint(os.environ, sys.path, sys.prefix, os.uname())").printed
+        code = "import os, sys\nprint(os.environ, sys.path, sys.prefix, os.uname())"
+        _, printed = run_printing(kernel, code)
         kernel.stop()
     checkout = Path(bubblewrap.__file__).parents[4]
     for trace in (str(Path.home()), str(checkout), os.uname().nodename, "PYTEST", "VIRTUAL_ENV"):
@@ -57,7 +59,7 @@ def test_an_installed_copy_of_the_course_is_empty_inside(monkeypatch, tmp_path):
     code += "print([n for n in os.listdir('/course/packages/nbclassroom/autograder')])"
     with KernelFactory() as kernel_factory:
         kernel = kernel_factory.start((), 30)
-        printed = kernel.run(code).printed
+        printed = run_printing(kernel, code)[1]
         kernel.stop()
     names = "__editable__.imgproc_course.pth beside.py imgproc_course nbclassroom"
     assert printed.split("\n")[:2] == [names, "[] []"]
@@ -157,8 +159,8 @@ def test_all_processes_of_a_kernel_together_keep_to_its_memory():
         assert most < 2 << 30  # it tries to use 2.4 GB
         kernel.stop()
         after = kernel_factory.start((), 5)
-        ran = after.run("import time\nx = np.ones(120 << 20, np.uint8)\ntime.sleep(0.2)\nprint(x[-1])")
-        assert (ran.printed, ran.ended) == ("1\n", "")
+        ran = after.run("import time\nx = np.ones(120 << 20, np.uint8)\ntime.sleep(0.2)\nassert x[-1] == 1")
+        assert (ran.error, ran.ended) == (("", ""), "")
         after.stop()
 
 
@@ -189,9 +191,9 @@ CALLS = "56, 29, 72, 64, 68, 103, 162, 165, 248, 249, 250, 272, 306, 308, 319, 4
 def test_calls_that_nobody_counts_or_that_slow_others_are_refused_and_threads_are_not():
     with KernelFactory() as kernel_factory:
         kernel = kernel_factory.start((), 30)
-        run = kernel.run(REFUSED.replace("CALLS", CALLS))
+        run, printed = run_printing(kernel, REFUSED.replace("CALLS", CALLS))
         kernel.stop()
-    assert (run.printed.splitlines(), run.error) == (["a thread", "a process"], ("", ""))
+    assert (printed.splitlines(), run.error) == (["a thread", "a process"], ("", ""))
 
 
 # ---------------------------------------------------------------- a user who is not root
@@ -211,10 +213,10 @@ from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.autograder.sandbox.bubblewrap import used_under
 with KernelFactory() as kernel_factory:
     kernel = kernel_factory.start(("scipy",), 30)
-    print(kernel.run("import os, scipy; print(os.getuid(), scipy.__name__)").printed)
-    print(kernel.run("print(open('/proc/self/status').read().count('0000000000000000'))").printed)
+    print(kernel.run("import os, scipy; raise ValueError(f'{{os.getuid()}} {{scipy.__name__}}')").error[1])
+    print(kernel.run("raise ValueError(open('/proc/self/status').read().count('0000000000000000'))").error[1])
     kernel.run({MARKS!r})
-    print(kernel.run("print(sorted(written))").printed)
+    print(kernel.run("raise ValueError(sorted(written))").error[1])
     kernel.stop()
 """
 
@@ -243,14 +245,14 @@ def test_a_user_who_is_not_root_has_a_sandbox_too():
     )
     lines = done.stdout.split("\n")
     assert lines[0].endswith(" scipy"), done.stderr[-2000:]
-    assert lines[4] == "['/dev/shm', '/tmp']"  # its own; the next kernel would find what it wrote elsewhere
-    assert int(lines[2]) >= 5  # inheritable, permitted, effective, bounding, ambient: all empty
+    assert lines[2] == "['/dev/shm', '/tmp']"  # its own; the next kernel would find what it wrote elsewhere
+    assert int(lines[1]) >= 5  # inheritable, permitted, effective, bounding, ambient: all empty
 
 
 def test_a_kernel_does_not_see_which_folders_are_mounted_in_it():
     """No page can filter every form of a path, such as its hexadecimal digits."""
     with KernelFactory() as kernel_factory:
         kernel = kernel_factory.start((), 30)
-        read = "print([open(f'/proc/{place}/mountinfo').read() for place in ('self', 'thread-self', 1)])"
-        assert kernel.run(read).printed == "['', '', '']\n"
+        read = "[open(f'/proc/{place}/mountinfo').read() for place in ('self', 'thread-self', 1)]"
+        assert kernel.run(f"raise ValueError({read})").error == ("ValueError", "['', '', '']")
         kernel.stop()

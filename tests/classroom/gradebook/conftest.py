@@ -16,7 +16,7 @@ from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.nbval_process import open_worker_threads
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.gradebook import check
-from nbclassroom.gradebook.answer_keys import load_keys
+from nbclassroom.gradebook.answer_keys import AnswerKeys
 from nbclassroom.gradebook.grade import grade_submissions
 from submissions import MASTERS, SEED
 from template_master import write_carried_files, write_master
@@ -72,7 +72,7 @@ def key_path(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def answer_keys(key_path):
-    return load_keys([key_path])
+    return AnswerKeys([key_path])
 
 
 @pytest.fixture
@@ -81,7 +81,7 @@ def grade(key_path, tmp_path):
 
     def graded(submissions, out=None, **options):
         out = out or tmp_path / "grades"
-        grade_submissions(submissions, [key_path], out, **({"workers": 1, "quiet": True} | options))
+        grade_submissions(submissions, [key_path], out, **({"workers": 1} | options))
         return json.loads((out / "grades.json").read_text(encoding="utf-8"))
 
     return graded

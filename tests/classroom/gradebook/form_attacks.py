@@ -349,7 +349,7 @@ def grade_attacks(light, key_path, folder):
     learners = []
     for name in ("alone", "submissions"):
         out = folder / f"{name}-grades"
-        grade_submissions(folder / name, [key_path], out, workers=1, quiet=True)
+        grade_submissions(folder / name, [key_path], out, workers=1)
         grades = json.loads((out / "grades.json").read_text(encoding="utf-8"))
         learners.append({learner["name"]: learner for learner in grades["learners"]})
     (alone,) = learners[0]["alone"]["lessons"]

@@ -68,7 +68,7 @@ def graded(light, key_path, tmp_path_factory):
         cell = {"id": "own", "cell_type": "code", "metadata": {}, "source": source}
         made["cells"].insert(0, cell | {"outputs": [], "execution_count": None})
         write(folder / "in" / name / "20_light.ipynb", made)
-    grade_submissions(folder / "in", [key_path], folder / "out", workers=1, quiet=True)
+    grade_submissions(folder / "in", [key_path], folder / "out", workers=1)
     return folder / "out"
 
 
@@ -157,7 +157,7 @@ def test_a_share_is_of_what_was_handed_out(masters, key_path, submissions, tmp_p
             made = notebook(masters[lesson], answers_of(masters[lesson], "right"))
             write(submissions / name / f"{lesson}.ipynb", made)
     for expected in (60, 100):  # bob's share, of 10 points; then nobody has sent the other lesson
-        grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+        grade_submissions(submissions, [key_path], tmp_path / "out", workers=1)
         (row,) = rows_of(tmp_path / "out", "Learners", "bob")
         assert f'<td class="number">{expected} %</td>' in row
         text = (tmp_path / "out" / "summary.html").read_text(encoding="utf-8")

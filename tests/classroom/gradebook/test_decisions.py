@@ -27,7 +27,7 @@ def class_folder(masters, key_path, tmp_path_factory):
     write(folder / "in" / "=Eve" / "20_light.ipynb", right, DEADLINE + timedelta(days=2, hours=1))
     write(folder / "in" / "'=Eve" / "20_light.ipynb", right, DEADLINE)
     write(folder / "in" / "Zoe" / "20_light.ipynb", b"{", DEADLINE)
-    grade_submissions(folder / "in", [key_path], folder / "out", workers=1, quiet=True)
+    grade_submissions(folder / "in", [key_path], folder / "out", workers=1)
     return folder
 
 
@@ -39,7 +39,7 @@ def grade(class_folder, key_path, tmp_path):
         if decisions:
             (tmp_path / "decisions.csv").write_text(decisions, encoding="utf-8")
             options["decisions"] = tmp_path / "decisions.csv"
-        options = {"workers": 1, "quiet": True} | options
+        options = {"workers": 1} | options
         summary = grade_submissions(class_folder / "in", [key_path], class_folder / "out", **options)
         grades = json.loads((class_folder / "out" / "grades.json").read_text())
         learners = {entry["name"]: entry for entry in grades["learners"]}
@@ -130,7 +130,7 @@ def test_a_row_for_a_name_that_two_have_names_both(light, submissions, key_path,
     (tmp_path / "decisions.csv").write_text(HEADER + "Ada A,light,,3,\n", encoding="utf-8")
     message = re.escape("no learner 'Ada A'; did you mean 'Ada A (11)' or 'Ada A (99)'?")
     with pytest.raises(TableError, match=message):
-        options = {"workers": 1, "quiet": True, "decisions": tmp_path / "decisions.csv"}
+        options = {"workers": 1, "decisions": tmp_path / "decisions.csv"}
         grade_submissions(submissions, [key_path], tmp_path / "out", **options)
 
 

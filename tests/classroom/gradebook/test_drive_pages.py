@@ -8,7 +8,7 @@ import pytest
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.nbval_process import usual_workers
-from nbclassroom.gradebook.answer_keys import load_keys
+from nbclassroom.gradebook.answer_keys import AnswerKeys
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.report import _way
 from submissions import notebook, write
@@ -32,13 +32,13 @@ def grades(tmp_path_factory):
     master = read_master(find_masters(MASTERS)[0])
     for name, source in {"ada": master.exercises[0].solution, "bo": SLOW}.items():
         write(folder / "submissions" / name / "10_driven.ipynb", notebook(master, {"driven-control": source}))
-    grade_submissions(folder / "submissions", [folder / "key"], folder / "grades", workers=1, quiet=True)
+    grade_submissions(folder / "submissions", [folder / "key"], folder / "grades", workers=1)
     return folder / "grades"
 
 
 def test_where_robots_drive_each_core_has_a_worker(grades, answer_keys, monkeypatch):
     monkeypatch.setattr(os, "cpu_count", lambda: 5)
-    assert usual_workers(load_keys([grades.parent / "key"]).lessons.values()) == 5
+    assert usual_workers(AnswerKeys([grades.parent / "key"]).lessons.values()) == 5
     assert usual_workers(answer_keys.lessons.values()) == 3
 
 

@@ -39,7 +39,7 @@ def classroom(tmp_path_factory, masters):
 @pytest.fixture(scope="module")
 def graded(classroom, key_path, tmp_path_factory):
     out = tmp_path_factory.mktemp("graded") / "grades"
-    summary = grade_submissions(classroom[0], [key_path], out, workers=1, quiet=True)
+    summary = grade_submissions(classroom[0], [key_path], out, workers=1)
     return out, summary
 
 
@@ -102,7 +102,7 @@ def test_another_order_and_more_workers_give_the_same_bytes(graded, classroom, k
     for learner in learners:
         shutil.copytree(learner, mixed / learner.name)
     out = tmp_path / "grades"
-    grade_submissions(mixed, [key_path], out, workers=3, quiet=True)
+    grade_submissions(mixed, [key_path], out, workers=3)
     for path in sorted(graded[0].rglob("*")):
         if path.is_file() and path.parent.name != "results":
             assert (out / path.relative_to(graded[0])).read_bytes() == path.read_bytes(), path.name
@@ -127,18 +127,15 @@ def test_an_interrupted_run_continues_where_it_stopped(light, key_path, submissi
     monkeypatch.setattr(ResultStore, "keep_result", keep_three)
     out = tmp_path / "grades"
     with pytest.raises(KeyboardInterrupt):
-        grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+        grade_submissions(submissions, [key_path], out, workers=1)
     assert not (out / "grades.json").exists()
     monkeypatch.setattr(ResultStore, "keep_result", keep)
     assert (
         "6 lessons graded (3 in this run; the others equal one of these, or were graded before)"
-        in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
+        in grade_submissions(submissions, [key_path], out, workers=1).text
     )
-    assert (
-        "(0 in this run; the others"
-        in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
-    )
-    again = grade_submissions(submissions, [key_path], out, workers=1, quiet=True, fresh=True)
+    assert "(0 in this run; the others" in grade_submissions(submissions, [key_path], out, workers=1).text
+    again = grade_submissions(submissions, [key_path], out, workers=1, fresh=True)
     assert "(6 in this run)" in again.text
 
 
@@ -154,7 +151,7 @@ def test_an_incomplete_result_is_graded_again(light, key_path, submissions, grad
 def test_equal_answers_are_graded_once(light, key_path, submissions, tmp_path):
     for name in ("ada", "bob", "eve"):
         write(submissions / f"{name}.ipynb", notebook(light, answers_of(light, "right")))
-    summary = grade_submissions(submissions, [key_path], tmp_path / "grades", workers=1, quiet=True)
+    summary = grade_submissions(submissions, [key_path], tmp_path / "grades", workers=1)
     assert "3 lessons graded (1 in this run; the others equal" in summary.text
 
 
@@ -183,14 +180,14 @@ def test_no_grades_among_the_submissions(light, key_path, submissions):
     write(submissions / "ada.ipynb", notebook(light))
     for out in (submissions, submissions / "grades", key_path / "grades"):
         with pytest.raises(ValueError, match="name a folder outside it"):
-            grade_submissions(submissions, [key_path], out, quiet=True)
+            grade_submissions(submissions, [key_path], out)
 
 
 def test_a_folder_that_cannot_be_written(light, key_path, submissions, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
     (tmp_path / "file").write_text("")
     with pytest.raises(ValueError, match="cannot be"):
-        grade_submissions(submissions, [key_path], tmp_path / "file" / "grades", quiet=True)
+        grade_submissions(submissions, [key_path], tmp_path / "file" / "grades")
 
 
 # ---------------------------------------------------------------- late, again, other versions
@@ -249,7 +246,7 @@ def test_an_older_version_is_graded_with_its_own_key_or_reported(
     lesson = lesson_of(grade(submissions), "ada")
     assert lesson["points"] == 6
     assert "it was made from version '0.0.9' of the lesson, not from version 0.1.0" in findings_of(lesson)
-    grade_submissions(submissions, [key_path, old], tmp_path / "both", workers=1, quiet=True)
+    grade_submissions(submissions, [key_path, old], tmp_path / "both", workers=1)
     both = json.loads((tmp_path / "both" / "grades.json").read_text())
     for learner, path in (("ada", old), ("bob", key_path)):
         lesson = lesson_of(both, learner)

@@ -440,7 +440,7 @@ def files(masters, tmp_path_factory):
 def graded(files, key_path, tmp_path_factory):
     """{name of the case: its lesson in grades.json}."""
     out = tmp_path_factory.mktemp("grades") / "grades"
-    grade_submissions(next(iter(files.values())).parents[1], [key_path], out, workers=1, quiet=True)
+    grade_submissions(next(iter(files.values())).parents[1], [key_path], out, workers=1)
     grades = json.loads((out / "grades.json").read_text(encoding="utf-8"))
     return {learner["name"]: learner["lessons"][0] for learner in grades["learners"]}
 

@@ -30,7 +30,7 @@ def read(answer_keys, tmp_path):
     def learners_of(submissions, **options):
         store = ResultStore(tmp_path / "results", {})
         with Collection(submissions, LESSONS, **options) as collection:
-            learners = read_all(collection, answer_keys, store, quiet=True)
+            learners = read_all(collection, answer_keys, store)
         return collection, {learner.name: learner for learner in learners}
 
     return learners_of

@@ -21,7 +21,7 @@ def table(light, key_path, tmp_path_factory):
     write(submissions / '=cmd|" ,x\n;y' / "x.ipynb", right)
     out = folder / "grades"
     layouts = ("Moodle", "Canvas", "{learner}")
-    grade_submissions(submissions, [key_path], out, workers=1, quiet=True, layouts=layouts)
+    grade_submissions(submissions, [key_path], out, workers=1, layouts=layouts)
     return (out / "grades.csv").read_bytes()
 
 

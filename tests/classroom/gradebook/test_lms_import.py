@@ -174,7 +174,7 @@ def test_another_table_is_refused_before_anything_is_graded(
 ):
     path = table("any.csv", text)
     with pytest.raises(TableError, match=reason):
-        grade_submissions(submitted, [key_path], tmp_path / "grades", quiet=True, platform_tables=[path])
+        grade_submissions(submitted, [key_path], tmp_path / "grades", platform_tables=[path])
     assert not (tmp_path / "grades").exists()
 
 
@@ -197,7 +197,7 @@ def test_a_worksheet_of_an_unknown_lesson_is_reported_and_the_others_are_filled(
     tables = [table("worksheet.csv", MOODLE), table("canvas.csv", CANVAS.replace("20_light", "First"))]
     tables += [table("20_light.csv", MOODLE)]
     lines = grade_submissions(
-        submitted, [key_path], out, workers=1, quiet=True, platform_tables=tables, layouts=MIXED
+        submitted, [key_path], out, workers=1, platform_tables=tables, layouts=MIXED
     ).text
     assert (
         "worksheet.csv: a worksheet belongs to one lesson, but this one can belong to light, sound" in lines

@@ -12,7 +12,7 @@ from kernel_points import NotebookKernel
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.pool import autograde
-from nbclassroom.gradebook.answer_keys import load_keys
+from nbclassroom.gradebook.answer_keys import AnswerKeys
 from nbclassroom.gradebook.check import LessonFileError, check_lesson, run_answers
 from nbclassroom.gradebook.collect import Collection
 from nbclassroom.gradebook.learners import read_all
@@ -62,7 +62,7 @@ def verdict_of_grade(path, answer_keys):
     (folder / "ada").mkdir(parents=True, exist_ok=True)
     shutil.copy(path, folder / "ada")
     with Collection(folder, tuple(answer_keys.lessons), ["{learner}"]) as collection:
-        (learner,) = read_all(collection, answer_keys, store, quiet=True)
+        (learner,) = read_all(collection, answer_keys, store)
     (submission,) = [*learner.submissions.values(), *learner.unidentified]
     if submission.content.reason:
         return {"reason": submission.content.reason}
@@ -186,16 +186,8 @@ def as_bytes(made, file_damage):
     }.get(file_damage, data)
 
 
-@settings(
-    max_examples=150,
-    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
-)
-@given(
-    solved=st.booleans(),
-    changes=st.lists(damages, max_size=6),
-    name=names,
-    file_damage=file_damages,
-)
+@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
+@given(solved=st.booleans(), changes=st.lists(damages, max_size=6), name=names, file_damage=file_damages)
 def test_check_and_grade_give_one_verdict(
     light, answer_keys, checks, tmp_path, solved, changes, name, file_damage
 ):
@@ -258,10 +250,7 @@ def assert_same_points(made, folder, checks, answer_keys, kernel):
             assert points == in_run[id], (text, content["findings"])
 
 
-@settings(
-    max_examples=40,
-    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
-)
+@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(form=st.sampled_from(FORMS), more=more_cells)
 def test_check_in_a_notebook_check_of_its_file_and_grade_give_the_same_points(
     light, answer_keys, checks, kernel, tmp_path, form, more
@@ -321,7 +310,7 @@ def nodes(tmp_path_factory):
     master = read_master(NODE_MASTERS / "22_nodes.py")
     write_carried_files(master, folder)
     make_key(NODE_MASTERS, SEED, folder / "key")
-    return master, folder / "checks", load_keys([folder / "key"])
+    return master, folder / "checks", AnswerKeys([folder / "key"])
 
 
 @pytest.fixture(scope="module")
@@ -362,10 +351,7 @@ def test_a_class_gets_the_same_points_everywhere(nodes, node_kernel, tmp_path, n
     assert (in_kernel, in_run, graded) == (points, points, points), (text, content["findings"])
 
 
-@settings(
-    max_examples=20,
-    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
-)
+@settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(
     form=st.sampled_from(sorted(NODE_FORMS)),
     more=st.lists(st.tuples(positions, st.sampled_from(NODE_MORE)), max_size=2),
@@ -396,12 +382,7 @@ NODE_STUB = "class Doubler(Node):\n    def __init__(self):\n        f = 2\n     
             "broken",
             "its answer cell does not define Doubler, but Doublr; the name must be the one of the task",
         ),
-        (
-            NODE_STUB,
-            [NODE.format(2)],
-            "answered",
-            "graded from cell number 6, which defines Doubler",
-        ),
+        (NODE_STUB, [NODE.format(2)], "answered", "graded from cell number 6, which defines Doubler"),
     ],
 )
 def test_what_is_reported_of_a_class(nodes, tmp_path, answer, own, state, text):

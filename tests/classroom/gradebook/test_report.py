@@ -10,11 +10,7 @@ import pytest
 from accessibility import violations
 from nbclassroom.autograder.checked_answer import PageHtml, _advice
 from nbclassroom.autograder.outcomes import Outcome
-from nbclassroom.autograder.sanitize import (
-    sanitize_line,
-    sanitize_text,
-    spreadsheet_text,
-)
+from nbclassroom.autograder.sanitize import sanitize_line, sanitize_text, spreadsheet_text
 from nbclassroom.exercises.answer_images import answer_images
 from nbclassroom.exercises.canonical import canonical, encode
 from nbclassroom.exercises.values import describe_value, differing_elements
@@ -47,7 +43,7 @@ def pages(masters, key_path, tmp_path_factory):
     )
     write(submissions / "zoe" / "notes.ipynb", b"{")
     out = folder / "grades"
-    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    grade_submissions(submissions, [key_path], out, workers=1)
     found = {path.name.split("-")[0]: path for path in (out / "learners").iterdir()}
     return found | {"summary": out / "summary.html"}
 
@@ -157,7 +153,7 @@ def test_a_page_that_cannot_be_written_has_the_points_and_costs_nobody_else_anyt
     for name in ("ada", "bob", "zoe"):
         write(submissions / f"{name}.ipynb", notebook(light, answers_of(light, 0)))
     out, write_page = tmp_path / "grades", grade.learner_page
-    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    grade_submissions(submissions, [key_path], out, workers=1)
     before = {path.name.split("-")[0]: path.read_text() for path in (out / "learners").iterdir()}
 
     def fails_for_ada(entry, results, *arguments, **options):
@@ -166,7 +162,7 @@ def test_a_page_that_cannot_be_written_has_the_points_and_costs_nobody_else_anyt
         return write_page(entry, results, *arguments, **options)
 
     monkeypatch.setattr(grade, "learner_page", fails_for_ada)
-    summary = grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    summary = grade_submissions(submissions, [key_path], out, workers=1)
     assert (summary.failed_pages, summary.not_graded) == (1, 0)
     assert "The page of ada is incomplete (ValueError: nonsense)" in summary.text
     after = {path.name.split("-")[0]: path.read_text() for path in (out / "learners").iterdir()}
@@ -208,7 +204,7 @@ def alike(light, key_path, tmp_path_factory):
             made["cells"].insert(place + 1, made["cells"][place] | other)
         write(folder / "submissions" / name / "20_light.ipynb", made)
     out = folder / "grades"
-    grade_submissions(folder / "submissions", [key_path], out, workers=1, quiet=True)
+    grade_submissions(folder / "submissions", [key_path], out, workers=1)
     found = {"summary": (out / "summary.html").read_text(encoding="utf-8")}
     for path in (out / "learners").iterdir():
         text = html.unescape(path.read_text(encoding="utf-8"))

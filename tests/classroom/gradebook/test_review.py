@@ -39,7 +39,7 @@ def graded(light, key_path, tmp_path_factory):
     for name, kind in KINDS.items():
         write(folder / "in" / name / "20_light.ipynb", notebook(light, answers_of(light, kind)))
     write(folder / "in" / "Mal" / "20_light.ipynb", notebook(light, {"light-double": EVIL}))
-    grade_submissions(folder / "in", [key_path], folder / "out", workers=1, quiet=True)
+    grade_submissions(folder / "in", [key_path], folder / "out", workers=1)
     return folder / "out"
 
 
@@ -116,7 +116,7 @@ def test_pages_of_exercises_that_are_gone_are_removed(graded, masters, key_path,
     out = tmp_path / "out"
     shutil.copytree(graded, out)
     write(tmp_path / "in" / "Ada" / "21_sound.ipynb", notebook(masters["sound"]))
-    grade_submissions(tmp_path / "in", [key_path], out, workers=1, quiet=True)
+    grade_submissions(tmp_path / "in", [key_path], out, workers=1)
     assert [path.name for path in (out / "review").iterdir()] == ["sound-mean.html"]
 
 
@@ -169,7 +169,7 @@ def test_a_decision_is_made_and_copied_by_keyboard_alone(graded, page, key_path,
     page.get_by_text("Copied.").wait_for()
     assert page.evaluate("navigator.clipboard.readText()") == line
     (tmp_path / "decisions.csv").write_text(HEADER + line)
-    options = {"workers": 1, "quiet": True, "decisions": tmp_path / "decisions.csv"}
+    options = {"workers": 1, "decisions": tmp_path / "decisions.csv"}
     grade_submissions(graded.parent / "in", [key_path], tmp_path / "out", **options)
     grades = json.loads((tmp_path / "out/grades.json").read_text())
     (cy,) = [entry for entry in grades["learners"] if entry["name"] == "Cy"]
@@ -331,5 +331,5 @@ def test_the_pages_of_answers_go_with_the_last_exercise(tmp_path):
     for name in ("review.html", "review/light-double.html", "summary.html"):
         (tmp_path / name).write_text("of the run before")
     with contextlib.closing(AnswerParts(tmp_path)) as parts:
-        grade._write_review(tmp_path, {"learners": []}, parts, {}, dict)
+        grade._write_review(tmp_path, {"learners": []}, parts, dict)
     assert [path.name for path in tmp_path.rglob("*.html")] == ["summary.html"]

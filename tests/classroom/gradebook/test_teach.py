@@ -128,7 +128,7 @@ def grades(keyed, tmp_path_factory):
         solutions = {each.id: each.solution for each in master.exercises}
         write(folder / "in" / "solved" / f"{master.name}.ipynb", notebook(master, solutions))
         write(folder / "in" / "mistaken" / f"{master.name}.ipynb", notebook(master, first_mistakes(master)))
-    grade_submissions(folder / "in", [keyed / "key"], folder / "grades", workers=2, quiet=True)
+    grade_submissions(folder / "in", [keyed / "key"], folder / "grades", workers=2)
     return folder
 
 

@@ -37,7 +37,7 @@ def class_folder(light, key_path, tmp_path_factory):
 def graded(class_folder, key_path):
     """(the summary of a run, its folder)"""
     out = class_folder / "out"
-    return grade_submissions(class_folder / "in", [key_path], out, workers=1, quiet=True, layouts=MIXED), out
+    return grade_submissions(class_folder / "in", [key_path], out, workers=1, layouts=MIXED), out
 
 
 def rows_of(out, heading):
@@ -86,23 +86,16 @@ def test_a_line_about_a_broken_file_or_a_suspicion_needs_points(graded, class_fo
         for heading in ("May have lost points unfairly", "Hostile answers")
         for row in rows_of(graded[1], heading)
     ]
-    assert lines == [
-        '"Zoe, =1+1",light,,?,looked at by hand',
-        "eve,light,light-double,?,looked at by hand",
-    ]
+    assert lines == ['"Zoe, =1+1",light,,?,looked at by hand', "eve,light,light-double,?,looked at by hand"]
     assert 'href="review/light-double.html#eve-' in rows_of(graded[1], "Hostile answers")[0]
     decisions = tmp_path / "decisions.csv"
     text = "\n".join(["learner,lesson,exercise,points,comment", *lines])
     decisions.write_text(text)
     out = tmp_path / "out"
     with pytest.raises(ValueError, match=r"row 2: the points are '\?'; expected 0 to 6"):
-        grade_submissions(
-            class_folder / "in", [key_path], out, decisions=decisions, quiet=True, layouts=MIXED
-        )
+        grade_submissions(class_folder / "in", [key_path], out, decisions=decisions, layouts=MIXED)
     decisions.write_text(text.replace(",?,", ",6,", 1).replace(",?,", ",1,"))
-    grade_submissions(
-        class_folder / "in", [key_path], out, decisions=decisions, workers=1, quiet=True, layouts=MIXED
-    )
+    grade_submissions(class_folder / "in", [key_path], out, decisions=decisions, workers=1, layouts=MIXED)
     grades = json.loads((out / "grades.json").read_text())
     assert {entry["name"]: entry["points"] for entry in grades["learners"]}["Zoe, =1+1"] == 6
     assert "May have lost points" not in (out / "summary.html").read_text()
@@ -112,7 +105,7 @@ def test_a_hundred_files_of_one_learner_do_not_hide_the_others(light, submission
     write(submissions / "zoe" / "20_light.ipynb", b"{")
     for number in range(50):
         write(submissions / "eve" / f"{number}.ipynb", notebook(light) | {"cells": [], "metadata": {}})
-    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1)
     rows = rows_of(tmp_path / "out", "May have lost points unfairly")
     assert [("eve" in row, "zoe" in row) for row in rows] == [(True, False)] * 3 + [(False, True)]
 
@@ -121,7 +114,7 @@ def test_practice_is_no_reason_for_a_decision_on_the_whole_lesson(masters, submi
     made = notebook(masters["sound"])
     made["cells"].remove(cell_of(made, "answer-sound-practice"))
     write(submissions / "ada" / "21_sound.ipynb", made)
-    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1)
     assert rows_of(tmp_path / "out", "May have lost points unfairly") == []
     (row,) = rows_of(tmp_path / "out", "Also unusual")
     assert "sound-practice: its answer cell" in row
@@ -135,7 +128,7 @@ def test_a_lost_name_and_a_file_of_ones_own_are_not_dishonest(light, submissions
     write(submissions / "bob" / "20_light.ipynb", notebook(light, right | {"light-double": USES_CV2}))
     typo = "def Double(pixels):\n    return pixels"
     write(submissions / "cy" / "20_light.ipynb", notebook(light, right | {"light-double": typo}))
-    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1)
     (cy,) = rows_of(tmp_path / "out", "May have lost points unfairly")
     assert "its answer cell does not define double(), but Double()" in cy
     ada, bob = rows_of(tmp_path / "out", "Modules that the exercise does not allow")
@@ -159,7 +152,7 @@ def test_a_wrong_name_may_be_unfair_and_cells_that_do_not_run_are_a_list(
     right = answers_of(light, "right")
     for name, source in answers.items():
         write(submissions / name / "20_light.ipynb", notebook(light, right | {"light-double": source}))
-    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1)
     (ada,) = rows_of(tmp_path / "out", "May have lost points unfairly")
     assert "light-double: its answer cell does not define double(), but duoble()" in ada
     assert "<code>ada,light,light-double,3,looked at by hand</code>" in ada
@@ -175,7 +168,7 @@ def test_an_answer_that_does_not_run_is_listed_until_it_is_decided(light, submis
     write(submissions / "ada" / "20_light.ipynb", notebook(light, answers))
     decisions, out = tmp_path / "decisions.csv", tmp_path / "out"
     decisions.write_text("learner,lesson,exercise,points\nada,light,light-double,0\n")
-    grade_submissions(submissions, [key_path], out, decisions=decisions, workers=1, quiet=True)
+    grade_submissions(submissions, [key_path], out, decisions=decisions, workers=1)
     assert rows_of(out, "Answers that do not run") == []
 
 
@@ -184,7 +177,7 @@ USES_CV2 = "import cv2\ndef double(pixels):\n    return cv2.add(pixels, pixels)"
 
 def test_one_learner_and_one_lesson_are_not_plural(light, submissions, key_path, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
-    summary = grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    summary = grade_submissions(submissions, [key_path], tmp_path / "out", workers=1)
     assert summary.text.startswith("1 learner, 1 lesson graded (1 in this run)")
     text = (tmp_path / "out" / "summary.html").read_text()
     assert "<b>1</b>learner<" in text and "of 1 submission graded" in text
@@ -232,7 +225,7 @@ def test_a_change_of_points_is_named(change):
 
 
 def test_the_terminal_says_whose_points_changed(light, submissions, key_path, tmp_path):
-    options = {"workers": 1, "quiet": True}
+    options = {"workers": 1}
     write(submissions / "bob.ipynb", notebook(light, answers_of(light, "right")))
     out = tmp_path / "out"
     first = grade_submissions(submissions, [key_path], out, **options)
@@ -251,7 +244,7 @@ def test_the_terminal_says_whose_points_changed(light, submissions, key_path, tm
 
 def test_anonymous_pages_show_no_name(class_folder, graded, key_path, tmp_path):
     out = tmp_path / "out"
-    shown = {"workers": 1, "quiet": True, "anonymous": True, "deadline": datetime(2026, 11, 1)}
+    shown = {"workers": 1, "anonymous": True, "deadline": datetime(2026, 11, 1)}
     shown["layouts"] = MIXED
     grade_submissions(class_folder / "in", [key_path], out, **shown)
     grades = json.loads((out / "grades.json").read_text())
@@ -284,7 +277,7 @@ def test_a_lesson_that_lost_points_by_lateness_alone_gets_back_only_those(
     write(submissions / "ada" / "light.ipynb", half, datetime(2026, 11, 1))
     write(submissions / "ada" / "light (1).ipynb", half, datetime(2026, 11, 4))
     late = {"deadline": datetime(2026, 11, 2), "late": "50% a day, 1 day"}
-    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True, **late)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, **late)
     (row,) = rows_of(tmp_path / "out", "May have lost points unfairly")
     assert "0 of 6" in row and "<code>ada,light,,3,looked at by hand</code>" in row
 
@@ -295,7 +288,7 @@ def test_a_wrong_late_submission_after_a_right_one_in_time_is_listed(light, subm
     write(submissions / "ada" / "light (1).ipynb", wrong, datetime(2026, 11, 4))
     write(submissions / "bob" / "light.ipynb", wrong, datetime(2026, 11, 4))
     late = {"deadline": datetime(2026, 11, 2), "late": "50% a day, 1 day"}
-    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True, **late)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, **late)
     (row,) = rows_of(tmp_path / "out", "May have lost points unfairly")
     assert "ada" in row and "an earlier submission was in time" in row
 
@@ -304,7 +297,7 @@ def test_answers_of_another_lesson_in_one_notebook_are_listed(light, submissions
     both = notebook(light, answers_of(light, "right"))
     both["cells"].append({"id": "answer-sound-mean", "cell_type": "code", "metadata": {}, "source": "x = 1"})
     write(submissions / "ada.ipynb", both)
-    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1)
     (row,) = rows_of(tmp_path / "out", "May have lost points unfairly")
     assert "6 of 6" in row and "it also has answer cells of sound; a notebook counts for one lesson" in row
     assert ": submit the others as notebooks of their own" in row
@@ -314,7 +307,7 @@ def test_who_sent_only_other_files_is_named_with_them(light, submissions, key_pa
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
     write(submissions / "Uwe Ulm.py", b"x = 1")
     (tmp_path / "roster.csv").write_text("name\nada\nUwe Ulm\nMax Nobody\n", encoding="utf-8")
-    options = {"workers": 1, "quiet": True, "roster": tmp_path / "roster.csv"}
+    options = {"workers": 1, "roster": tmp_path / "roster.csv"}
     grade_submissions(submissions, [key_path], tmp_path / "out", **options)
     page = (tmp_path / "out" / "summary.html").read_text(encoding="utf-8")
     assert "<bdi>Uwe Ulm</bdi> (sent 1 file, no notebook); <bdi>Max Nobody</bdi>." in page
@@ -350,7 +343,7 @@ def test_an_excused_lesson_is_no_practice(light, submissions, key_path, tmp_path
     (tmp_path / "decisions.csv").write_text(
         "learner,lesson,exercise,points,comment\nada,light,,excused,ill\n"
     )
-    options = {"workers": 1, "quiet": True, "decisions": tmp_path / "decisions.csv"}
+    options = {"workers": 1, "decisions": tmp_path / "decisions.csv"}
     grade_submissions(submissions, [key_path], tmp_path / "out", **options)
     (page,) = (tmp_path / "out" / "learners").iterdir()
     text = page.read_text(encoding="utf-8")
@@ -369,7 +362,7 @@ def test_not_attempted_is_neutral_without_a_hint_and_with_a_kind_sentence(
 ):
     answers = {"light-halves": "def halves(pixels):\n    return pixels, pixels"}
     write(submissions / "ada.ipynb", notebook(light, answers))
-    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1)
     (page,) = (tmp_path / "out" / "learners").iterdir()
     double, halves = page.read_text(encoding="utf-8").split('<div class="exercise">')[1:]
     assert double.count('class="open">○') == 2 and "You have not started this exercise yet" in double

@@ -16,7 +16,7 @@ from accessibility import violations
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.written_answer import rendered_text
-from nbclassroom.gradebook.answer_keys import load_keys
+from nbclassroom.gradebook.answer_keys import AnswerKeys
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.review_server import ConflictError, ReviewServer, save_decisions
 from PIL import Image
@@ -89,7 +89,7 @@ def grade(words, tmp_path):
     """Grades the submissions; gives {learner: the entry of the written exercise} and all grades."""
 
     def graded(**options):
-        options = {"workers": 1, "quiet": True} | options
+        options = {"workers": 1} | options
         summary = grade_submissions(words / "in", [words / "key"], tmp_path / "out", **options)
         grades = json.loads((tmp_path / "out/grades.json").read_text("utf-8"))
         learners = {learner["name"]: learner for learner in grades["learners"]}
@@ -123,7 +123,7 @@ def test_what_nobody_has_graded_is_open_and_never_zero(grade, tmp_path):
 
 
 def decide(folder, out, *lines):
-    save_decisions(out / "decisions.csv", "\n".join(lines), load_keys([folder / "key"]))
+    save_decisions(out / "decisions.csv", "\n".join(lines), AnswerKeys([folder / "key"]))
 
 
 def test_the_lines_of_a_rubric_give_the_points_and_count_again_when_their_points_change(
@@ -218,7 +218,7 @@ def served(grade, words, tmp_path):
     """The address of the page of the exercise, as `grade --review` serves it."""
     grade()
     out = tmp_path / "out"
-    with ReviewServer(out, out / "decisions.csv", load_keys([words / "key"])) as server:
+    with ReviewServer(out, out / "decisions.csv", AnswerKeys([words / "key"])) as server:
         thread = threading.Thread(target=server.serve_forever)
         thread.start()
         yield server.url.replace("review.html", "review/words-noise.html")
@@ -301,10 +301,10 @@ def test_everybody_can_read_the_page_in_both_themes(chromium, served):
 SAVER = """
 import sys
 from pathlib import Path
-from nbclassroom.gradebook.answer_keys import load_keys
+from nbclassroom.gradebook.answer_keys import AnswerKeys
 from nbclassroom.gradebook.review_server import save_decisions
 
-keys = load_keys([sys.argv[2]])
+keys = AnswerKeys([sys.argv[2]])
 print(flush=True)
 for number in range(10_000):
     save_decisions(Path(sys.argv[1]), f"Bob,words,words-noise,2,{'x' * 1000}{number}", keys)
@@ -322,7 +322,7 @@ def test_a_kill_leaves_a_whole_table_with_the_old_or_the_new_decision(words, tmp
             time.sleep(random.uniform(0.02, 0.2))
             process.kill()
         assert [row["points"] for row in rows(table)] in (["1"], ["1", "2"])
-        assert save_decisions(table, "Ada,words,words-noise,1,", load_keys([words / "key"])) == 1
+        assert save_decisions(table, "Ada,words,words-noise,1,", AnswerKeys([words / "key"])) == 1
 
 
 # ---------------------------------------------------------------- figures
@@ -361,7 +361,7 @@ def test_a_figure_is_made_in_the_sandbox_from_the_cells_and_never_taken_from_the
         for cell in made["cells"] if name in ("bare", "twice") else ():
             cell["id"] = ""
         write(tmp_path / "in" / name / "22_words.ipynb", made)
-    grade_submissions(tmp_path / "in", [tmp_path / "key"], tmp_path / "out", workers=1, quiet=True)
+    grade_submissions(tmp_path / "in", [tmp_path / "key"], tmp_path / "out", workers=1)
     waiting, *parts = (tmp_path / "out/review/words-plot.html").read_text("utf-8").split("<article")
     assert waiting.count(">figure</span>") == 4
     pages = {re.search("<bdi>(.*?)</bdi>", part)[1]: part for part in parts}

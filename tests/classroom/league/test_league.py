@@ -56,7 +56,7 @@ def runs(tmp_path_factory):
             return scenario_of(room, seed) | {"duration": 3.0}
 
         patch.setattr(league, "scenario_of", short)
-        options = {"baseline": folder / "baseline.py", "rooms": 1, "workers": 1, "quiet": True}
+        options = {"baseline": folder / "baseline.py", "rooms": 1, "workers": 1}
         written = []
         for _ in range(2):
             lines = league.run_league(folder / "controllers", folder / "out", **options)
@@ -326,7 +326,7 @@ def test_an_error_is_one_line(tmp_path, monkeypatch, arguments, message):
 def test_a_league_without_a_seed_draws_one_and_keeps_it(tmp_path):
     write(tmp_path / "controllers", {"ada": "def"})
     for _ in range(2):
-        league.run_league(tmp_path / "controllers", tmp_path / "out", workers=1, quiet=True)
+        league.run_league(tmp_path / "controllers", tmp_path / "out", workers=1)
         seed = (tmp_path / "out/seed").read_text()
         (row,) = csv.DictReader(io.StringIO((tmp_path / "out/league.csv").read_text()))
         aliases = [Controller("ada")]

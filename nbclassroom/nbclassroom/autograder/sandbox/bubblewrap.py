@@ -268,6 +268,7 @@ def environment(confined):
         "TERM": "xterm-color",
         "USER": "learner",
         "PYTHONHASHSEED": "0",
+        "PYTHONIOENCODING": "utf-8:replace",  # any text may be printed; it leads nowhere
         "OPENCV_LOG_LEVEL": "ERROR",
         # Beside OpenCV's threads no process can be forked.
         **dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "OPENCV_FOR_THREADS_NUM"), "1"),

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from nbclassroom.autograder.sandbox.inside import MIME
 
-_MAX_TEXT = 2_000  # characters of an error's text, and of what a cell printed, that are kept
+_MAX_TEXT = 2_000  # characters of an error's text that are kept
 _MAX_NAME = 100  # characters of an exception's name
 
 
@@ -15,7 +15,6 @@ class CellRun:
     ended: str = ""
     answers: list = field(default_factory=list)  # what check cells showed: the data of our MIME type
     error: tuple = ("", "")  # type and text of the exception that ended the cell
-    printed: str = ""  # the first part of it
     errors: list = field(default_factory=list)  # of a page: (number of a cell, type, text) of a statement
     place: tuple = ()  # of a page: the statement that ran last
     tried: list = field(default_factory=list)  # (number of a cell or None, what its code tried)
@@ -23,13 +22,9 @@ class CellRun:
 
     def add(self, kind, content):
         """Add a message; returns whether it ended the cell. ValueError, TypeError, KeyError: it is none."""
-        if kind == "stream":
-            self.printed = (self.printed + _text(content["text"]))[:_MAX_TEXT]
-        elif kind in ("error", "idle"):
-            # A cell can fail without showing an error (an unknown magic). Of several errors the first counts.
-            error = (_text(content["ename"])[:_MAX_NAME], _text(content["evalue"]))
-            self.error = self.error if self.error[0] else error
-        elif kind in ("display_data", "execute_result"):
+        if kind == "idle":
+            self.error = (_text(content["ename"])[:_MAX_NAME], _text(content["evalue"]))
+        elif kind == "display_data":
             data = dict(content["data"])
             self.answers += [data[MIME]] if MIME in data else []
         elif kind == "at":

@@ -76,8 +76,7 @@ class Connection:
         partner takes is its own: the deadlines leave it out.
         """
         run, seconds = CellRun(), partner.cpu_seconds
-        case = {"layout": partner.layout, "seconds": partner.call_seconds}
-        data = _line_of({"case": case, "code": code})
+        data = _line_of({"case": {"layout": partner.layout, "seconds": partner.call_seconds}, "code": code})
         self._limit_cpu(check=seconds + self._limits.grace)
         # The page's time is not the drive's: a controller that sends and never reads waits for its end.
         deadline = time.monotonic() + self._limits.deadline(seconds)
@@ -384,7 +383,6 @@ class ForkServer:
         return bubblewrap.used_under(self._process.pid, self._limits.memory)
 
     def close(self):
-        """End the process for good."""
         self.stop()
         if self._folder is not None:
             shutil.rmtree(self._folder, ignore_errors=True)

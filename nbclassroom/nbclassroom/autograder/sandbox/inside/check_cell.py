@@ -92,7 +92,6 @@ def shorten_form(form):
 
 
 def refuse_input(prompt=""):
-    """In place of input()."""
     raise RuntimeError("input() waits for a person, and there is none here. Pass the value as an argument")
 
 

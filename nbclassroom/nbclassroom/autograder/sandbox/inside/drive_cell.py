@@ -26,7 +26,6 @@ def drive(control):
     cost = Cost()
     running.set_handler(signal.SIGPROF, check_cell.raise_time_up)
     while True:
-        shell.flush()
         shell.WRITER.send("action", **reply)
         data = _read(struct.unpack("<I", _read(4))[0])
         if not data:

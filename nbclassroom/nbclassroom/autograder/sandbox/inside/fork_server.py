@@ -66,7 +66,8 @@ def _load():
             offer_modules(even_if_installed=True)
         refusal.allow_modules(allowed)
         refusal.tell_attempts(shell.WRITER.send)
-        shell.serve(cell_shell, requests, descriptor, check_cell.deliver)
+        shell.WRITER.descriptor = descriptor
+        shell.Server(cell_shell).serve(requests)
 
     return warm_up, run_cells
 
@@ -84,8 +85,7 @@ def _run_kernel(control, descriptor, kernel_id, settings, warm_up, run_cells):
             # namespace, and the kernel that waits for the next check has the same user.
             os.setsid()
             confine.die_first()
-            user = settings["user"]
-            user = None if user is None else user + kernel_id % confine.USERS_OF_SERVER
+            user = settings["user"] and settings["user"] + kernel_id % confine.USERS_OF_SERVER
             confine.confine(settings["limits"], user)
         else:
             confine.die_with_parent()
@@ -107,8 +107,7 @@ def main():
     null = os.open(os.devnull, os.O_RDWR)
     for standard_stream in (0, 1, 2):
         os.dup2(null, standard_stream)
-    own_namespace = "/proc/self/ns/pid"
-    namespace = os.open(own_namespace, os.O_RDONLY | os.O_CLOEXEC) if settings["confined"] else None
+    namespace = os.open("/proc/self/ns/pid", os.O_RDONLY | os.O_CLOEXEC) if settings["confined"] else None
     gc.collect()
     gc.freeze()
     control.send(b"ready")

@@ -5,17 +5,15 @@ In:  {"code": "..."}; a check has also "case": {...}, its inputs
      there; {"below": "name"}: it runs on until this name is bound
      {"fork": seconds} with a socket: a process that answers the requests of the socket for a check, as this
      one does; {"end": patience, "confined": ...}: that process ends
-Out: {"type": "stream" | "display_data" | "error" | "idle", "content": {...}}, as Jupyter's messages. What a
-     cell draws is not sent, but for what a check cell shows. Of a page, "at": the statement that begins, and
-     "errors"; of a process that ended, "ended".
+Out: {"type": "display_data" | "idle", "content": {...}}, as Jupyter's messages. What a cell prints or draws
+     is not sent, but for what a check cell shows. Of a page, "at": the statement that begins, and "errors";
+     of a process that ended, "ended".
 """
 
-import io
 import json
 import os
 import signal
 import socket
-import sys
 import threading
 from contextlib import suppress
 
@@ -24,16 +22,13 @@ from IPython.core.interactiveshell import InteractiveShell
 from traitlets import Type
 from traitlets.config import Config
 
-from nbclassroom.autograder.sandbox.inside import MIME, confine, refusal
+from nbclassroom.autograder.sandbox.inside import MIME, check_cell, confine, refusal
 from nbclassroom.exercises.page_run import PageRun, is_missing
-from nbclassroom.exercises.running import error_name
+from nbclassroom.exercises.running import attempt, error_name
 
 # Looked up before any code of a learner's runs.
 _fork, _exit, _kill, _waitpid = os.fork, os._exit, os.kill, os.waitpid
 _write, _dumps, _loads = os.write, json.dumps, json.loads
-
-_BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
-_MOST_PRINTED = 1_000_000  # characters that are sent of what a request prints; the rest costs nothing
 
 
 class MessageWriter:
@@ -41,7 +36,6 @@ class MessageWriter:
 
     def __init__(self):
         self.descriptor = -1
-        self.printed = 0
         self._lock = threading.RLock()
 
     def send(self, kind, **content):
@@ -60,40 +54,6 @@ class MessageWriter:
 WRITER = MessageWriter()
 
 
-class OutputStream(io.TextIOBase):
-    """sys.stdout and sys.stderr of a cell."""
-
-    encoding, errors = "utf-8", "replace"
-
-    def __init__(self, name):
-        self.name, self._text = name, ""
-
-    def write(self, text):
-        if not isinstance(text, str):
-            raise TypeError(f"write() argument must be str, not {type(text).__name__}")
-        self._text += text
-        if len(self._text) > _BUFFER_SIZE:
-            self.flush()
-        return len(text)
-
-    def flush(self):
-        text, self._text = self._text, ""
-        if text and WRITER.printed < _MOST_PRINTED:
-            WRITER.printed += len(text)
-            WRITER.send("stream", text=text[:_MOST_PRINTED])
-
-    def writable(self):
-        return True
-
-    def fileno(self):
-        return 1 if self.name == "stdout" else 2
-
-
-def flush():
-    sys.stdout.flush()
-    sys.stderr.flush()
-
-
 class AnswerPublisher(DisplayPublisher):
     def publish(self, data, metadata=None, source=None, **_ignored):
         WRITER.send_answer(data)
@@ -110,14 +70,6 @@ class KernelShell(InteractiveShell):
     ask_exit = enable_gui
 
 
-def _text_of(error):
-    """The exception's text; a learner's exception class may have a __str__ that fails."""
-    try:
-        return str(error)
-    except (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError):
-        return ""
-
-
 def make_shell():
     """The one shell of the fork server; each fork continues with its copy."""
     # A database would be one open file that all forks share.
@@ -132,27 +84,14 @@ def make_shell():
 def run_unseen(shell, sources):
     """Run sources whose output nobody reads."""
     WRITER.descriptor = os.open(os.devnull, os.O_WRONLY)
-    streams = sys.stdout, sys.stderr
-    sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
     run = PageRun(_NO_PAGE, shell.user_ns)
     for source in sources:
         run.run_beside(source)
-    sys.stdout, sys.stderr = streams
     os.close(WRITER.descriptor)
 
 
-def serve(shell, requests, descriptor, deliver):
-    """Answer requests, (dict, the descriptor that came with it or None), until there are no more.
-
-    Messages are written to the socket of the other descriptor; `deliver` takes the inputs of each check.
-    """
-    WRITER.descriptor = descriptor
-    sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
-    _Server(shell, deliver).serve(requests)
-
-
 def read_requests(connection):
-    """The requests that come from a socket, as `serve` takes them."""
+    """The requests that come from a socket: (dict, the descriptor that came with it or None)."""
     data, descriptors = b"", []
     while part := connection.recvmsg(1 << 18, socket.CMSG_SPACE(4)):
         for level, kind, content in part[1]:
@@ -165,38 +104,36 @@ def read_requests(connection):
             yield _loads(line), descriptors.pop(0) if descriptors else None
 
 
-class _Server:
+class Server:
     """What one connection asks for: a kernel's, or that of a check which was forked from it."""
 
-    def __init__(self, shell, deliver, page_run=None):
-        self._shell, self._deliver = shell, deliver
+    def __init__(self, shell, page_run=None):
+        self._shell = shell
         self._page_run = page_run or PageRun(_NO_PAGE, shell.user_ns)
         self._check = None  # process id of the check that was forked
 
     def serve(self, requests):
+        """Answer requests, through the socket that WRITER has, until there are no more."""
         for request, descriptor in requests:
-            WRITER.printed = 0
-            for name in request:
-                if name in _HANDLERS:
-                    _HANDLERS[name](self, request, descriptor)
-                    break
+            handler = next(_HANDLERS[name] for name in request if name in _HANDLERS)
+            handler(self, request, descriptor)
 
     def _run_code(self, request, _descriptor):
         """Run what is no part of the page. A check has also "case": its inputs."""
         if "case" in request:
-            self._deliver(request["case"])
+            check_cell.deliver(request["case"])
         error = self._page_run.run_beside(request["code"])
-        self._finish("" if error is None else error_name(error), "" if error is None else _text_of(error))
+        # The text by `attempt`: the error's class may be the learner's.
+        ending = () if error is None else (error_name(error), attempt(lambda: str(error), ""))
+        self._finish(*ending)
 
     def _finish(self, ename="", evalue=""):
-        flush()
         WRITER.send("idle", ename=ename, evalue=evalue)
 
     def _open_page(self, request, _descriptor):
         """Get a page ready to run, without the statements that ended the process before."""
 
         def tell(cell, statement):
-            flush()
             WRITER.send("at", place=[cell, statement])
 
         refusal.allow_files(cell["file"] for cell in request["page"]["cells"] if cell["file"])
@@ -212,13 +149,11 @@ class _Server:
             self._page_run.run_below(lambda: name in names and not is_missing(names[name]))
             if is_missing(names.get(name)):  # in the end, too: then it is not bound
                 del names[name]
-        flush()
         WRITER.send("errors", errors=self._page_run.errors[:_MOST_ERRORS])
         self._finish()
 
     def _fork_check(self, request, descriptor):
         """Fork a process that answers the requests of another socket; none beside threads and processes."""
-        flush()
         self._check = None if _has_company() else _fork()
         if self._check == 0:
             _serve_check(self, request, descriptor)
@@ -237,12 +172,12 @@ class _Server:
 _MOST_ERRORS = 100
 _NO_PAGE: dict = {"answers": {}, "cells": [], "checks": {}, "left_out": []}
 _HANDLERS = {
-    "code": _Server._run_code,
-    "page": _Server._open_page,
-    "to": _Server._run_page,
-    "below": _Server._run_page,
-    "fork": _Server._fork_check,
-    "end": _Server._end_check,
+    "code": Server._run_code,
+    "page": Server._open_page,
+    "to": Server._run_page,
+    "below": Server._run_page,
+    "fork": Server._fork_check,
+    "end": Server._end_check,
 }
 
 
@@ -267,7 +202,7 @@ def _serve_check(server, request, descriptor):
         WRITER.descriptor = descriptor
         connection = socket.socket(fileno=descriptor)
         server._page_run.adopt_process()
-        _Server(server._shell, server._deliver, server._page_run).serve(read_requests(connection))
+        Server(server._shell, server._page_run).serve(read_requests(connection))
         exit_code = 0
     finally:
         _exit(exit_code)
