@@ -302,10 +302,11 @@ def inputs(rng):
     message = padded_message(rng, 4, 3, 3)
     return (SimpleNamespace(**{**vars(message), "data": bytes([99]) + message.data[1:]}),)
 
-# %% role="case" exercise="messages-padding" title="six bytes of padding"
+# %% role="case" exercise="messages-padding" title="six bytes of padding, and none"
 def inputs(rng):
     message = padded_message(rng, 2, 4, 6)
-    return (SimpleNamespace(**{**vars(message), "data": bytes([99]) + message.data[1:]}),)
+    message = SimpleNamespace(**{**vars(message), "data": bytes([99]) + message.data[1:]})
+    return [(message,), (padded_message(rng, 3, 2, 0),)]
 
 # %% role="hidden" exercise="messages-padding" title="another padding" hint="The number of padding bytes changes from message to message: step tells it."
 def inputs(rng):
@@ -594,15 +595,15 @@ def inputs(rng):
 
 # %% role="case" exercise="messages-decode" title="a colour image with padded rows" points=1
 def inputs(rng):
-    return (make_message(rng, "bgr8", 3, int(rng.integers(1, 6))),)
+    return (make_message(rng, "bgr8", 3, int(rng.integers(1, 6)), is_bigendian=1),)
 
 # %% role="case" exercise="messages-decode" title="a gray image with padded rows" points=1
 def inputs(rng):
-    return (make_message(rng, "mono8", 1, int(rng.integers(1, 6))),)
+    return (make_message(rng, "mono8", 1, int(rng.integers(9, 12))),)
 
 # %% role="case" exercise="messages-decode" title="16 bits, big-endian" points=1
 def inputs(rng):
-    return (make_message(rng, "mono16", 1, 2, dtype="u2", is_bigendian=1),)
+    return (make_message(rng, "mono16", 1, 3, dtype="u2", is_bigendian=1),)
 
 # %% role="case" exercise="messages-decode" title="16 bits, little-endian" points=1
 def inputs(rng):
