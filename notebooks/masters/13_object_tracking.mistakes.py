@@ -159,7 +159,7 @@ def control(observation, memory):
     linear = 1.2 * (176.25 * 0.22 / size - 0.6)
     return min(max(linear, -0.3), 0.3), min(max(2 * (160 - middle) / 176.25, -1.0), 1.0)
 
-# %% role="mistake" name="it stands" says="Usual causes: it returns 0, 0 when it does not find the ball (turn to where you predict it: its column is moved by the robot's own turn); or it never finds which spot moved (compare with the first image, which is stored once, after half a second or more); or it forgets the ball, because what is not stored in memory is gone after each call."
+# %% role="mistake" name="it stands" says="Usual causes: it returns 0, 0 when it does not find the ball (turn to where you predict it: its column is moved by the robot's own turn); or it never finds which spot moved (compare with the first image, which is stored once, after half a second or more); or its angle is not (160 - the column of the middle) / 176.25, and it turns the ball out of the image; or it forgets the ball, because what is not stored in memory is gone after each call."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return (linear, angular) if observation["time"] < 1.2 else (0.0, 0.0)

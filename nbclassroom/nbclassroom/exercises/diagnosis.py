@@ -185,7 +185,7 @@ def _advice_on_dtype(expected, actual, tolerance):
             f" comparison such as a > b is bool already."
         )
     if actual_dtype == "bool" and np.array_equal(values != 0, actual_values):
-        text = f"The task asks for {dtype}, and you return True and False (bool)"
+        text = f"The task asks for numbers ({dtype}), and you return True and False (bool)"
         levels = set(np.unique(values).tolist())
         if levels <= {0, 255} or levels <= {0, 1}:
             return f"{text}: write np.where(mask, {max(levels)}, 0).astype(np.{dtype})."

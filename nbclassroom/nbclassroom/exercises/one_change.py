@@ -155,7 +155,7 @@ def _sentence(places, question, lines, offset):
         return f"With one change, these checks pass: {question}"
     numbers = sorted({place.lineno for place in places})
     shown = dict.fromkeys(ast.unparse(place).split("\n")[0].rstrip(":") for place in places)
-    code = ", and ".join(list(shown)[:2])
+    code = ", and ".join(list(shown)[:3]) + ", and more like these" * (len(shown) > 3)
     line = lines[numbers[0] - 1].strip().rstrip(":")
     if len(numbers) == 1 and len(code) < min(_SHORT, len(line)):
         code += f" in {line}"

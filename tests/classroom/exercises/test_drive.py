@@ -115,7 +115,11 @@ def test_a_metric_that_looks_like_its_limit_has_more_digits():
     ("speeds", "behaviour", "sentence"),
     [
         ((0.1, 90.0), "its speeds are too large", "returned up to 90 rad/s; the robot can do 1.57 rad/s."),
-        ((0.0, 0.05), "it stands", "From 0.0 s to the end the robot stood: the function returned no speed."),
+        (
+            (0.0, 0.05),
+            "it stands",
+            "From 0.0 s to the end the robot stood: the function returned hardly any speed.",
+        ),
         (
             (0.0, 0.6),
             "it turns on the spot",

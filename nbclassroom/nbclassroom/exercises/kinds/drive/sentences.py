@@ -144,7 +144,8 @@ def _stay(record, goal):
         away = math.dist(path[end, :2], goal[:2]) if goal else math.inf
         is_there = away < (goal or [0, 0, 0])[2] + _STAYS[0]
         place = f", {away:.1f} m from the goal" if is_there else ""
-        text = f"{text} stood{place}: the function returned no speed."
+        speed = "hardly any" if actions[start:end].any() else "no"
+        text = f"{text} stood{place}: the function returned {speed} speed."
         return {"it stands at the goal" if is_there else "it stands": text}
     if (rounds := abs(turned[-1] - turned[0]) / (2 * math.pi)) > _ROUNDS:
         return {"it turns on the spot": f"{text} turned on the spot, {rounds:.1f} times round."}
