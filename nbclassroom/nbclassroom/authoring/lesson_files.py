@@ -60,13 +60,13 @@ def lesson_files(master):
 
 
 def _witnesses(exercise):
-    """The cases of an exercise with other inputs than the learner's and any key's, without a word on them."""
+    """The public cases of an exercise whose values are shown, with other inputs, without a word on them."""
     if not exercise.kind.shows_values:  # what nodes and drives do is long
         return ()
-    cases = check_data_of(replace(exercise, mistakes=()), exercise.cases, PUBLIC_SEED + 1).cases
+    cases = check_data_of(replace(exercise, mistakes=()), exercise.public, PUBLIC_SEED + 2).cases
     cases = [case for case in cases if "arguments" in _case_entry(case)]
     return tuple(
-        replace(case, id=f"witness-{number}", title="", hint="", points=0, hidden=False)
+        replace(case, id=f"witness-{number}", title="", hint="", points=0)
         for number, case in enumerate(cases, 1)
     )
 

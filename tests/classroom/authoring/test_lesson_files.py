@@ -140,5 +140,5 @@ def test_build_writes_solutions_only_on_request(write_master, tmp_path):
 
     lines = []
     assert built(with_solutions=True) == [CHECKS, SOLUTIONS]
-    assert "checks 3 kB" in lines[-1]
+    assert "checks 2 kB" in lines[-1]
     assert built() == [CHECKS]  # taken back

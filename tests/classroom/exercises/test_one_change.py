@@ -134,11 +134,7 @@ CASES = {
         "if c > 1: is this condition needed?",
     ),
     "a call": ("def f(a):\n    return sorted(a)", [(([2, 1],), [2, 1])], "sorted(a)", "is this call needed?"),
-    "a keyword": (
-        "def f(a):\n    return sorted(a, reverse=True)",
-        [(([2, 1],), [1, 2])],
-        "is reverse needed?",
-    ),
+    "a keyword": ("def f(a):\n    return sorted(a, reverse=1)", [(([2, 1],), [1, 2])], "is reverse needed?"),
     "the old value": (
         "def f(a, b):\n    a = a + b\n    b = a - b\n    return [a, b]",
         [((5, 2), [7, 3])],
