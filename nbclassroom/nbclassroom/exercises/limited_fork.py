@@ -19,7 +19,7 @@ from pathlib import Path
 _LONGEST_TEXT = 4_000  # bytes, which one write puts into a pipe
 _LOOK = 0.05  # seconds between two looks at the clock
 _PATIENCE = 0.7  # seconds that the fork may wait for a processor, in addition
-_MEMORY = 100_000_000  # bytes
+_MEMORY = 60_000_000  # bytes
 
 
 def text_within(compute, seconds):
@@ -44,7 +44,7 @@ def text_within(compute, seconds):
 
 
 def limit_memory():
-    """Let this process grow by 100 MB beyond the most that it has had; what needs more raises MemoryError."""
+    """Let this process grow by 60 MB beyond the most that it has had; what needs more raises MemoryError."""
     import resource
 
     peak = int(Path("/proc/self/status").read_text().partition("VmPeak:")[2].split()[0]) * 1024

@@ -92,6 +92,7 @@ def _find_branch(function, run):
             return trace
         return None
 
+    limit_memory()
     sys.settrace(trace)
     run()
     sys.settrace(None)
