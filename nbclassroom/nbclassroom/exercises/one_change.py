@@ -30,9 +30,8 @@ _ROUNDS = "should it run once, or in each round of the loop?"
 _TYPE = "your numbers do not fit into the dtype of {name}. Widen {name} first, with astype."
 _QUESTIONS = dict.fromkeys(("int", "round", "float", "floor"), "should it be cut or rounded here?")
 _QUESTIONS |= {"abs": "is its sign needed?", "sqrt": "is the root needed?"}
-_NEEDED = re.compile(
-    rf"{'|'.join(_QUESTIONS)}|sin|cos|u?int\d+|float\d+"
-)  # calls with a question of their own
+# Calls that have a question of their own
+_NEEDED = re.compile(rf"{'|'.join(_QUESTIONS)}|sin|cos|u?int\d+|float\d+")
 _ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
 _ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
 _COMPARISONS: dict[type[ast.cmpop], tuple[tuple[type[ast.cmpop], str], ...]] = {
@@ -238,7 +237,7 @@ def _moving(statement, block, target, place=0):
     return move
 
 
-def _block(node, tree):
+def _superfluous(node, tree):
     if isinstance(node, ast.BinOp):
         yield "is the second part needed?", _replacing(node, node.left)
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
@@ -462,4 +461,15 @@ def _name(node, tree):
 
 # The first change that helps counts.
 _LAST_RULES = (_index, _name)
-_RULES = (_argument, _block, _compare, _order, _operator, _call, _constant, _assigned, _size, *_LAST_RULES)
+_RULES = (
+    _argument,
+    _superfluous,
+    _compare,
+    _order,
+    _operator,
+    _call,
+    _constant,
+    _assigned,
+    _size,
+    *_LAST_RULES,
+)
