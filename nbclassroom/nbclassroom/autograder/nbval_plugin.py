@@ -295,7 +295,8 @@ class GradingPlugin:
     def _grade(self, job):
         key = expected_key(job["key"], job["digest"])
         lesson, page = key.lessons[job["lesson"]], job["page"]
-        self._kernel_factory.prepare(lesson.code)
+        draws = any("matplotlib" in cell["source"] for cell in page["cells"])
+        self._kernel_factory.prepare(lesson.code, draws=draws)
         kernels = PageKernels(page, self._kernel_factory)
         graded = [exercise for exercise in lesson.exercises if not exercise.practice]
         found, runs, stop_at = {}, {}, time.monotonic() + self._kernel_factory.limits.submission

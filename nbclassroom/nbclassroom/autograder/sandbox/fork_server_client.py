@@ -302,7 +302,7 @@ class ForkServer:
         self._control.settimeout(60)
         with server_end:
             self._process = self._start_process(server_end)
-        self._is_ready, self._prepared = False, set()  # of lessons' code
+        self._is_ready, self._prepared = False, set()  # (a lesson's code, draws)
         self._replies = 0  # to the orders of `end`, that nobody has read yet
 
     def _start_process(self, control):
@@ -342,12 +342,12 @@ class ForkServer:
             last_words = self.stop()
         raise bubblewrap.SandboxError(f"the fork server did not start: {last_words or 'it was killed'}")
 
-    def prepare(self, code):
-        """Let it compile the cells of a lesson, once; kernels that are forked later have them."""
-        if code not in self._prepared and self._is_ready:
-            self._prepared.add(code)
+    def prepare(self, code, draws):
+        """Let it compile the cells of a lesson, and load what draws; kernels that are forked later have it."""
+        if (code, draws) not in self._prepared:
+            self._prepared.add((code, draws))
             with suppress(OSError):  # too many for one message
-                self._control.send(json.dumps({"op": "prepare", "code": code}).encode())
+                self._control.send(json.dumps({"op": "prepare", "code": code, "draws": draws}).encode())
 
     def end(self, kernel_id, patience=0.0):
         """End a kernel that does not end by itself within `patience` seconds; the process replies later."""
@@ -422,9 +422,9 @@ class KernelFactory(AbstractContextManager):
         kernel.begin(allowed, seconds)
         return kernel
 
-    def prepare(self, code):
-        """Let kernels have the cells of a lesson compiled, tuples of sources."""
-        self._fork_server.prepare(code)
+    def prepare(self, code, *, draws):
+        """Let kernels have a lesson's cells compiled, a tuple of sources; and matplotlib, if a page draws."""
+        self._fork_server.prepare(code, draws)
 
     def _drop_spare(self):
         if self._spare is not None:

@@ -2,7 +2,8 @@
 
 `fork_server_client` starts it with a socket (SOCK_SEQPACKET). It takes these orders:
     {"op": "fork", "id": 7}                   with the kernel's socket
-    {"op": "prepare", "code": [...]}          compile a lesson's cells, as handed out
+    {"op": "prepare", "code": [...], "draws": true}
+                                              compile a lesson's cells, as handed out; load matplotlib
     {"op": "end", "id": 7, "patience": 1.0}   kill the kernel and all that it started, if it does not end by
                                               itself within a second; reply how it ended, null without
                                               patience
@@ -51,7 +52,6 @@ def _load():
 
     warm_up()
     cell_shell.display_formatter.format(0)  # makes the formatters, else each kernel would
-    import matplotlib.pyplot as plt  # noqa: F401 - cells beside answers draw; it takes a second
 
     def run_cells(descriptor):
         requests = shell.read_requests(socket.socket(fileno=descriptor))
@@ -123,6 +123,9 @@ def main():
             kernels[order["id"]] = child
         elif order["op"] == "prepare":
             page_run.prepare(order["code"])
+            if order["draws"]:  # half a second, and more memory for each fork
+                import matplotlib.pyplot as plt  # noqa: F401
+            gc.freeze()
         else:
             child, status = kernels.pop(order["id"], None), None
             if child is None:  # a kernel of a fork server before this one
