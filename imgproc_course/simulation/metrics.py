@@ -4,6 +4,7 @@ import math
 from statistics import fmean
 from typing import Any
 
+from ..geometry import compose_poses
 from .room_model import BALLS
 
 BALL_DISTANCE, BALL_AFTER = 0.6, 5.0  # metres from the camera to the ball's center, seconds
@@ -41,9 +42,10 @@ class Metrics:
         values["home"] = math.dist(self._start[:2], place[:2])
         values["reach"] = max(values["reach"], values["home"])
         values["answer_error"] = self._error_of_answer
-        goal = self._goal
-        if values["goal_time"] is None and goal is not None and math.dist(place[:2], goal[:2]) < goal[2]:
-            values["goal_time"] = time
+        if values["goal_time"] is None and self._goal is not None:
+            x, y, _ = compose_poses(self._start, self._simulation.odometry()[:3])
+            if math.dist((x, y), self._goal[:2]) < self._goal[2]:
+                values["goal_time"] = time
         self._note_ball(time)
         return metres, self._note_contact()
 

@@ -73,7 +73,7 @@ class RoomEnv(gymnasium.Env):
       "nearest_to": what that was, if nearer than 0.2 m, or ""; "low": if the laser scanner looks over it
     - "distance": driven, metres; "reach": the greatest distance from the start, metres
     - "places": number of cells of 0.5 m that the robot has been in; "time": seconds
-    - "goal_time": seconds until the robot was in the goal
+    - "goal_time": seconds until the odometry said that the robot was in the goal
     - "home": distance from the start now, metres
     - "answer_error": from where the robot looks now to where the answer is, degrees
     - "ball_gap": of | distance from camera to ball - 0.6 m |, the mean after 5 s, metres; "ball_angle": from

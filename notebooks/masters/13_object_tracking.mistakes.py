@@ -61,6 +61,15 @@ def iou(a, b):
     both = max(common(a, b, 0) + 1, 0) * max(common(a, b, 1) + 1, 0)
     return both / (a[2] * a[3] + b[2] * b[3] - both)
 
+# %% role="mistake" name="the middle of a box" says="A box begins at col and row, its upper left corner: it ends at col + width and row + height. They are not its middle."
+def iou(a, b):
+    return solution(*((col - width / 2, row - height / 2, width, height) for col, row, width, height in (a, b)))
+
+# %% role="mistake" name="the box around both" says="The box around both is not the union: it has corners in which neither box is. The intersection is from the larger start to the smaller end."
+def iou(a, b):
+    around = math.prod(max(a[k] + a[k + 2], b[k] + b[k + 2]) - min(a[k], b[k]) for k in (0, 1))
+    return max(0, a[2] * a[3] + b[2] * b[3] - around) / around
+
 # %% role="mistake" name="rounded" says="The result is rounded. Return the exact number, and leave round out."
 def iou(a, b):
     return round(solution(a, b), 2)
@@ -125,7 +134,7 @@ def update(state, covariance, measurement, H, R):
     gain = gain_of(covariance, H, R)
     return state + gain @ (measurement - H @ state), gain @ H @ covariance
 
-# %% role="mistake" name="1 as the identity matrix" says="1 - gain @ H subtracts from 1 in every place. The identity matrix np.eye(n) has 1 on its diagonal alone."
+# %% role="mistake" name="1 as the identity matrix" says="gain @ H is subtracted from 1 in every place. Subtract it from the identity matrix that has the size of the state: np.eye(len(state))."
 def update(state, covariance, measurement, H, R):
     gain = gain_of(covariance, H, R)
     return state + gain @ (measurement - H @ state), (1 - gain @ H) @ covariance
@@ -176,7 +185,7 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.2, solution(observation, memory)[1]
 
-# %% role="mistake" name="it is too far away" says="Usual causes: the linear speed is 0.6 minus the distance, and not the distance minus 0.6; the distance is not 176.25 * 0.22 / width of the ball in the image; the robot turns past the ball and loses it (its middle is col + width / 2, its angle is in radians)."
+# %% role="mistake" name="it is too far away" says="Usual causes: the linear speed is not a factor of 1 or more times (distance - 0.6); the distance is not 176.25 * 0.22 / width of the ball in the image; it does not drive while it turns or searches; it turns past the ball and loses it (its middle is col + width / 2, its angle is in radians)."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return 0.4 * linear, angular

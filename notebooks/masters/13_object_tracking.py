@@ -629,7 +629,7 @@ def inputs(rng):
             (rng.uniform(-2, 2, 2).round(2), random_covariance(rng, 2), rng.uniform(-2, 2, 1).round(2), H, np.array([[0.25]]))]
 
 
-# %% role="case" title="place and speed on the floor" points=1 hint="Is S the covariance seen by H, plus R, and does the gain use its inverse?"
+# %% role="case" title="place and speed on the floor" points=1 hint="S is H @ covariance @ H.T + R, the gain is covariance @ H.T @ np.linalg.inv(S). The gain is multiplied by measurement - H @ state, and this is added to the state; np.eye(len(state)) - gain @ H is multiplied by the covariance."
 def inputs(rng):
     return [(rng.uniform(-2, 2, 4).round(2), random_covariance(rng, 4), rng.uniform(-2, 2, 2).round(2), H,
              random_covariance(rng, 2, scale)) for scale, H in ((0.1, np.eye(2, 4)), (1.0, np.eye(2, 4, 2)))]

@@ -40,15 +40,15 @@ def label(mask):
 def label(mask):
     return filled(mask, [(0, 1), (1, 0), (1, 1)])
 
-# %% role="mistake" name="one pass" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+# %% role="mistake" name="one pass" says="Two parts that meet farther down keep different numbers, like the two sides of a U. With a stack: visit all eight neighbours. Row by row: the numbers of parts that meet must become one."
 def label(mask):
     return one_pass(mask)
 
-# %% role="mistake" name="one pass, the last neighbour" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+# %% role="mistake" name="one pass, the last neighbour" says="Two parts that meet farther down keep different numbers, like the two sides of a U. With a stack: visit all eight neighbours. Row by row: the numbers of parts that meet must become one."
 def label(mask):
     return one_pass(mask, lambda near: near[-1])
 
-# %% role="mistake" name="one pass, the first neighbour" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+# %% role="mistake" name="one pass, the first neighbour" says="Two parts that meet farther down keep different numbers, like the two sides of a U. With a stack: visit all eight neighbours. Row by row: the numbers of parts that meet must become one."
 def label(mask):
     return one_pass(mask, lambda near: near[0])
 
@@ -123,7 +123,7 @@ def label(mask):
 def label(mask):
     return np.full(mask.shape, int(mask.any()))
 
-# %% role="mistake" name="one pass, left first" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+# %% role="mistake" name="one pass, left first" says="Two parts that meet farther down keep different numbers, like the two sides of a U. With a stack: visit all eight neighbours. Row by row: the numbers of parts that meet must become one."
 def label(mask):
     return one_pass(mask, lambda near: near[0], ((0, -1), (-1, -1), (-1, 0), (-1, 1)))
 

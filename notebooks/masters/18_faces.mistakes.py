@@ -48,7 +48,7 @@ def integral_image(gray):
 def integral_image(gray):
     return running(gray, dtype=np.uint8).astype(np.int64)
 
-# %% role="mistake" name="counted twice" says="The part above and on the left is counted twice: subtract sums[r, c] once."
+# %% role="mistake" name="counted twice" says="The part above and on the left is in both sums that you add, the one of the rows above and the one on the left: subtract it once."
 def integral_image(gray):
     sums = np.zeros((gray.shape[0] + 1, gray.shape[1] + 1), np.int64)
     for r, c in np.ndindex(gray.shape):

@@ -165,6 +165,17 @@ def test_starts_are_drawn_free_and_another_one_without_a_seed(env):
     assert len(set(starts)) == 30
 
 
+@pytest.mark.parametrize("uneven, is_there", [(None, True), (0.2, False)])
+def test_goal_is_a_place_of_the_odometry(uneven, is_there):
+    env = RoomEnv(())
+    goal = {"goal": (1.2, -1.3, 0.03)} | ({"uneven": uneven} if uneven else {})
+    env.reset(seed=0, options={"start": (0.95, -1.3, 0.0)} | goal)
+    times = [env.step((0.3, 0.0))[4]["goal_time"] for _ in range(20)]
+    assert any(times) == is_there
+    assert min(math.dist(place[:2], (1.2, -1.3)) for place in env.path) < 0.02
+    env.close()
+
+
 def test_metrics_of_a_drive_into_the_boxes():
     env = RoomEnv(())
     _, info = env.reset(

@@ -5,6 +5,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from itertools import product
 
+import numpy as np
+
 from .cell_syntax import is_part_of, plain_python, program_lines
 from .check_files import UnknownExerciseError, find_check_file
 from .diagnosis import UNCHANGED
@@ -160,10 +162,13 @@ def _one_change(result, function, calls):
     pairs = [(call.case, ExpectedCall(call.arguments, call.expected)) for call in ordered]
     others = [(case, call) for case in exercise.witnesses for call in case.calls]
     may_warn = any(call.result.warning for call in calls)  # else a nan would only hide the mistake
+    # With an inf, functions of np.linalg may compute for ever.
+    on_warning = {} if may_warn else dict.fromkeys(("divide", "over", "invalid"), "raise")
 
     def passes(changed, seconds):
         judged = (exercise.judged_call(changed, *pair, seconds) for pair in (*pairs, *others))
-        return all(call.passed and (may_warn or not call.result.warning) for call in judged)
+        with np.errstate(**on_warning):
+            return all(call.passed and (may_warn or not call.result.warning) for call in judged)
 
     task = "\n".join((exercise.stub, *exercise.hints, *(call.case.hint for call in calls)))
     return sentence_on_change(function, passes, task)

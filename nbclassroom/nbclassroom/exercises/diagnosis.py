@@ -381,6 +381,8 @@ def _relation_of_arrays(calls):
             return text
     if text := _one_value_for_another(arrays):
         return text
+    if all(_same(np.abs(_wide(expected)), np.abs(_wide(actual))) for expected, actual in arrays):
+        return "Only signs are wrong: without them, all your values are right."
     if all(_is_multiple(*pair) for pair in arrays):
         return _ONE_FACTOR
     gaps = {gap for expected, actual in arrays for gap in np.unique(_wide(actual) - _wide(expected))} - {0}

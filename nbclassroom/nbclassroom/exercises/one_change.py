@@ -5,7 +5,6 @@ A sentence that points at its place is true whatever the answer means, and it do
 
 import ast
 import contextlib
-import copy
 import math
 import re
 import sys
@@ -111,20 +110,20 @@ def _find_branch(function, run):
 
 def _find_change(function, passes, task):
     source, cell = source_of(function), next(iter(cells_of(function).values()), "")
-    (tree,) = ast.parse(source if len(source) < _LONGEST_SOURCE else "pass").body
+    numbers = dict.fromkeys(re.findall(r"(?<![\w.])\d+(?:\.\d+)?\b", task))
+    numbers = [float(number) if "." in number else int(number) for number in numbers]
+    tree = _tree(source if len(source) < _LONGEST_SOURCE else "pass", numbers)
     if not isinstance(tree, ast.FunctionDef | ast.ClassDef):
         return ""
     code, first = code_of(function), cell.partition(source.split("\n")[0])[0].count("\n")
     first = code.co_firstlineno - 1 if code else first
-    numbers = dict.fromkeys(re.findall(r"(?<![\w.])\d+(?:\.\d+)?\b", task))
-    vars(tree)["numbers"] = [float(number) if "." in number else int(number) for number in numbers]
     started = time.perf_counter()
     passes(function, 1)
     seconds = _PER_CALL + 10 * (time.perf_counter() - started)
     limit_memory()  # the answer itself may take more
 
     def helps(changes):
-        changed_function = _compiled(_changed(tree, changes), function)
+        changed_function = _compiled(_changed(_tree(source, numbers), changes), function)
         return changed_function is not None and passes(changed_function, seconds)
 
     nodes, lines = list(ast.walk(tree)), source.split("\n")
@@ -143,6 +142,13 @@ def _find_change(function, passes, task):
             places = [nodes[change.number] for change in changes]
             return _sentence(places, changes[0].question, lines, first)
     return ""
+
+
+def _tree(source, numbers):
+    """The tree of a function, with the numbers that its task names; to parse is faster than to copy."""
+    (tree,) = ast.parse(source).body
+    vars(tree)["numbers"] = numbers
+    return tree
 
 
 def _stands_in(task, node):
@@ -182,7 +188,8 @@ def _groups(possible, nodes):
         groups: dict[tuple, list] = {}
         for change in changes:
             place = nodes[change.number]
-            for about in (getattr(place, "lineno", 0), _form(place), ast.unparse(place)):
+            line, code = getattr(place, "lineno", 0), ast.unparse(place)
+            for about in (line, _form(place), code, (line, code)):
                 groups.setdefault((change.rule, change.kind, change.question, about), []).append(change)
         yield from (group for group in groups.values() if len(group) > 1)
 
@@ -194,8 +201,7 @@ def _form(place):
 
 
 def _changed(tree, changes):
-    """A copy of a tree with changes in it."""
-    tree = copy.deepcopy(tree)
+    """A tree, with changes in it."""
     nodes = list(ast.walk(tree))
     for change in changes:
         possible = list(change.rule(nodes[change.number], tree))
@@ -254,6 +260,10 @@ def _assigned(node, tree):
     block = _block_of(node, tree) if isinstance(node, ast.Assign | ast.AugAssign) else []
     below = block[block.index(node) + 1 :] if block else []
     yield from _assignment(node, below) if block else ()
+    if below:
+        yield "should it come after the next line?", _moving(node, block, block, block.index(node) + 1)
+    if block and isinstance(node.value, ast.Constant):
+        yield "is this number right?", _setting(node.value, value=math.inf)
     if isinstance(node, ast.Assign) and re.fullmatch(r"[\d., ()\[\]]+", ast.unparse(node.value)):
         for loop in (part for part in ast.walk(tree) if isinstance(part, ast.For | ast.While)):
             if any(loop in ast.walk(part) for part in below):
@@ -339,6 +349,8 @@ def _operator(node, _tree):
         yield "is it needed?", _replacing(node, ast.Pass())
     if isinstance(node, ast.UnaryOp):
         yield _DIRECTION, _replacing(node, node.operand)
+        if isinstance(node.op, ast.Not):
+            yield "0 counts as False: is None meant?", _replacing(node, _parsed(f"{ast.unparse(node.operand)} is None"))
 
 
 def _call(node, _tree):
@@ -377,7 +389,7 @@ def _call_arguments(node, name):
 def _constant(node, tree):
     value = node.value if isinstance(node, ast.Constant) else None
     if isinstance(value, int | float) and not isinstance(value, bool):
-        for number in (value + 1, value - 1, -value, 2 * value, value / 2, value * value, math.inf):
+        for number in (value + 1, value - 1, -value, 2 * value, value / 2, value * value):
             if value or number > 0:
                 yield "is this number right?", _setting(node, value=number)
         for number in tree.numbers:
@@ -454,6 +466,7 @@ def _name(node, tree):
         ]
         for variable in sorted({*names} - {node.id, *beside}):
             yield "is it the right variable?", _setting(node, id=variable)
+        yield "is its sign right?", _replacing(node, _parsed(f"-{node.id}"))
         for factor, share in ((2, "half"), (3, "a third")):
             yield f"is it {share} of what is needed?", _replacing(node, _parsed(f"{factor} * {node.id}"))
         yield _DIRECTION, _replacing(node, _parsed(f"{node.id} == False"))

@@ -113,6 +113,7 @@ VALUES = [
     (0.25, 25.0, "100 times the expected number (is it in percent?)"),
     (GRAY, GRAY * 0, "Every value of your result is 0: where do they become 0?"),
     (SIGNED, -SIGNED, "All signs are exchanged"),
+    (SIGNED, SIGNED * np.int32([1, -1, 1, 1, 1, 1]), "Only signs are wrong"),
     (SIGNED, np.abs(SIGNED), "negative values must stay negative, without abs()"),
     (MASK, ~MASK, "True and False are exchanged."),
     (GRAY[:5, :5], GRAY[:5, :5].T, "Rows and columns are exchanged"),

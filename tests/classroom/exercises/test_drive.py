@@ -152,6 +152,10 @@ def test_behaviours_depend_on_goal_bump_and_height():
     record, scenario = driven((0.0, 0.0), duration=9.0, goal=(0.5, 0.0, 0.3))
     assert next(iter(behaviours(record, scenario))) == "it stands at the goal"
     assert "stood, 0.5 m from the goal: the function" in sentences_of(record, scenario)[-1]
+    far, away = ["ball_gap", 0.7, "<=", 0.25], ["ball_angle", 20.0, "<=", 15]
+    has_ball, has_none = ({**record, "missed": missed} for missed in ([far], [far, away]))
+    assert [*behaviours(has_ball, scenario)] == ["error of the distance"]
+    assert next(iter(behaviours(has_none, scenario))) == "it stands at the goal"
     record, scenario = driven((0.3, 0.0), room=10)
     assert [*behaviours(record, scenario)] == ["it comes too near", "bumps", "clearance"]
     record["metrics"] |= {"low": True, "remarks": {"another ball": "It looked at the third ball."}}

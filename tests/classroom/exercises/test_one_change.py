@@ -25,6 +25,26 @@ CASES = {
     "a limit": ("def f(a, b):\n    return a < b", [((1, 1), True), ((2, 1), False)], "line 2", "the limit"),
     "an order": ("def f(a, b):\n    return a - b", [((1, 3), 2)], "line 2", "which of them comes first?"),
     "a function": ("def f(a):\n    return int(a)", [((1.6,), 2), ((1.2,), 1)], "line 2", "int(a)"),
+    "a line": (
+        "def f(a):\n    b = 2 * a\n    a = a + 1\n    return a, b",
+        [((1,), (2, 4)), ((5,), (6, 12))],
+        "line 2",
+        "b = 2 * a: should it come after the next line?",
+    ),
+    "none": ("def f(a):\n    return not a", [((0,), False), ((None,), True)], "not a", "is None meant?"),
+    "a sign": ("def f(a):\n    return [a, 3]", [((2,), [-2, 3])], "a in return [a, 3]", "its sign"),
+    "a name in one line": (
+        "def f(a, b):\n    c = a + 1\n    return c * (a - 2) * (2 - a)",
+        [((1, 3), -2), ((2, 5), -27)],
+        "line 3",
+        "a in return c * (a - 2) * (2 - a): is it the right variable?",
+    ),
+    "the first number of a search": (
+        "def f(a):\n    least = 9\n    for b in a:\n        if b < least:\n            least = b\n    return least",
+        [(([20, 11, 30],), 11)],
+        "9 in least = 9",
+        "is this number right?",
+    ),
     "a number": ("def f(a):\n    return a[1:-1]", [(([1, 2, 3],), [1, 2])], "line 2", "1 in return a[1:-1]"),
     "a square": ("def f(a):\n    return 16 - a", [((0,), 256)], "line 2", "16 in return 16 - a"),
     "the names of a shape": (

@@ -80,7 +80,8 @@ def behaviours(record, scenario):
     seen = _beyond_limits(record) | metrics.get("remarks", {})
     if metrics.get("low") and missed.keys() & {"bumps", "clearance"}:
         seen |= _low(record)
-    if missed.keys() - {"bumps", "clearance", "answer_error"}:
+    has_ball = "ball_gap" in missed and "ball_angle" not in missed  # it keeps it in the middle of the image
+    if missed.keys() - {"bumps", "clearance", "answer_error"} and not has_ball:
         stay = {} if record["bumps"] else _stay(record, scenario.get("goal"))
         seen |= stay or _circles(record)
     if missed.keys() & {"places", "goal_time", "reach", "distance"} and not seen:

@@ -49,7 +49,8 @@ def feed(node_class, part, steps):
     "subscriptions" and "publishers", lists of dicts sorted by topic, and "published early", the number of
     messages that it published in __init__; for "connections" less, what decides whether ROS connects it. For
     "images" it has "steps", what came of each step, and for "commands", with what a robot obeys after it: the
-    newest message of each topic, zeros before the first. "sleeps" and "windows" say whether it used them.
+    newest message of each topic, zeros before the first and where nothing answers a message that was sent.
+    "sleeps" and "windows" say whether it used them.
 
     NotGradedError: the node uses what the double does not have. NodeError: it cannot be driven. Exceptions of
     its __init__ are raised, and those of its callback with an image that is not bad.
@@ -67,7 +68,7 @@ def feed(node_class, part, steps):
             has_ended = bool(results) and bool(results[-1].get("ended"))
             results.append(results[-1] if has_ended else _take_step(node, record, step))
             if part == "commands":
-                results[-1] = {"delivered": results[-1]["delivered"], "published": _commands(record)}
+                results[-1] = {"delivered": results[-1]["delivered"], "published": _commands(record, results[-1])}
         if part == "connections":
             return _describe(node.get_name(), record, _POLICIES[:2]) | used
         if part == "setup":
@@ -195,10 +196,11 @@ def _take_step(node, record, step):
     }
 
 
-def _commands(record):
-    """The newest message on each topic, sorted; with zeros where nothing is published."""
+def _commands(record, step):
+    """The newest message on each topic, sorted; zeros where none is, and after a step that nothing answers."""
     first = {endpoint.topic_name: fields_of(endpoint.msg_type()) for endpoint in record.publishers}
-    newest = first | dict(record.published)
+    is_answered = step["published"] or not step["delivered"]
+    newest = first | dict(record.published if is_answered else ())
     return [{"topic": topic} | newest[topic] for topic in sorted(newest)]
 
 

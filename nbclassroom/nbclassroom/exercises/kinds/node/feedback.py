@@ -25,7 +25,8 @@ _ORDER = (
 
 def sentence_on_node(expected, actual, arguments):
     """What differs between two records, as forms, of one feed(part, steps); "" if no sentence says it."""
-    differences = list(_differences(_plain(expected), _plain(actual)))
+    records = _plain(expected), _plain(actual)
+    differences = list(_differences(*records))
     # An error that the node logs for a right image explains why it published nothing.
     differences.sort(key=lambda difference: not (difference[0].endswith("/log") and difference[1] == ""))
     for path, wanted, given in differences:
@@ -36,7 +37,7 @@ def sentence_on_node(expected, actual, arguments):
                 names = match.groupdict() | {"expected": wanted, "actual": given, "advice": _ADVICE}
                 steps = arguments[1][: int(names.get("step", -1)) + 1]
                 text = sentence(wanted, given, steps) if callable(sentence) else sentence
-                return text.format(**names)
+                return text.format(**names) + (_ALWAYS_STANDS if _always_stands(*records, path) else "")
     return ""
 
 
@@ -107,8 +108,21 @@ def _on_speed(wanted, given, steps):
     if "topic" in step and "topic" not in steps[-2:][0]:
         when += f" and is the first one after {steps[-2]['seconds']} s without any"
     must = f"drive with {wanted} m/s" if wanted else "stand"
-    says = f"says {given:.3g} m/s" + " (or there was none yet)" * (not given)
+    says = f"says {given:.3g} m/s" + " (or there was none after this message)" * (not given)
     return f"When {when}, the robot must {must}, and the newest command of your node {says}."
+
+
+def _always_stands(expected, actual, path):
+    """Whether a node that drove stands, rightly, and never drives again in steps in which it should."""
+    if not path.endswith(_SPEED):
+        return False
+    speeds = []
+    for steps in (expected["steps"], actual["steps"]):
+        speeds.append([step["published"][0]["fields"]["linear"]["x"] for step in steps])
+    wanted, given = map(np.array, speeds)
+    stops = np.flatnonzero((wanted == 0) & (given == 0))
+    first = stops[0] if len(stops) else 0
+    return bool(given[:first].any() and wanted[first:].any() and not given[first:].any())
 
 
 def _is_of_edges(image):
@@ -132,4 +146,6 @@ _TEXT = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8")
 _PHRASES = read_phrases(_TEXT.replace("STEP", _STEP).replace("IMAGE", _IMAGE))
 _ADVICE = _PHRASES["<advice>"]
 # What makes a sentence of the two values and of the steps up to this one
-_RULES = {f"{_IMAGE}/pixels": _on_pixels, f"{_IMAGE}/fields/linear/x": _on_speed}
+_SPEED = "/fields/linear/x"
+_RULES = {f"{_IMAGE}/pixels": _on_pixels, f"{_IMAGE}{_SPEED}": _on_speed}
+_ALWAYS_STANDS = " After its first stop it never drives again: does each scan set the speed anew?"
