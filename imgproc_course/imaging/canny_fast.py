@@ -105,13 +105,9 @@ def _gradient(padded, aperture):
 
 def _magnitude(grad_row, grad_col, l2_gradient):
     """L1 norm as int16 (at most 24480, at aperture 5), squared L2 norm as int32 (at most 3·10⁸)."""
-    if not l2_gradient:
-        magnitude = np.abs(grad_row)
-        magnitude += np.abs(grad_col)
-        return magnitude
-    magnitude = np.square(grad_row, dtype=np.int32)
-    magnitude += np.square(grad_col, dtype=np.int32)
-    return magnitude
+    if l2_gradient:
+        return np.square(grad_row, dtype=np.int32) + np.square(grad_col, dtype=np.int32)
+    return np.abs(grad_row) + np.abs(grad_col)
 
 
 def _suppress(magnitude, grad_row, grad_col, low, high):
@@ -129,11 +125,7 @@ def _suppress(magnitude, grad_row, grad_col, low, high):
     down, right = np.abs(down).astype(np.int32), np.abs(right).astype(np.int32)
     down <<= TAN_SHIFT
     down_at_22 = right * TAN_22
-    is_horizontal = down < down_at_22
-    # down_at_67 = down_at_22 + 2 right, computed in place of `right`.
-    right <<= TAN_SHIFT + 1
-    right += down_at_22
-    is_vertical = down > right
+    is_horizontal, is_vertical = down < down_at_22, down > down_at_22 + (right << TAN_SHIFT + 1)
 
     # Distance in the flat array to the neighbour ahead; the one behind is as far in the other direction.
     sector = leans_left + 2 * is_horizontal.view(np.int8) + 4 * is_vertical.view(np.int8)

@@ -141,9 +141,8 @@ def _gray_levels_16_to_8(frame):
 
 
 def _16_to_8_bits(frame, dtype):
-    wide = np.add(frame, 128, dtype=np.int32)
-    wide //= 257  # the divisor is odd: no value lies exactly between two integers
-    return _saturate(wide, dtype)
+    # The divisor is odd: no value lies exactly between two integers.
+    return _saturate(np.add(frame, 128, dtype=np.int32) // 257, dtype)
 
 
 def _saturate(frame, dtype):

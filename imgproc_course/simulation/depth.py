@@ -44,15 +44,9 @@ class TriangleDepth:
         self._update_planes(numbers, camera, joint_poses)
         a, b, c, nearest, farthest = self._planes
         x, y = self._rays
-        slope, part = np.take(a, numbers), np.take(b, numbers)
-        slope *= x
-        part *= y
-        slope += part
-        slope += np.take(c, numbers)
-        np.maximum(slope, GRAZING, out=slope)  # below 0 too it is the triangle's far end that counts
-        depth = np.divide(1, slope, out=slope)
-        np.minimum(depth, np.take(farthest, numbers), out=depth)
-        return np.maximum(depth, np.take(nearest, numbers), out=depth)
+        slope = np.take(a, numbers) * x + np.take(b, numbers) * y + np.take(c, numbers)
+        depth = 1 / np.maximum(slope, GRAZING)  # below 0 too it is the triangle's far end that counts
+        return np.maximum(np.minimum(depth, np.take(farthest, numbers)), np.take(nearest, numbers))
 
     def _update_planes(self, numbers, camera, joint_poses):
         """Computes of each triangle in the image (a, b, c) with 1 / depth = a x + b y + c, and its depths.

@@ -5,10 +5,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..geometry import Pose
+
 RAYS = 360
 RANGE_MIN, RANGE_MAX = 0.05, 8.0  # metres
 MOUNT = (0.156, 0.105)  # x and z in base_link, metres: the Kachaka's
 NOISE = 0.005  # metres, standard deviation
+NOWHERE = Pose(np.eye(3), np.array([0, 0, -np.inf]))  # of who does not take part
 
 
 class LaserScan(NamedTuple):
@@ -80,9 +83,10 @@ class Laser:
 
     def __init__(self, room):
         self._still = cut(room.triangles[room.joint < 0], MOUNT[1])
-        self._names = room.joint_names
-        self._triangles, self._joint = room.triangles, room.joint
-        self._moving = {}  # see _moving_of
+        self._names, moves = room.joint_names, room.joint >= 0
+        self._joint = room.joint[moves]
+        # Of the movers' triangles, in the frames of their joints: each corner's x y z (3, 3, N).
+        self._moving = np.ascontiguousarray(np.moveaxis(room.triangles[moves], 0, -1), float)
 
     def scan(self, robot, joint_poses, seed, step):
         """A LaserScan of the robot whose base_link is at (x, y, yaw); without `seed` it has no noise."""
@@ -98,26 +102,14 @@ class Laser:
 
     def _near(self, joint_poses, height):
         """Those triangles (N, 3, 3) of movers, in the map, that reach above and below a height."""
-        names, joint, moving = self._moving_of(joint_poses)
-        poses = [joint_poses[name] for name in names]
+        poses = [joint_poses.get(name, NOWHERE) for name in self._names]
         positions = np.stack([pose.position for pose in poses])
         rotations = np.stack([pose.rotation for pose in poses])
-        (x, y, z), lift = np.take(rotations[:, 2].T, joint, 1), np.take(positions[:, 2], joint)
-        a, b, c = (x * corner[0] + y * corner[1] + z * corner[2] + lift for corner in moving)
+        (x, y, z), lift = np.take(rotations[:, 2].T, self._joint, 1), np.take(positions[:, 2], self._joint)
+        a, b, c = (x * corner[0] + y * corner[1] + z * corner[2] + lift for corner in self._moving)
         lowest, highest = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
         rows = np.flatnonzero((lowest <= height) & (highest > height))
-        rotation = np.moveaxis(rotations[joint[rows]], 0, -1)  # (3, 3, N)
-        corners = np.take(moving, rows, 2)
+        joint, corners = self._joint[rows], np.take(self._moving, rows, 2)
+        rotation = np.moveaxis(rotations[joint], 0, -1)  # (3, 3, N)
         placed = [[row[0] * x + row[1] * y + row[2] * z for row in rotation] for x, y, z in corners]
-        return np.moveaxis(np.array(placed), -1, 0) + positions[joint[rows]][:, None]
-
-    def _moving_of(self, joint_poses):
-        """Of joints with a pose: names, and of their triangles joints (N,) and corners' x y z (3, 3, N)."""
-        names = tuple(name for name in self._names if name in joint_poses)
-        if names not in self._moving:
-            numbers = {name: number for number, name in enumerate(names)}
-            renumbered = np.array([numbers.get(name, -1) for name in self._names])
-            joint = np.where(self._joint >= 0, renumbered[self._joint], -1)
-            corners = np.moveaxis(self._triangles[joint >= 0], 0, -1)
-            self._moving[names] = names, joint[joint >= 0], np.ascontiguousarray(corners, float)
-        return self._moving[names]
+        return np.moveaxis(np.array(placed), -1, 0) + positions[joint][:, None]

@@ -206,9 +206,7 @@ class Simulation(contextlib.AbstractContextManager["Simulation"]):
         """
         numbers, rays = self._numbers(camera)
         metres = rays.depth(numbers, self._camera_pose(camera), self._joint_poses())
-        metres *= 1000
-        metres += 0.5
-        return metres.astype(np.uint16)
+        return (metres * 1000 + 0.5).astype(np.uint16)
 
     def labels(self) -> NDArray[np.uint8]:
         """The class of each pixel of `depth`, (height, width) uint8; `label_names` has the names."""
