@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import math
-from fractions import Fraction
 
 import numpy as np
 
@@ -65,10 +64,11 @@ def box_mean(image, size, border):
 
 
 def gaussian_kernel(sigma, size=None):
-    """The floats of cv2.getGaussianKernel, of sum 1.
+    """The weights of cv2.GaussianBlur for uint8: integers of sum 256, as its smooth.dispatch.cpp rounds them.
 
     If the size is omitted, it is 6 sigma + 1, rounded and made odd. If sigma is 0 or less, a table has the
-    kernel up to size 9; then sigma is 0.3 ((size - 1) / 2 - 1) + 0.8.
+    kernel up to size 9; then sigma is 0.3 ((size - 1) / 2 - 1) + 0.8. The rounding error of each weight is
+    added to the next one, from the ends inwards; the middle is the rest to 256.
     """
     sigma = check_number(sigma, "sigma")
     if size is None:
@@ -79,26 +79,14 @@ def gaussian_kernel(sigma, size=None):
         size = round(sigma * 6 + 1) | 1
     size = check_size(size)
     if sigma <= 0 and size in KERNEL_OF_SIZE:
-        return [weight / (1 << KERNEL_SHIFT) for weight in KERNEL_OF_SIZE[size]]
+        return KERNEL_OF_SIZE[size]
     if sigma <= 0:
-        # Rounded once, as by a fused multiply-add: the last bit of the kernel depends on it.
-        sigma = float(Fraction(0.15) * size + Fraction(0.35))
-    scale = -0.5 / (sigma * sigma)
-    heights = [math.exp(distance**2 * scale) for distance in range(size // 2, 0, -1)]
-    middle = 1 / (2 * sum(heights) + 1)
-    outer = [height * middle for height in heights]
-    return [*outer, middle, *reversed(outer)]
-
-
-def fixed_point_gaussian_kernel(sigma, size=None):
-    """The weights of `gaussian_kernel` as integers of sum 256, as OpenCV's smooth.dispatch.cpp rounds them.
-
-    The rounding error of each is added to the next one, from the ends inwards; the middle is the rest to 256.
-    """
-    kernel = gaussian_kernel(sigma, size)
+        sigma = 0.15 * size + 0.35
+    heights = [math.exp(distance**2 * -0.5 / (sigma * sigma)) for distance in range(size // 2, 0, -1)]
+    scale = (1 << KERNEL_SHIFT) / (2 * sum(heights) + 1)
     outer, error = [], 0.0
-    for weight in kernel[: len(kernel) // 2]:
-        exact = weight * (1 << KERNEL_SHIFT) + error
+    for height in heights:
+        exact = height * scale + error
         outer.append(round(exact))
         error = exact - outer[-1]
     return [*outer, (1 << KERNEL_SHIFT) - 2 * sum(outer), *reversed(outer)]
@@ -131,7 +119,7 @@ def gaussian_blur(image: GrayOrBgr, sigma: float, size: int | None = None) -> Gr
     [[ 0 25 50 25  0]]
     """
     image = check_image(image)
-    kernel = fixed_point_gaussian_kernel(sigma, size)
+    kernel = gaussian_kernel(sigma, size)
 
     def blur_block(block):
         # 255 · 256 fits 16 bits: along the rows uint16 is enough, with half the memory of uint32.

@@ -190,16 +190,6 @@ def test_aperture_7_gradients_are_sixteenths_with_halves_rounded_to_even():
     assert round(-0.5) == 0 and round(-1.5) == -2
 
 
-def test_thresholds_in_the_unit_in_which_opencv_compares():
-    assert threshold_in_unit(100, 3, False) == 100
-    assert threshold_in_unit(100, 5, False) == 100
-    assert threshold_in_unit(100, 7, False) == 6.25
-    assert threshold_in_unit(100, 3, True) == 10_000
-    assert threshold_in_unit(100, 7, True) == 39.0625
-    assert threshold_in_unit(-100, 3, True) == 0
-    assert threshold_in_unit(1e12, 3, True) == 32767**2
-
-
 def test_magnitude_0_is_never_an_edge_even_if_thresholds_are_negative():
     assert not np.any(double_threshold(np.zeros((2, 2), int), -5, -3))
     weak, strong = double_threshold(np.array([[0, 1, 2]]), -5, 1)

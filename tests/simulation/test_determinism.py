@@ -5,7 +5,6 @@ import multiprocessing
 import os
 import subprocess
 import sys
-from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -21,8 +20,7 @@ from imgproc_course.simulation import (
     gesture_track,
     random_hand,
 )
-from imgproc_course.simulation.movers import Movers
-from imgproc_course.simulation.renderer import BALL_LIGHT, ColorRenderer, NumberRenderer, Renderer
+from imgproc_course.simulation.renderer import BALL_LIGHT, ColorRenderer, NumberRenderer
 from imgproc_course.simulation.room import recorded_room
 
 # Older instruction sets: of NumPy, of the C library and of OpenCV.
@@ -197,26 +195,3 @@ def test_the_sensor_can_be_switched_off_and_the_seed_changes_its_noise():
     assert 1 < noise.std() < 5
     assert np.abs(noise.mean()) < 0.2
     assert (frames["clean"] != frames["a"]).mean() > 0.5
-
-
-def test_images_of_one_time_share_what_is_drawn_and_where_the_joints_are(monkeypatch):
-    counts = Counter()
-
-    def counted(owner, name):
-        function = getattr(owner, name)
-
-        def count(*arguments):
-            counts[name] += 1
-            return function(*arguments)
-
-        monkeypatch.setattr(owner, name, count)
-
-    counted(Renderer, "render")
-    counted(Movers, "joint_poses")
-    with Simulation() as room:
-        for images in (1, 2):
-            room.step(0.1, 0.2)
-            room.frame(), room.depth(), room.labels(), room.scan(), room.depth()
-            assert counts == {"render": 2 * images, "joint_poses": images}  # one in color, one of numbers
-        room.depth("tof")
-        assert counts == {"render": 5, "joint_poses": 2}
