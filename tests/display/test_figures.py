@@ -229,12 +229,9 @@ def test_without_its_texts_a_figure_has_its_title(shown, texts, name, damage):
     assert [alt_text(output) for output in shown[1:]] == ["a figure", "Errors; in pixels"]
 
 
-def test_a_text_that_is_no_name_is_refused():
+def test_a_text_that_is_no_name_or_given_twice_is_refused():
     with pytest.raises(ValueError, match=r'text must be "lesson/name", got .* caption= and alt='):
         show(np.zeros((3, 3), np.uint8), text=("All < 1.", "nine black pixels"))
-
-
-def test_texts_are_given_once():
     with pytest.raises(ValueError, match="or caption= and alt=, not both"):
         show(np.zeros((3, 3), np.uint8), text="arrays/nine", alt="pixels")
 

@@ -185,6 +185,9 @@ BAD_NUMBERS = {
     "low NaN": (lambda: canny(GRAY, np.nan, 2), "low must be a number, got nan"),
     "high text": (lambda: canny_stages(GRAY, 1, "2"), "high must be a number, got '2'"),
     "high bool": (lambda: canny(GRAY, 0, True), "high must be a number, got True"),
+    # cv2.Canny swaps them silently, so a learner would not notice the mistake.
+    "low above high": (lambda: canny(GRAY, 150, 50), "must not be above high, got low=150, high=50; swap"),
+    "high below low": (lambda: canny_stages(GRAY, 150, 50), "got low=150, high=50; swap them"),
     "sigma below 0": (lambda: canny(GRAY, 1, 2, sigma=-1), "sigma must be a number, at least 0"),
     "sigma infinite": (lambda: gaussian_blur(GRAY, np.inf), "sigma must be a number, got inf"),
     "no sigma, no size": (lambda: gaussian_blur(GRAY, 0), "sigma must be above 0 if size is omitted"),

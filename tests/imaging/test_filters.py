@@ -41,16 +41,6 @@ def test_gaussian_equals_opencvs(grays, colours, frames, gray_frames, count):
     count.report("gaussian_blur by sigma")
 
 
-def test_gaussian_of_a_size_equals_opencvs(grays, count):
-    for name, image in grays.items():
-        before = image.copy()
-        for size in SIZES:
-            for sigma in (0, 2.2):
-                truth = cv2.GaussianBlur(before, (size, size), sigma)
-                count.compare(gaussian_blur(image, sigma, size), truth, (name, size, sigma))
-    count.report("gaussian_blur by size")
-
-
 def test_gaussian_of_an_impulse_equals_opencvs_for_many_sigmas_and_sizes(count):
     impulse = np.zeros((1, 401), np.uint8)
     impulse[0, 200] = 255
