@@ -1,5 +1,6 @@
 """Rooms with the recorded room's furniture, each of which stands elsewhere: drawn by a seed."""
 
+import contextlib
 import functools
 import math
 from dataclasses import dataclass
@@ -59,26 +60,27 @@ def room_of(number):
 @functools.lru_cache(maxsize=4)
 def _furnished(seed):
     for draw in range(DRAWS):
-        room = _drawn(np.random.default_rng([seed, 77, draw]), f"room {seed}")
-        if room is not None:
-            return room
+        with contextlib.suppress(NoPlaceError):
+            return _drawn(np.random.default_rng([seed, 77, draw]), f"room {seed}")
     raise RuntimeError(f"no furniture fits into room {seed}; take another number")  # seen in none of 1,000
 
 
+class NoPlaceError(Exception):
+    """Something does not fit into a room: another one is drawn."""
+
+
 def _drawn(random, name):
-    """A Room, or None if something does not fit."""
+    """A Room; NoPlaceError if something does not fit."""
     pieces = load_pieces()
     placement = Placement(random, pieces)
     if not placement.draw():
-        return None
+        raise NoPlaceError
     places = placement.places
     floor = Floor.of(pieces, places)
     poses = pieces.poses(places)
     if not (floor.is_connected and all(floor.shows(poses[shown], *LOOKS[shown]) for shown in LOOKS)):
-        return None
+        raise NoPlaceError
     ways = floor.ways(random)
-    if ways is None:
-        return None
     x, y, yaw = places["rug"]
     word = WORDS[int(random.integers(len(WORDS)))]
     marker, wall_marker = random.choice(NUMBERS, 2, replace=False).tolist()
@@ -144,7 +146,7 @@ class Floor:
         return np.count_nonzero(sees & stands) >= LEAST_LOOKS
 
     def ways(self, random):
-        """Person, car, start and ball as a Room has them, or None if one of them does not fit."""
+        """Person, car, start and ball as a Room has them; NoPlaceError if one of them does not fit."""
         walk = np.stack([np.linspace(0, WALK_LENGTH, 60), np.zeros(60)], 1)
         car_way = CarWay(0.0, 0.0, 0.0, rug_from=math.inf)
         wave = np.array([car_way.at(time, None)[0][:2] for time in np.linspace(0, CAR_TIME, 60)])
@@ -152,22 +154,16 @@ class Floor:
         robot = np.where(self.turnable, open_floor, 0)
         person, taken = self._fitting(random, walk, open_floor, PERSON_ROOM)
         car, more = self._fitting(random, wave, self.millimetres, CAR_ROOM)
-        if person is None or car is None:
-            return None
         taken = np.concatenate([taken, more])
         start, place = self._fitting(random, AHEAD, robot, AHEAD_ROOM, START_ROOM, taken)
-        if start is None:
-            return None
         ball, _ = self._fitting(random, np.zeros((1, 2)), robot, BALL_ROOM, BALL_ROOM, [*taken, *place])
-        if ball is None:
-            return None
         ways = {"person": PersonWay(*person), "car": CarWay(*car), "ball": BallWay(ball[:2])}
         return ways | {"start": start}
 
     def _fitting(self, random, curve, distance, room, first_room=0, taken=()):
         """A place (x, y, yaw) at which each point of the curve has `room` millimetres, and the curve there.
 
-        The first point has `first_room`, and is APART from those that are taken. If none fits: (None, None).
+        The first point has `first_room`, and is APART from those that are taken. NoPlaceError if none fits.
         """
         for _ in range(BATCHES):
             places = np.round(random.uniform((*AREA[0], -3.14), (*AREA[1], 3.14), (BATCH, 3)), 3)
@@ -178,7 +174,7 @@ class Floor:
                 x, y = curves[index, 0].tolist()
                 if all((x - u) ** 2 + (y - v) ** 2 >= APART**2 for u, v in taken):
                     return tuple(places[index].tolist()), curves[index]
-        return None, None
+        raise NoPlaceError
 
 
 def outwards(pose):

@@ -198,10 +198,7 @@ class Movers:
         room = self._room
         (x, y, yaw), phase, amplitude = room.person.at(self._time_of("person"))
         (u, v, z, heading), turn = room.car.at(self._time_of("toycar"), room.rug)
-        poses = {
-            "person": rounded(Pose.planar(x, y, yaw)),
-            "toycar": rounded(Pose.planar(u, v, heading, z)),
-        }
+        poses = {"person": rounded(Pose.planar(x, y, yaw)), "toycar": rounded(Pose.planar(u, v, heading, z))}
         poses = {name: pose for name, pose in poses.items() if name in self.walkers}
         for name, ball in self.balls.items():
             height = BALL_RADIUS + (room.rug.height if room.rug.holds(ball.x, ball.y) else 0.0)

@@ -208,7 +208,6 @@ class Placement:
 
     def _keep_before_stand(self, place):
         c, s = direction(place[2] + STAND_FRONT)
-        half = 0.18 + BORDER
         begin = (place[0] + 0.06 * c, place[1] + 0.06 * s)
-        zone = turned(rectangle(SEEN_FROM, half), (*begin, place[2] + STAND_FRONT))
+        zone = turned(rectangle(SEEN_FROM, 0.18 + BORDER), (*begin, place[2] + STAND_FRONT))
         return self._to_wall(zone) > 0 and self._keep(zone)

@@ -478,12 +478,9 @@ def border(camera, margin, count):
     """Pixels (4 count, 2) as (column, row) around the image of a camera, so many pixels outside of it."""
     columns = np.linspace(-margin, camera.width - 1 + margin, count)
     rows = np.linspace(-margin, camera.height - 1 + margin, count)
-    return [
-        *((column, rows[0]) for column in columns),
-        *((columns[-1], row) for row in rows),
-        *((column, rows[-1]) for column in columns[::-1]),
-        *((columns[0], row) for row in rows[::-1]),
-    ]
+    above, below = ([(column, row) for column in columns] for row in rows[[0, -1]])
+    left, right = ([(column, row) for row in rows] for column in columns[[0, -1]])
+    return [*above, *right, *below[::-1], *left[::-1]]
 
 
 def pinhole_covering(model, scale=1.0):

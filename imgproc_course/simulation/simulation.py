@@ -109,7 +109,7 @@ class Simulation(contextlib.AbstractContextManager["Simulation"]):
                     f"the robot cannot start at {self._wheels.place}: {thing} is in its way; "
                     f"choose another {remedy}"
                 )
-        self._held: tuple[Any, float, frozenset[float]] = self._wheels.place, 0.0, frozenset()  # _note_held
+        self._held: tuple[Any, float, frozenset[float]] = self._wheels.place, 0.0, frozenset()  # _small_step
         self._pinned = self._held
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]), uneven)
         self._sensor = Sensor(self.camera, seed, lighting) if sensor else None
@@ -149,7 +149,10 @@ class Simulation(contextlib.AbstractContextManager["Simulation"]):
                 if gave_way or speeds == (0.0, 0.0):
                     break
             touched = True
-        self._note_held(place, linear, angular, dt)
+        # For how long the body has hardly moved although it should, and which ways were tried.
+        stands = linear == angular == 0
+        self._held = _held_longer(self._held, place, linear, dt, -1 if stands else 0.01)
+        self._pinned = _held_longer(self._pinned, place, linear, dt, -1 if stands else 0.1)
         if touched and (_is_stuck(self._held, LONGEST_HELD) or _is_stuck(self._pinned, LONGEST_PINNED)):
             self._movers.give_way(dt, place)
         body.place = place
@@ -157,12 +160,6 @@ class Simulation(contextlib.AbstractContextManager["Simulation"]):
         self._odometry.step(*speeds, dt, self.room.rug.holds(*place[:2]))
         self._movers.step(dt, place)
         return touched
-
-    def _note_held(self, place, linear, angular, dt):
-        """Notes for how long the body has hardly moved although it should, and which ways were tried."""
-        stands = linear == angular == 0
-        self._held = _held_longer(self._held, place, linear, dt, -1 if stands else 0.01)
-        self._pinned = _held_longer(self._pinned, place, linear, dt, -1 if stands else 0.1)
 
     def _blocked(self, place):
         """Whether the body at (x, y, yaw) would be in something, and not merely leave it.

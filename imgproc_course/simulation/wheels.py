@@ -106,7 +106,6 @@ class WheelOdometry:
         self.state = Odometry(0.0, 0.0, 0.0, 0.0, 0.0)
 
     def step(self, linear, angular, dt, on_rug):
-        """Counts dt seconds of the true motion."""
         slip = self.SLIP_ON_RUG if on_rug else self.SLIP
         across = angular * WHEEL_DISTANCE / 2
         ways = (linear - across) * dt, (linear + across) * dt
