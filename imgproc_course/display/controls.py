@@ -137,9 +137,8 @@ class Controls:
 
     def _parameters_of(self, keyword, range_):
         parameters = self._parameters
-        if parameters is None or keyword in parameters:
-            return (keyword,)
-        if any(parameter.kind is parameter.VAR_KEYWORD for parameter in parameters.values()):
+        kinds = [parameter.kind for parameter in (parameters or {}).values()]
+        if parameters is None or keyword in parameters or inspect.Parameter.VAR_KEYWORD in kinds:
             return (keyword,)
         pairs = [pair for pair in PAIRS if set(pair) <= set(parameters)]
         single_names = [name for name in parameters if not pairs or name not in pairs[0]]
@@ -171,7 +170,6 @@ class Controls:
     def _make_slider(self, keyword, range_, common):
         low, high, step = _check_range(keyword, range_)
         is_integer = all(isinstance(number, int) for number in (low, high, step))
-        limits = {"min": low, "max": high, "step": step}
         if not is_integer:
             common["readout_format"] = f".{max(0, -math.floor(math.log10(step)))}f"
         if len(self._names[keyword]) == 2:
@@ -181,7 +179,7 @@ class Controls:
         else:
             start = self._start(keyword, low, high, step, 0.5)
             slider_class = widgets.IntSlider if is_integer else widgets.FloatSlider
-        return slider_class(value=start, **limits, **common)
+        return slider_class(value=start, min=low, max=high, step=step, **common)
 
     def _default(self, name):
         parameter = (self._parameters or {}).get(name)

@@ -32,12 +32,7 @@ FASTEST = 0.6  # m/s: what is farther from the last odometry is of a robot that 
 SCANNER = (0.156, math.pi / 2)
 
 
-def drive(
-    robot: Any,
-    source: Any = None,
-    *,
-    text: str | None = None,
-) -> "DriveView":
+def drive(robot: Any, source: Any = None, *, text: str | None = None) -> "DriveView":
     """Shows what the robot sees, and drives it: arrow keys or W A S D, buttons, or a gamepad.
 
     The keys work while the map beside the image has the focus: click on it, or reach it with Tab. The robot
@@ -294,27 +289,25 @@ def seconds(stamp):
 
 
 def _rays(scan, x, y, yaw):
-    """Place of the scanner and direction of its first ray, in the map; its ranges, 0 where it met nothing."""
+    """Place of the scanner and angles of its rays, in the map; its ranges, 0 where it met nothing."""
     ahead, turned = SCANNER
     ranges = np.array(scan.ranges, float)
     ranges[~((ranges >= scan.range_min) & (ranges <= scan.range_max))] = 0
     place = x + ahead * math.cos(yaw), y + ahead * math.sin(yaw)
-    return place, yaw + turned + scan.angle_min, ranges
+    return place, yaw + turned + scan.angle_min + scan.angle_increment * np.arange(len(ranges)), ranges
 
 
 def cells_of(scan, x, y, yaw):
     """The cells {(i, j)} of the map in which a LaserScan of a robot at (x, y, yaw) has met something."""
-    place, first, ranges = _rays(scan, x, y, yaw)
-    angles = (first + scan.angle_increment * np.arange(len(ranges)))[ranges > 0]
-    points = place + ranges[ranges > 0, None] * np.stack([np.cos(angles), np.sin(angles)], -1)
+    place, angles, ranges = _rays(scan, x, y, yaw)
+    points = (place + ranges[:, None] * np.stack([np.cos(angles), np.sin(angles)], -1))[ranges > 0]
     return set(map(tuple, np.floor(points / CELL).astype(int).tolist()))
 
 
 def cells_before(scan, x, y, yaw):
     """The cells {(i, j)} that the scan's rays have passed, well before what they have met."""
-    place, first, ranges = _rays(scan, x, y, yaw)
+    place, angles, ranges = _rays(scan, x, y, yaw)
     steps = np.arange(CELL, FARTHEST, CELL)
-    angles = first + scan.angle_increment * np.arange(len(ranges))
     # Along a wall, a ray touches what its neighbours have met.
     shortest = np.min([np.roll(ranges, k) for k in range(-3, 4)], axis=0)
     rows, columns = np.nonzero(steps < shortest[:, None] - BEHIND)
@@ -324,7 +317,7 @@ def cells_before(scan, x, y, yaw):
 
 def seen_through(cells, scan, x, y, yaw):
     """Those of the cells {(i, j)} through which the scan's rays have passed."""
-    place, first, ranges = _rays(scan, x, y, yaw)
+    place, (first, *_), ranges = _rays(scan, x, y, yaw)
     cells = np.array(sorted(cells), int).reshape(-1, 2)
     columns, rows = ((cells + 0.5) * CELL - place).T
     numbers = np.round((np.arctan2(rows, columns) - first) % (2 * math.pi) / scan.angle_increment).astype(int)

@@ -142,11 +142,7 @@ def draw(
 
 
 def show_figure(
-    figure: Figure,
-    *,
-    alt: str | None = None,
-    caption: str | None = None,
-    text: str | None = None,
+    figure: Figure, *, alt: str | None = None, caption: str | None = None, text: str | None = None
 ) -> None:
     """Shows any matplotlib figure as an image with an alternative text, and closes it.
 

@@ -80,7 +80,11 @@ class Screen:
     def show(self, result):
         """Shows an array, or several in a list or dict (of title -> array). Returns the JPEG's bytes."""
         images = self._read(result)
-        jpeg = _encode(self._compose(images))
+        width = self._style.width or (WIDTH if len(images) == 1 else WIDTH_OF_SEVERAL)
+        width_of_images = width - GAP * (len(images) - 1)
+        height = max(1, min(HIGHEST, round(width_of_images / sum(map(_aspect, images)))))
+        self._resize(width, height)
+        jpeg = _encode(self._side_by_side(images, height))
         self._set_titles(images)
         self.image.value = jpeg
         return jpeg
@@ -112,13 +116,6 @@ class Screen:
         """(rows, cols) or (rows, cols, 3) uint8, blue first: the image of `show` at full resolution."""
         images = self._read(result)
         return self._side_by_side(images, max(image.array.shape[0] for image in images))
-
-    def _compose(self, images):
-        width = self._style.width or (WIDTH if len(images) == 1 else WIDTH_OF_SEVERAL)
-        width_of_images = width - GAP * (len(images) - 1)
-        height = max(1, min(HIGHEST, round(width_of_images / sum(map(_aspect, images)))))
-        self._resize(width, height)
-        return self._side_by_side(images, height)
 
     def _side_by_side(self, images, height):
         parts = [self._fit(image, (max(1, round(height * _aspect(image))), height)) for image in images]
