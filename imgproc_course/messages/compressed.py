@@ -69,8 +69,11 @@ def _decoded(msg, desired_encoding):
     format, data = _fields(msg)
     if format in LOSSLESS:
         return decode_lossless(data, desired_encoding)
-    decode = decode_depth if is_depth(format, data) else _decode_image
-    frame, source = decode(format, data)
+    if is_depth(format, data):
+        frame, source = decode_depth(format, data)
+    else:  # whatever the format says: the file itself says what it is
+        frame = decode_image_file(data, format)
+        source = _meaning(format, frame)
     if isinstance(desired_encoding, str) and desired_encoding in ("passthrough", ""):
         desired_encoding = source.name.replace("rgb", "bgr")
     convert = _conversion(source, encoding_info(desired_encoding), "the encoding in msg.format")
@@ -176,12 +179,6 @@ def _fields(msg):
     raise ConversionError(
         f"expected a sensor_msgs/CompressedImage, got {quoted(msg)} without {missing}; {remedy}"
     )
-
-
-def _decode_image(format, data):
-    """(array, EncodingInfo) of an image file, whatever the format says: the file itself says what it is."""
-    frame = decode_image_file(data, format)
-    return frame, _meaning(format, frame)
 
 
 def _meaning(format, frame):

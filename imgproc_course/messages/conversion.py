@@ -216,14 +216,11 @@ def _mislabelled(array, stored, info):
     if info.dtype != stored.dtype:
         remedy = f"convert the values to {info.dtype.name} first: {call_for_values(array, info)}"
     else:
-        remedy = f"name the array's own encoding ({_names_of(stored)}), or convert the array first"
+        names = [name for name, info in ENCODINGS.items() if info[1:3] == stored[1:3] and info.color]
+        own = " or ".join(map(repr, [*names[:2], stored.name]))
+        remedy = f"name the array's own encoding ({own}), or convert the array first"
     actual = f"{array.dtype.name}, {array.shape}"
     return f"encoding {info.name!r} needs an array of {expected}; got {actual}: {remedy}"
-
-
-def _names_of(stored):
-    names = [name for name, info in ENCODINGS.items() if info[1:3] == stored[1:3] and info.color]
-    return " or ".join(repr(name) for name in [*names[:2], stored.name])
 
 
 def _planes_misfit(source, height, width):
