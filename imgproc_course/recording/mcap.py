@@ -170,7 +170,6 @@ class McapFile:
         block.counts.update(counts | Counter(block.counts))
 
     def _load(self, block):
-        """The records of a block."""
         if self._loaded[0] is not block:
             kind, size = HEAD.unpack(self._bytes(block.place, HEAD.size))
             data = self._bytes(block.place, HEAD.size + size)
@@ -212,7 +211,6 @@ class McapFile:
         return messages + missing
 
     def read(self, place):
-        """The data of the message at a place."""
         index, start = place
         block = self._blocks[index]
         try:

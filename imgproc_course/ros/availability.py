@@ -19,11 +19,14 @@ def import_problem():
     """Why rclpy cannot be imported here, with the remedy, in one line; None if it can be imported."""
     middleware = os.environ.get("RMW_IMPLEMENTATION")
     # If this variable names a middleware that is not installed, rclpy ends the whole process: the kernel.
-    if middleware and sys.platform == "linux" and not _can_load(f"lib{middleware}.so"):
-        return (
-            f"RMW_IMPLEMENTATION={middleware} is set, but that middleware is not installed here; "
-            "unset RMW_IMPLEMENTATION, then start again (in a notebook: restart the kernel)"
-        )
+    if middleware and sys.platform == "linux":
+        try:
+            ctypes.CDLL(f"lib{middleware}.so")
+        except OSError:
+            return (
+                f"RMW_IMPLEMENTATION={middleware} is set, but that middleware is not installed here; "
+                "unset RMW_IMPLEMENTATION, then start again (in a notebook: restart the kernel)"
+            )
     for name in MODULES:
         try:
             if getattr(importlib.import_module(name), "__file__", None) is None:
@@ -32,7 +35,12 @@ def import_problem():
         except ImportError as error:
             own_names = (name, name.partition(".")[0])
             if not isinstance(error, ModuleNotFoundError) or error.name not in own_names:
-                return _load_problem(error)
+                version = f"{sys.version_info.major}.{sys.version_info.minor}"
+                return (
+                    f"ROS 2 is installed, but Python {version} cannot load it ({error}); start JupyterLab "
+                    "with environment/lab, or from a shell in which ROS is sourced, with the Python that ROS "
+                    "was built for"
+                )
             return (
                 f"ROS 2 is missing ({name} is not installed), and this needs a running graph; "
                 "on Linux x86-64: environment/setup, or in the checkout pip install '.[ros]'. On macOS or "
@@ -51,22 +59,6 @@ def say_what_is_skipped():
             "Without ROS 2, the cells that begin with `if ros_available():` do nothing. environment/site"
             " --serve opens the course's pages with their results, and a still image or film in their place."
         )
-
-
-def _can_load(library):
-    try:
-        ctypes.CDLL(library)
-    except OSError:
-        return False
-    return True
-
-
-def _load_problem(error):
-    version = f"{sys.version_info.major}.{sys.version_info.minor}"
-    return (
-        f"ROS 2 is installed, but Python {version} cannot load it ({error}); start JupyterLab with "
-        "environment/lab, or from a shell in which ROS is sourced, with the Python that ROS was built for"
-    )
 
 
 def refuse_to_run(problem, make_node, args=None):

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from imgproc_course.ros.entities import Stoppable, weak_callback
-from imgproc_course.ros.robot_process import RobotConnection, running_robot, shareable
+from imgproc_course.ros.robot_process import SHAREABLE, RobotConnection, running_robot
 from imgproc_course.ros.robot_topics import TOPIC, camera_topics, is_room_number
 from imgproc_course.ros.session import RosSession
 
@@ -242,7 +242,7 @@ class Camera(Stoppable):
 
 def _connect(request, switch, on_event):
     """A connection to the robot; None if nothing of ours publishes the topic of another node."""
-    if not shareable():
+    if not SHAREABLE:
         return _OwnRobot(request, on_event)
     domain = RosSession.current().context.get_domain_id()
     if request["source"] == "topic" and running_robot(domain).get("topic") != request["topic"]:

@@ -28,6 +28,8 @@ def run_processor(make_node: Callable[[], Any], args: list[str] | None = None) -
     -------
     int, the exit code: 0, or 2 if the node could not start (the reason is one line on stderr)
     """
+    from imgproc_course.ros import dds_profile  # not at the top: the package imports this module
+
     node = None
     # The current image is finished, and no other is begun.
     with stop_signals(EXPECTED_SIGNALS) as stopping:
@@ -41,7 +43,8 @@ def run_processor(make_node: Callable[[], Any], args: list[str] | None = None) -
             except (ValueError, RuntimeError, ParameterException) as error:
                 print(f"cannot start: {' '.join(str(error).split())}", file=sys.stderr)
                 return 2
-            _log_profile(node)
+            profile, logger = dds_profile(), node.get_logger()
+            (logger.warning if profile.note else logger.info)(f"DDS profile: {profile}")
             node.spin(stopping.is_set)
         except (KeyboardInterrupt, ExternalShutdownException):
             pass
@@ -61,11 +64,3 @@ def _refuse_other_arguments(command_line):
             f"unknown argument '{' '.join(unknown)}'; set a parameter with --ros-args -p NAME:=VALUE, "
             "remap a topic with --ros-args -r FROM:=TO"
         )
-
-
-def _log_profile(node):
-    from imgproc_course.ros import dds_profile  # not at the top: the package imports this module
-
-    profile, logger = dds_profile(), node.get_logger()
-    log = logger.warning if profile.note else logger.info
-    log(f"DDS profile: {profile}")

@@ -28,14 +28,11 @@ def play(source="recording", *, status_seconds=STATUS_SECONDS, **options):
         while not stopping.wait(0.1) and camera.running:
             if (elapsed := time.monotonic() - start) >= due and source != "room":
                 due = elapsed + status_seconds
-                print(_images(camera, elapsed), flush=True)
+                counts = [f"{topic} {count}" for topic, count in camera.subscribers().items() if count]
+                subscribers = ", ".join(counts) or "none"
+                print(f"{elapsed:.0f} s: {camera.played} images; subscribers: {subscribers}", flush=True)
         print(_last_line(camera), flush=True)
         return 0 if camera.last_error is None else 1
-
-
-def _images(camera, elapsed):
-    counts = [f"{topic} {count}" for topic, count in camera.subscribers().items() if count]
-    return f"{elapsed:.0f} s: {camera.played} images; subscribers: {', '.join(counts) or 'none'}"
 
 
 def _last_line(camera):

@@ -37,7 +37,6 @@ class OutputPublishers:
             self.publishers[output] = node.create_publisher(Image, f"~/{output}", qos, event_callbacks=events)
 
     def subscribed(self):
-        """The names of the outputs that have a subscriber."""
         return [output for output, publisher in self.publishers.items() if publisher.get_subscription_count()]
 
     def publish(self, arrays, header):

@@ -26,15 +26,16 @@ import threading
 import time
 import weakref
 from multiprocessing import Pipe
-from multiprocessing.connection import Connection, wait
+from multiprocessing.connection import Client, Connection, wait
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple
 
 try:
     import fcntl
 except ImportError:
-    fcntl = None  # type: ignore[assignment]  # Windows: `shareable` is False there
+    fcntl = None  # type: ignore[assignment]
 
+SHAREABLE = fcntl is not None  # whether programs can share a robot here: not on Windows
 FOLDERS = Path("/tmp")  # not the user's TMPDIR or XDG_RUNTIME_DIR: they differ between a user's logins
 START_TIMEOUT = 60.0  # seconds that the process may take to answer, on a busy machine too
 ANSWER_TIMEOUT = 10.0
@@ -65,11 +66,6 @@ class User(NamedTuple):
         return cls({"-c": "python -c", "": "python"}.get(name, name), os.getpid())
 
 
-def shareable():
-    """Whether programs can share a robot here: not on Windows."""
-    return fcntl is not None
-
-
 def runtime_file(domain, kind):
     """The path of the "lock", "socket" or "log" of a domain's robot, in a folder of this user alone."""
     folder = FOLDERS / f"imgproc_course-{os.getuid()}"
@@ -83,7 +79,7 @@ def runtime_file(domain, kind):
 
 def robot_runs(domain):
     """Whether a robot's process runs in a domain; it need not be able to answer now."""
-    connection = _connect(domain) if shareable() else None
+    connection = _connect(domain) if SHAREABLE else None
     if connection is not None:
         connection.close()
     return connection is not None
@@ -91,7 +87,7 @@ def robot_runs(domain):
 
 def running_robot(domain):
     """The status of the robot that runs in a domain; {} if none does. The caller does not become its user."""
-    connection = _connect(domain) if shareable() else None
+    connection = _connect(domain) if SHAREABLE else None
     if connection is not None:
         with connection, contextlib.suppress(EOFError, OSError):  # it may just have ended
             connection.send(("status",))
@@ -212,12 +208,10 @@ if hasattr(os, "register_at_fork"):
 
 def _connect(domain):
     """A connection to the domain's robot process; None if there is none."""
-    with socket.socket(socket.AF_UNIX) as client:
-        try:
-            client.connect(str(runtime_file(domain, "socket")))
-        except (FileNotFoundError, ConnectionRefusedError):
-            return None
-        return Connection(client.detach())
+    try:
+        return Client(str(runtime_file(domain, "socket")), "AF_UNIX")
+    except (FileNotFoundError, ConnectionRefusedError):
+        return None
 
 
 def _start(domain, module):

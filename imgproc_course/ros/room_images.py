@@ -86,7 +86,9 @@ class RoomImages:
             time.sleep(max(0.0, -delay))
             if self._restarts:
                 self._begin_again(*self._restarts.popleft())
-            linear, angular = self._current_command()
+            linear, angular, since = self._command
+            if time.monotonic() - since > COMMAND_TIMEOUT:
+                linear = angular = 0.0
             self.simulation.step(linear, angular, period)
             self.bumps += self.simulation.bumped and not was_bumped
             was_bumped = self.simulation.bumped
@@ -108,10 +110,6 @@ class RoomImages:
         self.simulation.frame()
         is_taken.set()
         self._times.clear()
-
-    def _current_command(self):
-        linear, angular, since = self._command
-        return (linear, angular) if time.monotonic() - since <= COMMAND_TIMEOUT else (0.0, 0.0)
 
     def _measure_rate(self):
         """Counts an image; warns once, at the end of a RATE_WINDOW, if the reached rate is low."""

@@ -39,7 +39,6 @@ def framed(header, frame_id):
 
 
 def odometry_message(odometry, header):
-    """The nav_msgs/Odometry of a simulation.Odometry."""
     msg = Odometry(header=header, child_frame_id=BASE_FRAME)
     msg.pose.pose.position = Point(x=odometry.x, y=odometry.y)
     half = odometry.yaw / 2
@@ -70,7 +69,6 @@ def pose_message(name, image, header):
 
 
 def camera_info(model, header):
-    """The CameraInfo of a geometry.CameraModel."""
     (fx, _, cx), (_, fy, cy), _ = model.matrix.tolist()
     return CameraInfo(
         header=header,
