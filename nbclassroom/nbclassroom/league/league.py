@@ -145,35 +145,31 @@ def read_controllers(folder, baseline=None):
 
 def _read(path, **about):
     try:
-        source = _source_of(path)
+        return Controller(path.stem, _source_of(path), **about)
     except ValueError as error:
         return Controller(path.stem, reason=str(error), **about)
-    return Controller(path.stem, source, _reason_not_to_drive(source), **about)
 
 
 def _source_of(path):
-    """The text of a file; ValueError: why it is not read."""
+    """The source in a file; ValueError: why it is not run, without a text of the learner's."""
     if path.is_symlink() or not path.is_file():
         raise ValueError("it is not a plain file")
     if (size := path.stat().st_size) > MAX_ANSWER:
         raise ValueError(f"the file has {size} bytes; at most {MAX_ANSWER} are read")
     try:
-        return path.read_text(encoding="utf-8-sig")
+        source = path.read_text(encoding="utf-8-sig")
+        ast.parse(source)
     except OSError:
         raise ValueError("the file cannot be read") from None
     except UnicodeDecodeError:
         raise ValueError("the file is not UTF-8") from None
-
-
-def _reason_not_to_drive(source):
-    """Why a source is not run, without a text of the learner's; "" if it is."""
-    try:
-        ast.parse(source)
     except SyntaxError as error:
-        return f"line {error.lineno or 1} is not Python"
+        raise ValueError(f"line {error.lineno or 1} is not Python") from None
     except UNPARSABLE:
-        return "it is too complicated to be read"
-    return "" if bound_names(source) & {FUNCTION, "*"} else "it does not define control(observation, memory)"
+        raise ValueError("it is too complicated to be read") from None
+    if not bound_names(source) & {FUNCTION, "*"}:
+        raise ValueError("it does not define control(observation, memory)")
+    return source
 
 
 def name_all(controllers, seed, *, with_names=False):
@@ -225,9 +221,8 @@ def _drive_and_draw(controllers, scenarios, *, workers=None, unsafe=False):
 def ranking(controllers):
     """The controllers in the order of their scores, those with the same score by their alias; sets ranks."""
     ranked = sorted(controllers, key=lambda one: (-one.score, one.alias))
-    for place, controller in enumerate(ranked):
-        is_tie = place and ranked[place - 1].score == controller.score
-        controller.rank = ranked[place - 1].rank if is_tie else place + 1
+    for controller in ranked:
+        controller.rank = 1 + sum(other.score > controller.score for other in ranked)
     return ranked
 
 
