@@ -14,6 +14,7 @@ from functools import partial
 from itertools import chain
 from pathlib import Path
 
+from ..autograder.outcomes import Outcome
 from ..autograder.pool import open_scheduler
 from ..autograder.sandbox import bubblewrap
 from ..autograder.sanitize import sanitize_line
@@ -96,7 +97,7 @@ def grade_submissions(
         about = {"sandbox": not unsafe, "anonymous_pages": anonymous, "open_as_zero": open_as_zero}
         about["roster"] = roster_report(roster, learners) if roster is not None else None
         grades = grades_json.grades_of(pages.finish(), answer_keys, rules, collection, about)
-        changes = write_grades(out, grades, pages)
+        changes = write_grades(out, grades, pages, answer_keys.solutions)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, changes, table_lines, pages.failed)
 
@@ -151,28 +152,24 @@ def _summary(grades, graded_now, out, changes, table_lines, failed_pages):
     lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
     graded = sum(lesson["status"] == "graded" for lesson in lessons)
     late = sum(lesson["late"] for lesson in lessons)
-    not_graded = grades_json.count_not_graded(grades)
+    waiting = sum(exercise["open_points"] > 0 for lesson in lessons for exercise in lesson["exercises"])
+    not_graded = list(_not_graded(grades["learners"]))
     others = "; the others equal one of these, or were graded before" if graded_now < graded else ""
     lines = [
         f"{count_of(len(grades['learners']), 'learner')}, {count_of(graded, 'lesson')} graded"
         f" ({graded_now} in this run{others}), {late} late,"
-        f" {not_graded} could not be graded. Layout: {grades['layout']}."
+        f" {len(not_graded)} could not be graded. Layout: {grades['layout']}."
     ]
     if roster := grades["roster"]:
         lines[0] += f" Of {roster['count']} in the roster, {len(roster['missing'])} have not submitted."
         if roster["unknown"]:
             unknown = count_of(len(roster["unknown"]), "learner")
             lines[0] += f" Not in it: {unknown} (summary.html names them)."
-    for learner in grades["learners"]:
-        for lesson in learner["lessons"]:
-            if lesson["status"] != "graded":
-                lines.append(f"  {learner['name']}: {lesson['file']}: {lesson['reason']}")
-            elif fault := next(grades_json.faults_of(lesson), None):
-                lines.append(f"  {learner['name']}: {lesson['file']}: {fault}; run the command again")
-    if len(lines) > _MAX_LINES:
-        lines[_MAX_LINES - 1 :] = [f"  and {len(lines) - _MAX_LINES + 1} more"]
+    lines += not_graded[: _MAX_LINES - 1]
+    if more := not_graded[_MAX_LINES - 1 :]:
+        lines[-1] = f"  and {len(more) + 1} more"
     lines += [f"The page of {name} is incomplete ({reason})." for name, reason in failed_pages.items()]
-    if waiting := grades_json.count_open(grades):
+    if waiting:
         lines.append(f"{count_of(waiting, 'answer')} still to be graded by a person: --review.")
     if not grades["sandbox"]:
         lines.append("Graded without a sandbox; grades.json records it.")
@@ -181,7 +178,22 @@ def _summary(grades, graded_now, out, changes, table_lines, failed_pages):
     places = f"Points: {out}/grades.csv   Your page: {out}/summary.html   Pages to give back: {out}/learners/"
     lines = [*(line[:width] for line in lines), places]
     not_filled = sum(line.startswith(_NOT_FILLED) for line in table_lines)
-    return GradingSummary("\n".join(lines), not_graded, len(failed_pages) + not_filled)
+    return GradingSummary("\n".join(lines), len(not_graded), len(failed_pages) + not_filled)
+
+
+def _not_graded(learners):
+    """A line for each lesson of which all or a case could not be graded, and nobody decided it."""
+    for learner in learners:
+        for lesson in learner["lessons"]:
+            faults = [
+                f"{exercise['id']}: {case['message'] or exercise['message']}; run the command again"
+                for exercise in lesson["exercises"]
+                for case in exercise["cases"]
+                if case["outcome"] == Outcome.NOT_GRADED and not (exercise["decision"] or lesson["decision"])
+            ]
+            if lesson["status"] != "graded" or faults:
+                reason = [*faults, lesson["reason"]][0]
+                yield f"  {learner['name']}: {lesson['file']}: {reason}"
 
 
 class LearnerPages:
@@ -190,13 +202,12 @@ class LearnerPages:
     entries  {learner's name: entry in grades.json}
     failed   {learner's name as pages show it: why their page lacks its details}
     parts    the AnswerParts for the teacher's pages
-    solutions  gives {exercise: solution} of a lesson
     """
 
     def __init__(self, out, learners, answer_keys, store, rules, *, anonymous=False):
         self.entries, self.failed, self.parts = {}, {}, AnswerParts(out)
         self._out, self._learners, self._answer_keys, self._store = out, learners, answer_keys, store
-        self._rules, self._anonymous, self.solutions = rules, anonymous, answer_keys.solutions
+        self._rules, self._anonymous = rules, anonymous
         self._missing = {learner.name: set(learner.digests.values()) for learner in learners}
 
     def result_stored(self, digest):
@@ -223,21 +234,20 @@ class LearnerPages:
         )
         self.entries[learner.name] = entry
         page_entry = grades_json.learner_without_name(entry) if self._anonymous else entry
-        policy = self._rules.policy
         try:
             results = {lesson: self._store.result(digest) for lesson, digest in learner.digests.items()}
             pages = [self._store.page(digest)[2] for digest in learner.digests.values()]
             answers = dict(chain.from_iterable(page["answers"].items() for page in pages))
             keep = partial(self.parts.keep, entry["page"], answers)
-            page = learner_page(page_entry, results, self._answer_keys, policy, keep=keep)
+            page = learner_page(page_entry, results, self._answer_keys, self._rules.policy, keep=keep)
         except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
             self.failed[page_entry["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
-            page = learner_page(page_entry, {}, self._answer_keys, policy, incomplete=True)
+            page = learner_page(page_entry, {}, self._answer_keys, self._rules.policy, incomplete=True)
         result_store.write_grades_file(self._out / entry["page"], page)
 
 
-def write_grades(out, grades, pages):
-    """Write all but the results and the learners' pages.
+def write_grades(out, grades, pages, solutions):
+    """Write all but the results and the learners' pages; `solutions` is as in `review_pages`.
 
     Returns the lines that say whose points changed since the run before.
     """
@@ -247,7 +257,7 @@ def write_grades(out, grades, pages):
     page_grades = grades_json.without_names(grades) if grades["anonymous_pages"] else grades
     if before is not None and grades_json.grades_text(before) != text:
         result_store.write_grades_file(out / PREVIOUS, grades_json.grades_text(before))
-    _write_review(out, page_grades, pages.parts, pages.solutions)
+    _write_review(out, page_grades, pages.parts, solutions)
     files = feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         result_store.write_grades_file(out / "exports" / name, data)

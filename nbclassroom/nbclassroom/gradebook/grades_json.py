@@ -47,26 +47,6 @@ def grades_text(grades):
     return f'{head}\n"learners": [\n{learners}\n]{tail}\n'
 
 
-def count_not_graded(grades):
-    """How many submissions could not be graded, or have a case that could not be graded."""
-    lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
-    return sum(lesson["status"] != "graded" or any(True for _ in faults_of(lesson)) for lesson in lessons)
-
-
-def faults_of(lesson):
-    """What the autograder failed to do for a lesson, and nobody decided by hand: texts, one per case."""
-    for exercise in lesson["exercises"]:
-        for case in exercise["cases"]:
-            if case["outcome"] == Outcome.NOT_GRADED and not (exercise["decision"] or lesson["decision"]):
-                yield f"{exercise['id']}: {case['message'] or exercise['message']}"
-
-
-def count_open(grades):
-    """How many answers wait for a person who grades them."""
-    lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
-    return sum(exercise["open_points"] > 0 for lesson in lessons for exercise in lesson["exercises"])
-
-
 def lesson_names(grades):
     """The names of the keys' lessons, in the order of the course."""
     numbers = {one["lesson"]: one["number"] for key in reversed(grades["keys"]) for one in key["lessons"]}
@@ -206,13 +186,14 @@ def _lesson_entry(learner, submission, answer_keys, store, rules):
 
 
 def _file_entry(learner, submission, rules):
-    file, lesson = submission.file, submission.content.lesson
+    file = submission.file
+    late, days_late = rules.lateness(learner.name, submission.content.lesson, file)
     return {
         "file": file.source,
         "sha256": submission.file_digest or None,
         "submitted_at": file.submitted_at.isoformat() if file.submitted_at else None,
-        "late": rules.is_late(learner.name, lesson, file),
-        "days_late": rules.days_late(learner.name, lesson, file),
+        "late": late,
+        "days_late": days_late,
         "platform": file.platform,
         "platform_id": file.platform_id,
     }

@@ -17,7 +17,6 @@ import re
 import tempfile
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from .. import course
 from ..autograder.outcomes import PHRASES, Outcome
@@ -48,11 +47,11 @@ def _environment():
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
         autoescape=True,
+        finalize=_shown,
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.finalize = _shown
     environment.filters |= {
         "capital": _capital,
         "count": count_of,
@@ -128,20 +127,19 @@ def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False, 
     called with each exercise, whose `review` is what the teacher sees of the checks.
     """
     content = {"learner": entry, "late_policy": policy and policy.text, "incomplete": incomplete}
-    content |= {"submitted": submitted_lessons(entry), "offered": len(answer_keys.lessons)}
     lessons = [_lesson_view(one, results.get(one["lesson"]), answer_keys) for one in entry["lessons"]]
     for exercise in [one for lesson in lessons for one in lesson["exercises"]] if keep else ():
         keep(exercise)
-    return render_page("learner.html", lessons=lessons, **content)
+    return render_page("learner.html", lessons=lessons, offered=len(answer_keys.lessons), **content)
 
 
 def _lesson_view(lesson, result, answer_keys):
     findings = [finding for finding in lesson["findings"] if finding["kind"] == "message"]
-    key: Any = answer_keys.key_of(lesson["key"]) if lesson["key"] else None
     views = []
     for entry, exercise in zip(lesson["exercises"], result.exercises if result else (), strict=False):
         notes = [finding["text"] for finding in findings if finding["exercise"] == exercise.id]
-        views.append(entry | _exercise_view(exercise, notes, key.exercise(exercise.id)))
+        function = answer_keys.key_of(lesson["key"]).exercise(exercise.id).function
+        views.append(entry | _checks_view(exercise, notes) | {"function": function})
     ids = {view["id"] for view in views}
     return lesson | {
         "exercises": views,
@@ -161,14 +159,13 @@ def finding_text(finding):
     return f"{finding['exercise']}: {finding['text']}" if finding["exercise"] else finding["text"]
 
 
-def _exercise_view(exercise, notes, key_exercise):
-    """What the page shows of an exercise beside its entry in grades.json; the checks are HTML already."""
+def _checks_view(exercise, notes):
+    """The checks for the learner and for the teacher, HTML, below the notes and the message."""
     is_said = any(note.startswith("line ") and NOT_PYTHON in note for note in notes)
     is_said |= bool(notes) and {case.outcome for case in exercise.cases} == {Outcome.MISSING}
     notes = notes if is_said or not exercise.message else [*notes, exercise.message]
     above = "".join(_NOTE.format(html.escape(_shown(_capital(note)))) for note in notes)
-    checks = {"body": safe_html(above + exercise.body), "review": safe_html(above + exercise.review)}
-    return {"function": key_exercise.function} | checks
+    return {"body": safe_html(above + exercise.body), "review": safe_html(above + exercise.review)}
 
 
 class AnswerParts:
@@ -207,7 +204,7 @@ def review_pages(grades, parts, solutions):
 
     `solutions(lesson)` gives {exercise: solution}, of what a person grades a model answer.
     """
-    reviews = _reviews(grades["learners"])
+    reviews = reviews_of(grades["learners"])
     if reviews:
         yield "review.html", render_page("review.html", reviews=reviews)
     for one, *around in zip(reviews, [None, *reviews], [*reviews[1:], None], strict=False):
@@ -218,24 +215,22 @@ def review_pages(grades, parts, solutions):
         yield one["path"], render_page("answers.html", script="review.js", **content)
 
 
-def _reviews(learners):
+def reviews_of(learners):
     """The answers to each exercise: in `groups` first those who lost points alike, the most frequent way."""
     reviews: dict[str, dict] = {}
-    ways: dict[str, dict] = {}
     for learner in learners:
         for lesson in learner["lessons"]:
             for exercise in lesson["exercises"]:
                 id = exercise["id"]
-                about = {"path": f"{FOLDER}/{id}.html", "lesson": lesson, "title": exercise["title"]}
-                reviews.setdefault(id, about | {"id": id})
+                about = {"id": id, "path": f"{FOLDER}/{id}.html", "lesson": lesson, "ways": {}}
+                review = reviews.setdefault(id, about | {"title": exercise["title"]})
                 cells = (learner["name"], lesson["lesson"], id)
                 line = csv_text([map(spreadsheet_text, cells)], lineterminator="")
                 answer = {"learner": learner, "lesson": lesson, "exercise": exercise, "line": line}
-                answers = ways.setdefault(id, {}).setdefault(_way(exercise), [])
-                answers.append(answer | {"anchor": anchor_of(learner)})
-    for id, review in reviews.items():
-        review["groups"] = sorted(ways[id].items(), key=_order)
-        exercises = [answer["exercise"] for answers in ways[id].values() for answer in answers]
+                review["ways"].setdefault(_way(exercise), []).append(answer | {"anchor": anchor_of(learner)})
+    for review in reviews.values():
+        review["groups"] = sorted(review["ways"].items(), key=_order)
+        exercises = [answer["exercise"] for answers in review["ways"].values() for answer in answers]
         review["count"], review["open"] = len(exercises), sum(one["open_points"] > 0 for one in exercises)
         written = [one["rubric"] for one in exercises if one["rubric"]]  # of who wrote nothing there is none
         review["written"], review["rubric"] = len(written), [*written, ()][0]

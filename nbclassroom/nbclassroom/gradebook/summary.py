@@ -10,7 +10,7 @@ from ..exercises.running import MEANT
 from .csv_table import csv_text
 from .grades_json import lesson_names
 from .platforms import lessons_of
-from .report import finding_text, render_page
+from .report import finding_text, render_page, reviews_of
 from .roster import squeezed
 from .submission import EQUALS, ONE_LESSON
 from .teacher_tables import plain_number
@@ -27,6 +27,7 @@ def summary_page(grades, failed_pages=()):
     learners = [_with_handed_out(learner, grades, submitted) for learner in grades["learners"]]
     graded = [lesson for lesson in submissions if lesson["status"] == "graded"]
     missing = grades["roster"]["missing"] if grades["roster"] else ()
+    written = {one["id"]: one for one in reviews_of(grades["learners"]) if one["rubric"]}
     return render_page(
         "summary.html",
         grades=grades,
@@ -35,10 +36,10 @@ def summary_page(grades, failed_pages=()):
         names=[name for name in lesson_names(grades) if name in submitted],
         submissions=submissions,
         graded=graded,
-        waiting=_waiting(graded),
+        waiting=written.values(),
         bins=_histogram(_percentages(learners)),
         learners=learners,
-        checks=_check_rows(graded),
+        checks=_check_rows(graded, written),
         mistakes=_mistake_counts(graded),
         sent={name: sum(squeezed(name) in squeezed(path) for path in grades["ignored"]) for name in missing},
         **_mean_and_median(learners),
@@ -219,10 +220,9 @@ def _lesson_rows(graded, names):
             }
 
 
-def _check_rows(graded):
+def _check_rows(graded, written):
     """One row per check, those that most learners fail first; none for what a person grades."""
     rows: dict[tuple, dict] = {}
-    written = {id for id, _ in _waiting(graded)}  # who wrote nothing has no rubric
     for lesson in graded:
         for exercise in lesson["exercises"]:
             for case in () if exercise["id"] in written else exercise["cases"]:
@@ -236,16 +236,6 @@ def _check_rows(graded):
     for row in rows.values():
         row["share"] = round(100 * row["passed"] / row["count"])
     return sorted(rows.values(), key=lambda row: (row["share"], row["title"]))
-
-
-def _waiting(graded):
-    """{(id, title of an exercise that a person grades): [how many answers, how many of them are graded]}."""
-    counts: dict[tuple, list] = {}
-    for exercise in [one for lesson in graded for one in lesson["exercises"] if one["rubric"]]:
-        count = counts.setdefault((exercise["id"], exercise["title"]), [0, 0])
-        count[0] += 1
-        count[1] += not exercise["open_points"]
-    return counts
 
 
 def _mistake_counts(graded):

@@ -7,6 +7,7 @@ import contextlib
 import difflib
 import math
 import re
+from collections import namedtuple
 from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
 
@@ -47,14 +48,8 @@ class Decision:
     mark: str = ""
 
 
-@dataclass(frozen=True)
-class Extension:
-    """Another deadline for a learner; `lesson` is "" for all lessons."""
-
-    learner: str
-    lesson: str
-    deadline: datetime
-    place: str
+# Another deadline for a learner; of all lessons if the lesson is "". The place is that of its row.
+Extension = namedtuple("Extension", ("learner", "lesson", "deadline", "place"))
 
 
 def read_decisions(path, answer_keys, text=None):
@@ -265,22 +260,14 @@ class TeacherRules:
                     text = f"{decision.learner}'s {decision.lesson} {problem}, so it has no exercises"
                     raise TableError(f"{decision.place}: {text}; leave the exercise empty")
 
-    def _due(self, learner, lesson):
-        """(the deadline of a learner's lesson or None, whether it is an extension)."""
-        for scope in (lesson, ""):
-            for extension in self._extensions.get(learner, ()):
-                if extension.lesson == scope:
-                    return extension.deadline, True
-        return self.deadline, False
+    def lateness(self, learner, lesson, file):
+        """(Whether a file is late, how many days had begun after the deadline when it was submitted).
 
-    def days_late(self, learner, lesson, file):
-        """How many days had begun after the deadline when a file was submitted; 0 if it was in time."""
-        due, _ = self._due(learner, lesson)
-        if due is None or file.submitted_at is None or file.submitted_at <= due:
-            return 0
-        return math.ceil((file.submitted_at - due) / timedelta(days=1))
-
-    def is_late(self, learner, lesson, file):
-        """Whether a file is late: by its time, or as the platform says if there is no extension."""
-        _, extended = self._due(learner, lesson)
-        return self.days_late(learner, lesson, file) > 0 or (file.late and not extended)
+        Without an extension, it is also late if the platform says so.
+        """
+        extended = {one.lesson: one.deadline for one in reversed(self._extensions.get(learner, ()))}
+        extension = extended.get(lesson, extended.get(""))
+        due, days = extension or self.deadline, 0
+        if due and file.submitted_at:
+            days = max(0, math.ceil((file.submitted_at - due) / timedelta(days=1)))
+        return days > 0 or (file.late and not extension), days

@@ -134,7 +134,7 @@ def test_a_date_in_a_learners_zip_is_not_believed(read, light, submissions):
     members = [("20_light.ipynb", json.dumps(notebook(light)))]
     make_zip(submissions / "bob.zip", members, datetime(2020, 1, 1), modified=datetime(2026, 12, 5))
     file = read(submissions)[1]["bob"].submissions["light"].file
-    assert TeacherRules(None, deadline=datetime(2026, 12, 1)).is_late("bob", "light", file)
+    assert TeacherRules(None, deadline=datetime(2026, 12, 1)).lateness("bob", "light", file)[0]
 
 
 def test_a_folder_that_cannot_be_read_costs_nobody_else(light):
