@@ -9,13 +9,16 @@ import json
 import shutil
 import tempfile
 import threading
+import time
 from collections import namedtuple
 from functools import partial
 from itertools import chain
 from pathlib import Path
 
+from tqdm import tqdm
+
 from ..autograder.outcomes import Outcome
-from ..autograder.pool import open_scheduler
+from ..autograder.pool import autograde, open_scheduler
 from ..autograder.sandbox import bubblewrap
 from ..autograder.sanitize import sanitize_line
 from . import grades_json, result_store
@@ -92,14 +95,36 @@ def grade_submissions(
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         stack.callback(pages.parts.close)
         threading.Thread(target=prepare_templates, daemon=True).start()
-        options |= {"fresh": fresh, "on_result": pages.result_stored}
-        graded_now = result_store.grade_missing(learners, answer_keys, store, **options)
+        graded_now = grade_missing(learners, answer_keys, store, pages.result_stored, fresh, options)
         about = {"sandbox": not unsafe, "anonymous_pages": anonymous, "open_as_zero": open_as_zero}
         about["roster"] = roster_report(roster, learners) if roster is not None else None
         grades = grades_json.grades_of(pages.finish(), answer_keys, rules, collection, about)
         changes = write_grades(out, grades, pages, answer_keys.solutions)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, changes, table_lines, pages.failed)
+
+
+def grade_missing(learners, answer_keys, store, on_result, fresh, options):
+    """Grade what has no result, or all if `fresh`, equal answers once; the number of those graded now."""
+    digests = sorted({digest for learner in learners for digest in learner.digests.values()})
+    missing = [digest for digest in digests if fresh or store.result(digest) is None]
+    done, about = len(digests) - len(missing), {"desc": "grading", "unit": " submissions"}
+    with tqdm(total=len(digests), initial=done, disable=None, **about) as bar:
+        threading.Thread(target=show_time, args=(bar,), daemon=True).start()
+        keys = {digest: answer_keys.key_of(store.page(digest)[0]) for digest in missing}
+        submissions = ((digest, *store.page(digest)[1:]) for digest in missing)
+        for result in autograde(submissions, keys, **options):
+            store.keep_result(result.name, result)
+            bar.update()
+            on_result(result.name)
+    return len(missing)
+
+
+def show_time(bar):
+    """Show each second that passes: a submission whose robot drives takes a minute."""
+    while not bar.disable:  # a closed bar is disabled
+        time.sleep(1)
+        bar.refresh()
 
 
 def who_sent_what(submissions, keys, *, layouts=()):

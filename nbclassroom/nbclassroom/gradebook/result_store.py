@@ -8,18 +8,13 @@ import contextlib
 import fcntl
 import hashlib
 import json
-import threading
-import time
 from collections.abc import Callable
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from tqdm import tqdm
-
 from .. import course
 from ..autograder.outcomes import Outcome
-from ..autograder.pool import autograde
 from ..autograder.results import from_json, to_json
 from ..exercises.atomic_write import write_file
 
@@ -101,29 +96,6 @@ class ResultStore:
             return from_json(json.loads((self._folder / f"{digest}.json").read_text(encoding="utf-8")))
         except (OSError, ValueError, KeyError, TypeError):
             return None
-
-
-def grade_missing(learners, answer_keys, store, *, fresh, on_result, **options):
-    """Grade what has no result, or all if `fresh`, equal answers once; the number of those graded now."""
-    digests = sorted({digest for learner in learners for digest in learner.digests.values()})
-    missing = [digest for digest in digests if fresh or store.result(digest) is None]
-    done, about = len(digests) - len(missing), {"desc": "grading", "unit": " submissions"}
-    with tqdm(total=len(digests), initial=done, disable=None, **about) as bar:
-        threading.Thread(target=show_time, args=(bar,), daemon=True).start()
-        keys = {digest: answer_keys.key_of(store.page(digest)[0]) for digest in missing}
-        submissions = ((digest, *store.page(digest)[1:]) for digest in missing)
-        for result in autograde(submissions, keys, **options):
-            store.keep_result(result.name, result)
-            bar.update()
-            on_result(result.name)
-    return len(missing)
-
-
-def show_time(bar):
-    """Show each second that passes: a submission whose robot drives takes a minute."""
-    while not bar.disable:  # a closed bar is disabled
-        time.sleep(1)
-        bar.refresh()
 
 
 class RunRules:

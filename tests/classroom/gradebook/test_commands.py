@@ -14,7 +14,7 @@ from nbclassroom.authoring.masters import new_lesson, read_master
 from nbclassroom.autograder import make_answer_key, nbval_process
 from nbclassroom.autograder.answer_key import load_key
 from nbclassroom.exercises.declaration import MasterError
-from nbclassroom.gradebook import grade, result_store
+from nbclassroom.gradebook import grade
 from nbclassroom.gradebook.teacher_tables import local_time_of
 from submissions import MASTERS, answers_of, notebook, write
 
@@ -211,7 +211,7 @@ def test_ctrl_c_says_how_to_continue(run, light, key_path, tmp_path, monkeypatch
     def interrupted(*_words, **_options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(result_store, "grade_missing", interrupted)
+    monkeypatch.setattr(grade, "grade_missing", interrupted)
     ended = run("grade", "in", "--key", key_path)
     assert ended.exit_code == 130 and "run the same command again to continue" in ended.output
 

@@ -12,9 +12,9 @@ import pytest
 from form_attacks import FORM_ATTACKS, grade_attacks
 from nbclassroom.autograder.answer_key import load_key
 from nbclassroom.autograder.results import from_json
-from nbclassroom.gradebook.grade import grade_submissions
+from nbclassroom.gradebook.grade import grade_submissions, show_time
 from nbclassroom.gradebook.grades_json import lesson_names
-from nbclassroom.gradebook.result_store import ResultStore, show_time
+from nbclassroom.gradebook.result_store import ResultStore
 from submissions import answers_of, notebook, thirty, write
 from tqdm import tqdm
 
