@@ -230,48 +230,42 @@ def _inspect_answer(exercise, answer, content):
         return AnswerState.MISSING
     if len(cell["source"] or "") > MOST_CHARACTERS:
         content.answers[exercise.id] = cell["source"]
-        text = f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded"
-        content.add(text, exercise.id)
-        return AnswerState.BROKEN
-    if exercise.kind.graded_by_person and cell["source"] is not None:
+    elif exercise.kind.graded_by_person and cell["source"] is not None:
         is_open = _is_open(cell, exercise)
         content.answers[exercise.id] = exercise.stub if is_open else cell["source"]
         if cell["by_place"] and not is_open:
             text = f"graded from the cell above its check ({_place(cell)}), which is not its answer cell"
             content.add(f"{text} (answer-{exercise.id})", exercise.id)
         return AnswerState.NOT_ATTEMPTED if is_open else AnswerState.ANSWERED
-    if not answer.is_answer and cell["type"] != "code":
-        content.add(f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", exercise.id)
-        return AnswerState.BROKEN
-    if cell["source"] is None:
-        content.add("the source of its answer cell is not text", exercise.id)
-        return AnswerState.BROKEN
-    state = _inspect_source(exercise, answer, content)
-    if state is AnswerState.ANSWERED:
-        _report_place(exercise, answer, content)
-        for line, code in program_lines(plain_python(cell["source"])):
-            text = SAYS["line of a program"].format(line=line, code=sanitize_line(code, 80))
-            content.add(text[0].lower() + text[1:].rstrip("."), exercise.id)
-    return state
-
-
-def _inspect_source(exercise, answer, content):
-    if answer.cell not in answer.marked:
-        return AnswerState.ANSWERED
-    if answer.cell["source"].strip() == exercise.stub.strip():
-        return AnswerState.NOT_ATTEMPTED
-    problem, is_slip = _problem(exercise, answer.cell)
+    problem, is_slip = _problem(exercise, answer)
     if problem:
         content.add(problem, exercise.id, "message" if is_slip else "answer")
         return AnswerState.BROKEN
-    if exercise.function in answer.cell["answer"]["stub_lines"]:
-        content.add(f"{exercise.answer_name}: {STUB_LINE}", exercise.id)
-    return AnswerState.ANSWERED if answer.is_answer else AnswerState.NOT_ATTEMPTED
+    if cell in answer.marked:
+        is_stub = cell["source"].strip() == exercise.stub.strip()
+        if not is_stub and exercise.function in cell["answer"]["stub_lines"]:
+            content.add(f"{exercise.answer_name}: {STUB_LINE}", exercise.id)
+        if is_stub or not answer.is_answer:
+            return AnswerState.NOT_ATTEMPTED
+    _report_place(exercise, answer, content)
+    for line, code in program_lines(plain_python(cell["source"])):
+        text = SAYS["line of a program"].format(line=line, code=sanitize_line(code, 80))
+        content.add(text[0].lower() + text[1:].rstrip("."), exercise.id)
+    return AnswerState.ANSWERED
 
 
-def _problem(exercise, cell):
-    """(why a marked cell cannot get its points, whether a slip may be the cause), ("", False) if it can."""
-    if all(not line or line.startswith("#") for line in map(str.strip, cell["source"].splitlines())):
+def _problem(exercise, answer):
+    """(Why an answer cannot get its points, whether a slip may be the cause), ("", False) if it can."""
+    cell, source = answer.cell, answer.cell["source"]
+    if len(source or "") > MOST_CHARACTERS:
+        return f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded", True
+    if not answer.is_answer and cell["type"] != "code":
+        return f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", True
+    if source is None:
+        return "the source of its answer cell is not text", True
+    if cell not in answer.marked or source.strip() == exercise.stub.strip():
+        return "", False
+    if all(not line or line.startswith("#") for line in map(str.strip, source.splitlines())):
         return "its answer cell is empty", False
     if cell["answer"]["error"]:
         return _syntax_problem(*cell["answer"]["error"]), False
