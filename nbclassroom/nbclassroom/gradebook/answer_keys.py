@@ -16,9 +16,8 @@ class AnswerKeys:
         self.keys = list(map(load_key, folders))
         self.lessons: dict[str, Any] = {}
         self._solution_shapes: dict[str, dict] = {}
-        for key in self.keys:
-            for name, lesson in key.lessons.items():
-                self.lessons.setdefault(name, lesson)
+        for key in self.keys:  # the first one that has a lesson counts
+            self.lessons |= key.lessons | self.lessons
 
     def key_for(self, lesson, version):
         """The key made from this version of a lesson, or the lesson's default key."""

@@ -238,11 +238,9 @@ class LearnerPages:
     def result_stored(self, digest):
         """Write the pages that waited only for this result."""
         for learner in self._learners:
-            missing = self._missing[learner.name]
-            if digest in missing:
-                missing.discard(digest)
-                if not missing:
-                    self._write(learner)
+            if self._missing[learner.name] == {digest}:
+                self._write(learner)
+            self._missing[learner.name].discard(digest)
 
     def finish(self):
         """Write all other pages, and remove those of an earlier run; returns the entries of all learners."""

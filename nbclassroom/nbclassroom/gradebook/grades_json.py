@@ -66,10 +66,9 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
     """A graded learner's part of grades.json; `rules` are assigned TeacherRules."""
     decisions = rules.decisions.get(learner.name, ())
     submissions = [*learner.submissions.values(), *learner.unidentified]
-    about = answer_keys, store, rules
-    lessons = [_lesson_entry(learner, submission, *about) for submission in submissions]
-    for name in {decision.lesson for decision in decisions} - learner.submissions.keys():
-        lessons.append(_lesson_entry(learner, _nothing_submitted(name, submissions), *about))
+    without_file = {decision.lesson for decision in decisions} - learner.submissions.keys()
+    submissions += [_nothing_submitted(name, submissions) for name in without_file]
+    lessons = [_lesson_entry(learner, submission, answer_keys, store, rules) for submission in submissions]
     for lesson in lessons:
         own = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
         _settle_lesson(lesson, own, rules)
