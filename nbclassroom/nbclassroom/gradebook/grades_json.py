@@ -107,17 +107,14 @@ def _settle_lesson(entry, decisions, rules):
         texts, worths = [text for text, _ in exercise["rubric"]], rules.worths.get(exercise["id"], ())
         if len(worths) == len(texts):
             exercise["rubric"] = list(map(list, zip(texts, worths, strict=True)))
-        _decide(exercise, by_exercise.get(exercise["id"]))
-        waiting = [] if _is_decided(exercise) else exercise["cases"]
+        is_decided = _decide(exercise, by_exercise.get(exercise["id"]))
+        waiting = [] if is_decided else exercise["cases"]
         exercise["open_points"] = sum(one["max_points"] for one in waiting if one["outcome"] == Outcome.OPEN)
     if entry["exercises"]:
         entry["points"] = plain_number(sum(exercise["points"] for exercise in entry["exercises"]))
         entry["max_points"] = sum(exercise["max_points"] for exercise in entry["exercises"])
     entry["late_deduction"] = 0
-    _decide(entry, whole_lesson)
-    is_final = _is_decided(entry)
-    entry["open_points"] = 0 if is_final else sum(one["open_points"] for one in entry["exercises"])
-    if is_final:
+    if _decide(entry, whole_lesson):
         entry["status"] = "graded"
         for exercise in entry["exercises"]:
             exercise["open_points"] = 0
@@ -125,12 +122,14 @@ def _settle_lesson(entry, decisions, rules):
         points = plain_number(entry["points"] * policy.factor(entry["days_late"]))
         entry["late_deduction"] = plain_number(entry["points"] - points)
         entry["points"] = points
+    entry["open_points"] = sum(exercise["open_points"] for exercise in entry["exercises"])
 
 
 def _decide(entry, decision):
+    """Enter a decision, or None; returns whether it gives the points, and does not only comment."""
     entry["decision"] = None
     if decision is None:
-        return
+        return False
     points, lines = decision.points, list(decision.lines)
     if lines and decision.mark == entry["mark"]:
         worth = sum(entry["rubric"][line - 1][1] for line in {*lines} - {0})
@@ -142,12 +141,7 @@ def _decide(entry, decision):
         entry["points"] = entry["max_points"] = 0
     elif points is not None:
         entry["points"] = points
-
-
-def _is_decided(entry):
-    """Whether a decision gives the points of an entry, and does not only comment."""
-    decision = entry["decision"]
-    return bool(decision) and (decision["excused"] or decision["points"] is not None)
+    return decision.excused or points is not None
 
 
 def _nothing_submitted(lesson, submissions):
