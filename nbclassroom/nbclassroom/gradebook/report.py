@@ -57,7 +57,7 @@ def _environment():
         "count": count_of,
         "points": points_text,
         "anchor": anchor_of,
-        "submitted": submitted_lessons,
+        "submitted": lambda entry: sum(bool(one["lesson"] and one["sha256"]) for one in entry["lessons"]),
         "numbered": lambda name: (name, "number"),
         "percent": lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0,
     }
@@ -147,11 +147,6 @@ def _lesson_view(lesson, result, answer_keys):
         "file": lesson["file"].rpartition("/")[2],
         "before_late": plain_number(lesson["points"] + lesson["late_deduction"]),
     }
-
-
-def submitted_lessons(entry):
-    """How many lessons of the key a learner submitted."""
-    return sum(bool(lesson["lesson"] and lesson["sha256"]) for lesson in entry["lessons"])
 
 
 def finding_text(finding):
