@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from itertools import product
+from typing import Any
 
 import numpy as np
 
@@ -163,11 +164,11 @@ def _one_change(result, function, calls):
     others = [(case, call) for case in exercise.witnesses for call in case.calls]
     may_warn = any(call.result.warning for call in calls)  # else a nan would only hide the mistake
     # With an inf, functions of np.linalg may compute for ever.
-    on_warning = {} if may_warn else dict.fromkeys(("divide", "over", "invalid"), "raise")
+    level: Any = "warn" if may_warn else "raise"
 
     def passes(changed, seconds):
         judged = (exercise.judged_call(changed, *pair, seconds) for pair in (*pairs, *others))
-        with np.errstate(**on_warning):
+        with np.errstate(divide=level, over=level, invalid=level):
             return all(call.passed and (may_warn or not call.result.warning) for call in judged)
 
     task = "\n".join((exercise.stub, *exercise.hints, *(call.case.hint for call in calls)))

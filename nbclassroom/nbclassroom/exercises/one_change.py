@@ -110,8 +110,8 @@ def _find_branch(function, run):
 
 def _find_change(function, passes, task):
     source, cell = source_of(function), next(iter(cells_of(function).values()), "")
-    numbers = dict.fromkeys(re.findall(r"(?<![\w.])\d+(?:\.\d+)?\b", task))
-    numbers = [float(number) if "." in number else int(number) for number in numbers]
+    texts = dict.fromkeys(re.findall(r"(?<![\w.])\d+(?:\.\d+)?\b", task))
+    numbers = [float(text) if "." in text else int(text) for text in texts]
     tree = _tree(source if len(source) < _LONGEST_SOURCE else "pass", numbers)
     if not isinstance(tree, ast.FunctionDef | ast.ClassDef):
         return ""
@@ -350,7 +350,8 @@ def _operator(node, _tree):
     if isinstance(node, ast.UnaryOp):
         yield _DIRECTION, _replacing(node, node.operand)
         if isinstance(node.op, ast.Not):
-            yield "0 counts as False: is None meant?", _replacing(node, _parsed(f"{ast.unparse(node.operand)} is None"))
+            is_none = _parsed(f"{ast.unparse(node.operand)} is None")
+            yield "0 counts as False: is None meant?", _replacing(node, is_none)
 
 
 def _call(node, _tree):

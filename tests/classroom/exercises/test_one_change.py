@@ -40,9 +40,9 @@ CASES = {
         "a in return c * (a - 2) * (2 - a): is it the right variable?",
     ),
     "the first number of a search": (
-        "def f(a):\n    least = 9\n    for b in a:\n        if b < least:\n            least = b\n    return least",
+        "def f(a):\n    low = 9\n    for b in a:\n        low = b if b < low else low\n    return low",
         [(([20, 11, 30],), 11)],
-        "9 in least = 9",
+        "9 in low = 9",
         "is this number right?",
     ),
     "a number": ("def f(a):\n    return a[1:-1]", [(([1, 2, 3],), [1, 2])], "line 2", "1 in return a[1:-1]"),

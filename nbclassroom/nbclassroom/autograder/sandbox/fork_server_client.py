@@ -343,7 +343,7 @@ class ForkServer:
         raise bubblewrap.SandboxError(f"the fork server did not start: {last_words or 'it was killed'}")
 
     def prepare(self, code, draws):
-        """Let it compile the cells of a lesson, and load what draws; kernels that are forked later have it."""
+        """Let it compile a lesson's cells, and load what draws; kernels that are forked later have both."""
         if (code, draws) not in self._prepared:
             self._prepared.add((code, draws))
             with suppress(OSError):  # too many for one message

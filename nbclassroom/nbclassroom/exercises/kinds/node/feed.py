@@ -68,7 +68,8 @@ def feed(node_class, part, steps):
             has_ended = bool(results) and bool(results[-1].get("ended"))
             results.append(results[-1] if has_ended else _take_step(node, record, step))
             if part == "commands":
-                results[-1] = {"delivered": results[-1]["delivered"], "published": _commands(record, results[-1])}
+                commands = _commands(record, results[-1])
+                results[-1] = {"delivered": results[-1]["delivered"], "published": commands}
         if part == "connections":
             return _describe(node.get_name(), record, _POLICIES[:2]) | used
         if part == "setup":
@@ -197,7 +198,7 @@ def _take_step(node, record, step):
 
 
 def _commands(record, step):
-    """The newest message on each topic, sorted; zeros where none is, and after a step that nothing answers."""
+    """The newest message on each topic, sorted; zeros without one, and after a step that nothing answers."""
     first = {endpoint.topic_name: fields_of(endpoint.msg_type()) for endpoint in record.publishers}
     is_answered = step["published"] or not step["delivered"]
     newest = first | dict(record.published if is_answered else ())
