@@ -11,9 +11,9 @@ from pathlib import Path
 
 # Ceilings in lines. A change that needs more takes something away.
 CEILINGS = {
-    "imgproc_course": 16_100,
+    "imgproc_course": 16_000,
     "nbclassroom/nbclassroom": 19_200,
-    "notebooks/masters": 23_080,
+    "notebooks/masters": 23_090,
     "tests": 45_500,  # with those of nbclassroom
 }
 MOST_COMPLEX = 19

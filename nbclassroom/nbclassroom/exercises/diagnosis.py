@@ -379,10 +379,8 @@ def _relation_of_arrays(calls):
     for text, change in _RELATIONS:
         if all(_same(change(_wide(expected)), _wide(actual)) for expected, actual in arrays):
             return text
-    if text := _one_value_for_another(arrays):
+    if text := _one_value_for_another(arrays) or _only_signs(arrays):
         return text
-    if all(_same(np.abs(_wide(expected)), np.abs(_wide(actual))) for expected, actual in arrays):
-        return "Only signs are wrong: without them, all your values are right."
     if all(_is_multiple(*pair) for pair in arrays):
         return _ONE_FACTOR
     gaps = {gap for expected, actual in arrays for gap in np.unique(_wide(actual) - _wide(expected))} - {0}
@@ -400,6 +398,11 @@ def _one_value_for_another(arrays):
         return ""
     ((value, actual_value),) = wrong
     return f"Where {value} is expected, your result has {actual_value}. Everything else is right."
+
+
+def _only_signs(arrays):
+    is_so = all(_same(*(np.abs(_wide(values)) for values in pair)) for pair in arrays)
+    return "Only signs are wrong: without them, all your values are right." if is_so else ""
 
 
 def _is_multiple(expected, actual):

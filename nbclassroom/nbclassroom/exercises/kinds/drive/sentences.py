@@ -80,8 +80,8 @@ def behaviours(record, scenario):
     seen = _beyond_limits(record) | metrics.get("remarks", {})
     if metrics.get("low") and missed.keys() & {"bumps", "clearance"}:
         seen |= _low(record)
-    has_ball = "ball_gap" in missed and "ball_angle" not in missed  # it keeps it in the middle of the image
-    if missed.keys() - {"bumps", "clearance", "answer_error"} and not has_ball:
+    others = missed.keys() - {"bumps", "clearance", "answer_error"}
+    if others and others != {"ball_gap"}:  # of the ball alone: it keeps it in the middle of the image
         stay = {} if record["bumps"] else _stay(record, scenario.get("goal"))
         seen |= stay or _circles(record)
     if missed.keys() & {"places", "goal_time", "reach", "distance"} and not seen:
