@@ -379,7 +379,7 @@ def _relation_of_arrays(calls):
     for text, change in _RELATIONS:
         if all(_same(change(_wide(expected)), _wide(actual)) for expected, actual in arrays):
             return text
-    if text := _one_value_for_another(arrays) or _only_signs(arrays):
+    if text := _one_value_for_another(arrays):
         return text
     if all(_is_multiple(*pair) for pair in arrays):
         return _ONE_FACTOR
@@ -389,13 +389,13 @@ def _relation_of_arrays(calls):
 
 
 def _one_value_for_another(arrays):
-    """The sentence if the only wrong values are those of one expected value, and all have another one."""
+    """The sentence if only the values of one expected value are wrong, all in one way; or only signs are."""
     masks = [(expected, actual, expected != actual) for expected, actual in arrays]
     wrong = {pair for one, other, mask in masks for pair in zip(one[mask], other[mask], strict=True)}
     right = {value for expected, _, mask in masks for value in expected[~mask]}
     count = sum(mask.sum() for *_, mask in masks)
     if len(wrong) != 1 or count < _MANY or not right or {value for value, _ in wrong} & right:
-        return ""
+        return _only_signs(arrays)
     ((value, actual_value),) = wrong
     return f"Where {value} is expected, your result has {actual_value}. Everything else is right."
 
