@@ -137,59 +137,48 @@ def is_stub(statement, stub):
     """Whether a statement is a definition as handed out, or one that computes nothing."""
     if not isinstance(statement, DEFINITIONS):
         return False
-    body = _body(statement)
-    is_handed_out = ast.dump(statement) in map(ast.dump, top_level(stub))
-    return is_handed_out or not body or _end(body) is not None
+    return ast.dump(statement) in map(ast.dump, top_level(stub)) or _blank(statement) is not None
 
 
 def has_stub_line(definition):
     """Whether a definition has the stub's NotImplementedError, and other statements beside it."""
-    body = _body(definition)
-    return len(body) > 1 and _end(body) is not None
+    return len(_blank(definition) or ()) > 1
 
 
-def _body(definition):
-    """The statements of a function, or of a class and its __init__, without texts, `...` and `pass`."""
+def _blank(definition):
+    """The statements of a function, or of a class and its __init__, if it computes nothing; else None.
+
+    Texts, `...` and `pass` do not count, and nothing is returned before NotImplementedError is raised.
+    """
     parts: list[ast.stmt] = []
     for part in definition.body:
         parts += part.body if getattr(part, "name", "") == "__init__" else [part]
     texts = [part for part in parts if isinstance(part, ast.Expr) and isinstance(part.value, ast.Constant)]
-    return [part for part in parts if not isinstance(part, ast.Pass) and part not in texts]
-
-
-def _end(body):
-    """The place of the statement that raises NotImplementedError before anything is returned, or None."""
-    for place, part in enumerate(body):
+    body = [part for part in parts if not isinstance(part, ast.Pass) and part not in texts]
+    for part in body:
         if isinstance(part, ast.Raise) and "NotImplementedError" in ast.dump(part):
-            return place
+            return body
         if any(isinstance(inner, ast.Return) for inner in ast.walk(part)):
-            break
-    return None
+            return None
+    return None if body else body
 
 
 def program_lines(source, *, is_main=True):
-    """[line number, its text] of the statements of a cell that belong to a program which runs by itself.
+    """[line number, its text] of the calls in a cell that belong to a program which runs by itself.
 
     They call main(), spin a node, or wait for a window, a key or a person. Below
     `if __name__ == ...` they count if the cell is the main program.
     """
     try:
-        body = [part for statement in top_level(source) for part in _parts(statement, is_main)]
-        return [[part.lineno, ast.unparse(part).split("\n")[0]] for part in body if _waits(part)]
+        return sorted([call.lineno, ast.unparse(call)] for call in _waiting_calls(ast.parse(source), is_main))
     except UNPARSABLE:
         return []
 
 
-def _parts(statement, is_main):
-    """The statements of an `if`, `try` or `with`, or the one itself."""
-    if isinstance(statement, ast.If) and not is_main and ast.unparse(statement.test).startswith("__name__"):
-        return []
-    if isinstance(statement, ast.If | ast.Try | ast.With):
-        parts = [node for node in ast.iter_child_nodes(statement) if isinstance(node, ast.stmt)]
-        return [inner for part in parts for inner in _parts(part, is_main)]
-    return [] if isinstance(statement, DEFINITIONS) else [statement]
-
-
-def _waits(statement):
-    calls = [node.func for node in ast.walk(statement) if isinstance(node, ast.Call)]
-    return any(_WAITING_CALLS.search(ast.unparse(called)) for called in calls)
+def _waiting_calls(node, is_main):
+    for part in ast.iter_child_nodes(node):
+        is_of_main = isinstance(part, ast.If) and ast.unparse(part.test).startswith("__name__")
+        if not isinstance(part, DEFINITIONS) and (is_main or not is_of_main):
+            if isinstance(part, ast.Call) and _WAITING_CALLS.search(ast.unparse(part.func)):
+                yield part
+            yield from _waiting_calls(part, is_main)

@@ -159,7 +159,7 @@ def test_the_terminal_shows_nothing_that_an_answer_prints_or_asks(lesson, capsys
     lesson_check = run(lesson(add_noise))
     assert all(case.passed for case in lesson_check.exercises[0].result.cases)
     program, failure = lesson_check.exercises[0].notes
-    assert program.startswith("line 4, name = input('Your name?'), belongs to a program")
+    assert program.startswith("line 4, input('Your name?'), belongs to a program")
     assert failure.startswith("a statement in its cell fails: RuntimeError: input() waits for a person")
     assert capsys.readouterr() == ("", "")
     assert sys.stdin.read() == "Ada"

@@ -205,8 +205,8 @@ def test_a_pasted_program_is_named(read, made):
         "def double(p):\n    return p\n\nwhile rclpy.ok():\n    spin(3)\ninput()"
     )
     content = read(made)
-    (loop, person) = texts(content, "message")
-    assert loop.startswith("line 4, while rclpy.ok():, belongs to a program that runs by itself")
+    loop, _, person = texts(content, "message")
+    assert loop.startswith("line 4, rclpy.ok(), belongs to a program that runs by itself")
     assert person.startswith("line 6, input(), belongs to a program")
 
 
