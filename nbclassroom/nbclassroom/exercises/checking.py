@@ -148,7 +148,7 @@ def _is_known(exercise, function):
 def _remark_on_name(exercise, function):
     """What to do about an answer that has another name than its task."""
     own_name = getattr(function, "__name__", "")
-    if _is_known(exercise, function) or own_name == exercise.function or not RUNS.binding(own_name):
+    if _is_known(exercise, function) or own_name == exercise.function or not RUNS.run_of(own_name):
         return ()
     return (SAYS["another try"].format(name=exercise.answer_name, other=own_name),)
 

@@ -75,12 +75,12 @@ def feedback_on(exercise, answer, *, searches=True):
     run_cell(exercise.stub, namespace, f"<stub of {exercise.id}>")
     runs = CellRuns()
     runs.start(exercise.stub, exercise.id)
-    run = runs.start(answer.source, exercise.id)
+    runs.start(answer.source, exercise.id)
     try:
         add_earlier_names(namespace, answer.source, lesson_statements(exercise.master, exercise.id))
         run_cell(answer.source, namespace, f"<{exercise.id}: {answer.name}>")
     except Exception as error:  # noqa: BLE001 - a cell that does not run: the stub is still there
-        run.fail(error)
+        runs.fail(error)
     function = namespace[exercise.function]
     result = run_check(check_data_of(exercise), function, searches=searches)
     if why := runs.why_gone(exercise.function):

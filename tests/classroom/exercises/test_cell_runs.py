@@ -17,9 +17,9 @@ def why_gone(*cells, error=None, line=0, cell_id="mine", name="count_pixels"):
     """What is said of a name after some runs of a cell, the last of which may have ended with an error."""
     runs = CellRuns()
     for source in cells:
-        run = runs.start(source, cell_id)
+        runs.start(source, cell_id)
     if error is not None:
-        run.fail(error, line)
+        runs.fail(error, line)
     return runs.why_gone(name)
 
 

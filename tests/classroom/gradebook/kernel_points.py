@@ -82,7 +82,7 @@ def begin_anew():
 
     shell = sys.modules["IPython"].get_ipython()
     shell.reset(new_session=False)
-    RUNS._runs = []
+    RUNS.__init__()
     return "null"
 
 

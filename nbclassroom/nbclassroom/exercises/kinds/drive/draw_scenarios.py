@@ -10,10 +10,9 @@ from dataclasses import replace
 from nbclassroom.exercises.declaration import MasterError
 from nbclassroom.exercises.kinds.drive.drive import LARGE, SLOW, passes
 from nbclassroom.exercises.kinds.drive.graded import GradedDrive
-from nbclassroom.exercises.kinds.drive.runs import drive_scenarios
+from nbclassroom.exercises.kinds.drive.runs import drive_scenarios, with_own_globals
 from nbclassroom.exercises.kinds.drive.sentences import sentences_of
 from nbclassroom.exercises.lesson import ExpectedCall
-from nbclassroom.exercises.names_read import with_own_globals
 
 MOST_DRAWS = 20  # of one case
 MARGIN = 0.2  # by which the solution keeps each threshold, as a share of it

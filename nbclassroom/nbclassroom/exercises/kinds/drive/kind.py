@@ -59,8 +59,7 @@ class Kind(AnyKind):
 
     def run_cases(self, exercise, answer, progress=None):
         """Each drive with values of its own."""
-        from ...names_read import with_own_globals
-        from .runs import drive_scenarios
+        from .runs import drive_scenarios, with_own_globals
 
         scenarios = list(map(scenario_of, exercise.cases))
         return _judged(

@@ -2,12 +2,15 @@
 
 import contextlib
 import copy
+import functools
 import math
+import types
 import warnings
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...running import CallResult, LimitedOutput, call_within, failure_fields
+from ...names_read import NamesRead
+from ...running import CallResult, LimitedOutput, attempt, call_within, failure_fields, globals_of
 from .drive import STEP, STEP_SECONDS, Cost, Drive, environment, seconds_of, steps_of
 
 _SHOWN_STEPS = 20  # between two states of the progress bar
@@ -116,3 +119,24 @@ def drive_scenarios(exercise, scenarios, make_control, progress=None):
                 progress(steps / total)
         run.record = drive.record() | {"read": sorted(run.read)}
     return [(run.record, run.result()) for run in runs]
+
+
+def with_own_globals(function):
+    """A function that begins with copies of the values that it reads: no drive continues another one."""
+    namespace = globals_of(function)
+    if not isinstance(function, types.FunctionType):
+        return function
+    own = dict(namespace)
+    for name, value in NamesRead(function).names.items():
+        if isinstance(value, types.FunctionType) and value.__globals__ is namespace:
+            own[name] = _copied(value, own)
+        elif not isinstance(value, (types.ModuleType, type)):
+            own[name] = attempt(functools.partial(copy.deepcopy, value), value)
+    return _copied(function, own)
+
+
+def _copied(function, namespace):
+    parts = function.__name__, function.__defaults__, function.__closure__
+    copied = types.FunctionType(function.__code__, namespace, *parts)
+    copied.__kwdefaults__ = function.__kwdefaults__
+    return copied
