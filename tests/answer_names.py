@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 from nbclassroom.exercises.cell_syntax import program_lines, top_level
 from nbclassroom.exercises.page import page_of
-from nbclassroom.exercises.page_run import PageRun, is_missing
+from nbclassroom.exercises.page_run import Missing, PageRun
 
 
 def names_of_answer(exercise, source):
@@ -22,6 +22,6 @@ def names_of_answer(exercise, source):
             page["left_out"] += [[number, place]] * bool(program_lines(ast.unparse(statement)))
     run = PageRun(page, names)
     run.run_to([len(page["cells"]), 0])
-    for name in [name for name, value in names.items() if is_missing(value)]:
+    for name in [name for name, value in names.items() if type(value) is Missing]:
         del names[name]
     return names, next((f"{name}: {text}" for _, name, text in run.errors), "")

@@ -27,7 +27,7 @@ from .written_answer import rendered_text
 _MISSING = re.compile(
     r"name '(\w+)' is not def|(\w+) is not there, because|write this exercise without (\w+)"
 )
-_SYNTAX_PLACE = re.compile(r" ?\(<cell \d+>, line (\d+)\)$")
+_SYNTAX_PLACE = re.compile(r" ?\(<cell[ \d]*>, line (\d+)\)$")
 NO_DETAILS = "<p>The details of these checks could not be shown.</p>"
 _MEMORY_ERRORS = ("MemoryError", "_ArrayMemoryError")
 # Errors whose messages are sentences of ours; their names are those of our classes, see `running.error_name`.

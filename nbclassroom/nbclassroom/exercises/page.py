@@ -4,9 +4,8 @@ A page is plain data:
 
     answers   {exercise id: source of the cell that holds its answer}
     cells     the cells that run, from the top: {"kind", "source", "exercise", "file"}; `kind` is "given" (as
-              handed out), "lesson" or "own" (the learner's, answers too); `exercise` is the id of the
-              exercise that the cell answers, or ""; `file` is the name that `%%writefile` gives, or "", with
-              a `mode`: "w", or "a" to append
+              handed out) or "own" (the learner's); `exercise` is the id of the exercise that the cell
+              answers, or ""; `file` is the name that `%%writefile` gives, or "", with a `mode`: "w" or "a"
     checks    {exercise id: [number of a cell, number of a statement in it], before which its check runs}
     left_out  [[number of a cell, number of a statement], ...]: stubs
 
@@ -47,12 +46,11 @@ def page_of_notebook(cells, lesson_cells, exercises):
     defined = [_definitions(counted, function, stub) for _, function, stub in exercises]
     answers, places = {}, {}
     for (id, *_), (definitions, _) in zip(exercises, defined, strict=True):
-        found = sorted({place for place, _ in definitions})
         marked = [place for place, cell in enumerate(counted) if cell["exercise"] == id]
-        check = checks.get(id, [len(counted), 0])
-        checks[id] = check = max([check, *([place + 1, 0] for place in marked[:1])])
-        above = [place for place in reversed(found) if [place, 0] < check]
-        ordered = [*above, *(place for place in found if place not in above)]
+        end = [[place + 1, 0] for place in marked[:1]]
+        checks[id] = check = max([checks.get(id, [len(counted), 0]), *end])
+        found = {place for place, _ in definitions}  # the last one above the check, or the first one below
+        ordered = sorted(found, key=lambda place: ([place, 0] >= check, abs(place - check[0])))
         places[id] = [origins[place]["number"] for place in ordered]
         for place in [*ordered, *marked][:1]:
             counted[place]["exercise"] = id
@@ -64,8 +62,10 @@ def _counted_cells(cells, lesson_cells, exercises):
     """(A page's cells, for each the notebook's cell, {exercise id: place of its last check})."""
     in_code = {name for cell in cells if cell["type"] == "code" for name in cell["names"]}
     in_text = {function for _, function, _ in exercises} - in_code  # counts if there is no other answer
+    present = {cell["id"] for cell in cells}
+    deleted = [{"id": id, "type": "code", "exercise": ""} for id in lesson_cells if id not in present]
     counted, origins, checks = [], [], {}
-    for cell in [*_deleted(cells, lesson_cells), *cells]:
+    for cell in [*deleted, *cells]:
         if cell["type"] == "code" or in_text & {*cell["names"]}:
             parts = [*_parts(cell, lesson_cells, exercises)]
             counted += parts
@@ -75,28 +75,15 @@ def _counted_cells(cells, lesson_cells, exercises):
     return counted, origins, checks
 
 
-def _deleted(cells, lesson_cells):
-    """The given cells that a notebook lacks."""
-    present = {cell["id"] for cell in cells}
-    for id, source in lesson_cells.items():
-        if id.startswith("given-") and source and id not in present:
-            yield {"id": id, "type": "code", "exercise": "", "source": source}
-
-
 def _parts(cell, lesson_cells, exercises):
-    """What runs of a cell: a given cell as handed out, and what was changed."""
+    """What runs of a cell: a given cell as handed out, even if it was deleted, and what was changed."""
     source, handed_out = cell.get("source"), lesson_cells.get(cell["id"])
     if handed_out is not None and cell["id"].startswith("given-"):
         yield _counted("given", handed_out)
     is_as_handed_out = handed_out is not None and handed_out.strip() == (source or "").strip()
-    mark = next((id for id, *_ in exercises if is_marked(cell, id)), "")
+    mark = cell["exercise"] if cell["exercise"] in (id for id, *_ in exercises) else ""
     if not is_as_handed_out and source is not None and (source.strip() or mark):
-        yield _counted("lesson" if cell["id"] in lesson_cells and not mark else "own", source, mark)
-
-
-def is_marked(cell, exercise):
-    """Whether a cell is the answer cell of an exercise, by its id or its metadata."""
-    return cell["id"] == f"answer-{exercise}" or cell["exercise"] == exercise
+        yield _counted("own", source, mark)
 
 
 def _counted(kind, source, exercise=""):

@@ -21,7 +21,6 @@ from ..authoring.lesson_names import lesson_name, lessons_named
 from ..autograder.sanitize import sanitize_line
 from ..exercises.cell_syntax import plain_python, program_lines
 from ..exercises.error_advice import advice_on
-from ..exercises.page import is_marked
 from ..exercises.source_remarks import SAYS, STUB_LINE
 from . import submission_reader
 from .submission_reader import MOST_CHARACTERS
@@ -171,7 +170,7 @@ def _answer_cells(cells, lesson, reader, content):
 def _is_marked(cell, exercise, lesson):
     """Whether a cell is an exercise's, by its marks or, of a new text or figure, by its place."""
     is_new = (cell["type"] == "code") == exercise.figure and cell["id"] not in lesson.cells
-    return is_marked(cell, exercise.id) and (is_new or not cell["by_place"])
+    return cell["exercise"] == exercise.id and (is_new or not cell["by_place"])
 
 
 def _is_open(cell, exercise):

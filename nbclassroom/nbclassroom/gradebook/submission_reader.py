@@ -58,7 +58,7 @@ def read_notebook(data):
     lesson, version, python  str, or None if the notebook does not name them
     deeper  list, with the ids of the exercises that can be left out
     cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
-           `exercise` (the id in its metadata, or `by_place` that of the check below; or "") and `names`
+           `exercise` (by its id or metadata, or `by_place` that of the check below; or "") and `names`
            (that it binds at its top level; of a cell that is no code only if its text is). A code cell
            and a cell of the course have `source` (str, at most one character more than MOST_CHARACTERS; None
            if it is not text, or after MOST_CODE), an answer cell also `answer` (see `_parsed_answer`)
@@ -154,8 +154,10 @@ def _cell(cell, number, code_left, by_place):
     has_mark = content["exercise"] or content["id"].startswith(_COURSE_IDS)
     content["by_place"] = number in by_place and not has_mark
     content["exercise"] = by_place[number] if content["by_place"] else content["exercise"]
+    if content["id"].startswith("answer-"):
+        content["exercise"] = content["id"].removeprefix("answer-")
+    is_answer = bool(content["exercise"])
     source = _joined(cell.get("source"))
-    is_answer = content["id"].startswith("answer-") or bool(content["exercise"])
     if is_answer or content["id"].startswith(_COURSE_IDS):
         content["source"] = source
     elif content["type"] == "code":

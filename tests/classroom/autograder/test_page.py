@@ -37,11 +37,10 @@ def test_own_cells_cost_the_checks_nothing(key, right):
 
 
 def test_a_key_has_the_cells_as_handed_out_and_kernels_find_them_compiled(key, monkeypatch):
-    monkeypatch.setattr(page_run, "_PREPARED", {})
-    page_run.prepare([*key.lessons[LESSON].code, "x = 1", "y = ("])
-    monkeypatch.setattr(page_run, "_compiled", None)
+    page_run.compiled("x = 1")
+    monkeypatch.setattr(page_run, "_compile", None)
     names: dict = {}
-    cell = {"kind": "lesson", "source": "x = 1", "exercise": "", "file": ""}
+    cell = {"kind": "own", "source": "x = 1", "exercise": "", "file": ""}
     page_run.PageRun({"cells": [cell], "left_out": []}, names).run_to([1, 0])
     assert names["x"] == 1 and any("check(" in source for source in key.lessons[LESSON].code)
 

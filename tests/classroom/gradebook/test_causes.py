@@ -91,7 +91,7 @@ TOLD = {
     "default": CELL.format("two = len(3)", "TypeError: object of type 'int' has no len()"),
     "call": CELL.format("def two():", "name 'retrun' is not defined. Did you mean return?"),
     "module": "Write this exercise without cv9.",
-    "answer": 'SyntaxError: invalid syntax (<cell 4>, line 2).</p><div class="paragraph">Look at this line',
+    "answer": 'SyntaxError: invalid syntax (<cell>, line 2).</p><div class="paragraph">Look at this line',
 }
 
 

@@ -64,7 +64,7 @@ def test_what_runs_are_the_cells_above_the_check(read, made):
     page = content.page
     given, changed, _, tool, answer = page["cells"][:5]  # the third imports `check`
     assert (given["kind"], given["source"]) == ("given", "import numpy as np\n\nLIMIT = 255")
-    assert (changed["kind"], changed["source"].splitlines()[-1]) == ("lesson", "FACTOR = 3")
+    assert (changed["kind"], changed["source"].splitlines()[-1]) == ("own", "FACTOR = 3")
     assert (tool["kind"], tool["file"], tool["source"]) == ("own", "tool.py", "FACTOR = 2")
     assert (answer["exercise"], answer["source"]) == ("light-double", page["answers"]["light-double"])
     assert page["checks"]["light-double"] == [5, 0] and page["left_out"] == []

@@ -19,7 +19,8 @@ import socket
 import sys
 
 from nbclassroom.autograder.sandbox.inside import confine
-from nbclassroom.exercises import page_run
+from nbclassroom.exercises.cell_syntax import plain_python
+from nbclassroom.exercises.page_run import compiled
 
 # They use what is loaded at its first use.
 _USUAL_CELLS = (
@@ -122,7 +123,8 @@ def main():
             child = _fork(control, descriptors[0], order["id"], settings, loaded, namespace)
             kernels[order["id"]] = child
         elif order["op"] == "prepare":
-            page_run.prepare(order["code"])
+            for source in order["code"]:
+                compiled(plain_python(source))
             if order["draws"]:  # half a second, and more memory for each fork
                 import matplotlib.pyplot as plt  # noqa: F401
             gc.freeze()

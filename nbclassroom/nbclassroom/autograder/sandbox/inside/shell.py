@@ -23,7 +23,7 @@ from traitlets import Type
 from traitlets.config import Config
 
 from nbclassroom.autograder.sandbox.inside import MIME, check_cell, confine, refusal
-from nbclassroom.exercises.page_run import PageRun, is_missing
+from nbclassroom.exercises.page_run import Missing, PageRun
 from nbclassroom.exercises.running import attempt, error_name
 
 # Looked up before any code of a learner's runs.
@@ -146,8 +146,8 @@ class Server:
             self._page_run.run_to(request["to"])
         else:
             names, name = self._shell.user_ns, request["below"]
-            self._page_run.run_below(lambda: name in names and not is_missing(names[name]))
-            if is_missing(names.get(name)):  # in the end, too: then it is not bound
+            self._page_run.run_below(lambda: name in names and type(names[name]) is not Missing)
+            if type(names.get(name)) is Missing:  # in the end, too: then it is not bound
                 del names[name]
         WRITER.send("errors", errors=self._page_run.errors[:_MOST_ERRORS])
         self._finish()
