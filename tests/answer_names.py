@@ -21,7 +21,7 @@ def names_of_answer(exercise, source):
         for place, statement in enumerate(top_level(cell["source"])):
             page["left_out"] += [[number, place]] * bool(program_lines(ast.unparse(statement)))
     run = PageRun(page, names)
-    run.run_to([len(page["cells"]), 0])
+    run.run_to(len(page["cells"]))
     for name in [name for name, value in names.items() if type(value) is Missing]:
         del names[name]
     return names, next((f"{name}: {text}" for _, name, text in run.errors), "")

@@ -3,7 +3,7 @@
 import ast
 
 from IPython.core.inputtransformer2 import TransformerManager
-from nbclassroom.exercises.cell_syntax import names_used
+from nbclassroom.exercises import cell_syntax
 
 
 def tree_of(source):
@@ -11,9 +11,13 @@ def tree_of(source):
     return ast.parse(TransformerManager().transform_cell(source))
 
 
+def names_used(source):
+    return list(map(cell_syntax.names_of, tree_of(source).body))
+
+
 def names_of(source):
     """The names that a cell reads, and those that it binds; no local name of a function."""
-    parts = list(names_used(TransformerManager().transform_cell(source)))
+    parts = names_used(source)
     return set().union(*(part.reads for part in parts)), set().union(*(part.binds for part in parts))
 
 

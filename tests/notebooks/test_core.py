@@ -9,15 +9,13 @@ import nbformat
 import pytest
 
 sys.path.append(str(Path(__file__).parent))
-from IPython.core.inputtransformer2 import TransformerManager
 from nbclassroom.authoring.build import lesson_notebook
 from nbclassroom.authoring.execute import execute, normalize, output_texts
 from nbclassroom.authoring.lesson_files import lesson_files
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.authoring.minutes import read_sections
-from nbclassroom.exercises.cell_syntax import names_used
 from nbclassroom.exercises.percent_script import read_script
-from needed_cells import names_of
+from needed_cells import names_of, names_used
 from ways_to_run import ways_of
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -26,8 +24,7 @@ MASTERS = find_masters(NOTEBOOKS / "masters")
 
 def global_names_read(source):
     """The names of other cells that a cell may read: no local variables of its functions."""
-    statements = list(names_used(TransformerManager().transform_cell(source)))
-    return {name for statement in statements for name in statement.reads}
+    return {name for statement in names_used(source) for name in statement.reads}
 
 
 def names_of_deeper_cells(cells):
@@ -58,7 +55,7 @@ def test_no_cell_needs_a_name_that_no_cell_on_a_learners_way_binds(path, way):
         left_out = names.keys() - {cell.id for cell in cells}
         missing = set().union(*(names[id][1] for id in left_out))
         for cell in cells:
-            for statement in names_used(TransformerManager().transform_cell(cell.source)):
+            for statement in names_used(cell.source):
                 assert statement.reads & missing == set(), cell.id
                 missing -= statement.binds
 

@@ -87,7 +87,7 @@ class PageKernels:
 
     def __init__(self, page, kernel_factory):
         self._page, self._kernel_factory = page, kernel_factory
-        self._kernel, self._allowed, self._place = None, (), []
+        self._kernel, self._allowed, self._place = None, (), 0
         # Statements that end the process; those at which one ended once
         self._skip, self._ended_at = [], set()
         self.tried = {}  # {(exercise id or "", what its code tried): None}
@@ -96,9 +96,7 @@ class PageKernels:
         """Exercises in the order in which their checks are to run."""
         allowed = list(dict.fromkeys(exercise.allowed for exercise in exercises))
         checks = self._page["checks"]
-        return sorted(
-            exercises, key=lambda one: (allowed.index(one.allowed), checks.get(one.id, [0, 0]), one.id)
-        )
+        return sorted(exercises, key=lambda one: (allowed.index(one.allowed), checks.get(one.id, 0), one.id))
 
     def open_check(self, exercise, seconds, *, alone=False):
         """(the Connection to a process in which the page has run up to the check, the CellRun of the answer).

@@ -28,7 +28,6 @@ _MAGIC = re.compile(
     re.M | re.X,
 )
 # The prompts of Python and IPython, pasted from a terminal or a page: Jupyter drops them too.
-_FIRST_PROMPT = re.compile(r"\s*(>>>( |$)|In \[\d+\]: )")
 _PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
 _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
@@ -45,7 +44,7 @@ def plain_python(source):
 
     What a magic computes is lost: `files = !ls` gives None. The Python in `%time` and `%%time` stays.
     """
-    if _FIRST_PROMPT.match(source):  # IPython's is an annotation, too
+    if source.lstrip().startswith((">>>", "In [")):  # IPython's is an annotation, too
         source = _PROMPT.sub("", source)
     try:
         ast.parse(source)
@@ -69,19 +68,16 @@ def _without_magic(match):
 
 
 class NamesUsed(NamedTuple):
-    """The names that a statement binds, and reads before; a function reads what its body reads.
+    """The names that a statement uses; a function reads what its body reads."""
 
-    Modules that functions import are apart; `*` stands for an import of everything.
-    """
-
-    binds: set
-    reads: set
-    imports: set
+    binds: set  # `*` stands for an import of everything
+    reads: set  # before they are bound
+    imports: set  # modules that functions import
 
 
 def bound_names(source):
     """The names that a source binds at its top level; a set."""
-    return set().union(*(names.binds for names in names_used(source)))
+    return {name for statement in top_level(source) for name in names_of(statement).binds}
 
 
 def top_level(source):
@@ -90,10 +86,6 @@ def top_level(source):
         return ast.parse(source).body
     except UNPARSABLE:
         return []
-
-
-def names_used(source):
-    return list(map(names_of, top_level(source)))
 
 
 def names_of(statement):

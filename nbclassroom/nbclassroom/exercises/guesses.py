@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from .. import course
-from .cell_syntax import names_used
+from .cell_syntax import names_of, top_level
 
 _NO_GUESS = {"", "?"}
 _CLOSE = 0.1  # of the result
@@ -118,7 +118,7 @@ def read_bare_guess(lines, names):
     source = "".join(lines)
     asked = _ASK_CELL.fullmatch(source.strip())
     match = asked or _PREDICT_CELL.fullmatch(source)
-    statements, known = names_used(source), {*names, "ask", *dir(builtins)}
+    statements, known = list(map(names_of, top_level(source))), {*names, "ask", *dir(builtins)}
     if not match or (statements and all(one.reads <= known for one in statements)):
         return lines
     text = match["guess"].strip().strip(_QUOTES)

@@ -73,13 +73,11 @@ class CellRuns:
     def why_gone(self, name):
         """What has happened to the cell that made what Python still has; "" for nothing."""
         cell_id, _ = self._made.get(name, ("", []))
-        if not cell_id:
-            return ""
         if cell_id in self._deleted:
             return "was deleted"
         names, why_failed = self._cells[cell_id]
         makes = ", ".join(sorted(names)[:_MOST_NAMES]) or "nothing that has a name"
-        return "" if name in names else why_failed or f"now makes {makes}"
+        return "" if not cell_id or name in names else why_failed or f"now makes {makes}"
 
 
 RUNS = CellRuns()
@@ -133,8 +131,7 @@ class NamesRead:
         """{module that an exercise does not allow: what the answer uses of it}."""
         found: dict[str, str] = {}
         for path, name in self._uses:
-            module = refused_module(path, allowed)
-            if module and name not in given:
+            if name not in given and (module := refused_module(path, allowed)):
                 found.setdefault(module, module if name.startswith(module) else f"{name} of {module}")
         return found
 

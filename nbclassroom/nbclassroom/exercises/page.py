@@ -6,14 +6,13 @@ A page is plain data:
     cells     the cells that run, from the top: {"kind", "source", "exercise", "file"}; `kind` is "given" (as
               handed out) or "own" (the learner's); `exercise` is the id of the exercise that the cell
               answers, or ""; `file` is the name that `%%writefile` gives, or "", with a `mode`: "w" or "a"
-    checks    {exercise id: [number of a cell, number of a statement in it], before which its check runs}
+    checks    {exercise id: how many of the cells run before its check}
     left_out  [[number of a cell, number of a statement], ...]: stubs
 
 Nothing is run here, and only the standard library and `cell_syntax` are imported: the process that reads
 notebooks loads this file (see `gradebook.submission_reader`). `page_run` runs a page.
 """
 
-import ast
 import re
 
 if __package__:
@@ -21,6 +20,7 @@ if __package__:
 else:  # a module by itself, which mypy does not know
     import cell_syntax  # type: ignore[import-not-found,no-redef]
 
+_CHECK = re.compile(r"""\bcheck\(\s*["']([\w-]+)["']""")
 _WRITE_FILE = re.compile(r"\s*%%writefile[ \t]+(-a[ \t]+)?([\w./-]+)[ \t]*\n")
 
 
@@ -31,9 +31,8 @@ def page_of(answers, lesson):
         if isinstance(answers.get(exercise.id), str):
             cells += [_counted("given", source) for source in exercise.given]
             cells.append(_counted("own", answers[exercise.id], exercise.id))
-            checks[exercise.id] = [len(cells), 0]
-    defined = [_definitions(cells, exercise.function, exercise.stub) for exercise in lesson.exercises]
-    return _page(dict(answers), cells, checks, defined)
+            checks[exercise.id] = len(cells)
+    return {"answers": dict(answers), "cells": cells, "checks": checks, "left_out": []}
 
 
 def page_of_notebook(cells, lesson_cells, exercises):
@@ -42,37 +41,37 @@ def page_of_notebook(cells, lesson_cells, exercises):
     `cells` are as `submission_reader.read_notebook` describes them, `lesson_cells` {cell id: source of a
     check or given cell as handed out, None for the others}, `exercises` [id, function, source of the stub].
     """
-    counted, origins, checks = _counted_cells(cells, lesson_cells, exercises)
-    defined = [_definitions(counted, function, stub) for _, function, stub in exercises]
-    answers, places = {}, {}
-    for (id, *_), (definitions, _) in zip(exercises, defined, strict=True):
+    counted, origins, calls = _counted_cells(cells, lesson_cells, exercises)
+    answers, places, checks, left_out = {}, {}, {}, list[list]()
+    for id, function, stub in exercises:
+        definitions, stubs = _definitions(counted, function, stub)
+        left_out += stubs if definitions else []
         marked = [place for place, cell in enumerate(counted) if cell["exercise"] == id]
-        end = [[place + 1, 0] for place in marked[:1]]
-        checks[id] = check = max([checks.get(id, [len(counted), 0]), *end])
+        checks[id] = check = max([calls.get(id, len(counted)), *(place + 1 for place in marked[:1])])
         found = {place for place, _ in definitions}  # the last one above the check, or the first one below
-        ordered = sorted(found, key=lambda place: ([place, 0] >= check, abs(place - check[0])))
+        ordered = sorted(found, key=lambda place: (place >= check, abs(place - check)))
         places[id] = [origins[place]["number"] for place in ordered]
         for place in [*ordered, *marked][:1]:
             counted[place]["exercise"] = id
             answers[id] = counted[place]["source"]
-    return _page(answers, counted, checks, defined), places
+    return {"answers": answers, "cells": counted, "checks": checks, "left_out": left_out}, places
 
 
 def _counted_cells(cells, lesson_cells, exercises):
-    """(A page's cells, for each the notebook's cell, {exercise id: place of its last check})."""
+    """(A page's cells, for each the notebook's cell, {exercise id: how many stand above its last check})."""
     in_code = {name for cell in cells if cell["type"] == "code" for name in cell["names"]}
     in_text = {function for _, function, _ in exercises} - in_code  # counts if there is no other answer
     present = {cell["id"] for cell in cells}
     deleted = [{"id": id, "type": "code", "exercise": ""} for id in lesson_cells if id not in present]
-    counted, origins, checks = [], [], {}
+    counted, origins, calls = [], [], dict[str, int]()
     for cell in [*deleted, *cells]:
         if cell["type"] == "code" or in_text & {*cell["names"]}:
             parts = [*_parts(cell, lesson_cells, exercises)]
             counted += parts
             origins += [cell] * len(parts)
-            for id, statement in _checks_in(cell, exercises):
-                checks[id] = [len(counted) - 1, statement] if parts else [len(counted), 0]
-    return counted, origins, checks
+            called = _CHECK.findall(re.sub("#.*", "", cell.get("source") or ""))
+            calls |= dict.fromkeys(called, len(counted))
+    return counted, origins, calls
 
 
 def _parts(cell, lesson_cells, exercises):
@@ -88,22 +87,10 @@ def _parts(cell, lesson_cells, exercises):
 
 def _counted(kind, source, exercise=""):
     source = source.replace("\r\n", "\n").replace("\r", "\n")
-    match = _WRITE_FILE.match(source) if kind != "given" else None
-    if match:
-        written = {"source": source[match.end() :], "file": match[2], "mode": "a" if match[1] else "w"}
-        return {"kind": kind, "exercise": exercise} | written
-    return {"kind": kind, "source": cell_syntax.plain_python(source), "exercise": exercise, "file": ""}
-
-
-def _checks_in(cell, exercises):
-    """(exercise id, number of the statement) of each of the checks in a cell."""
-    source = cell.get("source") or ""
-    statements = cell_syntax.top_level(cell_syntax.plain_python(source)) if "check" in source else []
-    for number, statement in enumerate(statements):
-        for call in (node for node in ast.walk(statement) if isinstance(node, ast.Call)):
-            if "check" in (getattr(call.func, "id", ""), getattr(call.func, "attr", "")):
-                values = [getattr(argument, "value", None) for argument in call.args[:1]]
-                yield from ((id, number) for id, *_ in exercises if id in values)
+    match = _WRITE_FILE.match(source)
+    text = source[match.end() :] if match else cell_syntax.plain_python(source)
+    file, mode = (match[2], "a" if match[1] else "w") if match else ("", "")
+    return {"kind": kind, "source": text, "exercise": exercise, "file": file, "mode": mode}
 
 
 def _definitions(cells, function, stub):
@@ -115,8 +102,3 @@ def _definitions(cells, function, stub):
             if function in cell_syntax.names_of(statement).binds:
                 found[cell_syntax.is_stub(statement, stub)].append([number, place])
     return found
-
-
-def _page(answers, cells, checks, defined):
-    left_out = [place for definitions, stubs in defined if definitions for place in stubs]
-    return {"answers": answers, "cells": cells, "checks": checks, "left_out": left_out}

@@ -10,6 +10,7 @@ import ast
 import asyncio
 import builtins
 import linecache
+import math
 import os
 import sys
 import time
@@ -22,7 +23,7 @@ from types import CodeType
 import numpy as np
 
 from . import running
-from .cell_syntax import UNPARSABLE, names_in
+from .cell_syntax import names_in
 
 STATEMENT_SECONDS = 5.0  # that one statement may take
 TOGETHER_SECONDS = 20.0  # that all cells of a kind may take: those given, the learner's own, the answers
@@ -67,48 +68,42 @@ class PageRun:
     """
 
     def __init__(self, page, names, skip=(), tell=lambda cell, statement: None):
-        self._cells, self._names, self._tell = page["cells"], names, tell
+        cells, self._names, self._tell = page["cells"], names, tell
         self._skip = {tuple(place) for place in skip}
         self.errors = []  # of statements: (number of the cell, type and text of the exception)
         self._seconds: dict = defaultdict(float)  # {kind of cells: what they have taken}
-        left_out = {tuple(place) for place in page["left_out"]}
-        self._steps: deque = deque()
-        for number, cell in enumerate(self._cells):
-            codes = [None] if cell["file"] else compiled(cell["source"])  # None: it writes a file
-            steps = (((number, position), code) for position, code in enumerate(codes))
-            self._steps += (step for step in steps if step[0] not in left_out)
+        self._left_out = {tuple(place) for place in page["left_out"]}
+        self._waiting = deque(enumerate(cells))
         # After the first cell that uses asyncio, an event loop is running, as in JupyterLab.
-        self._uses_loop = any("async" in cell["source"] or "await" in cell["source"] for cell in self._cells)
+        self._uses_loop = any("async" in cell["source"] or "await" in cell["source"] for cell in cells)
         self.adopt_process()
 
     def adopt_process(self):
         """Go on in this process, a fork of the one that has run the page until now."""
         self._process, self._loop = _process(), None
 
-    def run_to(self, place):
-        """Run on, as far as a place: [number of a cell, number of a statement]."""
-        while self._steps and self._steps[0][0] < tuple(place):
-            self._run(*self._steps.popleft())
-
-    def run_below(self, is_found):
-        """Run the cells below, until a name is there."""
-        while self._steps and not is_found():
-            self.run_to((self._steps[0][0][0] + 1, 0))
+    def run_to(self, number=math.inf, is_found=lambda: False):
+        """Run on, as far as the cell of this number, or until what the cells below may make is there."""
+        while self._waiting and self._waiting[0][0] < number and not is_found():
+            self._run(*self._waiting.popleft())
 
     def run_beside(self, source):
         """Run a source that is no part of the page, such as a check; the exception that ended it, or None."""
-        return _error_of(lambda: self._evaluate(_compile(source, "<check>")))
+        return _attempt(lambda: self._evaluate(_compile(source, "<check>")))
 
-    def _run(self, place, code):
-        cell = self._cells[place[0]]
+    def _run(self, number, cell):
+        """Run a cell, each of its statements alone."""
         kind = "answer" if cell["exercise"] else cell["kind"]
-        began = _monotonic()
-        error = _error_of(lambda: self._try(place, code or cell, self._seconds[kind]))
-        if _process() != self._process:
-            _end_process(0)  # a copy of this process, which the learner's code made
-        self._seconds[kind] += _monotonic() - began
-        if error is not None:
-            self._note(place[0], code, error)
+        for position, code in enumerate([cell] if cell["file"] else compiled(cell["source"])):
+            if (number, position) in self._left_out:
+                continue
+            began = _monotonic()
+            error = _attempt(self._try, (number, position), code, self._seconds[kind])
+            if _process() != self._process:
+                _end_process(0)  # a copy of this process, which the learner's code made
+            self._seconds[kind] += _monotonic() - began
+            if error is not None:
+                self._note(number, code, error)
 
     def _try(self, place, code, seconds):
         """Run a statement of a cell, whose kind has taken some seconds."""
@@ -148,34 +143,23 @@ class PageRun:
 
 @lru_cache(maxsize=10_000)
 def compiled(source):
-    """The code of each statement of a cell; an error in the place of what Python does not compile.
-
-    It is kept: forks of a process that has compiled the cells of a lesson find them compiled.
-    """
+    """The code of each statement of a cell, kept for forks, or the error in its place."""
     file = f"<cell {zlib.crc32(source.encode('utf-8', 'replace'))}>"  # the same in each page
     linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
+    tree = _attempt(ast.parse, source, "<cell>")
+    if isinstance(tree, Exception):
+        return [tree]
+    return [_attempt(_compile, ast.Module([node], []), file) for node in tree.body]
+
+
+def _attempt(function, *arguments):
+    """What a function returns, or the exception that ends it."""
     try:
-        return [_code_of(ast.Module([node], []), file) for node in ast.parse(source, "<cell>").body]
-    except UNPARSABLE as error:
-        return [error]
-
-
-def _code_of(module, file):
-    try:
-        return _compile(module, file)
-    except UNPARSABLE as error:
-        return error
-
-
-def _error_of(function):
-    """The exception that ends a function, or None."""
-    try:
-        function()
+        return function(*arguments)
     except running.TimeUp:
         return TimeoutError("it did not end in time")
     except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
         return error
-    return None
 
 
 def _write(cell):

@@ -33,7 +33,7 @@ def page_with(key, own, right):
     """The page of right answers, below a cell of the learner's own."""
     page = page_of(right, key.lessons[LESSON])
     cells = [{"kind": "own", "source": own, "exercise": "", "file": ""}, *page["cells"]]
-    return page | {"cells": cells, "checks": {id: [cell + 1, 0] for id, (cell, _) in page["checks"].items()}}
+    return page | {"cells": cells, "checks": {id: number + 1 for id, number in page["checks"].items()}}
 
 
 @dataclass(frozen=True)

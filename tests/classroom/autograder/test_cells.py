@@ -57,7 +57,7 @@ def run_cell(kernel, code):
     """The CellRun of one cell, of a page that has no other cell."""
     cell = {"kind": "own", "source": plain_python(code), "exercise": "", "file": ""}
     kernel.open_page({"answers": {}, "cells": [cell], "checks": {}, "left_out": []}, [])
-    run = kernel.run_page([1, 0])
+    run = kernel.run_page(1)
     run.error = run.errors[0][1:] if run.errors else ("", "")
     return run
 

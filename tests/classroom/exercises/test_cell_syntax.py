@@ -6,7 +6,7 @@ from nbclassroom.exercises.cell_syntax import (
     has_stub_line,
     is_part_of,
     is_stub,
-    names_used,
+    names_of,
     plain_python,
     program_lines,
     top_level,
@@ -120,5 +120,5 @@ def test_bound_names():
     ],
 )
 def test_the_names_that_a_statement_reads_before_it_binds_them(source, reads):
-    [statement] = names_used(source)
-    assert statement.reads == reads
+    [statement] = top_level(source)
+    assert names_of(statement).reads == reads

@@ -1,8 +1,8 @@
 """An IPython shell without ZMQ: it reads cells from a socket and writes messages, as lines of JSON.
 
 In:  {"code": "..."}; a check has also "case": {...}, its inputs
-     {"page": {...}, "skip": [...]}, a page (see `exercises.page`); {"to": [cell, statement]}: it runs on to
-     there; {"below": "name"}: it runs on until this name is bound
+     {"page": {...}, "skip": [...]}, a page (see `exercises.page`); {"to": number}: it runs on to this
+     cell; {"below": "name"}: it runs on until this name is bound
      {"fork": seconds} with a socket: a process that answers the requests of the socket for a check, as this
      one does; {"end": patience, "confined": ...}: that process ends
 Out: {"type": "display_data" | "idle", "content": {...}}, as Jupyter's messages. What a cell prints or draws
@@ -141,12 +141,12 @@ class Server:
         self._finish()
 
     def _run_page(self, request, _descriptor):
-        """Run the page on to a place, or below until a name is there; tell which statements have failed."""
+        """Run the page on to a cell, or below until a name is there; tell which statements have failed."""
         if "to" in request:
             self._page_run.run_to(request["to"])
         else:
             names, name = self._shell.user_ns, request["below"]
-            self._page_run.run_below(lambda: name in names and type(names[name]) is not Missing)
+            self._page_run.run_to(is_found=lambda: name in names and type(names[name]) is not Missing)
             if type(names.get(name)) is Missing:  # in the end, too: then it is not bound
                 del names[name]
         WRITER.send("errors", errors=self._page_run.errors[:_MOST_ERRORS])
