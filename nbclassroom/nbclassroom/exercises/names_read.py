@@ -35,12 +35,15 @@ class CellRuns:
 
     def start(self, source, cell_id=""):
         """Record that a cell runs, as if it came to its end."""
-        self._nodes, self._id = top_level(plain_python(source)), cell_id or ""
-        statements = list(map(names_of, self._nodes))
-        names = {name for one in statements for name in one.binds}
-        self._made |= dict.fromkeys(names, (self._id, statements))
-        self._cells[self._id] = names, ""
+        self._nodes, self._id, self._before = top_level(plain_python(source)), cell_id or "", self._made
         self._deleted.discard(self._id)
+        self._record(self._nodes)
+
+    def _record(self, nodes, why_failed=""):
+        statements = list(map(names_of, nodes))
+        names = {name for one in statements for name in one.binds}
+        self._made = self._before | dict.fromkeys(names, (self._id, statements))
+        self._cells[self._id] = names, why_failed
 
     def fail(self, error, line=0):
         """Note the error that ended the run in a line; the error has frames, which hold large arrays."""
@@ -49,8 +52,7 @@ class CellRuns:
             text, place = f"{error.msg}, line {error.lineno}", f"line: {(error.text or '').strip()}"
         advice = advice_on(kind, getattr(error, "msg", text), place)
         why = f"failed when it ran last ({kind}: {text}). {advice}".rstrip(". ")
-        done = [names_of(node).binds for node in self._nodes if node.end_lineno < line]
-        self._cells[self._id] = set().union(*done), why
+        self._record([node for node in self._nodes if node.end_lineno < line], why)
 
     def begin(self, info):
         request: dict = getattr(sys.modules["IPython"].get_ipython(), "get_parent", dict)()
@@ -137,10 +139,9 @@ class NamesRead:
 
     def values(self, given):
         """The names of values of other cells, sorted; a wrong answer may take them for its arguments."""
-        own = {name for one in self._runs.run_of(self._name) for name in one.binds}
-        reads = {name for code in codes_of(self._answer).values() for name in names_in(code).reads}
-        found = reads - own - given
-        return sorted(name for name in found if not isinstance(self.names.get(name, len), _NO_VALUES))
+        own = {name for one in self._runs.run_of(self._name) for name in one.binds} | given
+        reads = {name for code in codes_of(self._answer).values() for name in names_in(code).reads} - own
+        return sorted(name for name in reads if not isinstance(self.names.get(name, len), _NO_VALUES))
 
     def gone(self):
         """{name: what has happened to the cell that made it}."""

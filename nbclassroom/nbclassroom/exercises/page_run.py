@@ -51,12 +51,11 @@ class Missing:
         return Missing if name == "__class__" else object.__getattribute__(self, "_refuse")()
 
     __repr__ = __str__ = lambda self: "<missing>"
-    __hash__ = object.__hash__
 
 
 # Python looks up in the class what operators, calls and NumPy use.
 _SPECIAL = {*dir(int), *dir(np.ndarray), "__call__", "__next__", "__enter__", "__exit__"}
-for _name in _SPECIAL - {*vars(Missing), "__class__", "__new__"}:
+for _name in _SPECIAL - {*vars(Missing), "__class__", "__hash__", "__new__"}:
     setattr(Missing, _name, Missing._refuse)
 
 

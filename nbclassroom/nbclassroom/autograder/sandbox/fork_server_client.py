@@ -203,9 +203,9 @@ class ForkedKernel(Connection):
         """Get a page (see `exercises.page`) ready to run, without the statements of `skip`."""
         return self._request({"page": page, "skip": skip})
 
-    def run_page(self, place):
-        """Run the page on to a place; returns its CellRun, with the statements that failed."""
-        return self._request({"to": place})
+    def run_page(self, number):
+        """Run the page on to this cell; returns its CellRun, with the statements that failed."""
+        return self._request({"to": number})
 
     def fork_check(self, seconds):
         """A ForkedCheck with the page as it is now; None: beside threads and processes there is no fork."""
