@@ -130,7 +130,7 @@ def records_of(node_class, parts, steps):
         records = [node_feed.feed(node_class, part, steps) for part in parts]
     except (Exception, NodeError):  # noqa: BLE001 - other people's code
         return None
-    return canonical(records, limit=None)
+    return canonical(records)
 
 
 COMPARED = [answer for answer in ANSWERS if answer.name not in DIFFERENT]

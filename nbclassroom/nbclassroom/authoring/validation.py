@@ -114,9 +114,7 @@ def _seed_problems(exercise, case, solution, seeds):
     calls = [exercise.arguments(case, seed) for seed in seeds]
     if not exercise.kind.has_inputs(calls[0]):
         return []  # what __init__ makes has no inputs, and the task says what it is
-    arguments = [
-        sorted(str([canonical(value, limit=None) for value in call]) for call in drawn) for drawn in calls
-    ]
+    arguments = [sorted(str([canonical(value) for value in call]) for call in drawn) for drawn in calls]
     if all(drawn == arguments[0] for drawn in arguments):
         return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
     answers = [[_in_time(exercise, exercise.call(solution, call)).value for call in drawn] for drawn in calls]

@@ -56,7 +56,7 @@ def images_of_call(names, call):
     for part_name, expected, actual in answer_parts(call.expected.value, call.result.value):
         wrong = differing_elements(expected, actual, call.case.tolerance)
         if wrong is not None and wrong.any() and is_image(array_of(actual)):
-            argument_form = canonical(call.arguments[0], limit=None) if call.arguments else None
+            argument_form = canonical(call.arguments[0]) if call.arguments else None
             return answer_images(argument_form, part_name, expected, actual, wrong)
     images = [(name, value) for name, value in zip(names, call.arguments, strict=False) if is_image(value)]
     return [_draw_values(f"given {name}", value, _limits(value)) for name, value in images]

@@ -49,10 +49,11 @@ _QUALNAME = type.__dict__["__qualname__"]
 _MODULE = type.__dict__["__module__"]
 
 
-def canonical(value, limit=None, most=None):
-    """The canonical form of a value; an array of more than `limit` bytes is given by its SHA-256 digest.
+def canonical(value, most=None):
+    """The canonical form of a value.
 
     Once its arrays and texts have more than `most` bytes together, further ones are given without values.
+    Of long ones `shorten_form` makes digests.
 
     It is a dict that json.dumps takes, with "type" and, by type:
         bool, int, float, str, None      "value" (the floats that JSON lacks are "nan", "inf", "-inf")
@@ -70,7 +71,19 @@ def canonical(value, limit=None, most=None):
 
     In this form NaN equals NaN and -0.0 equals 0.0; byte order and memory layout make no difference.
     """
-    return _Writer(limit, math.inf if most is None else most).write(value, 0)
+    return _Writer(math.inf if most is None else most).write(value, 0)
+
+
+def shorten_form(form, most):
+    """A form in which SHA-256 digests replace the data of arrays and bytes, if these are more than `most`."""
+    if isinstance(form, list):
+        return [shorten_form(item, most) for item in form]
+    if not isinstance(form, dict):
+        return form
+    if len(form.get("data", "")) > most * 4 // 3:
+        digest = hashlib.sha256(base64.b64decode(form["data"])).hexdigest()
+        return {name: value for name, value in form.items() if name != "data"} | {"digest": digest}
+    return {name: shorten_form(value, most) for name, value in form.items()}
 
 
 def type_name(value):
@@ -84,9 +97,8 @@ def type_name(value):
 
 
 class _Writer:
-    def __init__(self, limit, bytes_left):
-        self._limit, self._bytes_left = limit, bytes_left
-        self._items_left = _MOST_ITEMS
+    def __init__(self, bytes_left):
+        self._bytes_left, self._items_left = bytes_left, _MOST_ITEMS
 
     def write(self, value, depth):
         value = _plain(value)
@@ -155,8 +167,6 @@ class _Writer:
         self._bytes_left -= len(raw)
         if self._bytes_left < 0:
             return {}
-        if self._limit is not None and len(raw) > self._limit:
-            return {"digest": hashlib.sha256(raw).hexdigest()}
         return {"data": base64.b64encode(raw).decode("ascii")}
 
     def _field(self, message, name, depth):

@@ -12,12 +12,12 @@ from .cell_syntax import is_part_of, plain_python, program_lines
 from .check_files import UnknownExerciseError, find_check_file
 from .diagnosis import UNCHANGED
 from .help_steps import Help
-from .judging import NONE, CheckResult, has_right_values, judge
+from .judging import CheckResult, judge
 from .lesson import PUBLIC_SEED, Case, Exercise, ExpectedCall, Mistake, check_data_of
 from .names_read import RUNS, NamesRead
 from .one_change import sentence_on_branch, sentence_on_change
 from .progress import ExerciseProgress, digest_of, note_progress, progress_of
-from .running import attempt, cells_of, globals_of, source_of
+from .running import NONE, attempt, cells_of, globals_of, source_of
 from .source_remarks import SAYS, STUB_LINE, has_done, remarks_on_source
 
 _MOST_LINES = 3  # of a program, that are named
@@ -156,7 +156,9 @@ def _remark_on_name(exercise, function):
 def _one_change(result, function, calls):
     """Where one change would make a wrong answer right, unless only its type is wrong."""
     exercise, shown = result.exercise, result.shown
-    if shown is None or any(call.result.timed_out for call in calls) or all(map(has_right_values, calls)):
+    if shown is None or any(call.result.timed_out for call in calls):
+        return ""
+    if all(call.has_right_values for call in calls):
         return ""
     # The shown call first: most changes fail it.
     ordered = sorted(calls, key=lambda call: call is not shown)

@@ -30,7 +30,7 @@ class Difference:
 
 
 def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
-    """The first Difference between two forms that `canonical` wrote with the same limit, or None.
+    """The first Difference between two forms that `canonical` wrote, or None.
 
     Numbers agree when |actual - expected| <= tolerance + rounding * |expected|; the rounding is 1e-9 for
     Python's floats and float64, 1e-5 for float32, 1e-2 for float16, and 0 for integers. NumPy's scalars count
@@ -161,7 +161,7 @@ def _array_form(form, depth):
     except (ValueError, OverflowError):  # rows of different lengths, or what is no number
         return form
     is_array = form.get("items") and array.ndim == depth and array.dtype.kind in "biuf"
-    return canonical(array, limit=None) if is_array else form
+    return canonical(array) if is_array else form
 
 
 def _numbers(form):
@@ -193,7 +193,7 @@ def _numbers_form(expected, actual):
         return canonical(list(values)) | {"type": kind}
     are_pairs = all(item["type"] in ("tuple", "list") for item in items)
     if are_pairs and values.ndim and len(values) == len(items):
-        return {"type": kind, "items": [canonical(part, limit=None) for part in values]}
+        return {"type": kind, "items": [canonical(part) for part in values]}
     return actual
 
 

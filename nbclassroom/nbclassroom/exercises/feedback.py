@@ -17,7 +17,7 @@ def _labelled_forms(result, call):
         return
     names = [*result.exercise.names, *("" for _ in call.arguments)]
     for name, argument in zip(names, call.arguments, strict=False):
-        argument_form = canonical(argument, limit=None)
+        argument_form = canonical(argument)
         for part_name, form, _ in answer_parts(argument_form, argument_form):
             yield f"given {name}{part_name}", form, None
     if call.result.finished and call.difference is not None:

@@ -7,7 +7,7 @@ an answer key, with the hidden cases. Then it has neither the solution nor what 
 
 import zlib
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -235,15 +235,14 @@ class MistakeResults(dict):
     """The results of a declared mistake: computed when asked for, because most checks ask for none."""
 
     def __init__(self, exercise, mistake, cases):
-        self._about = exercise, mistake, cases
+        self._cases = {case.id: case for case in cases}
+        self._results_of = partial(exercise.results_of_mistake, mistake)
 
     def __contains__(self, case_id):
-        return any(case.id == case_id for case in self._about[2])
+        return case_id in self._cases
 
     def __missing__(self, case_id):
-        exercise, mistake, cases = self._about
-        case = next(case for case in cases if case.id == case_id)
-        return self.setdefault(case_id, exercise.results_of_mistake(mistake, case))
+        return self.setdefault(case_id, self._results_of(self._cases[case_id]))
 
 
 def with_results(exercise, cases, solve, results_of):

@@ -17,7 +17,7 @@ def test_a_ring_marks_the_first_pixel_that_differs():
     gray = np.zeros((360, 640), np.uint8)
     wrong = np.zeros(gray.shape, bool)
     wrong[100, 500] = True
-    form = canonical(gray, limit=None)
+    form = canonical(gray)
     captions = [image.caption for image in answer_images(form, "[0]", form, form, wrong)]
     assert captions == [
         "given (black 0, white 1)",

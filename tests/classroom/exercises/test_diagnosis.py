@@ -17,7 +17,7 @@ MASK = RNG.random((5, 6)) > 0.5
 
 
 def call_of(expected, actual, argument=GRAY, tolerance=0.0):
-    forms = canonical(expected, limit=None), canonical(actual, limit=None)
+    forms = canonical(expected), canonical(actual)
     return SimpleNamespace(
         case=SimpleNamespace(tolerance=tolerance),
         arguments=(argument,),

@@ -179,7 +179,7 @@ def test_the_closest_name_to_one_that_is_not_there(function, closest):
 @pytest.mark.parametrize("shape", [(5, 6), (40, 40), (300, 400)])
 def test_freed_memory_no_longer_holds_the_expected_values(shape):
     expected = np.arange(np.prod(shape), dtype=np.int32).reshape(shape)
-    form = canonical((expected, {"more": expected}), limit=None)
+    form = canonical((expected, {"more": expected}))
     copies = [expected.copy() for _ in range(12)]
     del copies
     overwrite_freed_memory(form)

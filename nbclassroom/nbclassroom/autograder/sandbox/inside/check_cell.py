@@ -4,8 +4,6 @@ It shows values, never verdicts. The inputs of one case are delivered just befor
 values are outside the sandbox.
 """
 
-import base64
-import hashlib
 import random
 import signal
 import sys
@@ -14,7 +12,7 @@ import numpy as np
 
 from nbclassroom.autograder.sandbox.inside import MIME
 from nbclassroom.exercises import running
-from nbclassroom.exercises.canonical import canonical, decode
+from nbclassroom.exercises.canonical import canonical, decode, shorten_form
 from nbclassroom.exercises.kinds import kind_of
 
 MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest
@@ -75,20 +73,7 @@ def call_to_json(result):
         is_slip = result.error == "NameError" and result.closest
         message = f"{result.message}. {running.MEANT} {result.closest}?" if is_slip else result.message
         return data | {"error": result.error, "message": message, "line": result.line}
-    return data | {"value": shorten_form(result.value)}
-
-
-def shorten_form(form):
-    """A canonical form in which digests replace large arrays and bytes."""
-    if isinstance(form, list):
-        return [shorten_form(item) for item in form]
-    if not isinstance(form, dict):
-        return form
-    if len(form.get("data", "")) > MAX_DATA * 4 // 3:
-        data = base64.b64decode(form["data"])
-        description = {name: value for name, value in form.items() if name != "data"}
-        return description | {"digest": hashlib.sha256(data).hexdigest()}
-    return {name: shorten_form(value) for name, value in form.items()}
+    return data | {"value": shorten_form(result.value, MAX_DATA)}
 
 
 def refuse_input(prompt=""):
@@ -114,7 +99,7 @@ def show_last_figure(source):
     with patch.object(Figure, "__init__", noted):
         exec(compile(source, "<answer>", "exec", dont_inherit=True), get_ipython().user_ns)
     if made:
-        call = call_to_json(running.CallResult(value=canonical(_pixels(made[-1]), limit=None)))
+        call = call_to_json(running.CallResult(value=canonical(_pixels(made[-1]))))
         display({MIME: {"calls": [call]}}, raw=True)
 
 

@@ -62,5 +62,5 @@ class Kind(FunctionKind):
         images = call.difference and differing_images(call.expected.value, call.result.value, call.arguments)
         if not call.result.finished or not images or images[1].shape != images[2].shape:
             return ()
-        given, expected, actual = (canonical(image, limit=None) for image in images)
+        given, expected, actual = (canonical(image) for image in images)
         return answer_images(given, "", expected, actual, images[1] != images[2])
