@@ -21,11 +21,12 @@ from ..exercises.check_files import (
     CHECKS,
     SOLUTIONS,
     CheckFileError,
+    Lesson,
     read_check_file,
     read_lesson_file,
     reading,
 )
-from ..exercises.lesson import Exercise, Lesson
+from ..exercises.lesson import Exercise
 
 _SEED = 32  # hexadecimal, drawn by chance: 128 bits
 
@@ -75,7 +76,8 @@ def load_key(path: Path | str) -> Key:
                 digest.update(file_path.read_bytes())
             if not is_key:
                 raise KeyFolderError(f"{path}: these are checks as learners have them; make a key: {command}")
-            lessons.append(file.read())
+            _ = file.exercises  # read here: one of them may be damaged
+            lessons.append(file)
     lessons.sort(key=lambda lesson: (lesson.number, lesson.name))
     return Key(path, digest.hexdigest(), {lesson.name: lesson for lesson in lessons})
 

@@ -21,12 +21,13 @@ import difflib
 import json
 import os
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
+from typing import Any
 
 from .. import course
 from .canonical import decode
-from .lesson import Exercise, ExpectedCall, Lesson
+from .lesson import Exercise, ExpectedCall
 from .percent_script import MasterError
 from .running import CallResult
 
@@ -61,24 +62,30 @@ class UnknownExerciseError(CheckFileError):
 
 
 @dataclass(frozen=True, eq=False)
-class CheckFile:
-    """A checks file as it was read, see above; `entries` are its exercises, which `exercise` gives."""
+class Lesson:
+    """A lesson as it was handed out, or as a key grades it: its checks file, see above.
 
-    path: Path
-    lesson: str
-    version: str
-    cells: dict
+    Its name identifies it. `entries` are its exercises as they are stored.
+    """
+
+    path: Any  # a Path
+    name: str
+    version: str  # of the course
+    cells: dict[str, str | None]
     entries: dict
     values: dict
-    number: str = ""
+    number: str = ""  # only its place in the course: "04"
     title: str = ""
-    code: tuple = ()
+    code: tuple[str, ...] = ()
 
-    def read(self):
-        """The whole Lesson; errors as in `exercise`."""
-        exercises = tuple(map(self.exercise, self.entries))
-        about = (self.number, self.title, self.code)
-        return Lesson(self.lesson, self.version, exercises, self.cells, *about)
+    @cached_property
+    def exercises(self):
+        """All of them; errors as in `exercise`."""
+        return tuple(map(self.exercise, self.entries))
+
+    @property
+    def points(self):
+        return sum(exercise.points for exercise in self.exercises)
 
     def exercise(self, id):
         """One of its exercises; CheckFileError: the file is damaged."""
@@ -157,7 +164,7 @@ def read_lesson_file(path):
 
 
 def read_check_file(path):
-    """The CheckFile in a file, read once as long as it does not change; errors as in `read_lesson_file`."""
+    """The Lesson in a file, read once as long as it does not change; errors as in `read_lesson_file`."""
     with reading(path):
         status = path.stat()
         return _read_check_file(path, (status.st_mtime_ns, status.st_size))
@@ -165,11 +172,11 @@ def read_check_file(path):
 
 @lru_cache(maxsize=64)
 def _read_check_file(path, _version):
+    import msgspec
+
     data = read_lesson_file(path)
-    cells, entries, values = (dict(data[name]) for name in ("cells", "exercises", "values"))
-    number, title = (str(data.get(name, "")) for name in ("number", "title"))
-    about = str(data["lesson"]), str(data["version"]), cells, entries, values, number, title
-    return CheckFile(path, *about, tuple(map(str, data.get("code", ()))))
+    names = {"path": path, "name": data["lesson"], "entries": data["exercises"]}
+    return msgspec.convert(data | names, Lesson)
 
 
 def checks_folders(beside=None):
@@ -184,7 +191,7 @@ def checks_folders(beside=None):
 
 
 def find_check_file(id):
-    """The CheckFile that has this exercise.
+    """The Lesson that has this exercise.
 
     CheckFileError: no checks files, or a damaged file; UnknownExerciseError names the nearest id.
     """

@@ -214,23 +214,6 @@ class Exercise:
         return calls if seed == PUBLIC_SEED else [calls[number] for number in rng.permutation(len(calls))]
 
 
-@dataclass(frozen=True)
-class Lesson:
-    """A lesson as it was handed out, or as a key grades it; its name identifies it."""
-
-    name: str
-    version: str  # of the course
-    exercises: tuple
-    cells: dict  # {cell id: source of a check or given cell, None for the others}
-    number: str = ""  # only its place in the course: "04"; number and title are in keys alone
-    title: str = ""
-    code: tuple = ()  # of a key: the sources of its code cells, as handed out
-
-    @property
-    def points(self):
-        return sum(exercise.points for exercise in self.exercises)
-
-
 class MistakeResults(dict):
     """The results of a declared mistake: computed when asked for, because most checks ask for none."""
 

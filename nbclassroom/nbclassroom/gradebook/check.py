@@ -63,7 +63,7 @@ class LessonCheck:
 
 
 class CheckFileCatalog:
-    """The `lessons` {name: CheckFile} of some folders, the first of each; `damage` are CheckFileErrors."""
+    """The `lessons` {name: Lesson} of some folders, the first of each; `damage` are CheckFileErrors."""
 
     def __init__(self, folders):
         self.lessons: dict[str, Any] = {}
@@ -71,7 +71,7 @@ class CheckFileCatalog:
         for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
             try:
                 file = check_files.read_check_file(path)
-                self.lessons.setdefault(file.lesson, file)
+                self.lessons.setdefault(file.name, file)
             except check_files.CheckFileError as error:
                 self.damage.append(error)
 
@@ -81,7 +81,7 @@ class CheckFileCatalog:
 
     def describe(self, lesson, _version):
         """The Lesson, in the version that its checks were built with."""
-        return self.lessons[lesson].read()
+        return self.lessons[lesson]
 
 
 def check_lesson(path, folders=None):
