@@ -20,6 +20,8 @@ LEVELS = ("debug", "info", "warn", "error", "fatal")
 
 
 def refuse(name):
+    if name.rpartition(".")[2].startswith("__"):  # Python asks for it
+        raise AttributeError(name)
     advice = "Write the node without it, or ask your teacher to look at it."
     raise NotGradedError(f"{UNKNOWN_PART} {name} (is it spelled right?). {advice}")
 
@@ -40,8 +42,6 @@ class _Part:
     """A part of a node: what it does not have is refused."""
 
     def __getattr__(self, name):
-        if name.startswith("__"):  # Python asks for it
-            raise AttributeError(name)
         refuse(name)
 
 
@@ -246,7 +246,7 @@ class RecordingNode:
         for refused in ("dynamic_typing", "integer_range", "floating_point_range"):
             if getattr(descriptor, refused, False):
                 refuse(f"{refused} of a parameter")
-        if not self._ask_callbacks(parameter).successful:
+        if not self._is_accepted(parameter):
             error = ros_name("rclpy.exceptions", "InvalidParameterValueException")
             raise error(name, value, "a callback refuses it")
         self._declared[name] = parameter, getattr(descriptor, "read_only", False)
@@ -276,18 +276,12 @@ class RecordingNode:
     def _set(self, parameter):
         """Set a declared parameter if its type is the same; a SetParametersResult."""
         old, read_only = self.get_parameter(parameter.name), self._declared[parameter.name][1]
-        if read_only or parameter.type_ != old.type_:
-            return ros_name("rcl_interfaces.msg", "SetParametersResult")(successful=False)
-        result = self._ask_callbacks(parameter)
-        if result.successful:
+        can_be_set = not read_only and parameter.type_ == old.type_ and self._is_accepted(parameter)
+        if can_be_set:
             self._declared[parameter.name] = parameter, read_only
-        return result
+        return ros_name("rcl_interfaces.msg", "SetParametersResult")(successful=can_be_set)
 
-    def _ask_callbacks(self, parameter):
-        """What the node's callbacks say of a new value: the first refusal, as a SetParametersResult."""
-        result_class = ros_name("rcl_interfaces.msg", "SetParametersResult")
-        for callback in self._set_callbacks:
-            result = callback([parameter])
-            if not getattr(result, "successful", False):
-                return result_class(successful=False)
-        return result_class(successful=True)
+    def _is_accepted(self, parameter):
+        """Whether the node's callbacks accept a new value; none is asked after the first that refuses it."""
+        results = (callback([parameter]) for callback in self._set_callbacks)
+        return all(getattr(result, "successful", False) for result in results)

@@ -109,8 +109,6 @@ class _Uncovered(type):
         refuse(cls.__mro__[-2].__name__)
 
     def __getattr__(cls, name):
-        if name.startswith("__"):
-            raise AttributeError(name)
         refuse(f"{cls.__name__}.{name}")
 
 
