@@ -119,13 +119,6 @@ class _Writer:
             return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
         if kind in (tuple, list, dict):
             return self._container(value, depth)
-        if kind in _STAND_INS:
-            is_small = len(value) <= self._bytes_left
-            kind = _STAND_INS[kind]
-            return self.write(kind(value), depth) if is_small else _too_large(kind.__name__)
-        if issubclass(kind, tuple) and "_fields" in kind.__dict__:
-            # The class of a named tuple is a learner's, and so may be its __iter__.
-            return self.write(tuple(tuple.__iter__(value)), depth)
         names = tuple(value.__dict__) if kind is types.SimpleNamespace else _message_fields(kind)
         name = type_name(value)
         form = {"type": f"__main__.{name}" if name in PLAIN_TYPES else name}  # a class of that name
@@ -196,8 +189,12 @@ def _number(value):
 
 
 def _plain(value):
-    """A number, text or array of another type in the type that stands for it; any other value as it is."""
+    """A value in the plain type that holds the same, if there is one; any other value as it is."""
     kind = type(value)
+    if kind in _STAND_INS:
+        return _STAND_INS[kind](value)
+    if issubclass(kind, tuple) and "_fields" in kind.__dict__:
+        return tuple(tuple.__iter__(value))  # the class is a learner's, and so may be its __iter__
     if kind in _NUMBERS:
         try:
             return float(value)

@@ -189,10 +189,8 @@ def _numbers_form(expected, actual):
     if kind not in ("tuple", "list"):
         return actual
     items = expected.get("items", ())
-    if values.ndim == 1:
-        return canonical(list(values)) | {"type": kind}
     are_pairs = all(item["type"] in ("tuple", "list") for item in items)
-    if are_pairs and values.ndim and len(values) == len(items):
+    if values.ndim == 1 or (are_pairs and values.ndim and len(values) == len(items)):
         return {"type": kind, "items": [canonical(part) for part in values]}
     return actual
 
