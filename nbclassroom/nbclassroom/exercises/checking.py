@@ -76,8 +76,7 @@ def _check_in_notebook(exercise, function):
         why_older = SAYS["gone"].format(name=exercise.kind.name_of(name), why=why)
         return CheckResult(exercise, attempted=True, why_older=why_older)
     try:
-        with exercise.kind.progress(exercise) as progress:
-            result = run_check(exercise, function, progress)
+        result = run_check(exercise, function)
     except KeyboardInterrupt:
         raise CheckInterrupted from None
     if result.passed:
@@ -107,13 +106,12 @@ def run_mistake(exercise: Exercise, mistake: Mistake) -> CheckResult:
     return _judge_calls(data, wrong_function, data.kind.run_cases(data, wrong_function))
 
 
-def run_check(exercise, function, progress=None, *, searches=True):
-    """The CheckResult of an answer on the cases of an Exercise.
+def run_check(exercise, function, *, searches=True):
+    """The CheckResult of an answer, as the notebook has it, on the cases of an Exercise.
 
-    `function` is as the notebook has it. `progress` takes the share of the drives that is done. `searches`:
-    whether one change is looked for that makes it right.
+    `searches`: whether one change is looked for that makes it right.
     """
-    calls = exercise.kind.run_cases(exercise, function, progress)
+    calls = exercise.kind.run_cases(exercise, function)
     result = _judge_calls(exercise, function, calls)
     result = attempt(lambda: _with_names(result, NamesRead(function, RUNS)), result)
     searches = searches and exercise.kind.tries_changes and result.attempted and not result.mistake

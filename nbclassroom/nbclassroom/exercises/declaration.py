@@ -87,7 +87,7 @@ def exercise(
         "title": title or id,
         "time_limit": float(time_limit),
         "allowed": (*allowed, *kind_of(subject).modules()),
-        "tolerance": kind_of(subject).tolerance(float(tolerance)),
+        "tolerance": float(tolerance),
         "exact_type": bool(exact_type),
         "practice": bool(practice),
         "hints": tuple(hints),

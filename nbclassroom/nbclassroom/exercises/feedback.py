@@ -154,9 +154,7 @@ def blocks_of(result, *, graded=False):
     """The blocks on the checks of a CheckResult; `graded`: in a process that grades."""
     yield from map(Text, _remarks(result))
     kind = result.exercise.kind
-    if rows := kind.table_of(result.calls):  # of a kind that has them: a table of all calls, and their images
-        yield Table(rows, has_head=True)
-        yield Figures(lambda: kind.images_of_all(result.calls), SAYS["map of a drive"])
+    yield from kind.blocks_of_all(result.calls)
     for one, explanation, call in _cases(result):
         details = _details(result, call, graded) if call else ()
         blocks = (Text(explanation), *details)

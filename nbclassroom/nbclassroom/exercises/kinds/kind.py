@@ -1,15 +1,21 @@
 """What a kind of answer says about itself."""
 
-import contextlib
 import inspect
+
+import numpy as np
+
+from ..canonical import array_of
+from ..running import NONE, explain_call, overwrite_freed_memory
+
+_EMIT = 'from nbclassroom.autograder.sandbox.inside.check_cell import emit\n\nemit({function}, "{kind}")'
 
 
 class Kind:
     """A kind of answer, with what most kinds need; a folder changes what is particular about its kind.
 
     `answer` is a learner's, as the notebook has it; a call is a CaseCall, and `calls` are all of a check.
-    Each kind defines `name`, and what raises NotImplementedError here. What none can change: an answer binds
-    the name of its task, and gets its points from checks, unless a person grades it.
+    Each kind defines `name`. What none can change: an answer binds the name of its task, and gets its points
+    from checks, unless a person grades it.
     """
 
     name: str  # as `subject` in a declaration
@@ -49,10 +55,6 @@ class Kind:
     def prepare(self):
         """Make importable what answers import."""
 
-    def tolerance(self, declared):
-        """The tolerance of a case, from the one that is declared."""
-        return declared
-
     def checked_inputs(self, case, calls, place):
         """What inputs(rng) gave, a list of tuples; MasterError: `place` declares something wrong."""
         return calls
@@ -82,19 +84,26 @@ class Kind:
 
     def check_source(self, exercise):
         """The source of the cell that checks a case in grading."""
-        raise NotImplementedError
+        return _EMIT.format(function=exercise.function, kind=self.name)
 
     def partner(self, exercise, case):
         """What a graded answer talks to in a case; None: it gets the arguments, and its values come back."""
         return None
 
-    def progress(self, exercise):
-        """A context in which a check runs: gives what takes the share that is done, or None."""
-        return contextlib.nullcontext()
+    def run_cases(self, exercise, answer):
+        """The CaseCalls of an answer in an exercise's cases.
 
-    def run_cases(self, exercise, answer, progress=None):
-        """The CaseCalls of an answer in an exercise's cases."""
-        raise NotImplementedError
+        None follows a call that does not end in time, or is not attempted.
+        """
+        calls = []
+        pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
+        for case, expected in pairs:
+            overwrite_freed_memory(expected.result.value)
+            call = exercise.judged_call(answer, case, expected)
+            calls.append(call)
+            if call.result.timed_out or call.result.error == "NotImplementedError":
+                break  # a learner waits for one time limit, not for one per call
+        return calls
 
     def draw_for_key(self, exercise, seed, run_solution):
         """{id of a case: its ExpectedCalls} in a key; those left out are run."""
@@ -109,12 +118,27 @@ class Kind:
         raise NotImplementedError
 
     def known_mistake(self, exercise, calls):
-        """The declared Mistake that explains these calls, or None."""
-        raise NotImplementedError
+        """The declared mistake that explains the CaseCalls of an answer, or None.
+
+        A mistake explains an answer if both do the same in every call. It may also be the only mistake that
+        does the same in every call in which the answer returned a value, unless these are arrays of one
+        value. First a mistake with the same types is looked for; then one with the same values, unless they
+        are right and only their type is not.
+        """
+        returned = [case_call for case_call in calls if case_call.result.value not in (None, NONE)]
+        is_right = all(case_call.passed for case_call in returned)
+        for exact_type in (True,) if all(one.has_right_values for one in returned) else (True, False):
+            matches = _mistakes_like(exercise, calls, exact_type)
+            if not matches and not is_right and not all(map(_is_constant, returned)):
+                matches = _mistakes_like(exercise, returned, exact_type)
+                matches = matches if len(matches) == 1 else []
+            if matches:
+                return matches[0]
+        return None
 
     def explain(self, exercise, call):
         """What went wrong in a call, in a sentence or two; "" if nothing did."""
-        raise NotImplementedError
+        return explain_call(call.result, call.difference, exercise.answer_name)
 
     def advice_on_error(self, exercise, result):
         """What the exception of a CallResult means, "" if nothing is certain."""
@@ -131,10 +155,27 @@ class Kind:
         """The AnswerImages of the failed call that is shown."""
         return ()
 
-    def table_of(self, calls):
-        """The rows of a table of all calls: (text, whether it is marked) of each cell."""
+    def blocks_of_all(self, calls):
+        """Blocks of a Document on all calls."""
         return ()
 
-    def images_of_all(self, calls):
-        """AnswerImages of all calls."""
-        return ()
+
+def _mistakes_like(exercise, calls, exact_type):
+    """The declared mistakes that do the same in all these calls."""
+    return [
+        mistake
+        for mistake in exercise.mistakes
+        if all(_does_the_same(mistake, case_call, exact_type) for case_call in calls)
+    ]
+
+
+def _does_the_same(mistake, case_call, exact_type):
+    position = [id(expected.arguments) for expected in case_call.case.calls].index(id(case_call.arguments))
+    predicted = mistake.results[case_call.case.id][position]
+    return case_call.result.matches(predicted, case_call.case.tolerance, exact_type=exact_type)
+
+
+def _is_constant(case_call):
+    """Whether an answer is an array of equal values, as many mistakes make one."""
+    values = array_of(case_call.result.value)
+    return values is not None and len(np.unique(values)) < 2

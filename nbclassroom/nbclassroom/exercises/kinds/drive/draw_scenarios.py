@@ -26,21 +26,15 @@ def draw_for_key(exercise, seed, run_solution):
 
     public = public_drives(exercise)
     return {
-        case.id: [ExpectedCall((draw_scenario(exercise, case, seed, drive_solution, public)[0],))]
+        case.id: [ExpectedCall((draw_scenario(exercise, case, seed, drive_solution, public),))]
         for case in exercise.cases
     }
 
 
-def number_of_drives(exercise):
-    """How many drives a key needs, if the first draw of each case fits."""
-    return len(exercise.cases) + len(exercise.hidden)
-
-
 def draw_scenario(exercise, case, seed, drive_solution, public):
-    """The first scenario of a case's draws that fits, and the solution's record of it.
+    """The first scenario of a case's draws that fits; MasterError says why none does.
 
     `drive_solution` gives a scenario's record; `public` are `public_drives`.
-    MasterError: no draw fits; it says why.
     """
     tried, problem = [], ""
     for ((scenario,),) in itertools.islice(exercise.draws(case, seed), MOST_DRAWS):
@@ -57,7 +51,7 @@ def draw_scenario(exercise, case, seed, drive_solution, public):
             problem = f"the solution does not pass with a margin of {MARGIN:.0%}: {sentences}"
             continue
         if not (case.hidden and stub_passes(exercise, scenario)):
-            return scenario, record
+            return scenario
         problem = "the stub passes"
     raise MasterError(
         f"{exercise.master.name}, line {case.line}: {case.id}: none of {MOST_DRAWS} drawn scenarios fits;"

@@ -35,7 +35,7 @@ class GradedDrive:
 
     def __init__(self, exercise, scenario):
         began = time.monotonic()
-        self._drive, self._scenario = Drive(environment(tuple(exercise.sensors)), scenario), scenario
+        self._drive, self._scenario = Drive(environment(exercise.sensors), scenario), scenario
         self.layout = self._drive.layout  # (name, dtype, shape) of each array of an observation
         self.cpu_seconds, self.call_seconds = seconds_of(scenario), STEP_SECONDS  # for all its calls, for one
         self.seconds = time.monotonic() - began  # that the robot took

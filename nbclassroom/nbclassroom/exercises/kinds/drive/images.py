@@ -32,28 +32,34 @@ def look_back(env, record, scenario):
 
     ValueError: the environment does not drive the same path again.
     """
-    again, frames = Drive(env, scenario), {}
-    for step in range(record["decisive"] + 1):
-        if record["decisive"] - step in _STEPS_BEFORE:
-            frames[record["decisive"] - step] = env.unwrapped.frame()
-        if step < record["decisive"]:
-            again.act(record["actions"][step])
-    if again.record()["path"] != record["path"][: record["decisive"] + 1]:
+    again, last, images = Drive(env, scenario), record["decisive"], []
+    for step in _repeated(again, record["actions"][:last]):
+        if last - step in _STEPS_BEFORE:
+            seconds, moment = (last - step) * STEP, decisive_moment(record)
+            caption = f"{seconds:.1f} s before" if step < last else moment
+            alt = f"What the camera of the robot sees {seconds:.1f} s before {moment}"
+            images.append(_encode(caption, alt, env.unwrapped.frame(), _FRAME_WIDTH))
+    if again.record()["path"] != record["path"][: last + 1]:
         raise ValueError(f"the drive in the scenario {scenario['title']!r} takes another path if repeated")
-    moment = decisive_moment(record)
-    return [_frame_image(frame, steps * STEP, moment) for steps, frame in frames.items()]
+    return images
+
+
+def _repeated(drive, actions):
+    """The number of each step, before which a drive repeats the actions until then."""
+    for step, action in enumerate(actions):
+        yield step
+        drive.act(action)
+    yield len(actions)
 
 
 def draw_film(env, record, scenario):
     """A film of a drive, which is driven again: what the camera saw each second, and the path until then."""
-    again, room, frames = Drive(env, scenario), course.load(course.drive_room)(scenario.get("room")), []
-    for step in range(record["steps"] + 1):
+    room, frames = course.load(course.drive_room)(scenario.get("room")), []
+    for step in _repeated(Drive(env, scenario), record["actions"]):
         if step % round(1 / STEP) == 0:
             bumps = [bump for bump in record["bumps"] if bump[0] <= step]
             drawn = course.load(course.drive_map)(record["path"][: step + 1], bumps, room=room)
             frames.append(_side_by_side(env.unwrapped.frame(), drawn))
-        if step < record["steps"]:
-            again.act(record["actions"][step])
     seconds = record["steps"] * STEP
     alt = f"{seconds:.0f} s of a drive, {_FILM_SPEED} times as fast: what the camera sees, and the path"
     while True:
@@ -75,12 +81,6 @@ def _side_by_side(frame, drawn):
     width = round(frame.shape[1] * height / frame.shape[0])
     images = _image_of(frame).resize((width, height)), _image_of(drawn).resize((_FILM_MAP_WIDTH, height))
     return np.hstack([np.asarray(image) for image in images])
-
-
-def _frame_image(frame, seconds, moment):
-    caption = f"{seconds:.1f} s before" if seconds else moment
-    alt = f"What the camera of the robot sees {seconds:.1f} s before {moment}"
-    return _encode(caption, alt, frame, _FRAME_WIDTH)
 
 
 def _image_of(bgr):

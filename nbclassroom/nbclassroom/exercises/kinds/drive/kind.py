@@ -52,19 +52,16 @@ class Kind(AnyKind):
 
         return GradedDrive(exercise, scenario_of(case))
 
-    def progress(self, exercise):
-        from ...progress_bar import progress_bar
-
-        return progress_bar(f"Driving {len(exercise.cases)} scenarios")
-
-    def run_cases(self, exercise, answer, progress=None):
+    def run_cases(self, exercise, answer):
         """Each drive with values of its own."""
+        from ...progress_bar import progress_bar
+        from .graded import case_call
         from .runs import drive_scenarios, with_own_globals
 
         scenarios = list(map(scenario_of, exercise.cases))
-        return _judged(
-            exercise, drive_scenarios(exercise, scenarios, lambda: with_own_globals(answer), progress)
-        )
+        with progress_bar(f"Driving {len(scenarios)} scenarios") as progress:
+            drives = drive_scenarios(exercise, scenarios, lambda: with_own_globals(answer), progress)
+        return [case_call(case, *drive) for case, drive in zip(exercise.cases, drives, strict=True)]
 
     def draw_for_key(self, exercise, seed, run_solution):
         from .draw_scenarios import draw_for_key
@@ -72,9 +69,8 @@ class Kind(AnyKind):
         return draw_for_key(exercise, seed, run_solution)
 
     def seconds_for_key(self, exercise):
-        from .draw_scenarios import number_of_drives
-
-        return _SECONDS_PER_DRIVE * number_of_drives(exercise)
+        """If the first draw of each case fits: two drives in a hidden one, the second one of the stub."""
+        return _SECONDS_PER_DRIVE * (len(exercise.cases) + len(exercise.hidden))
 
     def known_mistake(self, exercise, calls):
         """The first one named like a behaviour of the first drive that fails, or a clear one of any drive."""
@@ -107,39 +103,41 @@ class Kind(AnyKind):
         has_moment = call.record["decisive"] and not call.record["ended"]
         return look_back(environment(()), call.record, *call.arguments) if has_moment else ()
 
-    def images_of_all(self, calls):
-        """A map of each drive."""
-        from .images import draw_map
+    def blocks_of_all(self, calls):
+        """A table of the metrics that have a threshold, with marks on those that are missed; and maps."""
+        from ...document import Figures, Table
+        from ...source_remarks import SAYS
 
-        return [draw_map(call.record, *call.arguments) for call in calls]
+        if calls:
+            yield Table(_rows(calls), has_head=True)
+            yield Figures(lambda: _maps(calls), SAYS["map of a drive"])
 
-    def table_of(self, calls):
-        """The metrics that have a threshold; those that are missed are marked."""
-        thresholds = [call.arguments[0]["thresholds"] for call in calls]
-        metrics = [name for name in METRICS if any(name in own for own in thresholds)]
-        head = ("scenario", *(METRICS[name].title for name in metrics), "points")
-        rows = [[(text, False) for text in head]]
-        for call, own in zip(calls, thresholds, strict=True):
-            cells = [(f"{'✓' if call.passed else '✗'} {call.arguments[0]['title']}", False)]
-            missed = {name for name, *_ in call.record["missed"]}
-            for name in metrics:
-                operator, limit = own.get(name, ("", None))
-                asked = f" ({COUNTS[operator][0]} {metric_text(name, limit)})" if operator else ""
-                text = metric_text(name, call.record["metrics"][name], limit)
-                cells.append((text + asked, name in missed))
-            points = call.case.points
-            rows.append([*cells, (f"{points if call.passed else 0} of {points}", False)])
-        return rows if calls else ()
+
+def _rows(calls):
+    thresholds = [call.arguments[0]["thresholds"] for call in calls]
+    metrics = [name for name in METRICS if any(name in own for own in thresholds)]
+    head = ("scenario", *(METRICS[name].title for name in metrics), "points")
+    rows = [[(text, False) for text in head]]
+    for call, own in zip(calls, thresholds, strict=True):
+        cells = [(f"{'✓' if call.passed else '✗'} {call.arguments[0]['title']}", False)]
+        missed = {name for name, *_ in call.record["missed"]}
+        for name in metrics:
+            operator, limit = own.get(name, ("", None))
+            asked = f" ({COUNTS[operator][0]} {metric_text(name, limit)})" if operator else ""
+            text = metric_text(name, call.record["metrics"][name], limit)
+            cells.append((text + asked, name in missed))
+        points = call.case.points
+        rows.append([*cells, (f"{points if call.passed else 0} of {points}", False)])
+    return rows
+
+
+def _maps(calls):
+    from .images import draw_map
+
+    return [draw_map(call.record, *call.arguments) for call in calls]
 
 
 def scenario_of(case):
     """What a case lets a controller drive through, a dict."""
     ((scenario,),) = (call.arguments for call in case.calls)
     return scenario
-
-
-def _judged(exercise, drives):
-    """Drives (record, CallResult), one for each case, as a list of CaseCall."""
-    from .graded import case_call
-
-    return [case_call(case, *drive) for case, drive in zip(exercise.cases, drives, strict=True)]

@@ -50,11 +50,9 @@ class _Run:
 
     def step(self, drive, name):
         """Let `control` answer what the robot sees now, and the robot drive until the next step."""
-        if self.excess:
-            self._end(drive)
-            return
         try:
-            speeds = self._call(_Observation(copy.deepcopy(drive.observation), self.read))
+            if not self.excess:
+                speeds = self._call(_Observation(copy.deepcopy(drive.observation), self.read))
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # noqa: BLE001 - the learner's code may raise anything
@@ -63,14 +61,11 @@ class _Run:
             return
         if excess := self.cost.excess(seconds_of(self.scenario)):
             self.excess.append(f"{name} {excess}")
-            self._end(drive)
-            return
-        drive.act(speeds)
-
-    def _end(self, drive):
-        """End the drive, because the drives of this check cost too much; frees what it keeps."""
-        self.control, self.memory = None, {}
-        drive.stop(self.excess[0])
+        if self.excess:  # frees what it keeps
+            self.control, self.memory = None, {}
+            drive.stop(self.excess[0])
+        else:
+            drive.act(speeds)
 
     def _call(self, observation):
         output = LimitedOutput()
@@ -110,7 +105,7 @@ def drive_scenarios(exercise, scenarios, make_control, progress=None):
     excess: list[str] = []
     runs, steps, total = [], 0, sum(map(steps_of, scenarios))
     for scenario in scenarios:
-        drive = Drive(environment(tuple(exercise.sensors)), scenario)
+        drive = Drive(environment(exercise.sensors), scenario)
         runs.append(run := _Run(make_control(), scenario, excess))
         while not drive.over:
             run.step(drive, exercise.answer_name)

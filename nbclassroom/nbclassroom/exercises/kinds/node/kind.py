@@ -1,17 +1,15 @@
 from dataclasses import replace
 
 from .... import course
-from ..function.kind import Kind as FunctionKind
+from ..kind import Kind as AnyKind
 
 
-class Kind(FunctionKind):
+class Kind(AnyKind):
     """A class of a node; also what packages, which have a node, have in common with it."""
 
     name, noun = "node", "class"
     kernel_modules: tuple[str, ...] = ("feed", "recording_node", "ros_double")
-    shows_values = False  # a record is no reading
-    has_sentences = explains_enough = True
-    refuses_parts = True
+    tries_changes = has_sentences = explains_enough = refuses_parts = True
 
     def name_of(self, function):
         return function

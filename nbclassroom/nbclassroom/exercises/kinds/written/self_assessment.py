@@ -61,10 +61,8 @@ def self_assessment(exercise):
         return Help(f"{exercise.id}: your teacher has not released the answer to compare with yet.")
     with reading(path):
         entry = read_lesson_file(path)["solutions"][exercise.id]
-        model, lines = (
-            str(entry["code"]).strip(),
-            [text if worth > 0 else f"{text} (a mistake)" for text, worth in entry["rubric"]],
-        )
+        model = str(entry["code"]).strip()
+        lines = [text if worth > 0 else f"{text} (a mistake)" for text, worth in entry["rubric"]]
     if progress_of(exercise.id).ticks is None:
         note_progress(exercise.id, ExerciseProgress(ticks=()))
     heading = f"{exercise.id}: one good answer"
