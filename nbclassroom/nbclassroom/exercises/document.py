@@ -176,19 +176,21 @@ def _figure(image, out):
 
 @dataclass(frozen=True)
 class Document:
-    """A heading, which ends with `end` in plain text, blocks, and the name of a colour in COLOURS."""
+    """A heading, which ends with `end` in plain text, blocks, and the name of a colour in COLOURS.
+
+    A notebook shows it as HTML; `print` gives the same as plain text.
+    """
 
     heading: str
     blocks: tuple
     colour: str
     end: str = ""
 
-    def plain(self):
+    def __repr__(self):
         parts = (f"{self.heading}{self.end}", *(block.plain() for block in self.blocks))
         return "\n".join(filter(None, parts))
 
-    def html(self):
-        """The HTML of a cell's output."""
+    def _repr_html_(self):
         colour, out = COLOURS[self.colour], Html()
         style = "font-weight: 600" + ("" if self.colour == "help" else f"; color: {colour}")
         heading = f'<div style="{style}">{out.text(self.heading)}</div>'

@@ -2,7 +2,6 @@
 
 import json
 import numbers
-from dataclasses import dataclass
 
 from .check_files import SOLUTIONS, find_check_file, read_lesson_file, reading
 from .document import Code, Document, Paragraphs
@@ -11,23 +10,11 @@ from .progress import ExerciseProgress, note_progress, progress_of
 TRIES = 3  # honest ones, before a solution opens
 
 
-@dataclass(frozen=True)
-class Help:
-    """Help with an exercise. A notebook shows it as HTML; `print` gives the same as plain text."""
+class Help(Document):
+    """Help with an exercise: a heading of one line, sentences, each paragraph on a line, code, and more."""
 
-    heading: str  # one line
-    text: str = ""  # sentences, each paragraph on a line
-    code: str = ""  # Python
-    more: str = ""  # sentences below the code, as `text`
-
-    def __repr__(self):
-        return self._document().plain()
-
-    def _repr_html_(self):
-        return self._document().html()
-
-    def _document(self):
-        return Document(self.heading, (Paragraphs(self.text), Code(self.code), Paragraphs(self.more)), "help")
+    def __init__(self, heading, text="", code="", more=""):
+        super().__init__(heading, (Paragraphs(text), Code(code), Paragraphs(more)), "help")
 
 
 def hint(exercise_id: str, step: int | None = None) -> Help:

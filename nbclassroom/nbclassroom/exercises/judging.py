@@ -68,10 +68,10 @@ class CheckResult:
         return sum(result.case.points for result in self.results if result.passed)
 
     def __repr__(self):
-        return feedback.document_of(self).plain()
+        return repr(feedback.document_of(self))
 
     def _repr_html_(self):
-        return feedback.document_of(self).html()
+        return feedback.document_of(self)._repr_html_()
 
 
 def judge(exercise, calls, mistake=None, remarks=(), *, attempted=True):

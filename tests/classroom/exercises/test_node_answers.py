@@ -260,7 +260,7 @@ def test_an_object_is_no_answer(node_master, monkeypatch, tmp_path):
     closed = 'A try is check("test-double", Doubler) with a changed class that runs and does not pass yet.'
     assert closed in repr(solution("test-double"))
     assert check("test-double", answer_in(RIGHT)).passed
-    assert solution("test-double").code == RIGHT.strip()
+    assert solution("test-double").blocks[1].code == RIGHT.strip()
 
 
 def test_remarks_on_the_source_of_methods(checked):

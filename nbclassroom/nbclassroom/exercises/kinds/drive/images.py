@@ -63,17 +63,13 @@ def draw_film(env, record, scenario):
     seconds = record["steps"] * STEP
     alt = f"{seconds:.0f} s of a drive, {_FILM_SPEED} times as fast: what the camera sees, and the path"
     while True:
-        film = _encode_film(scenario["title"], alt, frames, seconds)
+        first, *others = map(Image.fromarray, frames)
+        milliseconds = round(1000 * seconds / _FILM_SPEED / len(frames))
+        options = {"save_all": True, "append_images": others, "duration": milliseconds, "loop": _FILM_LOOPS}
+        film = encode_image(scenario["title"], alt, first, kind="webp", quality=35, method=4, **options)
         if len(film.png) <= _MOST_FILM:
             return film
         frames = frames[::2]
-
-
-def _encode_film(caption, alt, frames, seconds):
-    first, *others = map(Image.fromarray, frames)
-    milliseconds = round(1000 * seconds / _FILM_SPEED / len(frames))
-    film = {"save_all": True, "append_images": others, "duration": milliseconds, "loop": _FILM_LOOPS}
-    return encode_image(caption, alt, first, kind="webp", quality=35, method=4, **film)
 
 
 def _side_by_side(frame, drawn):

@@ -1,8 +1,8 @@
 """Without a teacher: a learner compares a written answer with a model answer, and ticks what it has."""
 
+import contextlib
 import json
 import os
-from dataclasses import dataclass
 from pathlib import Path
 
 from .... import course
@@ -16,12 +16,12 @@ _NOTHING_YET = (
 )
 
 
-@dataclass(frozen=True)
 class SelfAssessment(Help):
     """A model answer, and the lines of a rubric as boxes to tick; `print` gives the same as plain text."""
 
-    id: str = ""
-    lines: tuple = ()
+    def __init__(self, id, lines, model, more):
+        super().__init__(f"{id}: one good answer", model, more=more)
+        self.id, self.lines = id, lines
 
     def __repr__(self):
         ticks = progress_of(self.id).ticks or ()
@@ -65,9 +65,8 @@ def self_assessment(exercise):
         lines = [text if worth > 0 else f"{text} (a mistake)" for text, worth in entry["rubric"]]
     if progress_of(exercise.id).ticks is None:
         note_progress(exercise.id, ExerciseProgress(ticks=()))
-    heading = f"{exercise.id}: one good answer"
     more = f"{exercise.another_way}\nWhat of this does your answer have? Tick it. Ticks give no points."
-    return SelfAssessment(heading, model, more=more.strip(), id=exercise.id, lines=tuple(lines))
+    return SelfAssessment(exercise.id, lines, model, more.strip())
 
 
 def _is_written(exercise):
@@ -75,13 +74,10 @@ def _is_written(exercise):
     path = Path.cwd() / Path(os.environ.get(LAB_VARIABLE, "")).name
     if TEST_VARIABLE in os.environ or not path.is_file():
         return False
-    try:
-        cells = json.loads(path.read_bytes())["cells"]
-        texts = ["".join(cell["source"]).strip() for cell in cells if _is_answer(cell, exercise.id)]
-    except (OSError, *DAMAGED):
-        return False
+    texts = []
+    with contextlib.suppress(OSError, *DAMAGED):
+        for cell in json.loads(path.read_bytes())["cells"]:
+            mark = cell["metadata"].get(course.name, {}).get("exercise")
+            if mark == exercise.id or cell.get("id") == f"answer-{exercise.id}":
+                texts.append("".join(cell["source"]).strip())
     return any(text and text != exercise.stub.strip() for text in texts)
-
-
-def _is_answer(cell, id):
-    return cell.get("id") == f"answer-{id}" or cell["metadata"].get(course.name, {}).get("exercise") == id
