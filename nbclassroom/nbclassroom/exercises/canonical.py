@@ -41,7 +41,6 @@ _STAND_INS: dict[type, type] = {
     collections.Counter: dict,
 }
 _NUMBERS = (decimal.Decimal, fractions.Fraction, np.longdouble)
-_AS_IN_JSON = (bool, int, float, str, type(None))
 _EXACT_KINDS = "biufc"  # of NumPy's types, in arguments
 
 # Read through `type` itself: a metaclass may redefine __qualname__ and __module__.
@@ -251,7 +250,7 @@ def encode(value):
 
 def decode(form):
     """The value that `encode` wrote; arrays are writable and own their data."""
-    if isinstance(form, _AS_IN_JSON):
+    if not isinstance(form, dict):
         return form
     if "array" in form:
         values = np.frombuffer(base64.b64decode(form["array"]), np.dtype(form["dtype"]))

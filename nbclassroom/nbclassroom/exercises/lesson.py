@@ -199,19 +199,17 @@ class Exercise:
             raise MasterError(f"{place} does not define inputs(rng)")
         rng = np.random.default_rng([seed, zlib.crc32(case.id.encode())])
         while True:
-            yield self._draw(case, seed, names["inputs"], rng, place)
-
-    def _draw(self, case, seed, inputs_of, rng, place):
-        try:
-            inputs = inputs_of(rng)
-        except Exception as error:
-            raise MasterError(f"{place}: inputs(rng) raised {type(error).__name__}: {error}") from error
-        calls = inputs if isinstance(inputs, list) else [inputs]
-        if not calls or not all(isinstance(call, tuple) for call in calls):
-            text = "inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
-            raise MasterError(f"{place}: {text}")
-        calls = self.kind.checked_inputs(case, calls, place)
-        return calls if seed == PUBLIC_SEED else [calls[number] for number in rng.permutation(len(calls))]
+            try:
+                inputs = names["inputs"](rng)
+            except Exception as error:
+                raise MasterError(f"{place}: inputs(rng) raised {type(error).__name__}: {error}") from error
+            calls = inputs if isinstance(inputs, list) else [inputs]
+            if not calls or not all(isinstance(call, tuple) for call in calls):
+                text = "inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
+                raise MasterError(f"{place}: {text}")
+            calls = self.kind.checked_inputs(case, calls, place)
+            order = range(len(calls)) if seed == PUBLIC_SEED else rng.permutation(len(calls))
+            yield [calls[number] for number in order]
 
 
 class MistakeResults(dict):

@@ -41,9 +41,8 @@ class Kind(AnyKind):
 
         if call.result.error in NODE_ERRORS:
             return "\nin your ".join(filter(None, (call.result.message, call.result.line)))
-        sentence = ""
-        if call.difference is not None:
-            sentence = sentence_on_node(call.expected.value, call.result.value, call.arguments)
+        values = call.expected.value, call.result.value
+        sentence = call.difference and sentence_on_node(*values, call.arguments)
         return sentence or super().explain(exercise, call)
 
     def advice_on_error(self, exercise, result):
@@ -58,7 +57,7 @@ class Kind(AnyKind):
         from .feedback import differing_images
 
         images = call.difference and differing_images(call.expected.value, call.result.value, call.arguments)
-        if not call.result.finished or not images or images[1].shape != images[2].shape:
+        if not images or images[1].shape != images[2].shape:
             return ()
         given, expected, actual = (canonical(image) for image in images)
         return answer_images(given, "", expected, actual, images[1] != images[2])
