@@ -31,7 +31,9 @@ class Kind:
     refuses_parts = False  # whether its check does not know all that an answer may use
     shows_last_prints = False  # of what an answer printed, not the first ones
     not_attempted = "not attempted yet"
-    graded_by_person = False  # by the lines of a rubric: nothing is run, and no case is declared
+    # By the lines of a rubric: nothing is run, no case is declared, and look_at(exercise) is what `check`
+    # shows of it.
+    graded_by_person = False
     cell_kinds: tuple[str, ...] = ("code",)  # of the cells with the stub and with the solution
 
     def declaration_rules(self, function, points, rubric):
@@ -112,10 +114,6 @@ class Kind:
     def seconds_for_key(self, exercise):
         """About how long a key needs for an exercise on two quiet cores, beside its runs."""
         return 0.0
-
-    def look_at(self, exercise):
-        """What `check` shows of an answer that a person grades; only such a kind defines it."""
-        raise NotImplementedError
 
     def known_mistake(self, exercise, calls):
         """The declared mistake that explains the CaseCalls of an answer, or None.

@@ -4,18 +4,10 @@ from .... import course
 from ..kind import Kind as AnyKind
 
 
-class Kind(AnyKind):
-    """A class of a node; also what packages, which have a node, have in common with it."""
+class NodeKind(AnyKind):
+    """What classes of nodes and packages, which have a node, have in common."""
 
-    name, noun = "node", "class"
-    kernel_modules: tuple[str, ...] = ("feed", "recording_node", "ros_double")
-    tries_changes = has_sentences = explains_enough = refuses_parts = True
-
-    def name_of(self, function):
-        return function
-
-    def can_be_answer(self, value):
-        return isinstance(value, type)
+    has_sentences = explains_enough = refuses_parts = True
 
     def modules(self):
         return course.node_modules()
@@ -30,11 +22,6 @@ class Kind(AnyKind):
 
     def argument_names(self, answer):
         return ["part", "steps"]
-
-    def run(self, answer, *arguments):
-        from .feed import feed
-
-        return feed(answer, *arguments)
 
     def explain(self, exercise, call):
         from .feedback import NODE_ERRORS, sentence_on_node
@@ -61,3 +48,22 @@ class Kind(AnyKind):
             return ()
         given, expected, actual = (canonical(image) for image in images)
         return answer_images(given, "", expected, actual, images[1] != images[2])
+
+
+class Kind(NodeKind):
+    """A class of a node."""
+
+    name, noun = "node", "class"
+    kernel_modules = ("feed", "recording_node", "ros_double")
+    tries_changes = True
+
+    def name_of(self, function):
+        return function
+
+    def can_be_answer(self, value):
+        return isinstance(value, type)
+
+    def run(self, answer, *arguments):
+        from .feed import feed
+
+        return feed(answer, *arguments)
