@@ -138,14 +138,14 @@ def read_exercises(path: Path | str) -> tuple[Exercise, ...]:
 @lru_cache(maxsize=64)
 def _read_exercises(path, _modified):
     headings, owned_cells, latest = {}, [], None
-    for cell in read_script(path).role_cells:
+    for cell in read_script(path).cells:
         if cell.role == "exercise":
             heading = _heading(cell)
             latest = heading["id"]
             if latest in headings:
                 raise MasterError(f"{cell.place}: exercise {latest} is declared twice")
             headings[latest] = heading
-        elif cell.role not in ("predict", "texts"):
+        elif cell.role not in ("", "predict", "texts"):
             owned_cells.append((cell, _owners(cell, latest)))
     for cell, owners in owned_cells:
         for owner in owners:

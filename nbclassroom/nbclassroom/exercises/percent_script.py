@@ -46,10 +46,6 @@ class Script:
     front_matter: dict
     cells: tuple
 
-    @property
-    def role_cells(self):
-        return tuple(cell for cell in self.cells if cell.role)
-
 
 def read_script(path):
     """Read a Script, once if the file has not changed; MasterError for a header or role that is not known."""

@@ -23,7 +23,6 @@ def test_headers_take_json_values(write_script):
     assert case.options == {"title": 'a "b" = c', "points": 3, "tags": ["x", "y"], "tolerance": 0.5}
     assert (case.kind, case.role, case.source, case.line) == ("code", "case", "x = 1", 1)
     assert (plain.role, plain.source, plain.line) == ("", "y = 2", 0)
-    assert script.role_cells == (case,)
 
 
 def test_front_matter_and_lines(write_script):
@@ -33,7 +32,7 @@ def test_front_matter_and_lines(write_script):
     script = read_script(write_script(text))
     assert script.front_matter == {"title": "Doubling"}
     assert [cell.kind for cell in script.cells] == ["code", "code", "markdown", "code"]
-    given, check = script.role_cells
+    _, given, _, check = script.cells
     assert (given.line, check.line) == (9, 17)
     assert given.source == 'TEXT = """\n# %% role="case"\n"""'
 
