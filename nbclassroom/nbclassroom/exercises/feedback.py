@@ -41,27 +41,26 @@ def _remarks(result):
     yield from result.remarks
 
 
-def _cases(result):
-    """(CaseResult, what went wrong, the call whose values are shown or None) of each case."""
+def _checks(result, graded):
+    """The Check of each case, with what went wrong."""
     kind = result.exercise.kind
     ending = kind.common_failure(result.exercise, result.calls)
     steps: dict[str, str] = {}
-    for case_result in result.results:
-        call, explanation = case_result.failed_call, ""
+    for number, one in enumerate(result.results):
+        call, explanation = one.failed_call, ""
         if ending:
-            explanation = (
-                "" if steps else f"In all {len(result.results)} scenarios, as in the first: {ending}"
-            )
-            steps[ending] = ending
+            first = f"In all {len(result.results)} scenarios, as in the first: {ending}"
+            explanation = "" if number else first
         elif call is not None:
             explanation = kind.explain(result.exercise, call)
-            step = case_result.case.title.partition(":")[0]
+            step = one.case.title.partition(":")[0]
             first = steps.setdefault(re.sub(r"\d+", "", explanation), step)
             if kind.has_sentences and first != step:
                 explanation = f"as in {first} above"
-        elif not case_result.passed:
-            explanation = case_result.reason
-        yield case_result, explanation, call if call is result.shown else None
+        elif not one.passed:
+            explanation = one.reason
+        details = _details(result, call, graded) if call and call is result.shown else ()
+        yield Check(one.case.title, one.passed, (Text(explanation), *details), one.note, one.is_open)
 
 
 def _headline(result):
@@ -153,12 +152,8 @@ def document_of(result):
 def blocks_of(result, *, graded=False):
     """The blocks on the checks of a CheckResult; `graded`: in a process that grades."""
     yield from map(Text, _remarks(result))
-    kind = result.exercise.kind
-    yield from kind.blocks_of_all(result.calls)
-    for one, explanation, call in _cases(result):
-        details = _details(result, call, graded) if call else ()
-        blocks = (Text(explanation), *details)
-        yield Check(one.case.title, one.passed, blocks, one.note, one.is_open)
+    yield from result.exercise.kind.blocks_of_all(result.calls)
+    yield from _checks(result, graded)
 
 
 def _details(result, call, graded):
