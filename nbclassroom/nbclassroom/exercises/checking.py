@@ -199,11 +199,10 @@ def _judge_calls(exercise, function, calls):
         of_class = () if is_stub else (STUB_LINE,)
         remarks = of_class if isinstance(function, type) else tuple(remarks_on_source(function))
         return CheckResult(exercise, attempted=False, remarks=remarks)
-    has_passed = all(call.passed for call in calls)
-    mistake = None if has_passed else attempt(lambda: _explanation(exercise, function, calls), None, 5)
-    remarks = (
-        () if has_passed else attempt(lambda: remarks_on_source(function, errors, exercise.unheeded), ())
-    )
+    mistake, remarks = None, ()
+    if not all(call.passed for call in calls):
+        mistake = attempt(lambda: _explanation(exercise, function, calls), None, 5)
+        remarks = attempt(lambda: remarks_on_source(function, errors, exercise.unheeded), ())
     remarks = tuple(text for text in remarks if len(text) < _LONGEST_REMARK)  # it may quote a table
     return judge(exercise, calls, mistake, remarks, attempted=not is_stub)
 

@@ -146,7 +146,11 @@ def _read_exercises(path, _modified):
                 raise MasterError(f"{cell.place}: exercise {latest} is declared twice")
             headings[latest] = heading
         elif cell.role not in ("", "predict", "texts"):
-            owned_cells.append((cell, _owners(cell, latest)))
+            owners = cell.options.get("exercise", latest)
+            if owners is None:
+                text = f'a {cell.role} cell before any exercise; write exercise="..." in its header'
+                raise MasterError(f"{cell.place}: {text}")
+            owned_cells.append((cell, [owners] if isinstance(owners, str) else owners))
     for cell, owners in owned_cells:
         for owner in owners:
             if owner not in headings:
@@ -156,14 +160,6 @@ def _read_exercises(path, _modified):
         _assemble(path, heading, [cell for cell, owners in owned_cells if id in owners])
         for id, heading in headings.items()
     )
-
-
-def _owners(cell, latest):
-    owners = cell.options.get("exercise", latest)
-    if owners is None:
-        text = f'a {cell.role} cell before any exercise; write exercise="..." in its header'
-        raise MasterError(f"{cell.place}: {text}")
-    return [owners] if isinstance(owners, str) else owners
 
 
 def _cells_beside(path, headings):

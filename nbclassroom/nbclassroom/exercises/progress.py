@@ -79,14 +79,12 @@ def progress_of(exercise_id):
 
 
 def note_progress(exercise_id, news):
-    """Add news to the ExerciseProgress of one exercise; returns all that is known now."""
-    earlier_progress = progress_of(exercise_id)
-    _of_this_process[exercise_id] = earlier_progress | news
-    folder = learners_folder()
-    if folder is not None and earlier_progress | news != earlier_progress:
+    """Add news to the ExerciseProgress of one exercise."""
+    earlier, folder = progress_of(exercise_id), learners_folder()
+    progress = _of_this_process[exercise_id] = earlier | news
+    if folder is not None and progress != earlier:
         with contextlib.suppress(OSError):  # a read-only folder: progress lasts as long as the kernel
-            _write(folder, exercise_id, earlier_progress | news)
-    return earlier_progress | news
+            _write(folder, exercise_id, progress)
 
 
 def _write(folder, exercise_id, progress):
