@@ -54,13 +54,11 @@ class Kind(AnyKind):
 
     def run_cases(self, exercise, answer):
         """Each drive with values of its own."""
-        from ...progress_bar import progress_bar
         from .graded import case_call
         from .runs import drive_scenarios, with_own_globals
 
         scenarios = list(map(scenario_of, exercise.cases))
-        with progress_bar(f"Driving {len(scenarios)} scenarios") as progress:
-            drives = drive_scenarios(exercise, scenarios, lambda: with_own_globals(answer), progress)
+        drives = drive_scenarios(exercise, scenarios, lambda: with_own_globals(answer))
         return [case_call(case, *drive) for case, drive in zip(exercise.cases, drives, strict=True)]
 
     def draw_for_key(self, exercise, seed, run_solution):

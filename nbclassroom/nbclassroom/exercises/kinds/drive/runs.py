@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...names_read import NamesRead
+from ...progress_bar import progress_bar
 from ...running import CallResult, LimitedOutput, attempt, call_within, failure_fields, globals_of
 from .drive import STEP, STEP_SECONDS, Cost, Drive, environment, seconds_of, steps_of
 
@@ -96,23 +97,23 @@ def _reason(failure, name):
     return f"{text} (your {failure['line']})" if failure["line"] else text
 
 
-def drive_scenarios(exercise, scenarios, make_control, progress=None):
+def drive_scenarios(exercise, scenarios, make_control):
     """Drive in scenarios; [(the record of the drive, its CallResult)].
 
-    `make_control` gives a `control` for each: its globals are its own. `progress` takes the share that was
-    driven, 0 to 1, now and then.
+    `make_control` gives a `control` for each: its globals are its own.
     """
     excess: list[str] = []
     runs, steps, total = [], 0, sum(map(steps_of, scenarios))
-    for scenario in scenarios:
-        drive = Drive(environment(exercise.sensors), scenario)
-        runs.append(run := _Run(make_control(), scenario, excess))
-        while not drive.over:
-            run.step(drive, exercise.answer_name)
-            steps += 1
-            if progress and steps % _SHOWN_STEPS == 0:
-                progress(steps / total)
-        run.record = drive.record() | {"read": sorted(run.read)}
+    with progress_bar(f"Driving {len(scenarios)} scenarios") as progress:
+        for scenario in scenarios:
+            drive = Drive(environment(exercise.sensors), scenario)
+            runs.append(run := _Run(make_control(), scenario, excess))
+            while not drive.over:
+                run.step(drive, exercise.answer_name)
+                steps += 1
+                if progress and steps % _SHOWN_STEPS == 0:
+                    progress(steps / total)
+            run.record = drive.record() | {"read": sorted(run.read)}
     return [(run.record, run.result()) for run in runs]
 
 
