@@ -67,17 +67,20 @@ _CALLS = {
     "clone3": (435, 435),
     "memfd_secret": (447, 447),
 }
-_PARTLY = ("clone", "clone3", "socket", "fcntl")  # some uses of them are refused
-_SOCKET_FAMILIES = (1, 2, 10, 16)  # UNIX, INET, INET6, NETLINK: a network namespace separates them
 _X32 = 0x40000000  # calls of the x32 interface, with other numbers
 _LOAD, _EQUAL, _AT_LEAST, _ANY_BIT, _RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
 _NUMBER, _MACHINE, _FIRST_ARGUMENT, _SECOND_ARGUMENT = 0, 4, 16, 24  # offsets in struct seccomp_data
 _ALLOW, _ERROR = 0x7FFF0000, 0x00050000
+_REFUSE = _ERROR | errno.EPERM
 _PR_SET_SECCOMP, _FILTER = 22, 2
-_REFUSED_USES = (  # to set a lease on a file, and to make a user namespace
-    ("fcntl", _SECOND_ARGUMENT, _EQUAL, 1024),
-    ("clone", _FIRST_ARGUMENT, _ANY_BIT, 0x10000000),
-)
+# Calls of which some uses are refused: {call: (the argument that decides, a test of it, values, what follows
+# if the test holds for one of them, and what if for none)}.
+_SOME_USES = {
+    "fcntl": (_SECOND_ARGUMENT, _EQUAL, (1024,), _REFUSE, _ALLOW),  # a lease on a file
+    "clone": (_FIRST_ARGUMENT, _ANY_BIT, (0x10000000,), _REFUSE, _ALLOW),  # a user namespace
+    # UNIX, INET, INET6, NETLINK: a network namespace separates them.
+    "socket": (_FIRST_ARGUMENT, _EQUAL, (1, 2, 10, 16), _ALLOW, _ERROR | errno.EAFNOSUPPORT),
+}
 _libc = ctypes.CDLL(None, use_errno=True)
 # Looked up here, before the first kernel is forked.
 _mount_call, _unshare_call, _prctl, _capset = _libc.mount, _libc.unshare, _libc.prctl, _libc.capset
@@ -245,35 +248,25 @@ def _filter(machine, numbers):
     """The instructions of the filter, each a struct sock_filter."""
     yield _instruction(_LOAD, _MACHINE)
     yield _instruction(_EQUAL, machine, 1, 0)
-    yield _fail(errno.EPERM)
+    yield _instruction(_RETURN, _REFUSE)
     yield _instruction(_LOAD, _NUMBER)
-    yield from _if(_AT_LEAST, _X32, errno.EPERM)
-    for name, number in numbers.items():
-        if name not in _PARTLY:
-            yield from _if(_EQUAL, number, errno.EPERM)
+    yield from _if(_AT_LEAST, _X32, _REFUSE)
     # clone3 has its flags in memory, where no filter sees them; after ENOSYS the C library calls clone.
-    yield from _if(_EQUAL, numbers["clone3"], errno.ENOSYS)
-    for name, argument, test, value in _REFUSED_USES:
-        yield _instruction(_EQUAL, numbers[name], 0, 4)
+    yield from _if(_EQUAL, numbers["clone3"], _ERROR | errno.ENOSYS)
+    for name in numbers.keys() - _SOME_USES:
+        yield from _if(_EQUAL, numbers[name], _REFUSE)
+    for name, (argument, test, values, result, otherwise) in _SOME_USES.items():
+        yield _instruction(_EQUAL, numbers[name], 0, 2 + 2 * len(values))
         yield _instruction(_LOAD, argument)
-        yield from _if(test, value, errno.EPERM)
-        yield _instruction(_RETURN, _ALLOW)
-    yield _instruction(_EQUAL, numbers["socket"], 0, 2 + 2 * len(_SOCKET_FAMILIES))
-    yield _instruction(_LOAD, _FIRST_ARGUMENT)
-    for family in _SOCKET_FAMILIES:
-        yield _instruction(_EQUAL, family, 0, 1)
-        yield _instruction(_RETURN, _ALLOW)
-    yield _fail(errno.EAFNOSUPPORT)
+        for value in values:
+            yield from _if(test, value, result)
+        yield _instruction(_RETURN, otherwise)
     yield _instruction(_RETURN, _ALLOW)
 
 
-def _if(test, value, number):
+def _if(test, value, result):
     yield _instruction(test, value, 0, 1)
-    yield _fail(number)
-
-
-def _fail(number):
-    return _instruction(_RETURN, _ERROR | number)
+    yield _instruction(_RETURN, result)
 
 
 def _instruction(code, value, jump_if_true=0, jump_if_false=0):
