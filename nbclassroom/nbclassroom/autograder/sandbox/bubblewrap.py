@@ -149,20 +149,18 @@ def sandbox_command(confined):
         command += ["--unshare-user", "--uid", "0", "--gid", "0"]
     for name in _CAPABILITIES:
         command += ["--cap-add", f"CAP_{name}"]
-    command += _system_folders()
-    command += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--tmpfs", "/dev/shm"]
-    command += ["--perms", "1777", "--tmpfs", "/tmp", *_site_packages(), *_course_packages()]
+    mounts = [*_system_folders(), *_site_packages(), *_course_packages(), *_classroom()]
+    places = [Path(mounts[n + 2]) for n, option in enumerate(mounts) if option.startswith("--ro-bind")]
+    for folder in sorted({folder for place in places for folder in place.parents}):
+        command += ["--perms", "0755", "--dir", str(folder)]  # a mount would make it for root alone
+    command += [*mounts, "--proc", "/proc", "--dev", "/dev"]
+    command += ["--perms", "1777", "--tmpfs", "/dev/shm", "--perms", "1777", "--tmpfs", "/tmp"]
     # If the user does not really change, kernels own these folders: the next kernel would find what one
     # wrote.
     command += ["--remount-ro", "/dev", "--remount-ro", "/"]
     base, mount_point = python_folder()
     interpreter = mount_point / Path(sys.executable).resolve().relative_to(base)
     return [*command, "--chdir", "/tmp", str(interpreter), *_PYTHON_OPTIONS]
-
-
-def _new_folders(*paths):
-    """Folders that everybody can enter; a mount would make them for root alone."""
-    return [option for path in paths for option in ("--perms", "0755", "--dir", path)]
 
 
 def _empty_folder(path):
@@ -173,7 +171,7 @@ def _system_folders():
     roots = {Path("/usr"): Path("/usr"), Path("/usr/local"): Path("/usr/local")} | dict([python_folder()])
     places = [(Path("/", name), Path("/", name)) for name in _ROOT_FOLDERS]
     places += [(root / name, mount / name) for root, mount in roots.items() for name in _SYSTEM_FOLDERS]
-    options = _new_folders("/usr", "/usr/local", PYTHON, "/etc")
+    options = []
     for path, mount_point in places:
         if path.is_symlink():
             options += ["--symlink", str(path.readlink()), str(mount_point)]
@@ -197,7 +195,7 @@ def _hidden_folders(roots):
 
 
 def _site_packages():
-    options = _new_folders("/course")
+    options = []
     for folder, mount_point in _package_folders().items():
         options += ["--ro-bind", str(folder), mount_point]
         # An installed copy would contain the autograder, and a link to the checkout its path.
@@ -209,10 +207,9 @@ def _site_packages():
 
 
 def _course_packages():
-    options = [*_new_folders(COURSE), "--ro-bind", str(course.file()), COURSE_FILE]
+    options = ["--ro-bind", str(course.file()), COURSE_FILE]
     if source := course.package_folder():
         root = f"{COURSE}/{course.package}"
-        options += _new_folders(root, *(f"{root}/{name}" for name in course.silent_packages))
         for name in ("__init__.py", *course.modules, *course.packages):
             if (source / name).exists():
                 options += ["--ro-bind", str(source / name), f"{root}/{name}"]
@@ -220,7 +217,7 @@ def _course_packages():
             options += _empty_folder(f"{root}/{name}")
         for name in course.silent_packages:
             options += ["--ro-bind", str(_STUB), f"{root}/{name}/__init__.py"]
-    return options + _classroom()
+    return options
 
 
 def modules_of_exercises():
@@ -234,12 +231,9 @@ def modules_of_exercises():
 def _classroom():
     root = f"{COURSE}/nbclassroom"
     names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in modules_of_exercises())]
-    folders = {f"{root}/{Path(name).parent}" for name in names} | {f"{root}/autograder/sandbox"}
-    options = _new_folders(root, f"{root}/autograder", *sorted(folders - {f"{root}/."}))
     names += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
-    for name in names:
-        options += ["--ro-bind", str(_SOURCE / name), f"{root}/{name}"]
-    return [*options, "--ro-bind", str(_STUB), f"{root}/exercises/__init__.py"]
+    sources = {name: _SOURCE / name for name in names} | {"exercises/__init__.py": _STUB}
+    return [part for name, path in sources.items() for part in ("--ro-bind", str(path), f"{root}/{name}")]
 
 
 def _package_folders():
