@@ -42,7 +42,7 @@ class NbvalProcessEnded(Exception):
     """The process ended or does not answer; the message says what is known of it. Start another one."""
 
 
-class NbvalProcessKilled(NbvalProcessEnded):
+class NbvalProcessKilled(Exception):
     """A signal ended it: the system had no memory left, or somebody killed it. No submission did that."""
 
 
@@ -95,8 +95,6 @@ class NbvalProcess:
                 bubblewrap.require_sandbox()  # while the process starts
             self._receive(_START_SECONDS)
             self._is_ready = True
-        except NbvalProcessKilled:
-            raise
         except NbvalProcessEnded as error:
             raise NbvalProcessNotStarted(f"the nbval process did not start: {error}") from error
         except SandboxError:
@@ -135,9 +133,8 @@ class NbvalProcess:
         )
 
     def grade(self, key, name, lesson, page):
-        """Grade one submission; what `results.to_json` wrote. NbvalProcessEnded: it ended, or it is stuck."""
-        job = {"key": str(key.path), "digest": key.digest}
-        job |= {"submission": name, "lesson": lesson, "page": page}
+        """Grade one submission; what `results.to_json` wrote. NbvalProcessEnded, NbvalProcessKilled."""
+        job = {"key": str(key.path), "digest": key.digest, "submission": name, "lesson": lesson, "page": page}
         try:
             self._socket.sendall((json.dumps(job) + "\n").encode("ascii"))
         except OSError as error:

@@ -24,7 +24,7 @@ _MOST_DEPTH = 10  # one more than `canonical` writes
 _MOST_FORMS = 50_000  # in one value; `canonical` stops at 20,000 items, and an item of a dict is two
 _MOST_BYTES = 1 << 40  # of an array that is given by its digest
 _MOST_CALLS = 1_000
-_MOST_CHANGED, _MOST_PRINTED, _MOST_MESSAGE, _MOST_NAME = 20, 2_000, 2_000, 300  # names, characters
+_MOST_CHANGED, _MOST_TEXT, _MOST_NAME = 20, 2_000, 300  # names, characters
 _SCALARS = {f"numpy.{scalar.__name__}": np.dtype(scalar) for scalar in SCALARS}
 _DTYPES = {np.dtype(code).name: np.dtype(code) for code in "?bBhHiIlLqQefd"}
 _CONTAINERS = ("tuple", "list", "dict")
@@ -124,47 +124,44 @@ def verdict_on(payloads, expected, tolerance, *, exact_type=True):
 def read_form(data):
     """A canonical form, made from what a learner's process sent; None if it is no canonical form."""
     try:
-        return _FormReader().read(data, 0)
+        return _read(data, 0, iter(range(_MOST_FORMS)))
     except ValueError:
         return None
 
 
-class _FormReader:
-    def __init__(self):
-        self._forms_left = _MOST_FORMS
+def _read(data, depth, forms):
+    """A form at a depth; each takes one of the `forms` that are left for the whole value."""
+    _require(isinstance(data, dict) and depth <= _MOST_DEPTH and next(forms, None) is not None)
+    kind = _text(data.get("type"), _MOST_NAME)
+    if data.get("too_large") is True:
+        _require(kind in ("int", "str", *_CONTAINERS))
+        return {"type": kind, "too_large": True}
+    if kind == "ndarray":
+        return _array(data)
+    if data.get("opaque") is True:
+        _require(kind not in PLAIN_TYPES and kind not in _SCALARS)
+        return {"type": kind, "opaque": True}
+    if kind in _CONTAINERS:
+        return {"type": kind, "items": _items(kind, data.get("items"), depth + 1, forms)}
+    if kind == "bytes":
+        length = _length(data.get("length"))
+        return {"type": kind, "length": length} | _data(data, length)
+    if kind == "None":
+        return {"type": kind}
+    if kind in PLAIN_TYPES or kind in _SCALARS:
+        return {"type": kind, "value": _plain(kind, data.get("value"))}
+    fields = data.get("fields")
+    _require(isinstance(fields, dict))
+    read = {_text(name, _MOST_NAME): _read(field, depth + 1, forms) for name, field in fields.items()}
+    return {"type": kind, "fields": read}
 
-    def read(self, data, depth):
-        self._forms_left -= 1
-        _require(isinstance(data, dict) and depth <= _MOST_DEPTH and self._forms_left >= 0)
-        kind = _text(data.get("type"), _MOST_NAME)
-        if data.get("too_large") is True:
-            _require(kind in ("int", "str", *_CONTAINERS))
-            return {"type": kind, "too_large": True}
-        if kind == "ndarray":
-            return _array(data)
-        if data.get("opaque") is True:
-            _require(kind not in PLAIN_TYPES and kind not in _SCALARS)
-            return {"type": kind, "opaque": True}
-        if kind in _CONTAINERS:
-            return {"type": kind, "items": self._items(kind, data.get("items"), depth)}
-        if kind == "bytes":
-            length = _length(data.get("length"))
-            return {"type": kind, "length": length} | _data(data, length)
-        if kind == "None":
-            return {"type": kind}
-        if kind in PLAIN_TYPES or kind in _SCALARS:
-            return {"type": kind, "value": _plain(kind, data.get("value"))}
-        fields = data.get("fields")
-        _require(isinstance(fields, dict))
-        read = {_text(name, _MOST_NAME): self.read(field, depth + 1) for name, field in fields.items()}
-        return {"type": kind, "fields": read}
 
-    def _items(self, kind, items, depth):
-        _require(isinstance(items, list))
-        if kind != "dict":
-            return [self.read(item, depth + 1) for item in items]
-        _require(all(isinstance(pair, list) and len(pair) == 2 for pair in items))
-        return [[self.read(part, depth + 1) for part in pair] for pair in items]
+def _items(kind, items, depth, forms):
+    _require(isinstance(items, list))
+    if kind != "dict":
+        return [_read(item, depth, forms) for item in items]
+    _require(all(isinstance(pair, list) and len(pair) == 2 for pair in items))
+    return [[_read(part, depth, forms) for part in pair] for pair in items]
 
 
 def _require(condition):
@@ -264,11 +261,6 @@ def _read_call(entry):
     value = None if call.error else read_form(call.value)
     if value is None and not call.error:
         return None
-    return CallResult(
-        value=value,
-        error=call.error[:_MOST_MESSAGE],
-        message=call.message[:_MOST_MESSAGE],
-        line=call.line[:_MOST_MESSAGE],
-        changed=tuple(name[:_MOST_NAME] for name in call.changed[:_MOST_CHANGED]),
-        printed=call.printed[:_MOST_PRINTED],
-    )
+    texts = {name: getattr(call, name)[:_MOST_TEXT] for name in ("error", "message", "line", "printed")}
+    changed = tuple(name[:_MOST_NAME] for name in call.changed[:_MOST_CHANGED])
+    return CallResult(value, **texts, changed=changed)

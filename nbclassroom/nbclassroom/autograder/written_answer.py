@@ -32,8 +32,7 @@ def figure_html(exercise, page, kernels):
     sources = [cell["source"] for cell in page["cells"] if cell["exercise"] == exercise.id]
     if not sources:
         return _NO_FIGURE.format(" (it is no code cell)")
-    process, answer_run = kernels.open_check(exercise, exercise.time_limit)
-    run = answer_run
+    process, run = kernels.open_check(exercise, exercise.time_limit)
     if not run.ended:
         run = process.run_check(_SHOW.format(sources[0]), [[]], exercise.time_limit)
     process.stop()

@@ -269,7 +269,7 @@ for _name, _body in (
     ),
     (
         "the input of the case's last call, from the check's memory",
-        "return fitted(decode(check_cell._case['calls'][-1])[0], pixels)",
+        "return fitted(decode(check_cell.CASE['calls'][-1])[0], pixels)",
     ),
 ):
     attack(_name, CONSTANTS.replace("BODY", _body))

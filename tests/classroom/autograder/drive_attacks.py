@@ -131,7 +131,7 @@ attack(
 
 attack(
     "the case that was delivered",
-    looking("check_cell.delivered()"),
+    looking("check_cell.CASE"),
     "raised",
     seen="seen",
     secrets=("seed", "thresholds", "'start'", "title"),

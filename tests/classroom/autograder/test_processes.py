@@ -67,9 +67,7 @@ def test_only_the_nbval_process_has_seen_the_key(key, right):
 
 
 def test_a_page_has_no_inputs_of_a_check(key, right):
-    source = (
-        "from nbclassroom.autograder.sandbox.inside import check_cell\nseen = str(check_cell.delivered())"
-    )
+    source = "from nbclassroom.autograder.sandbox.inside import check_cell\nseen = str(check_cell.CASE)"
     exercise = key.lessons[LESSON].exercises[0]
     with KernelFactory() as factory:
         kernels = PageKernels(page_with(key, source, right), factory)

@@ -20,7 +20,6 @@ from nbclassroom.exercises.kinds.drive.drive import Cost, speeds_of
 
 def drive(control):
     """Let a controller drive until the robot outside ends it; returns its memory."""
-    case = check_cell.delivered()
     memory: dict = {}
     reply: dict = {}
     cost = Cost()
@@ -31,7 +30,7 @@ def drive(control):
         if not data:
             return memory
         with cost.of_call():
-            reply = _look(control, _observation(data, case["layout"]), memory, case["seconds"])
+            reply = _look(control, _observation(data), memory)
         if "speeds" in reply and (excess := cost.excess()):
             reply = {"excess": excess}
 
@@ -62,10 +61,10 @@ def _place(number, point):
     return [int(number), x, y] if isinstance(number, numbers.Integral) else None
 
 
-def _look(control, observation, memory, seconds):
-    """What a controller does with an observation, as the content of a message; seconds of processor time."""
+def _look(control, observation, memory):
+    """What a controller does with an observation in its processor time, as the content of a message."""
     try:
-        running.set_timer(signal.ITIMER_PROF, seconds, 0.1)
+        running.set_timer(signal.ITIMER_PROF, check_cell.CASE["seconds"], 0.1)
         try:
             value = control(observation, memory)
         finally:
@@ -78,9 +77,9 @@ def _look(control, observation, memory, seconds):
         return {"refused": str(error)}
 
 
-def _observation(data, layout):
+def _observation(data):
     observation, start = {}, 0
-    for name, dtype, shape in layout:
+    for name, dtype, shape in check_cell.CASE["layout"]:
         values = np.frombuffer(data, dtype, math.prod(shape), start).reshape(shape)
         start += values.nbytes
         observation[name] = values.copy() if shape else values.item()
