@@ -32,11 +32,11 @@ class CheckedAnswer:
     remarks: tuple  # sentences on all checks
     public: CheckResult
     hidden: CheckResult
-    hidden_for_learner: tuple  # of CaseResult
+    hidden_for_learner: CheckResult
 
     def for_learner(self):
         """The checks as HTML: of a hidden one only its title, how it ended, and its hint."""
-        return self._html(self.public, replace(self.hidden, results=self.hidden_for_learner, calls=()))
+        return self._html(self.public, self.hidden_for_learner)
 
     def for_teacher(self):
         """The checks as HTML, with all values."""
@@ -73,7 +73,7 @@ def checked_answer(exercise, cases, runs, mistake, message, *, advises=True):
         replace(result, failed_call=None, reason=result.reason + hint)
         for result, hint in zip(hidden.results, hints, strict=True)
     )
-    return CheckedAnswer(remarks, public, hidden, told)
+    return CheckedAnswer(remarks, public, hidden, replace(hidden, results=told, calls=()))
 
 
 def _ended_alike(cases):

@@ -93,7 +93,7 @@ class NbvalProcess:
         try:
             if not unsafe:
                 bubblewrap.require_sandbox()  # while the process starts
-            self._receive(_START_SECONDS)
+            self._answer("", _START_SECONDS)
             self._is_ready = True
         except NbvalProcessEnded as error:
             raise NbvalProcessNotStarted(f"the nbval process did not start: {error}") from error
@@ -135,11 +135,7 @@ class NbvalProcess:
     def grade(self, key, name, lesson, page):
         """Grade one submission; what `results.to_json` wrote. NbvalProcessEnded, NbvalProcessKilled."""
         job = {"key": str(key.path), "digest": key.digest, "submission": name, "lesson": lesson, "page": page}
-        try:
-            self._socket.sendall((json.dumps(job) + "\n").encode("ascii"))
-        except OSError as error:
-            raise self._stopped(str(error)) from error
-        return self._receive(self._patience(key.lessons[lesson]))
+        return self._answer(json.dumps(job) + "\n", self._patience(key.lessons[lesson]))
 
     def _patience(self, lesson):
         """Seconds after which the process itself must be stuck: twice what kernels and robots may take."""
@@ -154,9 +150,10 @@ class NbvalProcess:
         robots = sum(exercise.kind.simulated_seconds(exercise) for exercise in lesson.exercises)
         return 60 + 2 * (kernels + robots)
 
-    def _receive(self, patience):
+    def _answer(self, request, patience):
         self._socket.settimeout(patience)
         try:
+            self._socket.sendall(request.encode("ascii"))
             line = self._lines.readline()
         except TimeoutError as error:
             raise self._stopped(f"no answer within {patience:.0f} s") from error
