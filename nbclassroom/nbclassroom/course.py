@@ -86,7 +86,7 @@ def folder():
 
 def learners_folder():
     """The folder of the working copies of the user of this machine."""
-    return (folder() / _values()["learners_folder"]).resolve()
+    return (folder() / _read(file())["learners_folder"]).resolve()
 
 
 def folders_of_lessons():
@@ -98,11 +98,11 @@ def folders_of_lessons():
 
 
 def node_modules():
-    return ("rclpy", *_values()["ros_messages"], "cv_bridge")
+    return ("rclpy", *_read(file())["ros_messages"], "cv_bridge")
 
 
 def release():
-    values = _values()
+    values = _read(file())
     if values["distribution"]:
         return importlib.metadata.version(values["distribution"])
     return values["version"]
@@ -110,7 +110,7 @@ def release():
 
 def package_folder():
     """The folder of the course's package; None if it has no package."""
-    name = _values()["package"]
+    name = _read(file())["package"]
     spec = importlib.util.find_spec(name) if name else None
     places = spec.submodule_search_locations if spec else None
     return Path(places[0]).resolve() if places else None
@@ -132,11 +132,7 @@ def load(place):
 def __getattr__(name):
     if name not in KEYS:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return _values()[name]
-
-
-def _values():
-    return _read(file())
+    return _read(file())[name]
 
 
 @lru_cache(maxsize=4)

@@ -170,9 +170,8 @@ def build_lesson(master, stored_path=None, executed=None, *, solved=False):
     A cell whose output varies keeps its output in the stored lesson. `executed` is `lesson_notebook` with the
     outputs of its execution. MasterError: an error in a cell, or an output that is not reproducible.
     """
-    notebook = executed
-    if notebook is None:
-        notebook = lesson_notebook(master, solved=solved)
+    notebook = executed or lesson_notebook(master, solved=solved)
+    if not executed:
         execute(notebook, master.path, files=lesson_files(master))
     normalize(notebook, master)
     if stored_path:  # a cell whose output varies keeps its stored output if no code up to it has changed
@@ -190,11 +189,9 @@ def lesson_notebook(master, *, solved=False):
     """A lesson, or its solved twin, without outputs."""
     cells = []
     for cell in master.cells:
+        new_cell = new_code_cell if cell.kind == "code" else new_markdown_cell
         source = cell.solved_source if solved else cell.source
-        if cell.kind == "code":
-            cells.append(new_code_cell(source, id=cell.id, metadata=_cell_metadata(cell)))
-        else:
-            cells.append(new_markdown_cell(source, id=cell.id, metadata=_cell_metadata(cell)))
+        cells.append(new_cell(source, id=cell.id, metadata=_cell_metadata(cell)))
     lesson_metadata = {
         "lesson": master.name,
         "title": master.title,

@@ -32,15 +32,7 @@ _NOT_FOR_LEARNERS = re.compile(rf"\..*|masters|__pycache__|{course.FILE}|{CHECKS
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 # Fields of an Exercise that no checks file has as they are, and those that only some have.
 _LEFT_OUT = ("id", "mistakes", "master", "preparation", "solution", "explanation", "helpers")
-_FOR_SOME = {
-    "function": "",
-    "subject": "function",
-    "sensors": (),
-    "unheeded": (),
-    "figure": False,
-    "rubric": (),
-    "witnesses": (),
-}
+_FOR_SOME = ("function", "subject", "sensors", "unheeded", "figure", "rubric", "witnesses")
 
 
 def lesson_files(master):
@@ -79,9 +71,11 @@ def exercise_files(master, stored, **about):
     entries = {id: entry for id, (entry, _) in stored.items()}
     values = {key: value for _, own in stored.values() for key, value in own.items()}
     head = {"format": FORMAT, "lesson": master.name, "version": course.release()} | about
+    # Learners leave check and given cells as they are.
+    cells = {cell.id: cell.source if cell.role in ("check", "given") else None for cell in master.cells}
     parts = {name: _dumps(value) for name, value in head.items()}
     parts |= {
-        "cells": _lines(master.handed_out),
+        "cells": _lines(cells),
         "exercises": _lines(entries),
         "values": _lines(dict(sorted(values.items()))),
     }
@@ -113,7 +107,10 @@ def stored_exercise(exercise):
     """(The entry of an Exercise that has its results, {key: value} of the values in it), plain data."""
     values = {}
     names = [field.name for field in fields(Exercise) if field.name not in _LEFT_OUT]
-    entry = {name: value for name in names if (value := getattr(exercise, name)) != _FOR_SOME.get(name)}
+    entry = {name: getattr(exercise, name) for name in names}
+    for name in _FOR_SOME:
+        if entry[name] == getattr(Exercise, name):
+            del entry[name]
     for name in {"cases", "witnesses"} & entry.keys():
         entry[name] = list(map(_case_entry, entry[name]))
     if any("inputs" in case for case in entry["cases"]):

@@ -83,11 +83,6 @@ class Master:
         """The ids of the exercises that can be left out."""
         return tuple(cell.exercise for cell in self.cells if cell.role == "answer" and cell.deeper)
 
-    @property
-    def handed_out(self):
-        """{cell id: source of a check or given cell, which learners leave as it is; None for the others}."""
-        return {cell.id: cell.source if cell.role in ("check", "given") else None for cell in self.cells}
-
 
 def find_masters(folder, names=()):
     """The paths of the masters in a folder, in the order of the course; of all, or of those that are named.

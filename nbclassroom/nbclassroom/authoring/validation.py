@@ -118,7 +118,12 @@ def _seed_problems(exercise, case, solution, seeds):
     if all(drawn == arguments[0] for drawn in arguments):
         return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
     answers = [[_in_time(exercise, exercise.call(solution, call)).value for call in drawn] for drawn in calls]
-    agree = partial(_agree, tolerance=case.tolerance, exact_type=exercise.exact_type)
+
+    def agree(answer, guess):  # they have the same types, and mostly differ at once
+        if not case.tolerance:
+            return answer == guess
+        return compare(answer, guess, case.tolerance, exact_type=exercise.exact_type) is None
+
     for constant in [answer for drawn in answers for answer in drawn]:
         if _passes_by_chance([constant], answers, agree):
             return [
@@ -136,13 +141,6 @@ def _seed_problems(exercise, case, solution, seeds):
 def _passes_by_chance(guesses, answers, agree):
     """Whether these answers, call by call and then again, are right with more seeds than chance explains."""
     return sum(all(map(agree, drawn, cycle(guesses))) for drawn in answers) > _MOST_BY_CHANCE
-
-
-def _agree(answer, guess, tolerance, exact_type):
-    """Whether two answers of the solution agree; they have the same types, and mostly differ at once."""
-    if not tolerance:
-        return answer == guess
-    return compare(answer, guess, tolerance, exact_type=exact_type) is None
 
 
 def _size_problems(exercise, case, solution):

@@ -24,7 +24,7 @@ def write_master(write_master, tmp_path, monkeypatch):
 
     def write(**changed):
         path = write_master(**changed)
-        parts = {"exercises": read_exercises(path), "handed_out": {}, "texts": {}, "questions": {}}
+        parts = {"exercises": read_exercises(path), "cells": (), "texts": {}, "questions": {}}
         lesson = SimpleNamespace(name="doubling", path=path, **parts)
         write_carried_files(lesson, tmp_path)
         monkeypatch.setenv("NBCLASSROOM_CHECKS", str(tmp_path / "checks"))
