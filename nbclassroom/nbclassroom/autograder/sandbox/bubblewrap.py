@@ -149,7 +149,7 @@ def sandbox_command(confined):
         command += ["--unshare-user", "--uid", "0", "--gid", "0"]
     for name in _CAPABILITIES:
         command += ["--cap-add", f"CAP_{name}"]
-    mounts = [*_system_folders(), *_site_packages(), *_course_packages(), *_classroom()]
+    mounts = [*_system_folders(), *_site_packages(), *_course_packages()]
     places = [Path(mounts[n + 2]) for n, option in enumerate(mounts) if option.startswith("--ro-bind")]
     for folder in sorted({folder for place in places for folder in place.parents}):
         command += ["--perms", "0755", "--dir", str(folder)]  # a mount would make it for root alone
@@ -207,17 +207,18 @@ def _site_packages():
 
 
 def _course_packages():
-    options = ["--ro-bind", str(course.file()), COURSE_FILE]
+    binds, hidden = {COURSE_FILE: course.file()}, []  # {path inside: what is there}, empty folders
     if source := course.package_folder():
-        root = f"{COURSE}/{course.package}"
-        for name in ("__init__.py", *course.modules, *course.packages):
-            if (source / name).exists():
-                options += ["--ro-bind", str(source / name), f"{root}/{name}"]
-        for name in course.hidden_folders:
-            options += _empty_folder(f"{root}/{name}")
-        for name in course.silent_packages:
-            options += ["--ro-bind", str(_STUB), f"{root}/{name}/__init__.py"]
-    return options
+        root, names = f"{COURSE}/{course.package}", ("__init__.py", *course.modules, *course.packages)
+        binds |= {f"{root}/{name}": source / name for name in names if (source / name).exists()}
+        binds |= {f"{root}/{name}/__init__.py": _STUB for name in course.silent_packages}
+        hidden = [f"{root}/{name}" for name in course.hidden_folders]
+    own = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in modules_of_exercises())]
+    own += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
+    binds |= {f"{COURSE}/nbclassroom/{name}": _SOURCE / name for name in own}
+    binds[f"{COURSE}/nbclassroom/exercises/__init__.py"] = _STUB
+    options = [part for place, path in binds.items() for part in ("--ro-bind", str(path), place)]
+    return options + [option for path in hidden for option in _empty_folder(path)]
 
 
 def modules_of_exercises():
@@ -226,14 +227,6 @@ def modules_of_exercises():
 
     own = [(name, ("__init__", "kind", *kinds.kind_of(name).kernel_modules)) for name in kinds.NAMES]
     return [*_EXERCISES, *(f"kinds/{name}/{module}" for name, modules in own for module in modules)]
-
-
-def _classroom():
-    root = f"{COURSE}/nbclassroom"
-    names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in modules_of_exercises())]
-    names += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
-    sources = {name: _SOURCE / name for name in names} | {"exercises/__init__.py": _STUB}
-    return [part for name, path in sources.items() for part in ("--ro-bind", str(path), f"{root}/{name}")]
 
 
 def _package_folders():
