@@ -246,21 +246,18 @@ def _orphans(masters_dir, lessons_dir):
 
 def differences(built, stored_path):
     """How a stored lesson differs from a built one, a text for each cell."""
-    stored_path = Path(stored_path)
-    stored = _read_stored(stored_path)
+    name, stored, problems = Path(stored_path).name, _read_stored(stored_path), []
     if stored is None:
-        return [f"{stored_path.name}: not built yet, or not a notebook; run {course.command} build"]
-    problems = []
+        return [f"{name}: not built yet, or not a notebook; run {course.command} build"]
     if built.metadata != stored.metadata:
-        problems.append(f"{stored_path.name}: the lesson's metadata (title, minutes, version) differ")
+        problems.append(f"{name}: the lesson's metadata (title, minutes, version) differ")
     ids, stored_ids = [cell.id for cell in built.cells], [cell.id for cell in stored.cells]
     if ids != stored_ids:
         first = next(id or stored for id, stored in zip_longest(ids, stored_ids) if id != stored)
-        return [*problems, f"{stored_path.name}: its cells differ from the master's, from {first} on"]
+        return [*problems, f"{name}: its cells differ from the master's, from {first} on"]
     for cell, stored_cell in zip(built.cells, stored.cells, strict=True):
-        difference = _cell_difference(cell, stored_cell)
-        if difference:
-            problems.append(f"{stored_path.name}: cell {cell.id}: {difference}")
+        if difference := _cell_difference(cell, stored_cell):
+            problems.append(f"{name}: cell {cell.id}: {difference}")
     return problems
 
 

@@ -64,10 +64,7 @@ def _witnesses(exercise):
 
 
 def exercise_files(master, stored, **about):
-    """{relative path: text} of a lesson's exercises and solutions; `stored` has each exercise's stored form.
-
-    A key has more `about` the lesson (see `exercises.check_files`).
-    """
+    """{relative path: text} of a lesson's exercises, {id: stored form}, and solutions; `about` a key more."""
     entries = {id: entry for id, (entry, _) in stored.items()}
     values = {key: value for _, own in stored.values() for key, value in own.items()}
     head = {"format": FORMAT, "lesson": master.name, "version": course.release()} | about
@@ -230,10 +227,7 @@ def files_for_learners(source):
 
 
 def without_outputs(data):
-    """The bytes of a notebook as a learner gets it: no outputs but of cells tagged to keep them, no counters.
-
-    The bytes of another file stay as they are.
-    """
+    """The bytes of a file as learners get it: of a notebook no counters, and only outputs tagged to stay."""
     with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
         notebook = json.loads(data)
         code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]

@@ -90,10 +90,7 @@ def _is_of_key(entry):
 
 
 def require_unguessable(seed):
-    """KeyFolderError for a seed that can be guessed, from which every hidden input could be computed.
-
-    Nobody can tell how many bits are in a phrase.
-    """
+    """KeyFolderError for a seed that can be guessed; nobody can tell how many bits are in a phrase."""
     if not re.fullmatch(rf"[0-9a-fA-F]{{{_SEED},}}", seed) or seed.isdecimal():
         raise KeyFolderError(
             f"this seed can be guessed: expected at least {_SEED} hexadecimal digits drawn by chance, 128"

@@ -55,11 +55,11 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, s
     masters = [read_master(path) for path in find_masters(masters_dir, names)]
     unfinished = out.with_name(f"{out.name}.unfinished")
     jobs = _jobs(masters, seed, unfinished, unsafe)
-    seconds = [_seconds_of(exercise) for exercise, path in jobs if not path.exists()]
-    minutes = max(1, round(sum(seconds) / 60))
-    say(f"{len(seconds)} of {len(jobs)} exercises to run, about {minutes} min on two quiet cores.")
+    missing = sorted((job for job in jobs if not job[1].exists()), key=lambda job: -_seconds_of(job[0]))
+    minutes = max(1, round(sum(_seconds_of(exercise) for exercise, _ in missing) / 60))
+    say(f"{len(missing)} of {len(jobs)} exercises to run, about {minutes} min on two quiet cores.")
     unfinished.mkdir(mode=0o700, parents=True, exist_ok=True)
-    _run(jobs, _numpy_seed(seed), unsafe)
+    _run(missing, _numpy_seed(seed), unsafe)
     stored = {exercise.id: json.loads(path.read_text(encoding="utf-8")) for exercise, path in jobs}
     files: dict = {}
     for master in masters:
@@ -91,9 +91,8 @@ def _seconds_of(exercise):
     return 0 if exercise.practice else _SECONDS_PER_EXERCISE + exercise.kind.seconds_for_key(exercise)
 
 
-def _run(jobs, *begin_arguments):
-    """Keep the stored form of each exercise whose file does not exist; two at a time, the longest first."""
-    missing = sorted((job for job in jobs if not job[1].exists()), key=lambda job: -_seconds_of(job[0]))
+def _run(missing, *begin_arguments):
+    """Keep the stored form of each exercise whose file is missing; two at a time, in this order."""
     # Forked, because an exercise has functions, which cannot be sent to a process.
     context = multiprocessing.get_context("fork")
     with ProcessPoolExecutor(_AT_A_TIME, context, _begin, (missing, *begin_arguments)) as executor:

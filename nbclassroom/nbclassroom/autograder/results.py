@@ -78,8 +78,6 @@ class GradedExercise:
 
 @dataclass(frozen=True)
 class GradedSubmission:
-    """The result of one submission of one lesson."""
-
     name: str  # that `autograde` was given for it
     lesson: str
     exercises: tuple[GradedExercise, ...]  # in the lesson's order; practice exercises are not graded
@@ -137,8 +135,7 @@ def open_exercise(exercise, source, figure=""):
 
 def graded_exercises(exercise_runs, page, tried):
     """{id: GradedExercise} of {id: ExerciseRun} of one page, whose cases all have run."""
-    exercises = [run.exercise for run in exercise_runs.values()]
-    causes = causes_of(exercises, {id: run.runs for id, run in exercise_runs.items()}, page)
+    causes = _causes(exercise_runs, page)
     hostile = {id for id, _ in tried}
     graded = {}
     for id, run in exercise_runs.items():
@@ -150,7 +147,7 @@ def graded_exercises(exercise_runs, page, tried):
 def checked_exercise(exercise, exercise_run, cause=("", ""), is_hostile=False):
     """(the GradedExercise of an exercise whose cases all have run, without pages, its CheckedAnswer).
 
-    A cause, see `causes_of`, replaces the calls. A hostile answer gets no advice about its loops.
+    A cause, see `_causes`, replaces the calls. A hostile answer gets no advice about its loops.
     """
     runs = exercise_run.runs
     cases = tuple(_case_of_run(exercise, case, exercise_run) for case in exercise.cases)
@@ -290,25 +287,23 @@ def _exception_text(name, text):
     return reproducible_text(f"{name}: {text}" if text else name)
 
 
-def causes_of(exercises, runs, page):
+def _causes(exercise_runs, page):
     """{exercise id: its cause} of the exercises that a cell which is not their answer lets fail.
 
     A cause is (a sentence, "" if the checks say it; the id of the exercise that tells it: it is told once).
-    `runs` are {exercise id: {case id: CaseRun}}, in the order of the exercises.
     """
     places: dict[str, tuple[int, str]] = {}
-    for exercise in exercises:
-        missing = dict(map(missing_name, runs[exercise.id].values()))
+    for id, exercise_run in exercise_runs.items():
+        missing = dict(map(missing_name, exercise_run.runs.values()))
         name, text = missing.popitem() if len(missing) == 1 else ("", "")
-        place = _place_of(name, text, exercise.id, page, runs[exercise.id]) if name else None
-        places |= {exercise.id: place} if place else {}
-    titles = {exercise.id: exercise.title for exercise in exercises}
-    failed = {id for id, own in runs.items() if not all(run.passed for run in own.values())}
+        place = _place_of(name, text, id, page, exercise_run.runs) if name else None
+        places |= {id: place} if place else {}
+    failed = {id for id, one in exercise_runs.items() if not all(run.passed for run in one.runs.values())}
     causes = {}
     for id, (number, text) in places.items():
         owner = page["cells"][number]["exercise"]
         first = owner if owner in failed else next(one for one in places if places[one][0] == number)
-        same = f'It fails for the same reason as "{titles[first]}": mend that first'
+        same = f'It fails for the same reason as "{exercise_runs[first].exercise.title}": mend that first'
         causes[id] = same if first != id else text, first
     return causes
 

@@ -87,9 +87,8 @@ class CaseRun:
 class StoredAnswer:
     """What nbval finds as the stored output of a check: the answer key's values. `==` is our comparison.
 
-    nbval asks `stored != shown`, where a CaseRun stands for the output of a check, which a learner's code
-    made; it lets the check's cell fail if it is so. What a partner has measured is
-    compared with the thresholds of its scenario.
+    nbval asks `stored != shown`, where a CaseRun stands for what a learner's code showed; if so, it lets the
+    check's cell fail. What a partner has measured is compared with the thresholds of its scenario.
     """
 
     expected: list  # a canonical form for each call

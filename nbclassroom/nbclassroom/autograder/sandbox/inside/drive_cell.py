@@ -41,10 +41,7 @@ def explore(control):
 
 
 def _plain(found):
-    """What a controller found as {"markers": [[number, x, y], ...], "word": text}; None if it is no dict.
-
-    A marker that has another form is left out.
-    """
+    """What a controller found as {"markers": [[number, x, y], ...], "word": text}; None if it is no dict."""
     if not isinstance(found, dict):
         return None
     markers = found.get("markers")
