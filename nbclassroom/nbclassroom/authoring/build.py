@@ -20,7 +20,7 @@ from .execute import execute, normalize, output_texts, refuse_traces
 from .lesson_files import TEXTS, lesson_file_differences, lesson_files
 from .lesson_names import lesson_name
 from .masters import find_masters, read_master
-from .references import GLOSSARY, GLOSSARY_PAGE, References, glossary_page, read_glossary
+from .references import GLOSSARY, GLOSSARY_PAGE, References, glossary_page
 from .rules import RAISING_TAGS, VARYING_TAG
 from .validation import validate_exercise
 
@@ -84,13 +84,8 @@ def compare_other_files(masters_dir, lessons_dir):
 
 def build_pages(masters_dir):
     """{file name: text} of the pages that belong to a folder of masters."""
-    masters_dir, pages = Path(masters_dir), {}
-    glossary, cheat_sheet = masters_dir / GLOSSARY, masters_dir / CHEAT_SHEET
-    if terms := read_glossary(glossary):
-        pages[GLOSSARY_PAGE] = glossary_page(terms, References(glossary))
-    if cheat_sheet.exists():
-        pages[CHEAT_SHEET] = cheat_sheet_page(cheat_sheet)
-    return pages
+    sources = {page: (Path(masters_dir) / source, make) for page, (source, make) in _PAGES.items()}
+    return {page: make(path) for page, (path, make) in sources.items() if path.exists()}
 
 
 def cheat_sheet_page(template):
@@ -109,6 +104,9 @@ def cheat_sheet_page(template):
         text = error if isinstance(error, MasterError) else f"{type(error).__name__}: {error}"
         raise MasterError(f"{template.name}: {text}") from error
     return References(template).in_text(f"{page}\n")
+
+
+_PAGES = {GLOSSARY_PAGE: (GLOSSARY, glossary_page), CHEAT_SHEET: (CHEAT_SHEET, cheat_sheet_page)}
 
 
 def _value_of(line, names):
@@ -235,7 +233,7 @@ def _read_stored(path):
 def _orphans(masters_dir, lessons_dir):
     masters, folder = {path.stem for path in _masters_to_build(masters_dir)}, Path(lessons_dir)
     paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
-    for page, source in ((GLOSSARY_PAGE, GLOSSARY), (CHEAT_SHEET, CHEAT_SHEET)):
+    for page, (source, _) in _PAGES.items():
         if not (Path(masters_dir) / source).exists():
             paths += folder.glob(page)
     names = {lesson_name(master) for master in masters}

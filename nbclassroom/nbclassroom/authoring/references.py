@@ -193,7 +193,8 @@ def _read_term(path, name, entry):
     return Term(name, entry["lesson"], entry["definition"].strip(), tuple(forms), ordinary)
 
 
-def glossary_page(terms, references):
+def glossary_page(path):
     """The glossary as learners read it, in Markdown: a heading per term, to which the lessons link."""
+    terms = read_glossary(path)
     entries = [f"### {term.name}\n\n{term.definition}\n\n→ [[{term.lesson}]]" for term in terms]
-    return "\n\n".join([_INTRODUCTION, *map(references.in_prose, entries)]) + "\n"
+    return "\n\n".join([_INTRODUCTION, *map(References(path).in_prose, entries)]) + "\n"
