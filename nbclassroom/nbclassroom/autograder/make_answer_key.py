@@ -9,6 +9,7 @@ import signal
 from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
+from functools import partial
 from multiprocessing.util import Finalize
 from pathlib import Path
 from typing import Any
@@ -31,7 +32,7 @@ from .verdict import read_answer, read_calls, verdict_on
 
 _SECONDS_PER_EXERCISE = 1.6  # while two run, fitted to the course's own lessons
 _AT_A_TIME = 2
-_process: dict[str, Any] = {}  # of a process that runs exercises
+_process: dict[str, Any] = {}  # what `_begin` gives a process that runs exercises
 
 
 def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, say=str):
@@ -126,8 +127,9 @@ def _keep(number):
     exercise, path = _process["missing"][number]
     if exercise.practice:
         exercise = replace(exercise, cases=(), mistakes=())
-    solutions = _Solutions(exercise, _process["seed"], _process["kernel_factory"])
-    write_file(path, json.dumps(stored_exercise(solutions.exercise())), permissions=0o600)
+    drawn = exercise.kind.draw_for_key(exercise, _process["seed"], partial(_verdict_with, exercise))
+    solved = with_results(exercise, exercise.cases, partial(_solve, drawn), _results_of)
+    write_file(path, json.dumps(stored_exercise(solved)), permissions=0o600)
 
 
 def _numpy_seed(seed):
@@ -135,69 +137,58 @@ def _numpy_seed(seed):
     return int.from_bytes(hashlib.sha256(f"{course.command} {seed}".encode()).digest()[:16])
 
 
-class _Solutions:
-    """What the solution and the mistakes of one exercise give with a key's seed."""
+def _verdict_with(exercise, partner):
+    """The verdict of what the solution's check talks to, in a kernel like those that grade."""
+    about = f"{exercise.master.name}: the solution of {exercise.id}"
+    with _kernel_after_solution(exercise, partner.cpu_seconds, about) as kernel:
+        _require_run(kernel.run_with(exercise.kind.check_source(exercise), partner), about)
+    return partner.verdict()
 
-    def __init__(self, exercise, seed, kernel_factory):
-        self._exercise, self._seed, self._kernel_factory = exercise, seed, kernel_factory
-        self._drawn = exercise.kind.draw_for_key(exercise, seed, self._run_with)
 
-    def exercise(self):
-        return with_results(self._exercise, self._exercise.cases, self._solve, self._results_of)
+@contextlib.contextmanager
+def _kernel_after_solution(exercise, seconds, about):
+    """A kernel like those that grade, which has run the solution."""
+    kernel = _process["kernel_factory"].start(exercise.allowed, seconds)
+    try:
+        for source in (*exercise.given, exercise.solution):
+            _require_run(kernel.run(source), about)
+        yield kernel
+    finally:
+        kernel.stop()
 
-    def _run_with(self, partner):
-        """The verdict of what the solution's check talks to, in a kernel like those that grade."""
-        exercise = self._exercise
-        about = f"{exercise.master.name}: the solution of {exercise.id}"
-        with self._kernel_after_solution(partner.cpu_seconds, about) as kernel:
-            _require_run(kernel.run_with(exercise.kind.check_source(exercise), partner), about)
-        return partner.verdict()
 
-    @contextlib.contextmanager
-    def _kernel_after_solution(self, seconds, about):
-        """A kernel like those that grade, which has run the solution."""
-        exercise = self._exercise
-        kernel = self._kernel_factory.start(exercise.allowed, seconds)
-        try:
-            for source in (*exercise.given, exercise.solution):
-                _require_run(kernel.run(source), about)
-            yield kernel
-        finally:
-            kernel.stop()
+def _solve(known, exercise, case):
+    """The ExpectedCalls of a case, known or as the solution's check cell shows them in such a kernel."""
+    if case.id in known:
+        return known[case.id]
+    drawn = exercise.arguments(case, _process["seed"])
+    about = f"{exercise.master.name}, {case.id}: the solution"
+    try:
+        inputs = [encode(arguments) for arguments in drawn]
+    except TypeError as error:
+        place = f"{exercise.master.name}, line {case.line}: {case.id}"
+        raise MasterError(f"{place}: {error}; or make the exercise practice=True") from error
+    with _kernel_after_solution(exercise, exercise.time_limit * len(inputs), about) as kernel:
+        run = kernel.run_check(exercise.kind.check_source(exercise), inputs, exercise.time_limit)
+        _require_run(run, about)
+    calls = read_answer(run.answers)
+    if calls is None:
+        raise MasterError(f"{about} shows no values")
+    for call in calls:
+        if not call.finished or call.changed:
+            raise MasterError(f"{about} fails. {explain_call(call, None, exercise.answer_name)}")
+        if not _is_whole(call.value):
+            kind = call.value["type"]
+            raise MasterError(f"{about} returns nothing that can be compared: a value of type {kind}")
+    if not verdict_on(run.answers, [call.value for call in calls], case.tolerance).passed:
+        raise MasterError(f"{about} does not equal itself")
+    return map(ExpectedCall, drawn, calls)
 
-    def _solve(self, exercise, case):
-        """The ExpectedCalls of a case, of what the solution's check cell shows in such a kernel."""
-        if case.id in self._drawn:
-            return self._drawn[case.id]
-        drawn = exercise.arguments(case, self._seed)
-        about = f"{exercise.master.name}, {case.id}: the solution"
-        try:
-            inputs = [encode(arguments) for arguments in drawn]
-        except TypeError as error:
-            raise MasterError(
-                f"{exercise.master.name}, line {case.line}: {case.id}: {error}; or make the exercise"
-                " practice=True"
-            ) from error
-        with self._kernel_after_solution(exercise.time_limit * len(inputs), about) as kernel:
-            run = kernel.run_check(exercise.kind.check_source(exercise), inputs, exercise.time_limit)
-            _require_run(run, about)
-        calls = read_answer(run.answers)
-        if calls is None:
-            raise MasterError(f"{about} shows no values")
-        for call in calls:
-            if not call.finished or call.changed:
-                raise MasterError(f"{about} fails. {explain_call(call, None, exercise.answer_name)}")
-            if not _is_whole(call.value):
-                kind = call.value["type"]
-                raise MasterError(f"{about} returns nothing that can be compared: a value of type {kind}")
-        if not verdict_on(run.answers, [call.value for call in calls], case.tolerance).passed:
-            raise MasterError(f"{about} does not equal itself")
-        return map(ExpectedCall, drawn, calls)
 
-    def _results_of(self, exercise, mistake, cases):
-        results = {case.id: exercise.results_of_mistake(mistake, case) for case in cases}
-        # As a check cell would show them: answers are compared with them.
-        return {id: read_calls(map(call_to_json, calls)) for id, calls in results.items()}
+def _results_of(exercise, mistake, cases):
+    results = {case.id: exercise.results_of_mistake(mistake, case) for case in cases}
+    # As a check cell would show them: answers are compared with them.
+    return {id: read_calls(map(call_to_json, calls)) for id, calls in results.items()}
 
 
 def _require_run(run, about):

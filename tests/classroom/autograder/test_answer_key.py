@@ -89,17 +89,17 @@ def test_a_key_is_overwritten_only_with_replace(copy):
 
 def test_a_second_run_goes_on_where_the_first_one_stopped(tmp_path, monkeypatch):
     """Of three exercises the last one is interrupted; the same seed gives the key of one run."""
-    run, said = make_answer_key._Solutions.exercise, []
+    run, said = make_answer_key.with_results, []
 
-    def interrupted(solutions):
-        if solutions._exercise.id == "attacked-apply":
+    def interrupted(exercise, *arguments):
+        if exercise.id == "attacked-apply":
             raise KeyboardInterrupt
-        return run(solutions)
+        return run(exercise, *arguments)
 
     whole = make_key(MASTERS, SEED, tmp_path / "whole", say=said.append)
     out = tmp_path / "key"
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
-        patch.setattr(make_answer_key._Solutions, "exercise", interrupted)
+        patch.setattr(make_answer_key, "with_results", interrupted)
         make_key(MASTERS, SEED, out, say=said.append)
     assert not out.exists()
     key = make_key(MASTERS, SEED, out, say=said.append)
@@ -110,7 +110,7 @@ def test_a_second_run_goes_on_where_the_first_one_stopped(tmp_path, monkeypatch)
 
 
 def test_a_killed_process_is_one_line_with_the_remedy(tmp_path, monkeypatch):
-    monkeypatch.setattr(make_answer_key._Solutions, "exercise", lambda _: os.kill(os.getpid(), 9))
+    monkeypatch.setattr(make_answer_key, "with_results", lambda *_: os.kill(os.getpid(), 9))
     with pytest.raises(MasterError, match="a process was killed"):
         make_key(MASTERS, SEED, tmp_path / "key")
 

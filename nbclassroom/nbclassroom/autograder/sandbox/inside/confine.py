@@ -81,6 +81,10 @@ _SOME_USES = {
     # UNIX, INET, INET6, NETLINK: a network namespace separates them.
     "socket": (_FIRST_ARGUMENT, _EQUAL, (1, 2, 10, 16), _ALLOW, _ERROR | errno.EAFNOSUPPORT),
 }
+_HERE = platform.machine()
+_NUMBERS: dict[str, int] = {}  # of the calls on this machine; {} if they are not known
+if _HERE in _MACHINES:
+    _NUMBERS = {name: call[[*_MACHINES].index(_HERE)] for name, call in _CALLS.items()}
 _libc = ctypes.CDLL(None, use_errno=True)
 # Looked up here, before the first kernel is forked.
 _mount_call, _unshare_call, _prctl, _capset = _libc.mount, _libc.unshare, _libc.prctl, _libc.capset
@@ -182,9 +186,8 @@ def _drop_privileges(user):
 
 def leave_session_keyring():
     """Give this process a new session keyring, so that none of the user's keys can be found from it."""
-    number = dict(zip(_MACHINES, _CALLS["keyctl"], strict=True)).get(os.uname().machine)
-    if number is not None:  # a system without keyrings has none to leave
-        _libc.syscall(ctypes.c_long(number), ctypes.c_long(_JOIN_SESSION_KEYRING), None)
+    if _NUMBERS:  # a system without keyrings has none to leave
+        _libc.syscall(ctypes.c_long(_NUMBERS["keyctl"]), ctypes.c_long(_JOIN_SESSION_KEYRING), None)
 
 
 def end_child(child, patience):
@@ -236,27 +239,19 @@ def refuse_system_calls():
     _check(_prctl(_PR_SET_SECCOMP, _FILTER, program, 0, 0), "seccomp")
 
 
-def _program_for(machine):
-    """The filter for a machine, b"" if the numbers of its calls are not known."""
-    if machine not in _MACHINES:
-        return b""
-    column = list(_MACHINES).index(machine)
-    return b"".join(_filter(_MACHINES[machine], {name: call[column] for name, call in _CALLS.items()}))
-
-
-def _filter(machine, numbers):
+def _filter():
     """The instructions of the filter, each a struct sock_filter."""
     yield _instruction(_LOAD, _MACHINE)
-    yield _instruction(_EQUAL, machine, 1, 0)
+    yield _instruction(_EQUAL, _MACHINES[_HERE], 1, 0)
     yield _instruction(_RETURN, _REFUSE)
     yield _instruction(_LOAD, _NUMBER)
     yield from _if(_AT_LEAST, _X32, _REFUSE)
     # clone3 has its flags in memory, where no filter sees them; after ENOSYS the C library calls clone.
-    yield from _if(_EQUAL, numbers["clone3"], _ERROR | errno.ENOSYS)
-    for name in numbers.keys() - _SOME_USES:
-        yield from _if(_EQUAL, numbers[name], _REFUSE)
+    yield from _if(_EQUAL, _NUMBERS["clone3"], _ERROR | errno.ENOSYS)
+    for name in _NUMBERS.keys() - _SOME_USES:
+        yield from _if(_EQUAL, _NUMBERS[name], _REFUSE)
     for name, (argument, test, values, result, otherwise) in _SOME_USES.items():
-        yield _instruction(_EQUAL, numbers[name], 0, 2 + 2 * len(values))
+        yield _instruction(_EQUAL, _NUMBERS[name], 0, 2 + 2 * len(values))
         yield _instruction(_LOAD, argument)
         for value in values:
             yield from _if(test, value, result)
@@ -273,4 +268,4 @@ def _instruction(code, value, jump_if_true=0, jump_if_false=0):
     return struct.pack("HBBI", code, jump_if_true, jump_if_false, value)
 
 
-_PROGRAM = _program_for(platform.machine())
+_PROGRAM = b"".join(_filter()) if _NUMBERS else b""
