@@ -17,15 +17,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .. import course
-from ..exercises.check_files import (
-    CHECKS,
-    SOLUTIONS,
-    CheckFileError,
-    Lesson,
-    read_check_file,
-    read_lesson_file,
-    reading,
-)
+from ..exercises import check_files
+from ..exercises.check_files import Lesson
 from ..exercises.lesson import Exercise
 
 _SEED = 32  # hexadecimal, drawn by chance: 128 bits
@@ -47,9 +40,9 @@ class Key:
 
     def solutions(self, lesson: str) -> dict[str, str]:
         """{exercise id: solution} of a lesson."""
-        path = self.path / SOLUTIONS / f"{lesson}.json"
-        with _reading_key(self.path), reading(path):
-            entries = read_lesson_file(path)["solutions"]
+        path = self.path / check_files.SOLUTIONS / f"{lesson}.json"
+        with _reading_key(self.path), check_files.reading(path):
+            entries = check_files.read_lesson_file(path)["solutions"]
             return {id: str(entry["code"]) for id, entry in entries.items()}
 
 
@@ -57,21 +50,22 @@ class Key:
 def _reading_key(path):
     try:
         yield
-    except CheckFileError as error:
+    except check_files.CheckFileError as error:
         raise KeyFolderError(f"{path}: {error.problem}; make the key again") from error
 
 
 def load_key(path: Path | str) -> Key:
     """Read the Key in a folder; KeyFolderError: there is none that grading can use."""
     path = Path(path).resolve()
-    paths, command = sorted((path / CHECKS).glob("*.json")), f"{course.command} key --out {path.name}"
+    paths = sorted((path / check_files.CHECKS).glob("*.json"))
+    command = f"{course.command} key --out {path.name}"
     if not paths:
         raise KeyFolderError(f"{path}: there is no key; make one: {command}")
     digest, lessons = hashlib.sha256(), []
     with _reading_key(path):
         for file_path in paths:
-            file = read_check_file(file_path)
-            with reading(file_path):
+            file = check_files.read_check_file(file_path)
+            with check_files.reading(file_path):
                 is_key = all(map(_is_of_key, file.entries.values()))
                 digest.update(file_path.read_bytes())
             if not is_key:

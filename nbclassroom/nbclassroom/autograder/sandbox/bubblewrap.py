@@ -151,7 +151,7 @@ def sandbox_command(confined):
         command += ["--cap-add", f"CAP_{name}"]
     mounts = [*_system_folders(), *_site_packages(), *_course_packages()]
     places = [Path(mounts[n + 2]) for n, option in enumerate(mounts) if option.startswith("--ro-bind")]
-    for folder in sorted({folder for place in places for folder in place.parents}):
+    for folder in sorted({folder for place in places for folder in place.parents} - {Path("/")}):
         command += ["--perms", "0755", "--dir", str(folder)]  # a mount would make it for root alone
     command += [*mounts, "--proc", "/proc", "--dev", "/dev"]
     command += ["--perms", "1777", "--tmpfs", "/dev/shm", "--perms", "1777", "--tmpfs", "/tmp"]
