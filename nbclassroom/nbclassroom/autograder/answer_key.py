@@ -14,6 +14,7 @@ import hashlib
 import re
 import secrets
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from .. import course
@@ -74,6 +75,15 @@ def load_key(path: Path | str) -> Key:
             lessons.append(file)
     lessons.sort(key=lambda lesson: (lesson.number, lesson.name))
     return Key(path, digest.hexdigest(), {lesson.name: lesson for lesson in lessons})
+
+
+@lru_cache(maxsize=32)
+def expected_key(folder, digest):
+    """The Key in a folder; KeyFolderError, ValueError: there is none, or another one than expected."""
+    key = load_key(folder)
+    if key.digest != digest:
+        raise ValueError(f"{folder}: this is another key than the one that grading began with")
+    return key
 
 
 def _is_of_key(entry):

@@ -18,8 +18,8 @@ import pytest
 from ..exercises.canonical import encode
 from ..exercises.cell_syntax import is_part_of
 from . import results
+from .answer_key import expected_key
 from .outcomes import Outcome
-from .pool import expected_key
 from .sandbox.cell_run import MIME, CellRun
 from .sanitize import reproducible_text
 from .verdict import CaseRun, StoredAnswer

@@ -1,6 +1,6 @@
 """The threads that grade, and the nbval process that each keeps, for one submission after another.
 
-An nbval process is a pytest with nbval and `nbval_plugin`; its program is `nbval_main`. It is started so that
+An nbval process is a pytest with nbval and `nbval_plugin`; its program is `main`. It is started so that
 nothing on this machine and nothing in a submission can configure it. It never runs learners' code: kernels
 do (`sandbox`).
 
@@ -19,19 +19,22 @@ import socket
 import subprocess
 import sys
 import threading
+import types
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 
 from .. import course
 from .sandbox import bubblewrap
 from .sandbox.bubblewrap import Limits, SandboxError, make_temporary_folder, remove_abandoned_folders
+from .sandbox.fork_server_client import KernelFactory
+from .sandbox.inside import confine
 
 _START_SECONDS = 120
 _BLOCKED_PLUGINS = (
     *("cacheprovider", "logging", "warnings", "doctest", "junitxml", "faulthandler", "debugging", "pastebin"),
     *("setuponly", "setupplan", "stepwise", "unraisableexception", "threadexception", "subtests", "skipping"),
 )
-_PROGRAM = "from nbclassroom.autograder import nbval_main; nbval_main.main()"
+_PROGRAM = "from nbclassroom.autograder import nbval_process; nbval_process.main()"
 
 _processes: dict[str, "NbvalProcess"] = {}  # by the names of the threads
 _stopped: set[str] = set()  # prefixes of the threads that start no more
@@ -223,3 +226,25 @@ def open_worker_threads(workers=None, *, early=False, unsafe=False, limits=None)
         executor.shutdown()
         # The next run after a killed one perhaps finds everything graded, and needs no folder of its own.
         remove_abandoned_folders()
+
+
+def main():
+    """The program of an nbval process: the fork server loads while pytest and nbval are imported."""
+    confine.die_with_parent()  # if it has ended already, there is nothing to read from the socket
+    settings, arguments = json.loads(sys.argv[1]), sys.argv[2:]
+    connection = socket.socket(fileno=settings["socket"])
+    kernel_factory = KernelFactory(unsafe=settings["unsafe"], limits=Limits(**settings["limits"]))
+    _leave_out_kernels_of_nbval()
+    import pytest
+
+    from .nbval_plugin import GradingPlugin
+
+    sys.exit(pytest.main(arguments, plugins=[GradingPlugin(connection, settings["folder"], kernel_factory)]))
+
+
+def _leave_out_kernels_of_nbval():
+    """Spare nbval the import of Jupyter's client and of coverage: `nbval_plugin` has kernels of its own."""
+    kernel, cover = types.ModuleType("nbval.kernel"), types.ModuleType("nbval.cover")
+    vars(kernel).update(RunningKernel=None, CURRENT_ENV_KERNEL_NAME=None)
+    vars(cover).update(setup_coverage=None, teardown_coverage=None)
+    sys.modules |= {"nbval.kernel": kernel, "nbval.cover": cover}

@@ -14,11 +14,10 @@ import sys
 from collections import deque
 from concurrent.futures import Future, wait
 from dataclasses import replace
-from functools import lru_cache
 
 from ..exercises.page import page_of
 from . import nbval_process
-from .answer_key import Key, KeyFolderError, load_key
+from .answer_key import Key, KeyFolderError, expected_key
 from .nbval_process import open_worker_threads
 from .outcomes import BUDGET_MESSAGE, Outcome
 from .results import GradedSubmission, from_json, ungraded_exercise
@@ -168,15 +167,6 @@ def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
             attempts += 1
             process.stop()
     return result
-
-
-@lru_cache(maxsize=32)
-def expected_key(folder, digest):
-    """The Key in a folder; KeyFolderError, ValueError: there is none, or another one than expected."""
-    key = load_key(folder)
-    if key.digest != digest:
-        raise ValueError(f"{folder}: this is another key than the one that grading began with")
-    return key
 
 
 def _not_graded(key, submission, fault):

@@ -196,7 +196,7 @@ def test_submissions_are_read_as_results_are_taken(key, right):
     assert [result.name for result in itertools.islice(graded, 3)] == ["s0", "s1", "s2"]
     graded.close()
     assert next(counter) < 20
-    assert children("nbval_main") == []
+    assert children("nbval_process.main") == []
 
 
 def test_another_key_in_the_same_place_is_noticed(key, right):
@@ -226,7 +226,7 @@ def children(word):
     return matching
 
 
-@pytest.mark.parametrize("word", ["nbval_main", "fork_server.main"])
+@pytest.mark.parametrize("word", ["nbval_process.main", "fork_server.main"])
 def test_a_crash_of_our_own_processes_loses_nothing(results, key, right, word):
     names = [name for name in SAMPLES if OUTCOMES.get(name) == ("passed", "passed")] * 2
     graded, kill_count = [], 0
@@ -235,7 +235,7 @@ def test_a_crash_of_our_own_processes_loses_nothing(results, key, right, word):
         if number % 5 == 2:
             for process in children(word):
                 with suppress(psutil.Error, AttributeError):  # it has ended, and so has its parent
-                    if word == "nbval_main" or process.parent().name() == "bwrap" != process.name():
+                    if word == "nbval_process.main" or process.parent().name() == "bwrap" != process.name():
                         process.send_signal(signal.SIGKILL)
                         kill_count += 1
     assert kill_count >= 2
@@ -245,9 +245,9 @@ def test_a_crash_of_our_own_processes_loses_nothing(results, key, right, word):
 def test_nothing_is_left_behind(key, right):
     list(autograde(submissions_of(right, ["right", "ends"]), key, workers=2))
     deadline = time.monotonic() + 60
-    while (children("fork_server") or children("nbval_main")) and time.monotonic() < deadline:
+    while (children("fork_server") or children("nbval_process.main")) and time.monotonic() < deadline:
         time.sleep(0.05)
-    assert children("fork_server") == children("nbval_main") == []
+    assert children("fork_server") == children("nbval_process.main") == []
     assert not any(thread.name.startswith("autograde-") for thread in threading.enumerate())
 
 
@@ -375,9 +375,9 @@ def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
 def test_an_nbval_process_loads_nothing_that_only_teachers_tools_need():
     code = (
         "import sys; import nbclassroom.autograder.blocked_imports; "
-        "from nbclassroom.autograder import nbval_main; "
+        "from nbclassroom.autograder import nbval_process; "
         "print([name for name in ('numpy', 'pytest') if name in sys.modules]); "  # they come later
-        "nbval_main._leave_out_kernels_of_nbval(); "
+        "nbval_process._leave_out_kernels_of_nbval(); "
         "import nbclassroom.autograder.nbval_plugin, nbval.plugin; "
         "heavy = ('jupytext', 'rfc3987_syntax', 'isoduration', 'arrow', 'cv2', 'matplotlib', 'coverage'); "
         "heavy += ('zmq', 'rfc3986_validator', 'webcolors'); "
