@@ -104,7 +104,7 @@ attack(
     from nbclassroom.exercises import comparison
     np.allclose = np.array_equal = lambda *a, **k: True
     comparison.compare = np.testing.assert_array_equal = lambda *a, **k: None
-    check_cell.emit = lambda function: print("passed")
+    check_cell.emit = lambda *_arguments: print("passed")
     """,
     "hostile",
     harms_own=True,
@@ -170,7 +170,7 @@ attack(
     from nbclassroom.exercises import running
     FORM = {"type": "ndarray", "dtype": "uint8", "shape": [3, 4], "data": "AAAA"}
     check_cell.running.call = lambda *a, **k: running.CallResult(value=FORM)
-    check_cell.shorten_form = lambda form: form
+    check_cell.shorten_form = lambda form, most: form
     """,
     "hostile",
     harms_own=True,
