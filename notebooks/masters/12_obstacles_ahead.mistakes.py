@@ -244,12 +244,12 @@ def control(observation, memory):
     others = {name: observation[name] for name in observation if name != "depth"}
     return solution(others | {"depth": np.zeros((90, 160), np.uint16)}, memory)
 
-# %% role="mistake" name="something low seen" says="The camera saw it earlier, and from near it does not. Usual causes: it forgets the points of earlier looks (store them in the frame of the odometry); it does not turn them back before it asks free_way; the corridor is narrower than 0.64 m; it does not stop 0.45 m before, in each step."
+# %% role="mistake" name="something low seen" says="The camera saw it earlier, and from near it does not. Usual causes: it forgets the points of earlier looks (store them in the frame of the odometry); it does not turn them back before it asks free_way; the corridor is narrower than 0.64 m; it does not stop 0.45 m before, in each step; free_way gets degrees (it takes radians)."
 def control(observation, memory):
     seen = dict(observation, depth=np.zeros_like(observation["depth"]))
     return solution(seen, memory)
 
-# %% role="mistake" name="it comes too near" says="Usual causes: the corridor is narrower than the robot with 0.2 m on each side (0.64 m); it drives while it turns to a new direction; it does not stop 0.45 m before what is in its way; points of earlier looks are not turned back before free_way is asked."
+# %% role="mistake" name="it comes too near" says="Usual causes: the corridor is narrower than the robot with 0.2 m on each side (0.64 m); it drives while it turns to a new direction; it does not stop 0.45 m before what is in its way; points of earlier looks are not turned back before free_way is asked; free_way gets degrees (it takes radians)."
 def control(observation, memory):
     return 0.3, solution(observation, memory)[1]
 

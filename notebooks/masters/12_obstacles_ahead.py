@@ -666,7 +666,7 @@ def scan(rng, *things, rays=60, lowest=0.05, empty=(), **more):
     fields = {"angle_min": -math.pi, "angle_max": -math.pi + (rays - 1) * step, "angle_increment": step,
               "range_min": lowest, "range_max": 8.0, "ranges": ranges.tolist()}
     places = ", ".join(place_of(*thing) for thing in things)
-    about = "this scan has walls all around, at least 2 m away"
+    about = "this scan has walls all around, also behind and on both sides, at least 2 m away"
     about += " (but inf from {}° to {}°)".format(*empty) if empty else ""
     about += f" and, counted to the left of straight ahead, {places}" if things else ""
     return {"topic": "/kachaka/lidar/scan", "message": "LaserScan", "fields": fields, "about": about} | more

@@ -143,7 +143,7 @@ exercise(
     title="The IoU of two boxes",
     function="iou",
     tolerance=1e-6,
-    hint="Intersection: common width times common height, none of them below 0. Union: both areas minus the intersection.",
+    hint="Intersection: common width times common height, none of them below 0; the common width is the smaller end minus the larger start. Union: both areas minus the intersection.",
     hints=(
         "Where does the common part of two boxes start and end, in columns and in rows? What if they do not touch?",
         "1. The common width: the smaller right end minus the larger left start; if it is negative, 0.\n"

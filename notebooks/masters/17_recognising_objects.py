@@ -382,7 +382,7 @@ exercise(
     title="The nearest mean",
     function="nearest_mean",
     allowed=("scipy",),
-    hint="One mean for each number in np.unique(classes); all distances; argmin gives positions in np.unique(classes): take the class from there.",
+    hint="One mean for each number in np.unique(classes), in this order; for each new vector all distances anew; argmin gives positions in np.unique(classes): take the class from there.",
     hints=(
         "Of which rows of vectors do you take a mean, and what does the position of the smallest distance say?",
         "1. The different classes: np.unique(classes).\n"

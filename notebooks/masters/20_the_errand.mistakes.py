@@ -321,7 +321,7 @@ def control(observation, memory):
     speeds = solution(observation, memory)
     return speeds if memory["task"] == "go" else (0.1, 0.2)
 
-# %% role="mistake" name="error of the answer" says="Usual causes: ANSWERS[word] is in degrees (math.radians), positive to the left, and counts from the sign, so look at the sign again at the end and add its angle to the yaw; or it is not stored once, but computed again while the robot turns."
+# %% role="mistake" name="error of the answer" says="Usual causes: the degrees of the word are not made radians; they count from the sign, to the left, and not from the start or from where the word was read, so look at the sign again at the end and add the angle to its direction; the last turn ends too early; or it is not stored once, but computed again while the robot turns."
 def control(observation, memory):
     speeds = solution(observation, memory)
     if "yaw" in memory:

@@ -521,7 +521,7 @@ exercise(
     "errand-believe",
     title="Believe a text",
     function="believe",
-    hint="For each name, count the looks with any(edit_distance(text.upper(), name) <= 1 for text in look); keep the name with the largest count; return it if the count is at least votes.",
+    hint="For each name, count in all looks, old and new, those with any(edit_distance(text.upper(), name) <= 1 for text in look); keep the name with the largest count; return it if the count is at least votes.",
     hints=(
         "How do you count, for one name, in how many looks it was read? And when does a second name win against the first?",
         "1. Begin with no name (None) and 0 votes.\n"

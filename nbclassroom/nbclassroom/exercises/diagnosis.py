@@ -291,7 +291,7 @@ def _diagnose_values(calls, names):
     text = _relation_of_angles(pairs) if are_numbers else ""
     if text or kinds <= {*_NUMBERS}:
         return Diagnosis(text or _relation_of_numbers(forms))
-    text = _unchanged(calls, names) or _relation_of_arrays(calls)
+    text = _unchanged(calls, names) or _relation_of_arrays(calls) or _relation_of_lists(forms)
     # A sentence that only asks ("Is it ...?") leaves the hint in.
     return Diagnosis(text, replaces_hint="?" not in text) if text else _place(calls)
 
@@ -386,6 +386,18 @@ def _relation_of_arrays(calls):
     gaps = {gap for expected, actual in arrays for gap in np.unique(_wide(actual) - _wide(expected))} - {0}
     has_levels = all(expected.dtype.kind in "iu" and len(np.unique(expected)) > 2 for expected, _ in arrays)
     return _ONE_BESIDE.get(tuple(gaps), "") if has_levels else ""
+
+
+def _relation_of_lists(forms):
+    """How all wrong lists are the expected ones the other way round, as wholes or in each part; or ""."""
+    wrong = [(expected.get("items", ()), actual.get("items", ())) for expected, actual in forms]
+    wrong = [(expected, actual) for expected, actual in wrong if expected != actual]
+    if wrong and all(actual == expected[::-1] for expected, actual in wrong):
+        return "Your result is the other way round: it begins with what should be its last value."
+    turned = ([part | {"items": part.get("items", ())[::-1]} for part in parts] for parts, _ in wrong)
+    if wrong and all(parts == actual for parts, (_, actual) in zip(turned, wrong, strict=True)):
+        return "In each part of this result, the first and the last value are exchanged."
+    return ""
 
 
 def _one_value_for_another(arrays):

@@ -102,13 +102,13 @@ class NamesRead:
         self._namespace, self._runs = globals_of(answer), runs or CellRuns()
         self._answer, self._name = answer, getattr(answer, "__name__", "")
         self.names: dict = {}
-        self._uses: list = []  # (module, the name that is used of it)
-        waiting = deque(self._needs(self._name, answer))
+        self._uses: list = []  # (module, the name that is used of it, what says by what)
+        waiting = deque((names, "") for names in self._needs(self._name, answer))
         while waiting:  # first what the answer itself reads
-            names = waiting.popleft()
-            self._uses += [(module, module) for module in sorted(names.imports)]
+            names, way = waiting.popleft()
+            self._uses += [(module, module, way) for module in sorted(names.imports)]
             for name in sorted(names.reads - self.names.keys()):
-                waiting += self._read(name)
+                waiting += [(needed, "a value or function that needs ") for needed in self._read(name, way)]
 
     def _needs(self, name, value):
         """The NamesUsed of the functions of a value of the notebook, and of the statements that bound it."""
@@ -116,25 +116,25 @@ class NamesRead:
         own = [one.__code__ for one in functions if one.__globals__ is self._namespace]
         return [*map(names_in, own), *(names for names in self._runs.run_of(name) if name in names.binds)]
 
-    def _read(self, name):
+    def _read(self, name, way):
         """Note a name; each NamesUsed by which it got its value, or that a call runs."""
         if name not in self._namespace:
             if not hasattr(builtins, name) and importlib.util.find_spec(name):
-                self._uses.append((name, name))  # it raises NameError, and an import would not help
+                self._uses.append((name, name, way))  # it raises NameError, and an import would not help
             return []
         value = self.names[name] = self._namespace[name]
         if isinstance(value, _NO_VALUES):
             module = value.__name__ if isinstance(value, types.ModuleType) else value.__module__ or "builtins"
             if module != self._namespace.get("__name__"):
-                self._uses.append((module, name))
+                self._uses.append((module, name, way))
         return self._needs(name, value)
 
     def refused(self, allowed, given=frozenset()):
         """{module that an exercise does not allow: what the answer uses of it}."""
         found: dict[str, str] = {}
-        for path, name in self._uses:
+        for path, name, way in self._uses:
             if name not in given and (module := refused_module(path, allowed)):
-                found.setdefault(module, module if name.startswith(module) else f"{name} of {module}")
+                found.setdefault(module, way + (module if name.startswith(module) else f"{name} of {module}"))
         return found
 
     def values(self, given):

@@ -33,6 +33,7 @@ _QUESTIONS |= {"abs": "is its sign needed?", "sqrt": "is the root needed?"}
 _NEEDED = re.compile(rf"{'|'.join(_QUESTIONS)}|sin|cos|u?int\d+|float\d+")
 _ALIKE = "int round floor ceil, min max, argmin argmax, minimum maximum, sin cos, any all, sum mean"
 _ALIKE += ", zeros ones, std var, append extend, log log10 log2, atan atan2, argsort sort"
+_BEGINNING = re.compile(r"[\d., ()\[\]{}-]+|-?(np|math)\.inf|float\('-?inf'\)|None")  # of a loop
 _COMPARISONS: dict[type[ast.cmpop], tuple[tuple[type[ast.cmpop], str], ...]] = {
     ast.Lt: ((ast.LtE, _LIMIT), (ast.Gt, _DIRECTION)),
     ast.LtE: ((ast.Lt, _LIMIT), (ast.GtE, _DIRECTION)),
@@ -145,9 +146,12 @@ def _find_change(function, passes, task):
 
 
 def _tree(source, numbers):
-    """The tree of a function, with the numbers that its task names; to parse is faster than to copy."""
+    """The tree of a function, with the numbers of its task, and the values from which it counts on."""
     (tree,) = ast.parse(source).body
-    vars(tree)["numbers"] = numbers
+    counted = [ast.unparse(node.target) for node in ast.walk(tree) if isinstance(node, ast.AugAssign)]
+    assigned = [node for node in ast.walk(tree) if isinstance(node, ast.Assign)]
+    starts = [node.value for node in assigned if ast.unparse(node.targets[0]) in counted]
+    vars(tree).update(numbers=numbers, starts=starts)
     return tree
 
 
@@ -264,7 +268,7 @@ def _assigned(node, tree):
         yield "should it come after the next line?", _moving(node, block, block, block.index(node) + 1)
     if block and isinstance(node.value, ast.Constant):
         yield "is this number right?", _setting(node.value, value=math.inf)
-    if isinstance(node, ast.Assign) and re.fullmatch(r"[\d., ()\[\]]+", ast.unparse(node.value)):
+    if isinstance(node, ast.Assign) and _BEGINNING.fullmatch(ast.unparse(node.value)):
         for loop in (part for part in ast.walk(tree) if isinstance(part, ast.For | ast.While)):
             if any(loop in ast.walk(part) for part in below):
                 yield _ROUNDS, _moving(node, block, loop.body)
@@ -388,7 +392,7 @@ def _call_arguments(node, name):
 
 
 def _constant(node, tree):
-    value = node.value if isinstance(node, ast.Constant) else None
+    value = node.value if isinstance(node, ast.Constant) and node not in tree.starts else None
     if isinstance(value, int | float) and not isinstance(value, bool):
         for number in (value + 1, value - 1, -value, 2 * value, value / 2, value * value):
             if value or number > 0:

@@ -131,10 +131,8 @@ def _slip(node):
             return "value beside or"
         case ast.Expr(value=ast.Call(func=ast.Attribute(attr=name))) if name in _NOT_IN_PLACE:
             return "result not kept"
-        case ast.Expr() if _NEW.fullmatch(ast.unparse(node)):
+        case ast.Expr() if isinstance(node.value, ast.BinOp) or _NEW.fullmatch(ast.unparse(node)):
             return "result not kept"
-        case ast.Assign(targets=[ast.Name(), ast.Subscript()]):
-            return "two names for a value"
         case ast.BinOp(op=ast.LShift() | ast.RShift(), right=ast.BinOp(op=ast.Add() | ast.Sub())):
             return "shift of a sum"
         case ast.For() if _only_sets(node):

@@ -115,6 +115,8 @@ VALUES = [
     (SIGNED, -SIGNED, "All signs are exchanged"),
     (SIGNED, SIGNED * np.int32([1, -1, 1, 1, 1, 1]), "Only signs are wrong"),
     (SIGNED, np.abs(SIGNED), "negative values must stay negative, without abs()"),
+    ([1, 2, 3], [3, 2, 1], "Your result is the other way round"),
+    ([(1, 2), (3, 3)], [(2, 1), (3, 3)], "In each part of this result, the first and the last value"),
     (MASK, ~MASK, "True and False are exchanged."),
     (GRAY[:5, :5], GRAY[:5, :5].T, "Rows and columns are exchanged"),
     (SIGNED, SIGNED[:, ::-1], "mirrored from left to right"),

@@ -45,6 +45,13 @@ CASES = {
         "9 in low = 9",
         "is this number right?",
     ),
+    "a value in each round": (
+        "def f(a):\n    b = []\n    least = np.inf\n    for c in a:\n        for d in c:\n"
+        "            least = min(d, least)\n        b.append(least)\n    return b",
+        [(([[1, 2], [4, 3]],), [1, 3])],
+        "least = np.inf",
+        "in each round of the loop?",
+    ),
     "a number": ("def f(a):\n    return a[1:-1]", [(([1, 2, 3],), [1, 2])], "line 2", "1 in return a[1:-1]"),
     "a square": ("def f(a):\n    return 16 - a", [((0,), 256)], "line 2", "16 in return 16 - a"),
     "the names of a shape": (

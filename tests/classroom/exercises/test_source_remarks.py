@@ -26,7 +26,7 @@ def remarks(source, errors=()):
             "b is what the function gets, and b = a > 3 replaces it before it is",
         ),
         ("a[b] == 9\n    return a", "a[b] == 9 stands alone: it compares, and nothing is done"),
-        ("c = a[b] = 9\n    return c", "c = a[b] = 9 gives the value on the right to each name on its left"),
+        ("a & (b > 3)\n    return a", "a & (b > 3) gives a new value and changes nothing: keep it"),
         ("return a << b + 1", "In a << b + 1 the sum is computed before the shift."),
         ("sorted(a)\n    return a", "sorted(a) gives a new value and changes nothing: keep it"),
         (
