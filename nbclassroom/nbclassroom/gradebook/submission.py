@@ -21,6 +21,7 @@ from ..authoring.lesson_names import lesson_name, lessons_named
 from ..autograder.sanitize import sanitize_line
 from ..exercises.cell_syntax import plain_python, program_lines
 from ..exercises.error_advice import advice_on
+from ..exercises.page import page_of
 from ..exercises.source_remarks import SAYS, STUB_LINE
 from . import submission_reader
 from .submission_reader import MOST_CHARACTERS
@@ -117,7 +118,7 @@ def read_submission(data, catalog, reader, name=""):
         content.add(f"it was made from {version}")
     answers = _answer_cells(cells, lesson, reader, content)
     for exercise in lesson.exercises:
-        content.states[exercise.id] = state = _inspect_answer(exercise, answers[exercise.id], content)
+        content.states[exercise.id] = state = _inspect_answer(exercise, content, *answers[exercise.id])
         for cell in cells if state is AnswerState.NOT_ATTEMPTED else ():
             if cell["type"] != "code" and exercise.function in cell["names"]:
                 text = f"its answer is in a text cell ({_place(cell)}), which does not run"
@@ -132,27 +133,16 @@ def read_submission(data, catalog, reader, name=""):
     return content
 
 
-@dataclass(frozen=True)
-class AnswerCells:
-    """The cells of an exercise: the one that counts as its answer, or None, and others.
-
-    marked   those that are marked as the answer cell, by id or metadata
-    others   those that define the function, too
-    """
-
-    cell: dict | None
-    is_answer: bool  # whether it defines the function, and not as the stub
-    marked: list
-    others: list
-
-
 def _answer_cells(cells, lesson, reader, content):
-    """{exercise id: its AnswerCells}; takes the page."""
+    """{exercise id: (cells that define its function, and not as the stub; those marked as its answer cell)}.
+
+    The first one of all counts. Takes the page.
+    """
     asked = [[one.id, one.function, one.stub] for one in lesson.exercises]
     page, places, shapes = reader.page(lesson.cells, asked)
     if page is None:
         content.add("finding out what is graded takes too much time or memory", kind="odd")
-        page, places, shapes = content.page, {id: [] for id, *_ in asked}, {}
+        page, places, shapes = page_of({}, lesson), {id: [] for id, *_ in asked}, {}
     content.page, content.shapes = page, shapes
     for file in [cell["file"] for cell in page["cells"] if re.match(r"/|.*\.\.", cell["file"])]:
         content.add(f"it tried to write files ({sanitize_line(file, 80)})", kind="hostile")
@@ -163,7 +153,7 @@ def _answer_cells(cells, lesson, reader, content):
         if exercise.kind.graded_by_person:
             marked.sort(key=lambda cell: (_is_open(cell, exercise) > exercise.figure, cell["by_place"]))
         answers = [by_number[number] for number in places[exercise.id]]
-        found[exercise.id] = AnswerCells([*answers, *marked, None][0], bool(answers), marked, answers[1:])
+        found[exercise.id] = answers, marked
     return found
 
 
@@ -221,9 +211,9 @@ def _most(sets):
     return keys[0] if len(keys) == 1 else None
 
 
-def _inspect_answer(exercise, answer, content):
+def _inspect_answer(exercise, content, answers, marked):
     """Add what is unusual about an exercise's answer, and return its AnswerState."""
-    cell = answer.cell
+    cell = next(iter([*answers, *marked]), None)
     if cell is None:
         content.add(f"its answer cell (answer-{exercise.id}) is missing", exercise.id)
         return AnswerState.MISSING
@@ -236,33 +226,33 @@ def _inspect_answer(exercise, answer, content):
             text = f"graded from the cell above its check ({_place(cell)}), which is not its answer cell"
             content.add(f"{text} (answer-{exercise.id})", exercise.id)
         return AnswerState.NOT_ATTEMPTED if is_open else AnswerState.ANSWERED
-    problem, is_slip = _problem(exercise, answer)
+    problem, is_slip = _problem(exercise, cell, answers, marked)
     if problem:
         content.add(problem, exercise.id, "message" if is_slip else "answer")
         return AnswerState.BROKEN
-    if cell in answer.marked:
+    if cell in marked:
         is_stub = cell["source"].strip() == exercise.stub.strip()
         if not is_stub and exercise.function in cell["answer"]["stub_lines"]:
             content.add(f"{exercise.answer_name}: {STUB_LINE}", exercise.id)
-        if is_stub or not answer.is_answer:
+        if is_stub or not answers:
             return AnswerState.NOT_ATTEMPTED
-    _report_place(exercise, answer, content)
+    _report_place(exercise, cell, answers, marked, content)
     for line, code in program_lines(plain_python(cell["source"])):
         text = SAYS["line of a program"].format(line=line, code=sanitize_line(code, 80))
         content.add(text[0].lower() + text[1:].rstrip("."), exercise.id)
     return AnswerState.ANSWERED
 
 
-def _problem(exercise, answer):
+def _problem(exercise, cell, answers, marked):
     """(Why an answer cannot get its points, whether a slip may be the cause), ("", False) if it can."""
-    cell, source = answer.cell, answer.cell["source"]
+    source = cell["source"]
     if len(source or "") > MOST_CHARACTERS:
         return f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded", True
-    if not answer.is_answer and cell["type"] != "code":
+    if not answers and cell["type"] != "code":
         return f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", True
     if source is None:
         return "the source of its answer cell is not text", True
-    if cell not in answer.marked or source.strip() == exercise.stub.strip():
+    if cell not in marked or source.strip() == exercise.stub.strip():
         return "", False
     if all(not line or line.startswith("#") for line in map(str.strip, source.splitlines())):
         return "its answer cell is empty", False
@@ -285,19 +275,19 @@ def _syntax_problem(line, text, message):
     return f"{problem}. {advice}".rstrip(". ")
 
 
-def _report_place(exercise, answer, content):
+def _report_place(exercise, cell, answers, marked, content):
     """Report an answer that does not stand where it was handed out, or not there alone."""
     name = exercise.answer_name
-    if answer.cell not in answer.marked and not any(cell in answer.marked for cell in answer.others):
-        missing = "" if answer.marked else f": its answer cell (answer-{exercise.id}) is missing"
-        content.add(f"graded from {_place(answer.cell)}, which defines {name}{missing}", exercise.id)
-    elif answer.cell["type"] != "code" and answer.cell in answer.marked:
-        text = f"its answer cell is a {_kind(answer.cell)} cell; its text is graded"
+    if not any(one in marked for one in [cell, *answers]):
+        missing = "" if marked else f": its answer cell (answer-{exercise.id}) is missing"
+        content.add(f"graded from {_place(cell)}, which defines {name}{missing}", exercise.id)
+    elif cell["type"] != "code" and cell in marked:
+        text = f"its answer cell is a {_kind(cell)} cell; its text is graded"
         content.add(f"{text} (key Y makes it code again)", exercise.id)
     # The answer of another exercise may hold this one again, which it calls.
-    others = [cell for cell in answer.others if "answer" not in cell or cell in answer.marked]
+    others = [one for one in answers[1:] if "answer" not in one or one in marked]
     if others:
-        graded, *places = map(_place, [answer.cell, *others[:_MOST_NAMES]])
+        graded, *places = map(_place, [cell, *others[:_MOST_NAMES]])
         text = f"{graded} is graded, and not {', '.join(places)}"
         content.add(f"{len(others) + 1} cells define {name}: {text}", exercise.id)
 

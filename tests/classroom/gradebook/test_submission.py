@@ -389,6 +389,8 @@ def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answ
         slow = {f"answer-{number}": "x = 1\n" * 30_000 for number in range(6)}
         assert reader.read(cells_as_notebook(slow)) == (None, NOT_READ_IN_TIME)
         assert read_submission(data, answer_keys, reader).reason == ""
+        reader.page = lambda *_: (None, None, None)  # as if this took too long
+        assert read_submission(data, answer_keys, reader).answers == {}
     with NotebookReader() as reader:
         reader.read(b"{}")
         reader._process.kill()
