@@ -151,21 +151,19 @@ def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
         try:
             process = nbval_process.nbval_process_of_thread(unsafe, limits)
             result = from_json(process.grade(key, *submission))
+            if not result.has_fault:
+                return result
+            process.stop()
         except nbval_process.NbvalProcessNotStarted:
-            attempts += 1
-            if attempts == _ATTEMPTS:
+            if attempts + 1 == _ATTEMPTS:
                 raise
         except nbval_process.NbvalProcessKilled as error:
             kills += 1
             result = _not_graded(key, submission, f"the nbval process was killed {kills} times: {error}")
-        except nbval_process.NbvalProcessEnded as error:
-            attempts += 1  # an earlier submission must not cost this one anything
+            continue
+        except nbval_process.NbvalProcessEnded as error:  # perhaps by an earlier submission
             result = _not_graded(key, submission, f"the nbval process ended: {error}")
-        else:
-            if not result.has_fault:
-                return result
-            attempts += 1
-            process.stop()
+        attempts += 1
     return result
 
 
