@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from ..exercises.document import Html, Paragraphs
 from ..exercises.error_advice import advice_on
 from ..exercises.feedback import blocks_of
-from ..exercises.judging import CheckResult, judge
+from ..exercises.judging import judge
 from .outcomes import PHRASES, Outcome
 from .sanitize import reproducible_text, sanitize_text
 
@@ -27,37 +27,29 @@ class PageHtml(Html):
 
 @dataclass(frozen=True)
 class CheckedAnswer:
-    """The CheckResults of a graded answer: the public checks, and the hidden ones for whom they are shown."""
+    """What somebody may see of a graded answer: sentences on all checks, and CheckResults."""
 
-    remarks: tuple  # sentences on all checks
-    public: CheckResult
-    hidden: CheckResult
-    hidden_for_learner: CheckResult
+    remarks: tuple
+    results: tuple
 
-    def for_learner(self):
-        """The checks as HTML: of a hidden one only its title, how it ended, and its hint."""
-        return self._html(self.public, self.hidden_for_learner)
-
-    def for_teacher(self):
-        """The checks as HTML, with all values."""
-        return self._html(self.public, self.hidden)
+    def html(self):
+        return "".join(block.html(PageHtml()) for block in self._blocks())
 
     def plain(self):
-        """The public checks as text."""
-        text = "\n".join(filter(None, (block.plain() for block in self._blocks(self.public))))
+        text = "\n".join(filter(None, (block.plain() for block in self._blocks())))
         return sanitize_text(text, 10 * _LONGEST)
 
-    def _html(self, *results):
-        return "".join(block.html(PageHtml()) for block in self._blocks(*results))
-
-    def _blocks(self, *results):
+    def _blocks(self):
         yield from map(Paragraphs, self.remarks)
-        for result in results:
+        for result in self.results:
             yield from blocks_of(result, graded=True)
 
 
-def checked_answer(exercise, cases, runs, mistake, message, *, advises=True):
-    """The CheckedAnswer of GradedCases and of {id of a case: CaseRun}; `message` is about the cell."""
+def checked_answers(exercise, cases, runs, mistake, message, *, advises=True):
+    """The CheckedAnswers for the learner and for the teacher, of GradedCases and {id of a case: CaseRun}.
+
+    The learner's has only the title, the ending and the hint of a hidden case. `message` is about the cell.
+    """
     graded, is_said = {case.id: case for case in cases}, _ended_alike(cases)
     public = _result(replace(exercise, cases=exercise.public), graded, runs, mistake, is_said=is_said)
     shown = public.shown
@@ -73,7 +65,8 @@ def checked_answer(exercise, cases, runs, mistake, message, *, advises=True):
         replace(result, failed_call=None, reason=result.reason + hint)
         for result, hint in zip(hidden.results, hints, strict=True)
     )
-    return CheckedAnswer(remarks, public, hidden, replace(hidden, results=told, calls=()))
+    for_learner = replace(hidden, results=told, calls=())
+    return CheckedAnswer(remarks, (public, for_learner)), CheckedAnswer(remarks, (public, hidden))
 
 
 def _ended_alike(cases):
@@ -88,7 +81,7 @@ def _result(exercise, graded, runs, mistake, *, is_said):
     """The CheckResult of some cases of an exercise; `is_said`: how all of them ended is said above."""
     untold = {*_NO_CALL} | ({Outcome.TIME} if exercise.kind.expects_values else set())
     by_call = [case for case in exercise.cases if case.id in runs and graded[case.id].outcome not in untold]
-    calls = [_readable(call) for case in by_call for call in runs[case.id].verdict.case_calls(exercise, case)]
+    calls = [_readable(call) for case in by_call for call in runs[case.id].verdict.calls]
     result = judge(exercise, calls, mistake)
     cases = [graded[case.id] for case in exercise.cases]
     results = [
@@ -118,10 +111,12 @@ def _ending(case, *, is_said):
 
 
 def _sentence(text):
-    """The text with a capital, unless it begins with a name such as my_psnr(), and with a full stop."""
-    first = text.split(" ", 1)[0]
-    end = "" if text.endswith((".", "?", ")")) or not text else "."
-    return (text[:1].upper() + text[1:] if first.rstrip(":,").isalpha() else text) + end
+    return capital(text) + ("" if text.endswith((".", "?", ")")) or not text else ".")
+
+
+def capital(text):
+    """The text with a capital, unless it begins with a name such as my_psnr()."""
+    return text[:1].upper() + text[1:] if text.split(" ", 1)[0].rstrip(":,").isalpha() else text
 
 
 def _note(case):

@@ -28,7 +28,7 @@ from . import answer_key
 from .sandbox import bubblewrap
 from .sandbox.fork_server_client import KernelFactory
 from .sandbox.inside.check_cell import call_to_json
-from .verdict import read_answer, read_calls, verdict_on
+from .verdict import read_answer, read_calls
 
 _SECONDS_PER_EXERCISE = 1.6  # while two run, fitted to the course's own lessons
 _AT_A_TIME = 2
@@ -138,11 +138,11 @@ def _numpy_seed(seed):
 
 
 def _verdict_with(exercise, partner):
-    """The verdict of what the solution's check talks to, in a kernel like those that grade."""
+    """The record of what the solution's check talks to, in a kernel like those that grade."""
     about = f"{exercise.master.name}: the solution of {exercise.id}"
     with _kernel_after_solution(exercise, partner.cpu_seconds, about) as kernel:
         _require_run(kernel.run_with(exercise.kind.check_source(exercise), partner), about)
-    return partner.verdict()
+    return partner.record()
 
 
 @contextlib.contextmanager
@@ -180,9 +180,10 @@ def _solve(known, exercise, case):
         if not _is_whole(call.value):
             kind = call.value["type"]
             raise MasterError(f"{about} returns nothing that can be compared: a value of type {kind}")
-    if not verdict_on(run.answers, [call.value for call in calls], case.tolerance).passed:
+    expected = [*map(ExpectedCall, drawn, calls)]
+    if not all(exercise.judge(case, one, one.result).passed for one in expected):
         raise MasterError(f"{about} does not equal itself")
-    return map(ExpectedCall, drawn, calls)
+    return expected
 
 
 def _results_of(exercise, mistake, cases):

@@ -4,7 +4,7 @@ What nbval does: it collects each exercise's notebook, whose stored outputs are 
 sends the cells to what it takes for its kernel, reads the messages that come back, and compares each output
 with the stored one. A wrong answer is a cell that nbval lets fail, and costs its points for that reason.
 What ours does: `ExerciseKernel` takes the place of nbval's kernel and runs the cells in the sandbox; and
-where nbval compares (`stored != shown`), `StoredAnswer` is our comparison, with the case's tolerance.
+where nbval compares (`stored != shown`), a CaseRun is what was shown, and `==` is our comparison.
 """
 
 import json
@@ -22,7 +22,7 @@ from .answer_key import expected_key
 from .outcomes import Outcome
 from .sandbox.cell_run import MIME, CellRun
 from .sanitize import reproducible_text
-from .verdict import CaseRun, StoredAnswer
+from .verdict import CaseRun, verdict_on
 from .written_answer import figure_html
 
 # A kernel that ended like this may have been ended by something else than the answer. It is run again, alone:
@@ -192,50 +192,44 @@ class ExerciseRun:
         self._drives_too_long = False
         self.stop_at = stop_at  # on time.monotonic(): then no further case is run; robots' time is added
         self.runs = {}  # {case id: CaseRun}
-        self.passed = set()  # ids of the cases that nbval let pass
         self.faults = {}  # {case id: text} of the cases that the autograder itself failed to run
 
     def run(self, case, source):
         if time.monotonic() > self.stop_at or self._drives_too_long:
             run = CaseRun(check=CellRun(ended="budget"))
         else:
-            run = self._run_in_same_process(case, source)
-            if run is None or run.ended:
-                run = self._run_in_new_process(case, source)
-                for endings in _RUN_AGAIN_AFTER:
-                    if run.ended in endings:
-                        run = self._run_in_new_process(case, source, alone=True)
+            kind = self.exercise.kind
+            if not kind.shares_kernel or self._seconds > kind.seconds_of(self.exercise, case):
+                self.close()  # the process would have more time than a new one
+            was_open = self._process is not None
+            run = self._run_once(case, source)
+            if run.ended and was_open:
+                run = self._run_once(case, source)
+            for endings in _RUN_AGAIN_AFTER:
+                if run.ended in endings:
+                    run = self._run_once(case, source, alone=True)
         if run.ended == "gone":
             self.faults[case.id] = "the process that starts kernels ended, three times"
         else:
             self.runs[case.id] = run
         return run
 
-    def _run_in_same_process(self, case, source):
-        """A CaseRun, or None. The process must not have more time than a new one would."""
-        kind = self.exercise.kind
-        process = self._process if kind.shares_kernel else None
-        if process is None or self._seconds > kind.seconds_of(self.exercise, case):
-            return None
-        return self._run_checks(process, self._answer_run, case, source)
+    def _run_once(self, case, source, *, alone=False):
+        """A CaseRun, in a new process if none is open; `alone` is as in `PageKernels.open_check`.
 
-    def _run_in_new_process(self, case, source, *, alone=False):
-        """A CaseRun; `alone`: while no other kernel waits, which could use memory that this one needs."""
-        self.close()
-        self._seconds = self.exercise.kind.seconds_of(self.exercise, case)
-        self._process, answer_run = self._kernels.open_check(self.exercise, self._seconds, alone=alone)
-        self._answer_run = answer_run
-        return self._run_checks(self._process, answer_run, case, source)
-
-    def _run_checks(self, process, answer_run, case, source):
-        """A CaseRun; only where a name is missing, the cells below count, and the check runs again."""
-        run = CaseRun(answer=answer_run)
+        Only where a name is missing, the cells below count, and the check runs again.
+        """
+        if self._process is None:
+            self._seconds = self.exercise.kind.seconds_of(self.exercise, case)
+            opened = self._kernels.open_check(self.exercise, self._seconds, alone=alone)
+            self._process, self._answer_run = opened
+        process, run = self._process, CaseRun(answer=self._answer_run)
         if not run.ended:
             self._run_check(process, run, case, source)
         if not run.ended and not run.passed and results.missing_name(run)[0]:
             process.run_below("")
             self._run_check(process, run, case, source)
-        if run.ended or getattr(run.verdict.call, "timed_out", False):
+        if run.ended or run.verdict.result.timed_out:
             self.close()
         return run
 
@@ -246,19 +240,15 @@ class ExerciseRun:
         if partner is None:
             inputs = [encode(call.arguments) for call in case.calls]
             run.check = process.run_check(source, inputs, exercise.time_limit)
+            if not run.ended:
+                run.verdict = verdict_on(exercise, case, run.check.answers)
         else:
             run.check = process.run_with(source, partner)
             run.told, run.check.answers = run.check.answers, []  # what the kernel showed decides nothing
             self._drives_too_long = run.check.ended == "time" or partner.is_slow
             self.stop_at += partner.seconds
-            run.verdict, run.is_measured = partner.verdict(), True
+            run.verdict = partner.verdict(case)
         self._kernels.note_attempts(run.check, exercise.id)
-        if not run.ended:
-            run.verdict = self.stored(case).verdict(run)
-
-    def stored(self, case):
-        expected = [call.result.value for call in case.calls]
-        return StoredAnswer(expected, case.tolerance, self.exercise.exact_type)
 
     def close(self):
         if self._process is not None:
@@ -329,16 +319,14 @@ class GradingPlugin:
         cases = {case.id: case for case in exercise.cases}
         (notebook,) = self._session.config.hook.pytest_collect_file(file_path=path, parent=self._session)
         items = list(notebook.collect())
-        for item in items:
-            if item.cell.id in cases:
-                item.cell.outputs[0].data[MIME] = exercise_run.stored(cases[item.cell.id])
         for item, next_item in zip(items, [*items[1:], None], strict=True):
             self._exercise_kernel.case = cases.get(item.cell.id)
             self._phases, self._exception = [], None
             item.ihook.pytest_runtest_protocol(item=item, nextitem=next_item)
-            if self._phases == ["setup passed", "call passed", "teardown passed"]:
-                exercise_run.passed.add(item.cell.id)
-            elif item.cell.id in cases.keys() - exercise_run.runs.keys():
+            let_pass = self._phases == ["setup passed", "call passed", "teardown passed"]
+            if item.cell.id in exercise_run.runs:
+                exercise_run.runs[item.cell.id].let_fail = not let_pass
+            elif item.cell.id in cases:
                 exercise_run.faults.setdefault(item.cell.id, self._exception or "nbval did not run it")
             item.cell = None
         notebook.nb = None

@@ -17,11 +17,11 @@ from itertools import chain
 import msgspec
 
 from ..exercises.kinds.node.recording_node import UNKNOWN_PART
-from ..exercises.running import attempt
-from .checked_answer import checked_answer
+from ..exercises.running import Verdict, attempt
+from .checked_answer import checked_answers
 from .outcomes import BUDGET_MESSAGE, CELL_FAILS, PHRASES, Outcome
 from .sanitize import reproducible_text
-from .verdict import CaseRun, Verdict
+from .verdict import CaseRun
 from .written_answer import rendered_text
 
 _MISSING = re.compile(
@@ -118,7 +118,7 @@ def from_json(data):
 def ungraded_exercise(exercise, outcome, message):
     """The GradedExercise of an exercise that was not run: the outcome of all its cases, and why."""
     cases = tuple(_graded_case(case, outcome) for case in exercise.cases)
-    return _with_pages(*_checked(exercise, cases, {}, None, message))
+    return _with_pages(*_checked(exercise, cases, {}, message))
 
 
 def open_exercise(exercise, source, figure=""):
@@ -137,40 +137,36 @@ def graded_exercises(exercise_runs, page, tried):
     """{id: GradedExercise} of {id: ExerciseRun} of one page, whose cases all have run."""
     causes = _causes(exercise_runs, page)
     hostile = {id for id, _ in tried}
-    graded = {}
-    for id, run in exercise_runs.items():
-        about = causes.get(id, ("", "")), bool(hostile & {id, ""})
-        graded[id] = _with_pages(*checked_exercise(run.exercise, run, *about))
-    return graded
+    return {
+        id: _with_pages(*checked_exercise(run, causes.get(id, ("", "")), is_hostile=bool(hostile & {id, ""})))
+        for id, run in exercise_runs.items()
+    }
 
 
-def checked_exercise(exercise, exercise_run, cause=("", ""), is_hostile=False):
-    """(the GradedExercise of an exercise whose cases all have run, without pages, its CheckedAnswer).
+def checked_exercise(exercise_run, cause=("", ""), *, is_hostile=False):
+    """(the GradedExercise of an exercise whose cases all have run, without pages, its CheckedAnswers).
 
     A cause, see `_causes`, replaces the calls. A hostile answer gets no advice about its loops.
     """
-    runs = exercise_run.runs
+    exercise, runs, (why, told_by) = exercise_run.exercise, exercise_run.runs, cause
     cases = tuple(_case_of_run(exercise, case, exercise_run) for case in exercise.cases)
+    if why:
+        return _checked(exercise, cases, {}, reproducible_text(why), cause=told_by, advises=False)
     mistake = None if all(case.passed for case in cases) else _known_mistake(exercise, runs)
     advises = not (is_hostile and cases[0].outcome in (Outcome.TIME, Outcome.MEMORY))
     error = next(iter(runs.values()), CaseRun()).answer.error  # it costs nothing if the function is defined
     text = f"a statement in its cell fails: {_exception_text(*error)}" if error[0] else ""
-    about = runs, mistake, text
-    why, told_by = cause
-    if why:
-        about, advises = ({}, None, reproducible_text(why)), False
-    graded, answer = _checked(exercise, cases, *about, advises=advises)
-    return replace(graded, cause=told_by), answer
+    return _checked(exercise, cases, runs, text, mistake, cause=told_by, advises=advises)
 
 
-def _checked(exercise, cases, runs, mistake, message, *, advises=True):
+def _checked(exercise, cases, runs, message, mistake=None, *, cause="", advises=True):
     name, says = (mistake.name, mistake.says) if mistake else ("", "")
-    graded = GradedExercise(exercise.id, exercise.title, exercise.points, cases, name, says, message)
-    return graded, checked_answer(exercise, cases, runs, mistake, message, advises=advises)
+    graded = GradedExercise(exercise.id, exercise.title, exercise.points, cases, name, says, message, cause)
+    return graded, checked_answers(exercise, cases, runs, mistake, message, advises=advises)
 
 
-def _with_pages(graded, answer):
-    body, review = (attempt(html, NO_DETAILS, 10) for html in (answer.for_learner, answer.for_teacher))
+def _with_pages(graded, answers):
+    body, review = (attempt(answer.html, NO_DETAILS, 10) for answer in answers)
     return replace(graded, body=body, review=review)
 
 
@@ -179,10 +175,9 @@ def _known_mistake(exercise, runs):
 
     `check` knows the answer's source, and leaves out a mistake whose advice the answer follows already.
     """
-    done = [case for case in exercise.cases if case.id in runs]
-    calls = {case.id: runs[case.id].verdict.case_calls(exercise, case) for case in done}
+    calls = {id: run.verdict.calls for id, run in runs.items()}
     for cases in (exercise.public, exercise.cases):
-        own = [calls.get(case.id, []) for case in cases]
+        own = [calls.get(case.id, ()) for case in cases]
         mistake = all(own) and exercise.kind.known_mistake(exercise, [*chain(*own)])
         if mistake:
             return mistake
@@ -202,15 +197,15 @@ def _case_of_run(exercise, case, exercise_run):
         return _graded_case(case, Outcome.NOT_GRADED, reproducible_text(f"the autograder failed: {fault}"))
     run = exercise_run.runs[case.id]
     verdict, outcome, message = run.verdict, Outcome.PASSED, ""
-    if case.id not in exercise_run.passed:
-        outcome, message = _outcome_of_run(exercise, case, run)
+    if not run.passed:
+        outcome, message = _outcome_of_run(exercise, run)
         message = _message_of_hidden(outcome, message, verdict) if case.hidden else message
     if verdict.measured:
         message = f"{message.rstrip('.')} ({verdict.measured})" if message else verdict.measured
     return _graded_case(case, outcome, message)
 
 
-def _outcome_of_run(exercise, case, run):
+def _outcome_of_run(exercise, run):
     """(Outcome, message) of a case that did not pass."""
     if run.ended == "budget":
         return Outcome.TIME, BUDGET_MESSAGE
@@ -224,26 +219,26 @@ def _outcome_of_run(exercise, case, run):
         return Outcome.RAISED, _exception_text(*error)
     if error[0]:
         return Outcome.HOSTILE, Verdict().forged
-    return _outcome_of_verdict(exercise, case, run.verdict)
+    return _outcome_of_verdict(exercise, run.verdict)
 
 
 def _at(message, verdict):
     return f"{message}, {verdict.when}" if verdict.when else message
 
 
-def _outcome_of_verdict(exercise, case, verdict):
+def _outcome_of_verdict(exercise, verdict):
     if verdict.passed:
         return Outcome.NOT_GRADED, "it is right, but nbval did not let it pass: look at it by hand"
-    call = verdict.call
-    if call and call.timed_out:
+    call = verdict.result
+    if call.timed_out:
         text = f"{exercise.answer_name} used more than {exercise.time_limit:g} s of processor time"
         return Outcome.TIME, _at(call.message or text, verdict)
-    if call and call.error:
+    if call.error:
         outcome, message = _outcome_of_exception(exercise, call)
         return outcome, _at(message, verdict) if outcome == Outcome.RAISED else message
     if verdict.forged:
         return Outcome.HOSTILE, reproducible_text(verdict.forged)
-    failed = next(one for one in verdict.case_calls(exercise, case) if not one.passed)
+    failed = next(one for one in verdict.calls if not one.passed)
     return Outcome.WRONG, reproducible_text(exercise.kind.explain(exercise, failed)).replace("\n", " ")
 
 
@@ -310,9 +305,8 @@ def _causes(exercise_runs, page):
 
 def missing_name(run):
     """(the name that a call or the check cell of a CaseRun misses, "" if none, the error's text)."""
-    calls = getattr(run.verdict, "calls", None) or ()
     ends = [run.answer.error, run.check.error] if run.check.error[0] else []
-    ends += [(call.error, call.message) for call in calls]
+    ends += [(one.result.error, one.result.message) for one in run.verdict.calls if not one.record]
     text = next((text for error, text in ends if error in ("NameError", "RefusedModule")), "")
     match = _MISSING.match(text)
     return next(filter(None, match.groups())) if match else "", text

@@ -16,8 +16,7 @@ import msgspec
 import numpy as np
 
 from ..exercises.canonical import MOST_CHARACTERS, MOST_INT_BITS, PLAIN_TYPES, SCALARS
-from ..exercises.comparison import compare
-from ..exercises.running import CallResult
+from ..exercises.running import CallResult, Verdict
 from .sandbox.cell_run import CellRun
 
 _MOST_DEPTH = 10  # one more than `canonical` writes
@@ -32,46 +31,19 @@ _SPECIAL = ("nan", "inf", "-inf")
 _DIGEST = re.compile(r"[0-9a-f]{64}")
 
 
-@dataclass(frozen=True)
-class Verdict:
-    calls: list | None = None  # of CallResult; None: the check cell showed no well-formed answer, or several
-    failed_call: int | None = None  # index of the first call that did not do what the key expects
-
-    # What a partner measures is told of hidden cases, too (see `kinds.drive.graded.DriveVerdict`).
-    when, measured, told_of_hidden = "", "", ""
-
-    @property
-    def passed(self):
-        return self.calls is not None and self.failed_call is None
-
-    @property
-    def call(self):
-        """The CallResult of the call that failed, or None."""
-        calls, number = self.calls or [], self.failed_call
-        return calls[number] if number is not None and number < len(calls) else None
-
-    @property
-    def forged(self):
-        """Why no honest check shows this, "" if one does."""
-        if self.calls is None:
-            return "its check cell showed something else than what the function returned"
-        is_other = self.failed_call is not None and self.call is None
-        return "its check cell reported other calls than were made" if is_other else ""
-
-    def case_calls(self, exercise, case):
-        pairs = zip(case.calls, self.calls or (), strict=False)
-        return [exercise.judge(case, expected, result) for expected, result in pairs]
-
-
-@dataclass
+@dataclass(eq=False)
 class CaseRun:
-    """One test case in its kernel: how the answer cell and then the check cell ended, and the verdict."""
+    """One test case in its kernel: how the answer cell and then the check cell ended, and the verdict.
+
+    nbval gets it as the output of a check, and asks `stored != shown`, where the stored output is that of the
+    answer key; if so, it lets the check's cell fail. `==` is our comparison: the verdict.
+    """
 
     answer: CellRun = field(default_factory=CellRun)
     check: CellRun = field(default_factory=CellRun)
-    verdict: Any = field(default_factory=Verdict)  # or that of a partner, see `kinds.kind.Kind.partner`
-    is_measured: bool = False  # by a partner
+    verdict: Verdict = field(default_factory=Verdict)  # or that of a partner, see `kinds.kind.Kind.partner`
     told: list = field(default_factory=list)  # what the kernel showed beside a partner: no verdict reads it
+    let_fail: bool = False  # by nbval
 
     @property
     def ended(self):
@@ -80,44 +52,23 @@ class CaseRun:
 
     @property
     def passed(self):
-        return not self.ended and not self.check.error[0] and self.verdict.passed
+        return not (self.ended or self.check.error[0] or self.let_fail) and self.verdict.passed
+
+    def __eq__(self, stored):
+        return isinstance(stored, dict) and self.verdict.passed
 
 
-@dataclass(frozen=True, eq=False)
-class StoredAnswer:
-    """What nbval finds as the stored output of a check: the answer key's values. `==` is our comparison.
+def verdict_on(exercise, case, payloads):
+    """The Verdict on the one payload that a check cell showed, against the calls of a case.
 
-    nbval asks `stored != shown`, where a CaseRun stands for what a learner's code showed; if so, it lets the
-    check's cell fail. What a partner has measured is compared with the thresholds of its scenario.
+    The comparison is `Exercise.judge`, so `check` in a lesson and the autograder agree.
     """
-
-    expected: list  # a canonical form for each call
-    tolerance: float = 0.0
-    exact_type: bool = False
-
-    def verdict(self, run):
-        if run.is_measured:
-            return run.verdict
-        return verdict_on(run.check.answers, self.expected, self.tolerance, exact_type=self.exact_type)
-
-    def __eq__(self, shown):
-        return isinstance(shown, CaseRun) and self.verdict(shown).passed
-
-
-def verdict_on(payloads, expected, tolerance, *, exact_type=True):
-    """The Verdict on the one payload that a check cell showed, against a canonical form for each call.
-
-    The comparison is `exercises.compare`, so `check` in a lesson and the autograder agree.
-    """
-    calls = read_answer(payloads)
-    if calls is None:
+    results = read_answer(payloads)
+    if results is None:
         return Verdict()
-    for number, form in enumerate(expected):
-        if number >= len(calls) or calls[number].value is None or calls[number].changed:
-            return Verdict(calls, number)
-        if compare(form, calls[number].value, tolerance, exact_type=exact_type) is not None:
-            return Verdict(calls, number)
-    return Verdict(calls, len(expected) if len(calls) > len(expected) else None)
+    calls = [exercise.judge(case, *pair) for pair in zip(case.calls, results, strict=False)]
+    are_others = len(results) != len(case.calls) and all(call.passed for call in calls)
+    return Verdict(calls, "its check cell reported other calls than were made" if are_others else "")
 
 
 def read_form(data):

@@ -26,6 +26,7 @@ import tokenize
 import traceback
 import types
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -117,6 +118,28 @@ class CaseCall:
             return False
         with np.errstate(all="ignore"):
             return np.array_equal(values.astype(actual.dtype), actual)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a graded answer did in the calls of a case, each compared once with what is expected."""
+
+    calls: Sequence[CaseCall] = ()
+    # Why no honest check shows this, "" if one does.
+    forged: str = "its check cell showed something else than what the function returned"
+    # What a partner measures is told of hidden cases, too.
+    when: str = ""
+    measured: str = ""
+    told_of_hidden: str = ""
+
+    @property
+    def passed(self):
+        return not self.forged and all(call.passed for call in self.calls)
+
+    @property
+    def result(self):
+        """The CallResult of the first call that failed, an empty one if none did."""
+        return next((call.result for call in self.calls if not call.passed), CallResult())
 
 
 def explain_call(result, difference, name):

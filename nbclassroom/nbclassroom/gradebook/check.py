@@ -146,10 +146,9 @@ def _run_answer(entry, kernels):
         return
     exercise_run = ExerciseRun(exercise, kernels)
     for case in exercise.cases:
-        run = exercise_run.run(case, exercise.kind.check_source(exercise))
-        exercise_run.passed |= {case.id} if run.passed else set()
+        exercise_run.run(case, exercise.kind.check_source(exercise))
     exercise_run.close()
-    entry.result, answer = checked_exercise(exercise, exercise_run)
+    entry.result, (answer, _) = checked_exercise(exercise_run)
     entry.notes += [entry.result.message] if entry.result.message else []
     outcomes = {case.outcome for case in entry.result.cases}
     if outcomes == {Outcome.NOT_ATTEMPTED}:

@@ -19,6 +19,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from .. import course
+from ..autograder.checked_answer import capital
 from ..autograder.outcomes import PHRASES, Outcome
 from ..autograder.sanitize import sanitize_text, spreadsheet_text
 from ..autograder.written_answer import rendered_text
@@ -53,7 +54,7 @@ def _environment():
         lstrip_blocks=True,
     )
     environment.filters |= {
-        "capital": _capital,
+        "capital": capital,
         "count": count_of,
         "points": points_text,
         "anchor": anchor_of,
@@ -67,11 +68,6 @@ def _environment():
 def _shown(value):
     """A text as pages show it; anything else unchanged."""
     return sanitize_text(value, 20_000) if type(value) is str else value
-
-
-def _capital(text):
-    """The text with a capital; a text that begins with a Python name, like my_psnr(), stays unchanged."""
-    return text[:1].upper() + text[1:] if text.split(" ", 1)[0].isalpha() else text
 
 
 def count_of(number, noun):
@@ -159,7 +155,7 @@ def _checks_view(exercise, notes):
     is_said = any(note.startswith("line ") and NOT_PYTHON in note for note in notes)
     is_said |= bool(notes) and {case.outcome for case in exercise.cases} == {Outcome.MISSING}
     notes = notes if is_said or not exercise.message else [*notes, exercise.message]
-    above = "".join(_NOTE.format(html.escape(_shown(_capital(note)))) for note in notes)
+    above = "".join(_NOTE.format(html.escape(_shown(capital(note)))) for note in notes)
     return {"body": safe_html(above + exercise.body), "review": safe_html(above + exercise.review)}
 
 

@@ -285,12 +285,12 @@ def explore(source, scenario):
     finally:
         exercise_run.close()
     is_whole = run.verdict.passed
-    exercise_run.passed |= {_CASE} if is_whole else set()
     found = _found(run) if is_whole else None
     values = course.load(course.league_score)(environment(SENSORS), found) if is_whole else {}
-    (case,) = checked_exercise(exercise, exercise_run)[0].cases
-    record = getattr(run.verdict, "record", None)
-    return Exploration(case.outcome, case.message, values, found is not None, record)
+    (case,) = checked_exercise(exercise_run)[0].cases
+    record = next((call.record for call in run.verdict.calls), None)
+    outcome, message = (Outcome.PASSED, "") if is_whole else (case.outcome, case.message)
+    return Exploration(outcome, message, values, found is not None, record)
 
 
 def draw(record, scenario, *, with_film):

@@ -66,8 +66,7 @@ def run_drives(factory, source, *, cases=(PUBLIC, HIDDEN), scenario=None, hidden
     exercise_run = ExerciseRun(exercise, kernels, stop_at=time.monotonic() + 1000)
     try:
         for case in cases:
-            run = exercise_run.run(case, exercise.kind.check_source(exercise))
-            exercise_run.passed |= {case.id} if run.passed else set()
+            exercise_run.run(case, exercise.kind.check_source(exercise))
     finally:
         exercise_run.close()
     graded = graded_exercises({exercise.id: exercise_run}, page, kernels.tried)

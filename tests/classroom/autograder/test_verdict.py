@@ -11,6 +11,8 @@ from nbclassroom.autograder.verdict import CaseRun, read_calls, read_form, verdi
 from nbclassroom.exercises.answer_images import answer_images
 from nbclassroom.exercises.canonical import PLAIN_TYPES, canonical
 from nbclassroom.exercises.comparison import compare
+from nbclassroom.exercises.lesson import Case, Exercise, ExpectedCall
+from nbclassroom.exercises.running import CallResult, Verdict
 from nbclassroom.exercises.values import answer_parts, describe_value, differing_elements, table_rows
 
 RIGHT = np.array([[1.0, 2.0], [3.0, 4.0]])
@@ -39,7 +41,13 @@ def payload_of(*values, **more):
 
 
 def passes(payload, expected, tolerance):
-    return verdict_on([payload], [canonical(expected)], tolerance).passed
+    return verdict_of([payload], [expected], tolerance).passed
+
+
+def verdict_of(payloads, expected, tolerance=0.0):
+    calls = tuple(ExpectedCall((), CallResult(canonical(value))) for value in expected)
+    case = Case("one", "", 1, "", tolerance, calls=calls)
+    return verdict_on(Exercise(id="one", exact_type=True), case, payloads)
 
 
 @pytest.mark.parametrize(
@@ -212,23 +220,28 @@ def test_a_malformed_form_is_rejected(form):
 
 
 def test_a_verdict_names_the_first_call_that_failed():
-    expected = [canonical(1), canonical(2), canonical(3)]
-    verdict = verdict_on([payload_of(1, 5, 4)], expected, 0.0)
-    assert (verdict.failed_call, verdict.passed) == (1, False)
-    assert [call.value["value"] for call in verdict.calls] == [1, 5, 4]
-    assert verdict_on([payload_of(1, 2)], expected, 0.0).failed_call == 2
-    assert verdict_on([payload_of(1, 2, 3, 4)], expected, 0.0).failed_call == 3
+    verdict = verdict_of([payload_of(1, 5, 4)], [1, 2, 3])
+    assert (verdict.result.value["value"], verdict.passed) == (5, False)
+    assert [call.result.value["value"] for call in verdict.calls] == [1, 5, 4]
+    for others in (payload_of(1, 2), payload_of(1, 2, 3, 4)):
+        assert "other calls" in verdict_of([others], [1, 2, 3]).forged
+
+
+def test_nbval_finds_equal_to_what_is_stored_what_is_within_the_tolerance():
+    near, far = (CaseRun(verdict=verdict_of([payload_of(shown)], [2.0], 0.1)) for shown in (2.05, 2.2))
+    assert payload_of(2.0) == near != "passed"
+    assert far != payload_of(2.0) != CaseRun()
 
 
 def test_exactly_one_answer_counts():
     payload = payload_of(1)
-    assert verdict_on([payload], [canonical(1)], 0.0).passed
-    assert verdict_on([payload, payload], [canonical(1)], 0.0).calls is None
-    assert verdict_on([], [canonical(1)], 0.0).calls is None
+    assert verdict_of([payload], [1]).passed
+    assert verdict_of([payload, payload], [1]) == verdict_of([], [1]) == Verdict()
+    assert Verdict().forged
 
 
 def test_a_right_answer_of_a_cell_that_failed_does_not_pass():
-    run = CaseRun(verdict=verdict_on([payload_of(1)], [canonical(1)], 0.0))
+    run = CaseRun(verdict=verdict_of([payload_of(1)], [1]))
     assert run.passed
     run.check.error = ("ValueError", "")
     assert not run.passed

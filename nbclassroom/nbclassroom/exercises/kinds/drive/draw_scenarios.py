@@ -19,10 +19,10 @@ MARGIN = 0.2  # by which the solution keeps each threshold, as a share of it
 
 
 def draw_for_key(exercise, seed, run_solution):
-    """As `Kind.draw_for_key`; `run_solution` gives the verdict of a GradedDrive."""
+    """As `Kind.draw_for_key`; `run_solution` gives the record of a GradedDrive."""
 
     def drive_solution(scenario):
-        return run_solution(GradedDrive(exercise, scenario)).record
+        return run_solution(GradedDrive(exercise, scenario))
 
     public = public_drives(exercise)
     return {

@@ -6,12 +6,11 @@ at most be the next two numbers, and what is judged is the record that the envir
 
 import struct
 import time
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...comparison import Difference
-from ...running import CallResult, CaseCall
+from ...running import CallResult, CaseCall, Verdict
 from .drive import (
     LARGE,
     METRICS,
@@ -36,10 +35,11 @@ class GradedDrive:
     def __init__(self, exercise, scenario):
         began = time.monotonic()
         self._drive, self._scenario = Drive(environment(exercise.sensors), scenario), scenario
+        self.record = self._drive.record  # what the robot did until now
         self.layout = self._drive.layout  # (name, dtype, shape) of each array of an observation
         self.cpu_seconds, self.call_seconds = seconds_of(scenario), STEP_SECONDS  # for all its calls, for one
         self.seconds = time.monotonic() - began  # that the robot took
-        self._name, self._ending, self._has_begun = exercise.answer_name, None, False
+        self._name, self._ending, self._has_begun = exercise.answer_name, CallResult(), False
         self.is_slow = False  # then other drives are not worth their time
 
     def answer(self, action):
@@ -77,54 +77,20 @@ class GradedDrive:
         observation = self._drive.observation
         return b"".join(np.asarray(observation[name], dtype).tobytes() for name, dtype, _ in self.layout)
 
-    def verdict(self):
-        """The DriveVerdict on what the robot did until now."""
-        return DriveVerdict(self._drive.record(), self._scenario, self._ending)
-
-
-@dataclass(frozen=True)
-class DriveVerdict:
-    """The verdict on a drive, as `autograder.verdict.Verdict`; its metrics are the environment's."""
-
-    record: dict  # what the robot did, see `drive.Drive.record`
-    scenario: dict
-    call: CallResult | None = None  # of the controller, that ended the drive too early
-    calls = None  # a controller's calls are no answers
-
-    @property
-    def is_whole(self):
-        """Whether the robot drove as long as the scenario asks for."""
-        return self.record["steps"] == steps_of(self.scenario)
-
-    @property
-    def passed(self):
-        return passes(self.record, self.scenario)
-
-    @property
-    def forged(self):
-        return "" if self.is_whole or self.record["ended"] else self.sentence
-
-    @property
-    def sentence(self):
-        return " ".join(sentences_of(self.record, self.scenario))
-
-    @property
-    def told_of_hidden(self):
-        """The sentence without any text of the learner's, such as a part of a value that was returned."""
-        return "it returned something else than two numbers" if self.record["ended"] else self.sentence
-
-    @property
-    def when(self):
-        return f"{self.record['steps'] * STEP:.1f} s after the start"
-
-    @property
-    def measured(self):
-        """The metrics of a whole drive that have a threshold, with their units."""
-        values, names = self.record["metrics"], self.scenario["thresholds"] if self.is_whole else ()
-        return ", ".join(f"{METRICS[name].title} {metric_text(name, values[name])}" for name in names)
-
-    def case_calls(self, exercise, case):
-        return [case_call(case, self.record, self.call or CallResult())]
+    def verdict(self, case):
+        """The Verdict on what the robot did until now; its metrics are the environment's."""
+        record, scenario = self.record(), self._scenario
+        sentence = " ".join(sentences_of(record, scenario))
+        is_whole = record["steps"] == steps_of(scenario)  # it drove as long as the scenario asks for
+        values, names = record["metrics"], scenario["thresholds"] if is_whole else ()
+        return Verdict(
+            [case_call(case, record, self._ending)],
+            forged="" if is_whole or record["ended"] else sentence,
+            when=f"{record['steps'] * STEP:.1f} s after the start",
+            measured=", ".join(f"{METRICS[name].title} {metric_text(name, values[name])}" for name in names),
+            # Without any text of the learner's, such as a part of a value that was returned.
+            told_of_hidden="it returned something else than two numbers" if record["ended"] else sentence,
+        )
 
 
 def case_call(case, record, result):
