@@ -310,12 +310,6 @@ class GradingPlugin:
         self._exercise_kernel = ExerciseKernel(exercise_run)
         path = self._folder / "exercise.ipynb"
         path.write_text(json.dumps(notebook_of(exercise, source)), encoding="utf-8")
-        try:
-            self._run_nbval(path, exercise, exercise_run)
-        finally:
-            exercise_run.close()
-
-    def _run_nbval(self, path, exercise, exercise_run):
         cases = {case.id: case for case in exercise.cases}
         (notebook,) = self._session.config.hook.pytest_collect_file(file_path=path, parent=self._session)
         items = list(notebook.collect())
@@ -330,6 +324,7 @@ class GradingPlugin:
                 exercise_run.faults.setdefault(item.cell.id, self._exception or "nbval did not run it")
             item.cell = None
         notebook.nb = None
+        exercise_run.close()
 
     def pytest_configure(self):
         import nbval.plugin

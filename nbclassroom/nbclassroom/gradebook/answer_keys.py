@@ -22,15 +22,11 @@ class AnswerKeys:
     def key_for(self, lesson, version):
         """The key made from this version of a lesson, or the lesson's default key."""
         candidates = [key for key in self.keys if lesson in key.lessons]
-        return next((key for key in candidates if key.lessons[lesson].version == version), candidates[0])
+        return min(candidates, key=lambda key: key.lessons[lesson].version != version)
 
-    def functions(self, lesson):
-        """{(id of an exercise, the function that it asks for)} of a lesson, in any version."""
-        versions = [key.lessons[lesson] for key in self.keys if lesson in key.lessons]
-        return {(exercise.id, exercise.function) for version in versions for exercise in version.exercises}
-
-    def describe(self, lesson, version):
-        return self.key_for(lesson, version).lessons[lesson]
+    def versions(self, lesson):
+        """The Lesson of each key that has it."""
+        return [key.lessons[lesson] for key in self.keys if lesson in key.lessons]
 
     def equal_to_solution(self, lesson, shapes):
         """The ids of a lesson's exercises with points whose shape is that of a long solution, sorted."""

@@ -75,13 +75,8 @@ class CheckFileCatalog:
             except check_files.CheckFileError as error:
                 self.damage.append(error)
 
-    def functions(self, lesson):
-        """{(id of an exercise, the function that it asks for)} of a lesson."""
-        return {(id, entry.get("function", "")) for id, entry in self.lessons[lesson].entries.items()}
-
-    def describe(self, lesson, _version):
-        """The Lesson, in the version that its checks were built with."""
-        return self.lessons[lesson]
+    def versions(self, lesson):
+        return [self.lessons[lesson]]
 
 
 def check_lesson(path, folders=None):
@@ -101,9 +96,8 @@ def check_lesson(path, folders=None):
         raise catalog.damage[0]  # it may be the file of this lesson
     if content.reason:
         raise LessonFileError(f"{path}: {content.reason}")
-    lesson = catalog.describe(content.lesson, content.version)
     checks = []
-    for exercise in lesson.exercises:
+    for exercise in catalog.lessons[content.lesson].exercises:
         state = content.states[exercise.id]
         notes = content.texts_about(exercise.id) + ([_ADVICE[state]] if state in _ADVICE else [])
         checks.append(ExerciseCheck(exercise, state, notes))

@@ -111,7 +111,8 @@ def read_submission(data, catalog, reader, name=""):
         named = f"its lesson, {sanitize_line(notebook['lesson'], 80)!r}," if notebook["lesson"] else "it"
         content.reason = f"{named} is not, or no longer, one of {', '.join(catalog.lessons)}"
         return content
-    lesson = catalog.describe(content.lesson, content.version)
+    # That of the notebook's version, or else the first one.
+    lesson = min(catalog.versions(content.lesson), key=lambda one: one.version != content.version)
     if content.version != lesson.version:
         version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
         version = f"{sanitize_line(version)} of the lesson, not from version {lesson.version}"
@@ -198,9 +199,9 @@ def _signs_of_lessons(cells, catalog):
     defined = {name for cell in cells for name in cell["names"]}
     marked, functions = {}, {}
     for lesson in catalog.lessons:
-        asked = catalog.functions(lesson)
-        marked[lesson] = {id for id, _ in asked if f"answer-{id}" in marks}
-        functions[lesson] = defined & {function for _, function in asked}
+        entries = [item for version in catalog.versions(lesson) for item in version.entries.items()]
+        marked[lesson] = {id for id, _ in entries if f"answer-{id}" in marks}
+        functions[lesson] = defined & {entry.get("function") for _, entry in entries}
     return marked, functions
 
 
