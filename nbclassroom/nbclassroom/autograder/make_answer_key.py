@@ -127,7 +127,7 @@ def _keep(number):
     exercise, path = _process["missing"][number]
     if exercise.practice:
         exercise = replace(exercise, cases=(), mistakes=())
-    drawn = exercise.kind.draw_for_key(exercise, _process["seed"], partial(_verdict_with, exercise))
+    drawn = exercise.kind.draw_for_key(exercise, _process["seed"], partial(_record_with, exercise))
     solved = with_results(exercise, exercise.cases, partial(_solve, drawn), _results_of)
     write_file(path, json.dumps(stored_exercise(solved)), permissions=0o600)
 
@@ -137,7 +137,7 @@ def _numpy_seed(seed):
     return int.from_bytes(hashlib.sha256(f"{course.command} {seed}".encode()).digest()[:16])
 
 
-def _verdict_with(exercise, partner):
+def _record_with(exercise, partner):
     """The record of what the solution's check talks to, in a kernel like those that grade."""
     about = f"{exercise.master.name}: the solution of {exercise.id}"
     with _kernel_after_solution(exercise, partner.cpu_seconds, about) as kernel:
