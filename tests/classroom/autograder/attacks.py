@@ -220,7 +220,7 @@ for _name, _step, *_outcomes in (
     attack(_name, TO_THE_SOCKET.replace("STEP", _step), *_outcomes)
 for _name, _message in {
     "an error in a cell that does not exist": '{"type": "errors", "content": {"errors": [[-9999, "NameError", ""]]}}',
-    "a place that is no number": '{"type": "at", "content": {"place": [1e999, 0]}}',
+    "a cell that is no number": '{"type": "tried", "content": {"text": "x", "cell": 1e999}}',
     "an attempt that is no text": '{"type": "tried", "content": {"text": 7}}',
 }.items():
     _step = f"os.write(fd, {_message!r}.encode() + b'\\n')"

@@ -16,7 +16,7 @@ class CellRun:
     answers: list = field(default_factory=list)  # what check cells showed: the data of our MIME type
     error: tuple = ("", "")  # type and text of the exception that ended the cell
     errors: list = field(default_factory=list)  # of a page: (number of a cell, type, text) of a statement
-    place: tuple = ()  # of a page: the statement that ran last
+    place: tuple = ()  # of a page that did not come to its end: (cell, statement) that ran last
     tried: list = field(default_factory=list)  # (number of a cell or None, what its code tried)
     status: dict = field(default_factory=dict)  # of a process that was forked: how it ended
 
@@ -27,10 +27,9 @@ class CellRun:
         elif kind == "display_data":
             data = dict(content["data"])
             self.answers += [data[MIME]] if MIME in data else []
-        elif kind == "at":
-            self.place = tuple(map(_number, content["place"]))
         elif kind == "tried":
-            self.tried.append(((*self.place, None)[0], _text(content["text"])))
+            cell = content["cell"]
+            self.tried.append((None if cell is None else _number(cell), _text(content["text"])))
         elif kind == "errors":
             errors = content["errors"]
             self.errors = [(_number(cell), _text(name), _text(text)) for cell, name, text in errors]

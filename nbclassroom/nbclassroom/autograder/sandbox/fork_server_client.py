@@ -6,6 +6,7 @@ extends, and all of it may be forged.
 
 import json
 import math
+import mmap
 import os
 import shutil
 import signal
@@ -17,7 +18,9 @@ from contextlib import AbstractContextManager, suppress
 
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.cell_run import CellRun
+from nbclassroom.autograder.sandbox.inside import PLACE
 
+_NOWHERE = PLACE.pack(-1, -1)
 _LOOK_SECONDS = 0.05  # between two looks at what all processes together use
 # What the fork server and a waiting kernel use beside a check, at most: bytes, and seconds of processor time.
 _OWN_MEMORY, _OWN_SECONDS = 256 << 20, 0.5
@@ -34,8 +37,9 @@ class KernelEnded(Exception):
 class Connection:
     """The socket to a process that runs cells, and the limits on what comes out of it."""
 
-    def __init__(self, fork_server, limits):
+    def __init__(self, fork_server, limits, place):
         self._fork_server, self._limits = fork_server, limits
+        self.place, self._last = place, ()  # memory with the statement of a page that runs; as it was last
         self._lines: deque[bytes] = deque()
         self._buffer, self._is_confined = b"", True
         self._next_look = 0.0
@@ -99,6 +103,8 @@ class Connection:
         self._bytes_left = self._limits.output
         if self._run_until_action(run, _line_of(request)) is not None:
             run.ended = "hostile"
+        run.place = self._statement() if run.ended else ()
+        self.place[:] = _NOWHERE
         self._statement_ends, self._cpu_most, self._cpu_ends = math.inf, {}, {}
         return run
 
@@ -115,11 +121,8 @@ class Connection:
                 message = json.loads(line)
                 if message["type"] == "action":
                     return dict(message["content"])
-                place = run.place
                 if run.add(message["type"], message["content"]):
                     return None
-                if run.place != place:
-                    self._statement_ends = time.monotonic() + _STATEMENT_SECONDS
         except KernelEnded as error:
             run.ended = str(error)
         except (ValueError, KeyError, TypeError, RecursionError):  # anybody may have written the message
@@ -153,9 +156,19 @@ class Connection:
             try:
                 return send_or_receive(argument)
             except TimeoutError:
-                continue
+                self._note_statement()
             except OSError as error:
                 raise KernelEnded(self._how_it_ended()) from error
+
+    def _statement(self):
+        """(cell, statement) that began last, () if none did; a learner's code may have written anything."""
+        place = PLACE.unpack(self.place)
+        return place if min(place) >= 0 else ()
+
+    def _note_statement(self):
+        """Begin the time of a statement anew if it is another one."""
+        if self._statement() not in ((), self._last):
+            self._last, self._statement_ends = self._statement(), time.monotonic() + _STATEMENT_SECONDS
 
     def _check_use(self):
         """End the kernel if it and all that it started use too much memory or time together."""
@@ -187,10 +200,13 @@ class ForkedKernel(Connection):
     """A kernel that was forked from a `ForkServer`; it waits until `begin`."""
 
     def __init__(self, fork_server, limits):
-        super().__init__(fork_server, limits)
-        self._is_confined = False
-        with self._other_end:
-            self._id = fork_server.fork(self._other_end.fileno())
+        with os.fdopen(os.memfd_create("place"), "wb") as file:
+            file.truncate(PLACE.size)
+            super().__init__(fork_server, limits, mmap.mmap(file.fileno(), PLACE.size))
+            self.place[:] = _NOWHERE
+            self._is_confined = False
+            with self._other_end:
+                self._id = fork_server.fork([self._other_end.fileno(), file.fileno()])
 
     def begin(self, allowed, seconds):
         """Start the clock; `KernelFactory.start` explains the arguments."""
@@ -262,7 +278,7 @@ class ForkedCheck(Connection):
     """A process that a kernel forked for the cases of one exercise."""
 
     def __init__(self, kernel, fork_server, limits, seconds):
-        super().__init__(fork_server, limits)
+        super().__init__(fork_server, limits, kernel.place)
         self._kernel, self._status = kernel, None
         self._begin(seconds)
         with self._other_end:
@@ -326,8 +342,8 @@ class ForkServer:
             start_new_session=True,
         )
 
-    def fork(self, descriptor):
-        """Fork a kernel that has one end of a socket; returns its id."""
+    def fork(self, descriptors):
+        """Fork a kernel that has one end of a socket, and memory for its place in a page; returns its id."""
         self._fork_count += 1
         order = json.dumps({"op": "fork", "id": self._fork_count}).encode()
         for _ in range(_STARTS):  # somebody may kill it
@@ -337,7 +353,7 @@ class ForkServer:
             with suppress(OSError):
                 self._is_ready = self._is_ready or bool(self._control.recv(1 << 20))
                 if self._is_ready:
-                    socket.send_fds(self._control, [order], [descriptor])
+                    socket.send_fds(self._control, [order], descriptors)
                     return self._fork_count
             last_words = self.stop()
         raise bubblewrap.SandboxError(f"the fork server did not start: {last_words or 'it was killed'}")

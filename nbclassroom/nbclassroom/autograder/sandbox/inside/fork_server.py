@@ -1,7 +1,7 @@
 """The process that forks kernels: it has the imports loaded, and never runs code of a learner's.
 
 `fork_server_client` starts it with a socket (SOCK_SEQPACKET). It takes these orders:
-    {"op": "fork", "id": 7}                   with the kernel's socket
+    {"op": "fork", "id": 7}                   with the kernel's socket, and memory for its place in a page
     {"op": "prepare", "code": [...], "draws": true}
                                               compile a lesson's cells, as handed out; load matplotlib
     {"op": "end", "id": 7, "patience": 1.0}   kill the kernel and all that it started, if it does not end by
@@ -13,12 +13,13 @@ It ends when its socket is closed.
 import builtins
 import gc
 import json
+import mmap
 import os
 import signal
 import socket
 import sys
 
-from nbclassroom.autograder.sandbox.inside import confine
+from nbclassroom.autograder.sandbox.inside import PLACE, confine
 from nbclassroom.exercises.cell_syntax import plain_python
 from nbclassroom.exercises.page_run import compiled
 
@@ -54,7 +55,7 @@ def _load():
     warm_up()
     cell_shell.display_formatter.format(0)  # makes the formatters, else each kernel would
 
-    def run_cells(descriptor):
+    def run_cells(descriptor, place):
         requests = shell.read_requests(socket.socket(fileno=descriptor))
         beginning, _ = next(requests)
         allowed = beginning["allowed"]
@@ -66,19 +67,20 @@ def _load():
 
             offer_modules(even_if_installed=True)
         refusal.allow_modules(allowed)
-        refusal.tell_attempts(shell.WRITER.send)
-        shell.WRITER.descriptor = descriptor
+        refusal.tell_attempts(shell.WRITER.tell_attempt)
+        shell.WRITER.descriptor, shell.WRITER.place = descriptor, place
         shell.Server(cell_shell).serve(requests)
 
     return warm_up, run_cells
 
 
-def _run_kernel(control, descriptor, kernel_id, settings, warm_up, run_cells):
+def _run_kernel(control, descriptors, kernel_id, settings, warm_up, run_cells):
     """What a fork does; it does not return."""
     exit_code = 70  # the fork could not be confined
     try:
         signal.signal(signal.SIGINT, signal.default_int_handler)
         control.close()
+        descriptor, place = descriptors[0], mmap.mmap(descriptors[1], PLACE.size)
         os.closerange(3, descriptor)  # all others but the standard streams
         os.closerange(descriptor + 1, 1 << 20)
         if settings["confined"]:
@@ -94,7 +96,7 @@ def _run_kernel(control, descriptor, kernel_id, settings, warm_up, run_cells):
         os.write(descriptor, b"\n")  # it is confined; until now nobody else's code ran
         warm_up()
         exit_code = 71  # the learner's code ended it
-        run_cells(descriptor)
+        run_cells(descriptor, place)
         exit_code = 0
     finally:
         os._exit(exit_code)
@@ -115,12 +117,12 @@ def main():
     kernels: dict[int, int] = {}
     ending: set[int] = set()
     while True:
-        text, descriptors, _, _ = socket.recv_fds(control, 1 << 20, 1)
+        text, descriptors, _, _ = socket.recv_fds(control, 1 << 20, 2)
         if not text:
             return
         order = json.loads(text)
         if order["op"] == "fork":
-            child = _fork(control, descriptors[0], order["id"], settings, loaded, namespace)
+            child = _fork(control, descriptors, order["id"], settings, loaded, namespace)
             kernels[order["id"]] = child
         elif order["op"] == "prepare":
             for source in order["code"]:
@@ -140,15 +142,16 @@ def main():
         ending -= {child for child in ending if os.waitpid(child, os.WNOHANG)[0]}
 
 
-def _fork(control, descriptor, kernel_id, settings, loaded, namespace):
+def _fork(control, descriptors, kernel_id, settings, loaded, namespace):
     if namespace is not None:
         confine.unshare(confine.NEWPID)
     child = os.fork()
     if child == 0:
-        _run_kernel(control, descriptor, kernel_id, settings, *loaded)
+        _run_kernel(control, descriptors, kernel_id, settings, *loaded)
     if namespace is not None:
         confine.return_to_pid_namespace(namespace)
-    os.close(descriptor)
+    for descriptor in descriptors:
+        os.close(descriptor)
     return child
 
 

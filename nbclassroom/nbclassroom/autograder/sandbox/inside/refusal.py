@@ -174,8 +174,8 @@ def allow_modules(allowed):
     builtins.__import__, importlib.import_module = import_, import_module
 
 
-def tell_attempts(send):
-    """Call send("tried", text=...) with each attempt of this process from now on."""
+def tell_attempts(tell):
+    """Call tell(text) with each attempt of this process from now on."""
     attempts = {_HARMLESS}
 
     def tell_attempt(event, arguments):
@@ -188,7 +188,7 @@ def tell_attempts(send):
         text = f"{purpose} ({_text_of(detail)[:_MOST_CHARACTERS]})"
         if text not in attempts and len(attempts) < _MOST and _is_learners(sys._getframe(1), purpose):
             attempts.add(text)
-            send("tried", text=text)
+            tell(text)
 
     def end_process(status):
         sys.audit("os._exit")

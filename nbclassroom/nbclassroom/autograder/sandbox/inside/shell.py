@@ -6,8 +6,8 @@ In:  {"code": "..."}; a check has also "case": {...}, its inputs
      {"fork": seconds} with a socket: a process that answers the requests of the socket for a check, as this
      one does; {"end": patience, "confined": ...}: that process ends
 Out: {"type": "display_data" | "idle", "content": {...}}, as Jupyter's messages. What a cell prints or draws
-     is not sent, but for what a check cell shows. Of a page, "at": the statement that begins, and "errors";
-     of a process that ended, "ended".
+     is not sent, but for what a check cell shows. Of a page, "errors"; of a process that ended, "ended".
+     Which statement of a page began last stands in memory that the grader reads, too: `place`.
 """
 
 import json
@@ -22,13 +22,13 @@ from IPython.core.interactiveshell import InteractiveShell
 from traitlets import Type
 from traitlets.config import Config
 
-from nbclassroom.autograder.sandbox.inside import MIME, check_cell, confine, refusal
+from nbclassroom.autograder.sandbox.inside import MIME, PLACE, check_cell, confine, refusal
 from nbclassroom.exercises.page_run import Missing, PageRun
 from nbclassroom.exercises.running import attempt, error_name
 
 # Looked up before any code of a learner's runs.
 _fork, _exit, _kill, _waitpid = os.fork, os._exit, os.kill, os.waitpid
-_write, _dumps, _loads = os.write, json.dumps, json.loads
+_write, _fstat, _dumps, _loads = os.write, os.fstat, json.dumps, json.loads
 
 
 class MessageWriter:
@@ -36,6 +36,8 @@ class MessageWriter:
 
     def __init__(self):
         self.descriptor = -1
+        self.place = bytearray(PLACE.size)
+        self._cell = None  # of a page, that runs
         self._lock = threading.RLock()
 
     def send(self, kind, **content):
@@ -44,6 +46,19 @@ class MessageWriter:
         with self._lock:
             while data:
                 data = data[_write(self.descriptor, data) :]
+
+    def begin(self, cell, statement):
+        """A statement of the page begins; OSError: the one before has closed the socket."""
+        _fstat(self.descriptor)
+        self._cell = cell
+        self.place[:] = PLACE.pack(cell, statement)
+
+    def finish(self, ename, evalue):
+        self._cell = None
+        self.send("idle", ename=ename, evalue=evalue)
+
+    def tell_attempt(self, text):
+        self.send("tried", cell=self._cell, text=text)
 
     def send_answer(self, data):
         """Send what a check cell shows, of what a cell displays."""
@@ -128,16 +143,12 @@ class Server:
         self._finish(*ending)
 
     def _finish(self, ename="", evalue=""):
-        WRITER.send("idle", ename=ename, evalue=evalue)
+        WRITER.finish(ename, evalue)
 
     def _open_page(self, request, _descriptor):
         """Get a page ready to run, without the statements that ended the process before."""
-
-        def tell(cell, statement):
-            WRITER.send("at", place=[cell, statement])
-
         refusal.allow_files(cell["file"] for cell in request["page"]["cells"] if cell["file"])
-        self._page_run = PageRun(request["page"], self._shell.user_ns, request["skip"], tell)
+        self._page_run = PageRun(request["page"], self._shell.user_ns, request["skip"], WRITER.begin)
         self._finish()
 
     def _run_page(self, request, _descriptor):
