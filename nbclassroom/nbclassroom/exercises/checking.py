@@ -184,16 +184,11 @@ def _branch(result, function, calls):
     return sentence_on_branch(function, lambda: [exercise.call(function, call.arguments) for call in calls])
 
 
-def _end_of(call):
-    """How a call ended, as `remarks_on_source` takes it."""
-    is_none = call.difference is not None and call.result.value == NONE
-    return "TimeUp" if call.result.timed_out else "None" if is_none else call.result.error
-
-
 def _judge_calls(exercise, function, calls):
-    errors = set(map(_end_of, calls))
-    if any(call.expected.value == NONE for call in calls):
-        errors.discard("None")  # an answer may end without return
+    errors = {"TimeUp" if call.result.timed_out else call.result.error for call in calls}
+    may_be_none = any(call.expected.value == NONE for call in calls)  # an answer may end without return
+    if not may_be_none and any(call.difference and call.result.value == NONE for call in calls):
+        errors.add("None")
     is_stub = is_part_of(source_of(function), exercise.stub)  # False if its source is not known
     if "NotImplementedError" in errors or (is_stub and exercise.kind.expects_values):
         of_class = () if is_stub else (STUB_LINE,)

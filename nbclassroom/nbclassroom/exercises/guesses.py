@@ -4,7 +4,6 @@ import builtins
 import contextlib
 import html
 import json
-import numbers
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -141,8 +140,6 @@ def _plain(value):
         return value
     if isinstance(value, str):
         return value.strip().rstrip(".!")
-    if isinstance(value, numbers.Real):
-        return float(value)
     if isinstance(value, tuple | list) and len(value) <= _LONGEST:
         parts = tuple(_plain(part) for part in value)
         if not any(isinstance(part, tuple) for part in parts):
