@@ -172,9 +172,8 @@ def _left(path, start):
 def _circles(record):
     yaws = np.unwrap(np.array(record["path"])[:, 2])
     rounds = (yaws[-1] - yaws[0]) / (2 * math.pi)
-    text = (
-        f"In all, the robot turned {abs(rounds):.0f} times round to the {'left' if rounds > 0 else 'right'}."
-    )
+    side = "left" if rounds > 0 else "right"
+    text = f"In all, the robot turned {abs(rounds):.0f} times round to the {side}."
     return {"it drives in circles": text} if abs(rounds) > _CIRCLES else {}
 
 
