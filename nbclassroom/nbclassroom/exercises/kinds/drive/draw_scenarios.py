@@ -20,21 +20,17 @@ MARGIN = 0.2  # by which the solution keeps each threshold, as a share of it
 
 def draw_for_key(exercise, seed, run_solution):
     """As `Kind.draw_for_key`; `run_solution` gives the record of a GradedDrive."""
-
-    def drive_solution(scenario):
-        return run_solution(GradedDrive(exercise, scenario))
-
     public = public_drives(exercise)
     return {
-        case.id: [ExpectedCall((draw_scenario(exercise, case, seed, drive_solution, public),))]
+        case.id: [ExpectedCall((draw_scenario(exercise, case, seed, run_solution, public),))]
         for case in exercise.cases
     }
 
 
-def draw_scenario(exercise, case, seed, drive_solution, public):
+def draw_scenario(exercise, case, seed, run_solution, public):
     """The first scenario of a case's draws that fits; MasterError says why none does.
 
-    `drive_solution` gives a scenario's record; `public` are `public_drives`.
+    `run_solution` is as in `draw_for_key`; `public` are `public_drives`.
     """
     tried, problem = [], ""
     for ((scenario,),) in itertools.islice(exercise.draws(case, seed), MOST_DRAWS):
@@ -45,7 +41,7 @@ def draw_scenario(exercise, case, seed, drive_solution, public):
             problem = "a drive of the solution in a public scenario, repeated without looking, passes"
             continue
         stricter = with_margin(scenario)
-        record = drive_solution(stricter)
+        record = run_solution(GradedDrive(exercise, stricter))
         if not passes(record, stricter):
             sentences = " ".join(sentences_of(record, stricter)).rstrip(".")
             problem = f"the solution does not pass with a margin of {MARGIN:.0%}: {sentences}"
