@@ -14,6 +14,7 @@ _NOT_IN_PLACE = (
     *("upper", "lower", "strip", "replace", "split"),
 )
 _NEW = re.compile(r"(sorted|np\.(sort|pad|where|abs|round|clip|flip|unique|append|\w*stack))\(.*", re.DOTALL)
+_MAY_END = ast.Return | ast.Raise | ast.While | ast.Try | ast.Match
 STUB_LINE = "The line with raise NotImplementedError is still there, and ends the function: delete it."
 # What is said of an answer, and not of the errors of its calls
 SAYS = read_phrases(Path(__file__).with_suffix(".txt").read_text(encoding="utf-8"))
@@ -58,7 +59,7 @@ def _why_none(tree):
     """Where None can come from: a path without return."""
     if not any(isinstance(node, ast.Return) and node.value for node in ast.walk(tree)):
         yield f"{tree.name}() has no return with a value. Did you forget return?"
-    elif _reaches_end(tree.body):
+    elif not _ends(tree.body[-1], _MAY_END):
         yield SAYS["way without return"].format(name=tree.name)
 
 
@@ -71,21 +72,13 @@ def _unused(tree):
     return [*unused, *(part.id for part in parts if isinstance(part, ast.Name) and count[part.id] == 1)]
 
 
-def _returns(statement):
-    """Whether a statement ends its function in every case."""
-    parts = [statement.body, statement.orelse] if isinstance(statement, ast.If) else []
-    if parts:
-        return all(part and _returns(part[-1]) for part in parts)
-    return isinstance(statement, ast.Return)
-
-
-def _reaches_end(body):
-    last = body[-1]
-    if isinstance(last, ast.If):
-        return not last.orelse or _reaches_end(last.body) or _reaches_end(last.orelse)
-    if isinstance(last, ast.With):
-        return _reaches_end(last.body)
-    return not isinstance(last, ast.Return | ast.Raise | ast.While | ast.Try | ast.Match)
+def _ends(statement, kinds):
+    """Whether a statement is of one of these kinds, or all its branches end with one."""
+    if isinstance(statement, ast.If):
+        return all(part and _ends(part[-1], kinds) for part in (statement.body, statement.orelse))
+    if isinstance(statement, ast.With):
+        return _ends(statement.body[-1], kinds)
+    return isinstance(statement, kinds)
 
 
 def _remarks_on_function(tree):
@@ -141,7 +134,7 @@ def _slip(node):
             return "comparison not used"
         case ast.Compare(ops=[ast.Is() | ast.IsNot()], comparators=[ast.Constant(value=bool())]):
             return "is True"
-        case ast.For(body=[*_, last]) if _returns(last) and not _leaves_a_round(node):
+        case ast.For(body=[*_, last]) if _ends(last, ast.Return) and not _leaves_a_round(node):
             return "return in a loop"
         case ast.BinOp(left=ast.List(elts=[ast.List() | ast.BinOp(left=ast.List())]), op=ast.Mult()):
             return "one row several times"
