@@ -20,16 +20,27 @@ deliver(json.loads({!r}))
 STOCK = ["-q", "-p", "no:cacheprovider", "-p", "no:randomly", "--nbval", "exercise.ipynb"]
 
 
-ONE_MORE_OUTPUT = """
+OTHER_OUTPUTS = """
 from nbclassroom.autograder import nbval_plugin
 outputs_of = nbval_plugin._stored_outputs
-nbval_plugin._stored_outputs = lambda case: outputs_of(case) * (1 + (case.id == "case-attacked-mean-1"))
+def changed_outputs(case):
+    outputs = outputs_of(case)
+    if case.id == "case-attacked-mean-1":
+        call = outputs[0]["data"][nbval_plugin.MIME]["calls"][0]
+        CHANGE
+    return outputs
+nbval_plugin._stored_outputs = changed_outputs
 """
 
 
-def test_a_cell_that_nbval_lets_fail_costs_its_points(key, right, monkeypatch):
-    """One more stored output: our comparison finds the values right, and nbval finds an output missing."""
-    monkeypatch.setattr(nbval_process, "_PROGRAM", f"{ONE_MORE_OUTPUT}\n{nbval_process._PROGRAM}")
+CHANGES = ["outputs = 2 * outputs", "call['value'] = {'type': 'float', 'value': 9.5}"]
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_cell_that_nbval_lets_fail_costs_its_points(key, right, monkeypatch, change):
+    """The values are right, and nbval finds that one output is missing, or that another one is stored."""
+    program = OTHER_OUTPUTS.replace("CHANGE", change)
+    monkeypatch.setattr(nbval_process, "_PROGRAM", f"{program}\n{nbval_process._PROGRAM}")
     (graded,) = autograde([("one", LESSON, right)], key, workers=1)
     _, mean = graded.exercises
     assert [(case.outcome, case.points) for case in mean.cases] == [("not graded", 0), ("passed", 4)]

@@ -231,6 +231,7 @@ def test_nbval_finds_equal_to_what_is_stored_what_is_within_the_tolerance():
     near, far = (CaseRun(verdict=verdict_of([payload_of(shown)], [2.0], 0.1)) for shown in (2.05, 2.2))
     assert payload_of(2.0) == near != "passed"
     assert far != payload_of(2.0) != CaseRun()
+    assert near != payload_of(2.05)
 
 
 def test_exactly_one_answer_counts():
