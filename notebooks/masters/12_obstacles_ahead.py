@@ -654,21 +654,23 @@ exercise(
 )
 
 
-def scan(rng, *things, rays=60, lowest=0.05, empty=(), **more):
+def scan(rng, *things, rays=60, lowest=0.05, empty=(), first=-180, **more):
     """A step of a drive: a scan of walls, and of things: (degrees to the left of straight ahead, range).
 
-    Between the two degrees of `empty` nothing is met.
+    Between the two degrees of `empty` nothing is met. The scan begins at `first`, degrees of the scanner.
     """
     ranges = rng.uniform(2.0, 4.0, rays).round(2)
     step = 2 * math.pi / rays
     for degrees, value in (*((degrees, math.inf) for degrees in range(*empty, 6)), *things) if empty else things:
-        ranges[round((degrees + 90) * rays / 360) % rays] = value
-    fields = {"angle_min": -math.pi, "angle_max": -math.pi + (rays - 1) * step, "angle_increment": step,
+        ranges[round((degrees - 90 - first) * rays / 360) % rays] = value
+    begin = math.radians(first)
+    fields = {"angle_min": begin, "angle_max": begin + (rays - 1) * step, "angle_increment": step,
               "range_min": lowest, "range_max": 8.0, "ranges": ranges.tolist()}
     places = ", ".join(place_of(*thing) for thing in things)
     about = "this scan has walls all around, also behind and on both sides, at least 2 m away"
     about += " (but inf from {}° to {}°)".format(*empty) if empty else ""
     about += f" and, counted to the left of straight ahead, {places}" if things else ""
+    about += f", and begins at angle_min = {begin:.2f}" if first > -180 else ""
     return {"topic": "/kachaka/lidar/scan", "message": "LaserScan", "fields": fields, "about": about} | more
 
 
@@ -755,7 +757,7 @@ def inputs(rng):
     elsewhere = [(90, 0.3), (-90, 0.3), (180, 0.3), (60, 0.35), (-60, 0.35), (0, 0.6)]
     scans = [scan(rng, thing) for thing in (*near, *near, *elsewhere)]
     beside = scan(rng, (84, 0.25), (6, 0.35))
-    return ("commands", [scan(rng), *shuffled(rng, [*scans, beside, scan(rng, (0, 0.25), rays=120)])])
+    return ("commands", [scan(rng), *shuffled(rng, [*scans, beside, scan(rng, (0, 0.25), rays=120), scan(rng, (0, 0.3), first=-90)])])
 
 
 # %% role="case" title="step 3: use only measurements" points=1 hint="Do nan, inf and ranges below range_min stop your robot? Or do they hide an obstacle?"
@@ -778,7 +780,7 @@ def inputs(rng):
 
 # %% role="hidden" title="other scans" points=1 hint="Does your node use angle_min, angle_increment, range_min and range_max of each scan?"
 def inputs(rng):
-    free, near = scan(rng, rays=90), scan(rng, (int(rng.integers(-20, 21)), round(rng.uniform(0.2, 0.35), 2)), rays=90)
+    free, near = scan(rng, rays=90), scan(rng, (int(rng.integers(-20, 21)), round(rng.uniform(0.2, 0.35), 2)), rays=90, first=-100)
     other = scan(rng, (0, round(rng.uniform(0.1, 0.25), 2)), (180, 0.2), rays=60, lowest=0.3)
     mixed = [free, near, near, other] * 3
     return ("commands", [*shuffled(rng, mixed), free, {"seconds": 1.2}, *shuffled(rng, mixed)])

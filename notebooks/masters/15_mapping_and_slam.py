@@ -253,7 +253,7 @@ def inputs(rng):
     return [((0, 0), (2, 5)), ((0, 0), (2, 4)), ((3, 1), (3, 6)), ((1, 2), (4, 2 + int(rng.integers(5, 9))))]
 
 
-# %% role="case" title="all directions" points=1 hint="The number of steps is the larger of both ways, without its sign. Rows and columns have a sign each. The first cell is start, the last one is end, and each is (row, column)."
+# %% role="case" title="all directions" points=1 hint="The number of steps is the larger of both ways, without its sign. Rows and columns have a sign each, outside of //, which rounds down. The first cell is start, the last one is end, and each is (row, column)."
 def inputs(rng):
     return [((5, 5), (1, 7)), ((6, 9), (4, 2)), ((0, 8), (9, 3)), ((8, 3), (0, 3)), ((7, 7), (3, 3)), ((2, 9), (4, 5)), ((9, 1), (7, 5)),
             far_ray(rng)]

@@ -261,11 +261,11 @@ def believe(readings, names, votes):
 def believe(readings, names, votes):
     return winner(readings, sorted(names), votes)
 
-# %% role="mistake" name="votes not used" says="You do not use votes: return None if the best name has fewer votes than that."
+# %% role="mistake" name="votes not used" says="In these checks votes changes nothing in your result: count all looks, and return None if the best name has fewer votes than that."
 def believe(readings, names, votes):
     return winner(readings, names, votes, enough=1)
 
-# %% role="mistake" name="votes not used, not even for none" says="You do not use votes: return None if the best name has fewer votes than that, also if there is no look at all."
+# %% role="mistake" name="votes not used, not even for none" says="In these checks votes changes nothing in your result: count all looks, and return None if the best name has fewer votes than that, also if there is no look at all."
 def believe(readings, names, votes):
     return winner(readings, names, votes, enough=0)
 
@@ -350,7 +350,7 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.03, 0.6
 
-# %% role="mistake" name="it turns left and right" says="Usual causes: each call chooses again (store the heading in memory, and choose a new one when the way is not free, or after a metre); a stored heading is yaw + direction, and the turn is the heading minus the yaw, wrapped; a direction on the left is positive; an angle is in degrees."
+# %% role="mistake" name="it turns left and right" says="Usual causes: each call chooses again (store the heading in memory, and choose a new one when the way is not free, or after a metre); a stored heading is yaw + direction, and the turn is the heading minus the yaw, wrapped; a direction on the left is positive; way_before counts from the robot, so straight ahead is 0.0 and not yaw; an angle is in degrees."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, -angular

@@ -327,12 +327,16 @@ def _order(node, _tree):
     if isinstance(node, ast.BinOp) and isinstance(node.left, ast.BinOp):
         left = ast.BinOp(node.left.left, node.op, node.right)
         yield _FIRST, _setting(node, left=left, op=node.left.op, right=node.left.right)
-    yield from _parentheses(node)
     if isinstance(node, ast.Call) and len(node.args) > 1:
         yield "is the order of arguments right?", _setting(node, args=[*node.args[:-2], *node.args[:-3:-1]])
 
 
-def _parentheses(node):
+def _square(node, _tree):
+    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
+        yield "is its square needed?", _replacing(node, _parsed(f"{node.id} ** 2"))
+
+
+def _parentheses(node, _tree):
     """a / b * c + d becomes a / (b * c + d), and a + b / c becomes (a + b) / c."""
     text = ast.unparse(node) if isinstance(node, ast.BinOp) else ""
     for operator in (" / ", " // ", " * "):
@@ -489,5 +493,7 @@ _RULES = (
     _constant,
     _assigned,
     _size,
+    _square,
+    _parentheses,  # these may help by chance, where a square is missing
     *_LAST_RULES,
 )

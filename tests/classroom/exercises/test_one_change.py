@@ -96,6 +96,11 @@ CASES = {
         "lines 3, 4",
         "range(1, len(a)), and range(1, len(b)): does it end at the right place?",
     ),
+    "a missing square": (
+        "def f(a, b):\n    return a * (1 / b) + a / (2 * b)",
+        [((2.0, 4.0), 1.0), ((3.0, 2.0), 3.75)],
+        "is its square needed?",
+    ),
     "parentheses": (
         "def f(a, b, c, d):\n    return a * b - c + d",
         [((2, 7, 4, 1), 8)],
@@ -172,7 +177,7 @@ CASES = {
         [((1,), True), ((2,), False)],
         "is a text ever equal to a number?",
     ),
-    "a denominator": ("def f(a, b):\n    return a / b * 4", [((8, 2), 1)], "are parentheses missing?"),
+    "a denominator": ("def f(a, b):\n    return a / b * 4", [((16, 2), 2)], "a / b * 4", "right operator?"),
     "a part too many": ("def f(a, b):\n    return a * b + b", [((2, 3), 6)], "is the second part needed?"),
 }
 
