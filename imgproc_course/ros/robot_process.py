@@ -33,7 +33,7 @@ from typing import Any, ClassVar, NamedTuple
 try:
     import fcntl
 except ImportError:
-    fcntl = None  # type: ignore[assignment]
+    fcntl = None  # type: ignore[assignment]  # Windows
 
 SHAREABLE = fcntl is not None  # whether programs can share a robot here: not on Windows
 FOLDERS = Path("/tmp")  # not the user's TMPDIR or XDG_RUNTIME_DIR: they differ between a user's logins

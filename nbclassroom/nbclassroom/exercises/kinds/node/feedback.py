@@ -114,12 +114,13 @@ def _on_speed(wanted, given, steps):
 
 def _always_stands(expected, actual, path):
     """Whether a node that drove stands, rightly, and never drives again in steps in which it should."""
-    if not path.endswith(_SPEED):
+    records = (expected, actual) if path.endswith(_SPEED) else ()
+    published = [[step["published"] for step in record["steps"]] for record in records]
+    if not published or any(len(messages) != 1 for steps in published for messages in steps):
         return False
-    speeds = []
-    for steps in (expected["steps"], actual["steps"]):
-        speeds.append([step["published"][0]["fields"]["linear"]["x"] for step in steps])
-    wanted, given = map(np.array, speeds)
+    wanted, given = (
+        np.array([message["fields"]["linear"]["x"] for (message,) in steps]) for steps in published
+    )
     stops = np.flatnonzero((wanted == 0) & (given == 0))
     first = stops[0] if len(stops) else 0
     return bool(given[:first].any() and wanted[first:].any() and not given[first:].any())
