@@ -16,7 +16,6 @@ from typing import NamedTuple
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _LOADS = ("LOAD_NAME", "LOAD_GLOBAL", "LOAD_FROM_DICT_OR_GLOBALS")
-_STORES = ("STORE_NAME", "STORE_GLOBAL")
 _MAGIC = re.compile(
     r"""^(?P<indent>[ \t]*)(?![ \t])
     (?: %time[ \t]+(?=[A-Za-z_(])            # %time y = f(): only the magic goes
@@ -30,12 +29,11 @@ _MAGIC = re.compile(
 # The prompts of Python and IPython, pasted from a terminal or a page: Jupyter drops them too.
 _PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
 _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
-_CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
+_CELL_MAGIC = re.compile(r"\s*%%((?:time|timeit|capture|prun)\b)?.*\n?")  # those of Python
 # Calls of a program that runs by itself: they do not end, or wait for somebody.
 _WAITING_CALLS = re.compile(
     r"(^|\.)(spin\w*|ok)$|^(rclpy\.(init|(try_)?shutdown)|main|input|(cv2\.)?(imshow|waitKey\w*))$"
 )
-_PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
 @functools.lru_cache(maxsize=2_000)  # most cells are the lesson's, in every notebook
@@ -46,17 +44,15 @@ def plain_python(source):
     """
     if source.lstrip().startswith((">>>", "In [")):  # IPython's is an annotation, too
         source = _PROMPT.sub("", source)
-    try:
-        ast.parse(source)
-    except UNPARSABLE:
-        source = textwrap.dedent(_FENCE.sub("#", source))
-        cell_magic = _CELL_MAGIC.match(source)
-        if cell_magic and cell_magic[1] not in _PYTHON_MAGICS:
-            return "#" + "\n#".join(source.splitlines())  # another language
-        if cell_magic:
-            source = "#\n" * cell_magic[0].count("\n") + source[cell_magic.end() :]
-        return _MAGIC.sub(_without_magic, source)
-    return source
+    if top_level(source):
+        return source
+    source = textwrap.dedent(_FENCE.sub("#", source))
+    cell_magic = _CELL_MAGIC.match(source)
+    if cell_magic and not cell_magic[1]:
+        return "#" + "\n#".join(source.splitlines())  # another language
+    if cell_magic:
+        source = "#\n" * cell_magic[0].count("\n") + source[cell_magic.end() :]
+    return _MAGIC.sub(_without_magic, source)
 
 
 def _without_magic(match):
@@ -105,7 +101,7 @@ def names_in(code):
             inner = names_in(step.argval)
             names.reads.update(inner.reads - names.binds)
             names.imports.update(inner.imports)
-        elif step.opname in _STORES:
+        elif step.opname in ("STORE_NAME", "STORE_GLOBAL"):
             names.binds.add(step.argval)
         elif step.opname in _LOADS and step.argval not in names.binds and not step.argval.startswith("__"):
             names.reads.add(step.argval)

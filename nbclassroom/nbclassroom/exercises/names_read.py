@@ -21,7 +21,6 @@ from .source_remarks import SAYS
 _FOR_ALL = ("numpy", "matplotlib", "IPython", "__main__", "nbclassroom")
 _FOR_ALL += (*course.always_allowed, *course.display_only)
 _NO_VALUES = (types.ModuleType, types.FunctionType, types.BuiltinFunctionType, type)
-_MOST_NAMES = 5
 
 
 class CellRuns:
@@ -78,7 +77,7 @@ class CellRuns:
         if cell_id in self._deleted:
             return "was deleted"
         names, why_failed = self._cells[cell_id]
-        makes = ", ".join(sorted(names)[:_MOST_NAMES]) or "nothing that has a name"
+        makes = ", ".join(sorted(names)[:5]) or "nothing that has a name"
         return "" if not cell_id or name in names else why_failed or f"now makes {makes}"
 
 

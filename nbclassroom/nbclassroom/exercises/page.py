@@ -14,6 +14,7 @@ notebooks loads this file (see `gradebook.submission_reader`). `page_run` runs a
 """
 
 import re
+from itertools import pairwise
 
 if __package__:
     from . import cell_syntax
@@ -50,7 +51,7 @@ def page_of_notebook(cells, lesson_cells, exercises):
         checks[id] = check = max([calls.get(id, len(counted)), *(place + 1 for place in marked[:1])])
         found = {place for place, _ in definitions}  # the last one above the check, or the first one below
         ordered = sorted(found, key=lambda place: (place >= check, abs(place - check)))
-        places[id] = [origins[place]["number"] for place in ordered]
+        places[id] = list(dict.fromkeys(origins[place]["number"] for place in ordered))
         for place in [*ordered, *marked][:1]:
             counted[place]["exercise"] = id
             answers[id] = counted[place]["source"]
@@ -66,23 +67,28 @@ def _counted_cells(cells, lesson_cells, exercises):
     counted, origins, calls = [], [], dict[str, int]()
     for cell in [*deleted, *cells]:
         if cell["type"] == "code" or in_text & {*cell["names"]}:
-            parts = [*_parts(cell, lesson_cells, exercises)]
-            counted += parts
-            origins += [cell] * len(parts)
-            called = _CHECK.findall(re.sub("#.*", "", cell.get("source") or ""))
-            calls |= dict.fromkeys(called, len(counted))
+            for part in _parts(cell, lesson_cells, exercises):
+                if part["kind"]:
+                    counted.append(part)
+                    origins.append(cell)
+                calls |= dict.fromkeys(_CHECK.findall(re.sub("#.*", "", part["source"])), len(counted))
     return counted, origins, calls
 
 
 def _parts(cell, lesson_cells, exercises):
-    """What runs of a cell: a given cell as handed out, even if it was deleted, and what was changed."""
+    """What runs of a cell: a given cell as handed out, what was changed in parts that end with a check."""
     source, handed_out = cell.get("source"), lesson_cells.get(cell["id"])
     if handed_out is not None and cell["id"].startswith("given-"):
         yield _counted("given", handed_out)
-    is_as_handed_out = handed_out is not None and handed_out.strip() == (source or "").strip()
     mark = cell["exercise"] if cell["exercise"] in (id for id, *_ in exercises) else ""
-    if not is_as_handed_out and source is not None and (source.strip() or mark):
-        yield _counted("own", source, mark)
+    if source is not None and (source.strip() or mark):
+        is_as_handed_out = handed_out is not None and handed_out.strip() == source.strip()
+        own = _counted("" if is_as_handed_out else "own", source, mark)
+        lines, nodes = own["source"].split("\n"), cell_syntax.top_level("" if own["file"] else own["source"])
+        spans = [(node.lineno - 1, node.end_lineno) for node in nodes[:-1]]
+        ends = [end for begin, end in spans if _CHECK.search("\n".join(lines[begin:end]))]
+        for begin, end in pairwise([0, *ends, len(lines)]):
+            yield own | {"source": "\n" * begin + "\n".join(lines[begin:end])}
 
 
 def _counted(kind, source, exercise=""):

@@ -26,7 +26,7 @@ from . import running
 from .cell_syntax import names_in
 
 STATEMENT_SECONDS = 5.0  # that one statement may take
-TOGETHER_SECONDS = 20.0  # that all cells of a kind may take: those given, the learner's own, the answers
+TOGETHER_SECONDS = {"given": 20.0, "own": 10.0, "answer": 20.0}  # that all cells of a kind may take
 # Annotations are not computed: they cost nobody a point.
 _FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT | __future__.annotations.compiler_flag
 _compile = partial(compile, mode="exec", flags=_FLAGS, dont_inherit=True)
@@ -97,20 +97,20 @@ class PageRun:
             if (number, position) in self._left_out:
                 continue
             began = _monotonic()
-            error = _attempt(self._try, (number, position), code, self._seconds[kind])
+            error = _attempt(self._try, (number, position), code, kind)
             if _process() != self._process:
                 _end_process(0)  # a copy of this process, which the learner's code made
             self._seconds[kind] += _monotonic() - began
             if error is not None:
                 self._note(number, code, error)
 
-    def _try(self, place, code, seconds):
-        """Run a statement of a cell, whose kind has taken some seconds."""
+    def _try(self, place, code, kind):
+        """Run a statement of a cell, if there is time left for cells of its kind."""
         if isinstance(code, Exception):  # Python does not compile it
             raise code
         if place in self._skip:
             raise RuntimeError("it ended the process, or did not end in time")
-        if seconds > TOGETHER_SECONDS:
+        if self._seconds[kind] > TOGETHER_SECONDS[kind]:
             raise TimeoutError("the cells above took all the time that they may take")
         self._tell(*place)
         run = _write if isinstance(code, dict) else self._evaluate
@@ -168,5 +168,4 @@ def _write(cell):
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open(cell["mode"], encoding="utf-8") as file:
         file.write(f"{cell['source']}\n")
-    if "" not in sys.path:
-        sys.path.append("")
+    sys.path[:] = dict.fromkeys([*sys.path, ""])

@@ -91,6 +91,13 @@ def merged_with_its_check(made):
     merge(made, place, place + 1, active=place)
 
 
+@case()
+def tried_otherwise_below_the_check_in_its_cell(made):
+    place = position_of(made, DOUBLE)
+    merge(made, place, place + 1, active=place)
+    made["cells"][place]["source"] += "\nLIMIT = 3\ndef double(pixels):\n    return pixels"
+
+
 @case(finding="graded from cell number")
 def merged_into_a_cell_of_the_learner(made):
     place = position_of(made, DOUBLE)
