@@ -959,8 +959,8 @@ assert rolling.camera.fx == 176.25 and images[0].shape == (180, 320, 3)
 # Write `control(observation, memory)`. Each drive takes 20 s. It gives its points only if it keeps three metrics, the last two as means after the first 5 s:
 #
 # - **bumps**: none, also not into a ball.
-# - **error of the distance**: |distance − 0.6 m| to the ball that rolled is at most 0.25 m.
-# - **ball beside the middle**: the robot looks at most 15° past this ball.
+# - **error of the distance**: |distance − 0.6 m| to the ball that rolled is at most 0.22 m.
+# - **ball beside the middle**: the robot looks at most 8° past this ball.
 #
 # `math`, `np`, `cv2` and `red_spots` are imported for you. You may also import `scipy`, and of `imgproc_course` the packages `geometry`, `imaging` and `messages`.
 #
@@ -1059,7 +1059,7 @@ def one_of_three_balls(rng):
                 return {"seed": int(rng.integers(1 << 31)), "duration": 20.0,
                         "start": [round(float(v), 3) for v in (x, y, yaw)],
                         "balls": [[round(float(v), 3) for v in way] for way in ways],
-                        "thresholds": {"bumps": ["<=", 0], "ball_gap": ["<=", 0.25], "ball_angle": ["<=", 15]}}
+                        "thresholds": {"bumps": ["<=", 0], "ball_gap": ["<=", 0.22], "ball_angle": ["<=", 8]}}
 
 
 # %% role="answer"

@@ -81,7 +81,7 @@ def behaviours(record, scenario):
     if metrics.get("low") and missed.keys() & {"bumps", "clearance"}:
         seen |= _low(record)
     others = missed.keys() - {"bumps", "clearance", "answer_error"}
-    if others and others != {"ball_gap"}:  # of the ball alone: it keeps it in the middle of the image
+    if others and others not in ({"ball_gap"}, {"ball_angle"}):  # of one alone: it follows the ball
         stay = {} if record["bumps"] else _stay(record, scenario.get("goal"))
         seen |= stay or _circles(record)
     if missed.keys() & {"places", "goal_time", "reach", "distance"} and not seen:
