@@ -5,7 +5,6 @@ the line that raised: `thinned > high and thinned < 9` needs another sentence th
 """
 
 import ast
-import math
 import re
 import unicodedata
 from pathlib import Path
@@ -79,7 +78,6 @@ def _broadcast(match, source):
 
 def _broadcast_rules(first, second, source):
     """(whether it holds, advice) of each rule about the different shapes of two arrays in a line."""
-    yield len(first) == 1 < len(second) and first[0] == math.prod(second), _ADVICE["<all in one row>"]
     yield len(first) == 2 and second == first[:1], _ADVICE["<number of each row>"]
     if len(first) != len(second):
         return
@@ -90,7 +88,6 @@ def _broadcast_rules(first, second, source):
     yield first == second[::-1], _ADVICE["<exchanged>"]
     gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
     yield gap <= 2, _ADVICE["<nearly one shape>"].format(gap)
-    yield len(first) == 2 and first[1] == second[1] < 5, _ADVICE["<rows with rows>"]
 
 
 def _index_outside(match, source):
