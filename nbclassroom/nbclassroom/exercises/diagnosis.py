@@ -14,12 +14,6 @@ import numpy as np
 from .canonical import array_of
 from .comparison import as_float, as_type_of, compare, differing, kind_of, named_items
 
-_FACTORS = {
-    2: "twice the expected number",
-    3: "three times the expected number (are the channels of each pixel counted, too?)",
-    100: "100 times the expected number (is it in percent?)",
-}
-
 _COINCIDENCE = 0.01
 _MANY = 4  # wrong values, of which a sentence is said that may be chance for fewer
 UNCHANGED = "unchanged: what you compute does not get into it"
@@ -354,9 +348,8 @@ def _relation_of_numbers(forms):
     expected, actual = _number_pairs(forms)
     if kind_of(forms[0][0]) == "int" and abs(np.unique(actual - expected)).tolist() == [1.0]:
         return f"Your number is one too {'large' if actual[0] > expected[0] else 'small'}, in every check."
-    for factor, text in _FACTORS.items():
-        if expected.any() and np.allclose(actual, expected * factor, rtol=1e-6, atol=0):
-            return f"Your number is {text}, in every check."
+    if expected.any() and np.allclose(actual, expected * 100, rtol=1e-6, atol=0):
+        return "Your number is 100 times the expected number (is it in percent?), in every check."
     return ""
 
 
@@ -443,7 +436,6 @@ _RELATIONS = (
     (_TRANSPOSED, lambda v: np.swapaxes(v, 0, 1) if v.ndim > 1 else v + np.nan),
     ("Your result is the expected one, mirrored from left to right.", _mirrored(1)),
     ("Your result is the expected one, upside down.", _mirrored(0)),
-    ("Your result is the expected one in reverse order, from the last value to the first.", np.flip),
     ("The channels are in the wrong order: the first and the last are exchanged.", _mirrored(2)),
 )
 

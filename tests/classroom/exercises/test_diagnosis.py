@@ -108,7 +108,6 @@ SIZES = [
     (GRAY[0], GRAY[0, :2], "Your result has 2 values, and the task asks for 6 here."),
 ]
 VALUES = [
-    (0.5, 1.0, "Your number is twice the expected number, in every check."),
     (81, 80, "Your number is one too small, in every check."),
     (0.25, 25.0, "100 times the expected number (is it in percent?)"),
     (GRAY, GRAY * 0, "Every value of your result is 0: where do they become 0?"),
@@ -121,7 +120,6 @@ VALUES = [
     (GRAY[:5, :5], GRAY[:5, :5].T, "Rows and columns are exchanged"),
     (SIGNED, SIGNED[:, ::-1], "mirrored from left to right"),
     (SIGNED, SIGNED[::-1], "upside down"),
-    (SIGNED, SIGNED[::-1, ::-1], "the expected one in reverse order, from the last value to the first."),
     (np.where(MASK, 255, 0), np.where(MASK, 1, 0), "Where 255 is expected, your result has 1. Everything"),
     ((MASK, ~MASK), (MASK, MASK), "All that you return is the same array: does it have two names?"),
     (COLOUR, COLOUR[..., ::-1], "the first and the last are exchanged"),
@@ -234,7 +232,7 @@ def test_a_shape_of_which_nothing_is_certain_leaves_the_hint_in():
 
 
 def test_numpy_scalars_count_as_numbers():
-    assert say(0.5, np.float64(1.5)).text.startswith("Your number is three times the expected number")
+    assert say(0.5, np.float64(50)).text.startswith("Your number is 100 times the expected number")
 
 
 TOO_LARGE = [(3, 10**400), (0.5, -(10**400)), (3, 2**5000), ("abc", "a" * 20_000), ((1, 2), [1] * 30_000)]
