@@ -247,17 +247,13 @@ def _moving(statement, block, target, place=0):
     return move
 
 
-def _superfluous(node, tree):
+def _superfluous(node, _tree):
     if isinstance(node, ast.BinOp):
         yield "is the second part needed?", _replacing(node, node.left)
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
         yield "is the first part needed?", _replacing(node, node.right)
     if isinstance(node, ast.If) and not node.orelse:
         yield "is this condition needed?", _setting(node, test=ast.Constant(True))
-        block = _block_of(node, tree)
-        below = block[block.index(node) + 1 :][:1]
-        if below and isinstance(below[0], ast.If):
-            yield "should the if below it be elif?", _moving(below[0], block, node.orelse)
 
 
 def _assigned(node, tree):
@@ -305,9 +301,6 @@ def _compare(node, _tree):
             for comparison, question in _COMPARISONS.get(type(operator), ()):
                 ops = [*node.ops[:number], comparison(), *node.ops[number + 1 :]]
                 yield question, _setting(node, ops=ops)
-    for value in node.values if isinstance(node, ast.BoolOp) else ():
-        others = [other for other in node.values if other is not value]
-        yield "is each of these conditions needed?", _setting(node, values=others)
     if isinstance(node, ast.BoolOp):
         opposite = ast.And if isinstance(node.op, ast.Or) else ast.Or
         yield "must both be true, or is one enough?", _setting(node, op=opposite())
@@ -405,11 +398,8 @@ def _constant(node, tree):
             yield "is it the number of the task?", _setting(node, value=number)
     if isinstance(value, bool):
         yield _DIRECTION, _setting(node, value=not value)
-    text = value if isinstance(value, str) else ""
-    if text.isdecimal():
-        yield "is a text ever equal to a number?", _setting(node, value=int(text))
-    if re.fullmatch(r"[<>=]?[iu]\d", text):
-        yield "can this type hold every value?", _setting(node, value=text.translate({105: "u", 117: "i"}))
+    if isinstance(value, str) and re.fullmatch(r"[<>=]?[iu]\d", value):
+        yield "can this type hold every value?", _setting(node, value=value.translate({105: "u", 117: "i"}))
     if isinstance(node, ast.Attribute) and re.fullmatch(r"u?int(8|16)|uint32", node.attr):
         yield "can this type hold every value?", _setting(node, attr="int64")
 
@@ -445,8 +435,6 @@ def _index(node, _tree):
         end = ast.unparse(node.upper)
         yield "is its last element left out?", _setting(node, upper=_parsed(f"{end} + 1"))
         yield "what does an end of 0 or -0 mean?", _setting(node, upper=_parsed(f"({end}) or None"))
-    elif isinstance(part, ast.Compare):
-        yield "are these values needed, or the mask itself?", _replacing(node, part)
     elif isinstance(part, ast.Slice):
         yield "should it take columns?", _setting(node, slice=ast.Tuple([ast.Slice(), part], ast.Load()))
     elif part and not any(isinstance(index, ast.Slice | ast.Starred) for index in indices):

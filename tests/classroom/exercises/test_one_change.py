@@ -131,23 +131,12 @@ CASES = {
     "not": ("def f(a):\n    return not a", [((True,), True), ((0,), 0)], "not a: is it the right way round?"),
     "a factor too many": ("def f(a):\n    return a * 100 < 2", [((1,), True), ((3,), False)], "second part"),
     "the other pixels": ("def f(a):\n    return a.tolist()", [((np.ones(2) > 0,), [False, False])], "a in"),
-    "a mask": (
-        "def f(a):\n    return float(a[a > 2].mean())",
-        [((np.arange(4),), 0.25)],
-        "or the mask itself?",
-    ),
     "a length": ("def f(a):\n    return a.sum() / len(a)", [((np.ones((2, 3)),), 2.0)], "the right size?"),
     "a product": ("def f(a):\n    return a.sum() / (4 * 5)", [((np.ones((2, 3)),), 1.0)], "4 * 5 in"),
     "twice a number": (
         "def f(a):\n    return a * 8",
         [((3,), 48)],
         "8 in return a * 8: is this number right?",
-    ),
-    "elif": (
-        "def f(a):\n    b = 0\n    if a > 5:\n        b = 2\n    if a > 3:\n        b = 1\n    return b",
-        [((9,), 2), ((4,), 1), ((1,), 0)],
-        "line 3",
-        "should the if below it be elif?",
     ),
     "in each round": (
         "def f(a):\n    n = 0\n    sums = []\n    for row in a:\n        for b in row:\n            n += b\n"
@@ -171,11 +160,6 @@ CASES = {
         "def f(a, b):\n    a = a + b\n    b = a - b\n    return [a, b]",
         [((5, 2), [7, 3])],
         "does the line below it need the old value?",
-    ),
-    "a text": (
-        "def f(a):\n    return a == '1'",
-        [((1,), True), ((2,), False)],
-        "is a text ever equal to a number?",
     ),
     "a denominator": ("def f(a, b):\n    return a / b * 4", [((16, 2), 2)], "a / b * 4", "right operator?"),
     "a part too many": ("def f(a, b):\n    return a * b + b", [((2, 3), 6)], "is the second part needed?"),
