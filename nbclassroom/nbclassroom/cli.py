@@ -303,7 +303,7 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
     3 some could not be graded (they get 0 points and a reason) or a page is incomplete, or nothing was graded
     since it is in doubt whose a file is, 1 nothing was graded, 130 interrupted.
     """
-    from nbclassroom.autograder.nbval_process import usual_workers
+    from nbclassroom.autograder.pool import usual_workers
     from nbclassroom.gradebook.answer_keys import AnswerKeys
     from nbclassroom.gradebook.result_store import RunRules
 
@@ -328,7 +328,7 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
 
 def _grade_and_review(submissions, keys, out, rules, review, options):
     """The GradingSummary of a run, or of the second one after a review."""
-    from nbclassroom.autograder.nbval_process import open_worker_threads
+    from nbclassroom.autograder.pool import open_worker_threads
 
     with contextlib.ExitStack() as stack:
         if not options["scheduler"]:

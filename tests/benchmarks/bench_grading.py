@@ -31,8 +31,7 @@ import numpy as np
 import psutil
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.autograder.make_answer_key import make_key
-from nbclassroom.autograder.nbval_process import usual_workers
-from nbclassroom.autograder.pool import autograde
+from nbclassroom.autograder.pool import autograde, usual_workers
 from nbclassroom.exercises import array_of, read_exercises
 from platformdirs import user_cache_path
 from rich.console import Console

@@ -1,4 +1,4 @@
-"""The pytest plugin of an nbval process: it makes nbval grade one exercise after another.
+"""The program and the pytest plugin of an nbval process: it makes nbval grade one exercise after another.
 
 What nbval does: it collects each exercise's notebook, whose stored outputs are the values of the answer key,
 sends the cells to what it takes for its kernel, reads the messages that come back, and compares each output
@@ -10,7 +10,10 @@ where nbval compares (`stored != shown`), a CaseRun is what was shown, and `==` 
 import json
 import math
 import os
+import socket
+import sys
 import time
+import types
 from pathlib import Path
 
 import pytest
@@ -256,11 +259,25 @@ class ExerciseRun:
         self._process = None
 
 
-class GradingPlugin:
-    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`."""
+def main(descriptor, folder, kernel_factory):
+    """The program of an nbval process; the arguments of its command are pytest's."""
+    _leave_out_kernels_of_nbval()
+    sys.exit(pytest.main(sys.argv[1:], plugins=[GradingPlugin(descriptor, folder, kernel_factory)]))
 
-    def __init__(self, connection, folder, kernel_factory):
-        self._connection, self._kernel_factory = connection, kernel_factory
+
+def _leave_out_kernels_of_nbval():
+    """Spare nbval the import of Jupyter's client and of coverage: `ExerciseKernel` replaces its kernel."""
+    kernel, cover = types.ModuleType("nbval.kernel"), types.ModuleType("nbval.cover")
+    vars(kernel).update(RunningKernel=None, CURRENT_ENV_KERNEL_NAME=None)
+    vars(cover).update(setup_coverage=None, teardown_coverage=None)
+    sys.modules |= {"nbval.kernel": kernel, "nbval.cover": cover}
+
+
+class GradingPlugin:
+    """The plugin's state: the keys, the kernels, and the socket to `pool.NbvalProcess`."""
+
+    def __init__(self, descriptor, folder, kernel_factory):
+        self._connection, self._kernel_factory = socket.socket(fileno=descriptor), kernel_factory
         self._folder = Path(folder)
         self._phases, self._exception = [], None
 

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 from attacks import LESSON
-from nbclassroom.autograder import nbval_process
+from nbclassroom.autograder import pool
 from nbclassroom.autograder.nbval_plugin import notebook_of
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.autograder.sandbox.cell_run import MIME
@@ -40,7 +40,7 @@ CHANGES = ["outputs = 2 * outputs", "call['value'] = {'type': 'float', 'value': 
 def test_a_cell_that_nbval_lets_fail_costs_its_points(key, right, monkeypatch, change):
     """The values are right, and nbval finds that one output is missing, or that another one is stored."""
     program = OTHER_OUTPUTS.replace("CHANGE", change)
-    monkeypatch.setattr(nbval_process, "_PROGRAM", f"{program}\n{nbval_process._PROGRAM}")
+    monkeypatch.setattr(pool, "_PROGRAM", f"{program}\n{pool._PROGRAM}")
     (graded,) = autograde([("one", LESSON, right)], key, workers=1)
     _, mean = graded.exercises
     assert [(case.outcome, case.points) for case in mean.cases] == [("not graded", 0), ("passed", 4)]

@@ -4,9 +4,8 @@ from pathlib import Path
 
 import pytest
 from nbclassroom.autograder.make_answer_key import make_key
-from nbclassroom.autograder.nbval_process import nbval_process_of_thread, stop_nbval_processes
 from nbclassroom.autograder.outcomes import Outcome
-from nbclassroom.autograder.pool import autograde, grade_one
+from nbclassroom.autograder.pool import autograde, grade_one, nbval_process_of_thread, stop_nbval_processes
 from nbclassroom.exercises.page import page_of
 from node_answers import ANSWERS
 from node_attacks import NODE_ATTACKS

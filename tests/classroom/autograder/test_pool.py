@@ -13,11 +13,18 @@ from contextlib import suppress
 
 import psutil
 import pytest
-from nbclassroom.autograder import nbval_process
+from nbclassroom.autograder import pool
 from nbclassroom.autograder.nbval_plugin import ExerciseRun, PageKernels
-from nbclassroom.autograder.nbval_process import NbvalProcessNotStarted, nbval_process_of_thread
 from nbclassroom.autograder.outcomes import PHRASES, Outcome
-from nbclassroom.autograder.pool import Limits, SandboxError, autograde, grade_one, open_worker_threads
+from nbclassroom.autograder.pool import (
+    Limits,
+    NbvalProcessNotStarted,
+    SandboxError,
+    autograde,
+    grade_one,
+    nbval_process_of_thread,
+    open_worker_threads,
+)
 from nbclassroom.autograder.results import from_json, to_json
 from nbclassroom.autograder.sandbox import bubblewrap
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
@@ -196,13 +203,13 @@ def test_submissions_are_read_as_results_are_taken(key, right):
     assert [result.name for result in itertools.islice(graded, 3)] == ["s0", "s1", "s2"]
     graded.close()
     assert next(counter) < 20
-    assert children("nbval_process.main") == []
+    assert children("nbval_plugin.main") == []
 
 
 def test_another_key_in_the_same_place_is_noticed(key, right):
     with pytest.raises(ValueError, match="this is another key than the one"):
         grade_one(("a", LESSON, page_of(right, key.lessons[LESSON])), key.path, "0" * 64)
-    nbval_process.stop_nbval_processes()
+    pool.stop_nbval_processes()
 
 
 def test_grade_one_runs_over_any_executor(results, key, right):
@@ -226,7 +233,7 @@ def children(word):
     return matching
 
 
-@pytest.mark.parametrize("word", ["nbval_process.main", "fork_server.main"])
+@pytest.mark.parametrize("word", ["nbval_plugin.main", "fork_server.main"])
 def test_a_crash_of_our_own_processes_loses_nothing(results, key, right, word):
     names = [name for name in SAMPLES if OUTCOMES.get(name) == ("passed", "passed")] * 2
     graded, kill_count = [], 0
@@ -235,7 +242,7 @@ def test_a_crash_of_our_own_processes_loses_nothing(results, key, right, word):
         if number % 5 == 2:
             for process in children(word):
                 with suppress(psutil.Error, AttributeError):  # it has ended, and so has its parent
-                    if word == "nbval_process.main" or process.parent().name() == "bwrap" != process.name():
+                    if word == "nbval_plugin.main" or process.parent().name() == "bwrap" != process.name():
                         process.send_signal(signal.SIGKILL)
                         kill_count += 1
     assert kill_count >= 2
@@ -245,9 +252,9 @@ def test_a_crash_of_our_own_processes_loses_nothing(results, key, right, word):
 def test_nothing_is_left_behind(key, right):
     list(autograde(submissions_of(right, ["right", "ends"]), key, workers=2))
     deadline = time.monotonic() + 60
-    while (children("fork_server") or children("nbval_process.main")) and time.monotonic() < deadline:
+    while (children("fork_server") or children("nbval_plugin.main")) and time.monotonic() < deadline:
         time.sleep(0.05)
-    assert children("fork_server") == children("nbval_process.main") == []
+    assert children("fork_server") == children("nbval_plugin.main") == []
     assert not any(thread.name.startswith("autograde-") for thread in threading.enumerate())
 
 
@@ -281,7 +288,7 @@ def test_an_nbval_process_that_does_not_start_reports_why(key, right, monkeypatc
     broken = tmp_path / "python"
     broken.write_text("#!/bin/sh\necho 'no such plugin' >&2\nexit 3\n")
     broken.chmod(0o755)
-    monkeypatch.setattr(nbval_process.sys, "executable", str(broken))
+    monkeypatch.setattr(pool.sys, "executable", str(broken))
     with pytest.raises(SandboxError, match="the nbval process did not start: no such plugin"):
         grade_one(("a", LESSON, page_of(right, key.lessons[LESSON])), key.path, key.digest, unsafe=True)
 
@@ -300,9 +307,9 @@ def mortal(path, program, deaths):
 def test_an_nbval_process_that_is_killed_while_it_starts_is_started_again(
     key, right, monkeypatch, tmp_path, deaths
 ):
-    monkeypatch.setattr(nbval_process.sys, "executable", mortal(tmp_path / "python", sys.executable, deaths))
+    monkeypatch.setattr(pool.sys, "executable", mortal(tmp_path / "python", sys.executable, deaths))
     result = grade_one(("a", LESSON, page_of(right, key.lessons[LESSON])), key.path, key.digest, unsafe=True)
-    nbval_process.stop_nbval_processes()
+    pool.stop_nbval_processes()
     if deaths == 5:
         assert result.points == 10
     else:
@@ -373,12 +380,12 @@ def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
 
 
 def test_an_nbval_process_loads_nothing_that_only_teachers_tools_need():
-    code = (
-        "import sys; import nbclassroom.autograder.blocked_imports; "
-        "from nbclassroom.autograder import nbval_process; "
+    first_imports, *_ = pool._PROGRAM.partition("confine.")
+    code = first_imports + (
         "print([name for name in ('numpy', 'pytest') if name in sys.modules]); "  # they come later
-        "nbval_process._leave_out_kernels_of_nbval(); "
-        "import nbclassroom.autograder.nbval_plugin, nbval.plugin; "
+        "import nbclassroom.autograder.blocked_imports; "
+        "from nbclassroom.autograder import nbval_plugin; "
+        "nbval_plugin._leave_out_kernels_of_nbval(); import nbval.plugin; "
         "heavy = ('jupytext', 'rfc3987_syntax', 'isoduration', 'arrow', 'cv2', 'matplotlib', 'coverage'); "
         "heavy += ('zmq', 'rfc3986_validator', 'webcolors'); "
         "print([name for name in heavy if sys.modules.get(name)])"

@@ -8,7 +8,7 @@ import psutil
 import pytest
 from attacks import LESSON, page_with
 from nbclassroom.autograder.nbval_plugin import PageKernels
-from nbclassroom.autograder.nbval_process import NbvalProcess
+from nbclassroom.autograder.pool import NbvalProcess
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.exercises.canonical import encode
 from nbclassroom.exercises.page import page_of

@@ -5,9 +5,8 @@ from dataclasses import replace
 
 import pytest
 from attacks import LESSON
-from nbclassroom.autograder.nbval_process import stop_nbval_processes
 from nbclassroom.autograder.outcomes import BUDGET_MESSAGE, Outcome
-from nbclassroom.autograder.pool import Limits, autograde
+from nbclassroom.autograder.pool import Limits, autograde, stop_nbval_processes
 
 pytestmark = pytest.mark.sandbox
 

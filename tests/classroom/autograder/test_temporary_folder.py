@@ -3,7 +3,7 @@
 import os
 import tempfile
 
-from nbclassroom.autograder.nbval_process import open_worker_threads
+from nbclassroom.autograder.pool import open_worker_threads
 from nbclassroom.autograder.sandbox.bubblewrap import make_temporary_folder
 
 

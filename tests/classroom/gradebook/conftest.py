@@ -13,7 +13,7 @@ sys.path.append(str(Path(__file__).parents[1] / "authoring"))
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.autograder import pool
 from nbclassroom.autograder.make_answer_key import make_key
-from nbclassroom.autograder.nbval_process import open_worker_threads
+from nbclassroom.autograder.pool import open_worker_threads
 from nbclassroom.autograder.sandbox.fork_server_client import KernelFactory
 from nbclassroom.gradebook import check
 from nbclassroom.gradebook.answer_keys import AnswerKeys
@@ -29,8 +29,9 @@ def one_worker():
     """All runs of a module with one worker share an nbval process, which takes two seconds to start."""
     with open_worker_threads(1) as shared, pytest.MonkeyPatch.context() as patch:
 
-        def open_shared(workers):
-            return contextlib.nullcontext(shared) if workers == 1 else open_worker_threads(workers)
+        def open_shared(workers, **options):
+            is_alone = options or workers > 1
+            return open_worker_threads(workers, **options) if is_alone else contextlib.nullcontext(shared)
 
         patch.setattr(pool, "open_worker_threads", open_shared)
         yield

@@ -21,7 +21,7 @@ def _command_line(process):
 
 
 def _is_nbval(process):
-    return "nbval_process.main" in _command_line(process)
+    return "nbval_plugin.main" in _command_line(process)
 
 
 def _is_bubblewrap(process):

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from nbclassroom.authoring.masters import find_masters, read_master
 from nbclassroom.autograder.make_answer_key import make_key
-from nbclassroom.autograder.nbval_process import usual_workers
+from nbclassroom.autograder.pool import usual_workers
 from nbclassroom.gradebook.answer_keys import AnswerKeys
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.report import _way
