@@ -335,7 +335,7 @@ def test_a_fork_server_that_has_ended_is_closed_and_started_again():
     """What it leaves open would be a ResourceWarning, which is an error here."""
     with KernelFactory() as kernels:
         kernels.start((), 5.0).stop()
-        process = kernels._fork_server._process
+        process = kernels._process
         process.kill()
         process.wait()
         del process  # nothing here may keep it alive

@@ -153,7 +153,7 @@ def test_all_processes_of_a_kernel_together_keep_to_its_memory():
         with ThreadPoolExecutor(1) as beside:
             ended = beside.submit(kernel.run, BOMB)
             while not ended.done():
-                most = max(most, used_under(kernel_factory._fork_server._process.pid, 0)[0])
+                most = max(most, used_under(kernel_factory._process.pid, 0)[0])
                 time.sleep(0.2)
         assert ended.result().ended == "memory"
         assert most < 2 << 30  # it tries to use 2.4 GB

@@ -37,8 +37,8 @@ class KernelEnded(Exception):
 class Connection:
     """The socket to a process that runs cells, and the limits on what comes out of it."""
 
-    def __init__(self, fork_server, limits, place):
-        self._fork_server, self._limits = fork_server, limits
+    def __init__(self, factory, place):
+        self._factory, self._limits = factory, factory.limits
         self.place, self._last = place, ()  # memory with the statement of a page that runs; as it was last
         self._lines: deque[bytes] = deque()
         self._buffer, self._is_confined = b"", True
@@ -174,7 +174,7 @@ class Connection:
         """End the kernel if it and all that it started use too much memory or time together."""
         if time.monotonic() < self._next_look:
             return
-        memory, seconds = self._fork_server.used()
+        memory, seconds = self._factory.used()
         if memory > self._limits.memory + _OWN_MEMORY:
             raise KernelEnded("memory")
         ends = {name: seconds + most for name, most in self._cpu_most.items()} | self._cpu_ends
@@ -197,20 +197,20 @@ class Connection:
 
 
 class ForkedKernel(Connection):
-    """A kernel that was forked from a `ForkServer`; it waits until `begin`."""
+    """A kernel of a `KernelFactory`; it waits until `begin`."""
 
-    def __init__(self, fork_server, limits):
+    def __init__(self, factory):
         with os.fdopen(os.memfd_create("place"), "wb") as file:
             file.truncate(PLACE.size)
-            super().__init__(fork_server, limits, mmap.mmap(file.fileno(), PLACE.size))
+            super().__init__(factory, mmap.mmap(file.fileno(), PLACE.size))
             self.place[:] = _NOWHERE
             self._is_confined = False
             with self._other_end:
-                self._id = fork_server.fork([self._other_end.fileno(), file.fileno()])
+                self._id = factory.fork([self._other_end.fileno(), file.fileno()])
 
     def begin(self, allowed, seconds):
         """Start the clock; `KernelFactory.start` explains the arguments."""
-        self._fork_server.await_ends()  # nothing of the kernel before is left now, and counts for this one
+        self._factory.await_ends()  # nothing of the kernel before is left now, and counts for this one
         self._begin(seconds)
         with suppress(KernelEnded):  # its first cell will find out
             self._send(_line_of({"allowed": list(allowed), "cpu": self._cpu_limit}))
@@ -225,7 +225,7 @@ class ForkedKernel(Connection):
 
     def fork_check(self, seconds):
         """A ForkedCheck with the page as it is now; None: beside threads and processes there is no fork."""
-        check = ForkedCheck(self, self._fork_server, self._limits, seconds)
+        check = ForkedCheck(self, self._factory, seconds)
         return check if check.has_begun else None
 
     def exchange_fork(self, descriptor, cpu):
@@ -244,7 +244,7 @@ class ForkedKernel(Connection):
 
         Without patience it is killed, and {} at once: this process waits for its end before the next request.
         """
-        request = {"end": patience, "confined": self._fork_server.confined}
+        request = {"end": patience, "confined": self._factory.confined}
         if patience:
             return self._request(request).status
         with suppress(OSError):
@@ -256,8 +256,8 @@ class ForkedKernel(Connection):
         if self._id is None:  # somebody has asked before
             return "crashed"
         # A process closes its sockets a moment before its end is known: wait for that.
-        self._fork_server.end(self._id, patience=1.0)
-        status = self._fork_server.await_ends()  # the last reply is the one about this kernel
+        self._factory.end(self._id, patience=1.0)
+        status = self._factory.await_ends()  # the last reply is the one about this kernel
         self._id = None
         if status is None:
             return "gone"
@@ -270,15 +270,15 @@ class ForkedKernel(Connection):
         """End the kernel and all that it started, without waiting for its end."""
         self._socket.close()
         if self._id is not None:
-            self._fork_server.end(self._id)
+            self._factory.end(self._id)
             self._id = None
 
 
 class ForkedCheck(Connection):
     """A process that a kernel forked for the cases of one exercise."""
 
-    def __init__(self, kernel, fork_server, limits, seconds):
-        super().__init__(fork_server, limits, kernel.place)
+    def __init__(self, kernel, factory, seconds):
+        super().__init__(factory, kernel.place)
         self._kernel, self._status = kernel, None
         self._begin(seconds)
         with self._other_end:
@@ -302,18 +302,45 @@ def _line_of(request):
     return (json.dumps(request) + "\n").encode("ascii")
 
 
-class ForkServer:
-    """The process that forks kernels, seen from outside; it is started again if it has ended."""
+class KernelFactory(AbstractContextManager):
+    """Starts kernels, `unsafe` ones without a sandbox, as the user who grades; a context manager.
 
-    def __init__(self, limits, *, confined):
-        self._limits, self.confined = limits, confined
-        self._process = None
-        self._control: socket.socket  # to the process, as long as there is one
-        self._folder = None if confined else bubblewrap.make_temporary_folder()
+    They are forked from a process, which is started again if it has ended.
+    """
+
+    def __init__(self, *, unsafe=False, limits=None):
+        self.limits, self.confined = limits or bubblewrap.Limits(), not unsafe
+        self._folder = bubblewrap.make_temporary_folder() if unsafe else None
         self._fork_count = 0
+        self._spare = None  # a kernel that waits: to fork and confine one takes ten milliseconds
+        self._start_server()
 
-    def start(self):
-        """Start the process, without waiting until it is ready."""
+    def start(self, allowed, seconds, *, alone=False):
+        """Start a ForkedKernel.
+
+        Its modules are `allowed`, beside those of every answer. Its first case, and so every case that
+        shares it, may use so many seconds of processor time. `alone`: a new one, while no other one waits.
+        """
+        if alone:
+            self._drop_spare()
+        kernel = self._spare or ForkedKernel(self)
+        self._spare = None if alone else ForkedKernel(self)
+        kernel.begin(allowed, seconds)
+        return kernel
+
+    def _drop_spare(self):
+        if self._spare is not None:
+            self._spare.stop()
+        self._spare = None
+
+    def __exit__(self, *_error):
+        self._drop_spare()
+        self._stop_server()
+        if self._folder is not None:
+            shutil.rmtree(self._folder, ignore_errors=True)
+
+    def _start_server(self):
+        """Start the process that forks, without waiting until it is ready."""
         self._control, server_end = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(60)
         with server_end:
@@ -326,7 +353,7 @@ class ForkServer:
         settings = {
             "confined": confined,
             "user": bubblewrap.kernel_user() if confined else None,
-            "limits": vars(self._limits),
+            "limits": vars(self.limits),
             "control": control.fileno(),
         }
         code = f"import sys; sys.path += {bubblewrap.search_path(confined)!r}; "
@@ -348,18 +375,18 @@ class ForkServer:
         order = json.dumps({"op": "fork", "id": self._fork_count}).encode()
         for _ in range(_STARTS):  # somebody may kill it
             if self._process is None or self._process.poll() is not None:
-                self.stop()
-                self.start()
+                self._stop_server()
+                self._start_server()
             with suppress(OSError):
                 self._is_ready = self._is_ready or bool(self._control.recv(1 << 20))
                 if self._is_ready:
                     socket.send_fds(self._control, [order], descriptors)
                     return self._fork_count
-            last_words = self.stop()
+            last_words = self._stop_server()
         raise bubblewrap.SandboxError(f"the fork server did not start: {last_words or 'it was killed'}")
 
-    def prepare(self, code, draws):
-        """Let it compile a lesson's cells, and load what draws; kernels that are forked later have both."""
+    def prepare(self, code, *, draws):
+        """Let kernels have a lesson's cells compiled, a tuple of sources; and matplotlib, if a page draws."""
         if (code, draws) not in self._prepared:
             self._prepared.add((code, draws))
             with suppress(OSError):  # too many for one message
@@ -374,7 +401,7 @@ class ForkServer:
             self._control.send(json.dumps(order).encode())
             self._replies += 1
         except OSError:
-            self.stop()
+            self._stop_server()
 
     def await_ends(self):
         """Wait until every kernel of `end` has ended, with all that it had started.
@@ -389,21 +416,16 @@ class ForkServer:
                 status = json.loads(self._control.recv(1 << 16))
             except (OSError, ValueError):
                 status = None
-                self.stop()
+                self._stop_server()
         return status
 
     def used(self):
         """(bytes, seconds of processor time) that it and all its kernels use."""
         if self._process is None:
             return 0, 0.0
-        return bubblewrap.used_under(self._process.pid, self._limits.memory)
+        return bubblewrap.used_under(self._process.pid, self.limits.memory)
 
-    def close(self):
-        self.stop()
-        if self._folder is not None:
-            shutil.rmtree(self._folder, ignore_errors=True)
-
-    def stop(self):
+    def _stop_server(self):
         """End the process and every kernel; returns what it said last. The next fork starts another one."""
         if self._process is None:
             return ""
@@ -414,39 +436,3 @@ class ForkServer:
         _, errors = self._process.communicate()
         self._process = None
         return " ".join(errors.decode(errors="replace").split())[-400:]
-
-
-class KernelFactory(AbstractContextManager):
-    """Starts kernels, `unsafe` ones without a sandbox, as the user who grades; a context manager."""
-
-    def __init__(self, *, unsafe=False, limits=None):
-        self.limits = limits or bubblewrap.Limits()
-        self._fork_server = ForkServer(self.limits, confined=not unsafe)
-        self._fork_server.start()
-        self._spare = None  # a kernel that waits: to fork and confine one takes ten milliseconds
-
-    def start(self, allowed, seconds, *, alone=False):
-        """Start a ForkedKernel.
-
-        Its modules are `allowed`, beside those of every answer. Its first case, and so every case that
-        shares it, may use so many seconds of processor time. `alone`: a new one, while no other one waits.
-        """
-        if alone:
-            self._drop_spare()
-        kernel = self._spare or ForkedKernel(self._fork_server, self.limits)
-        self._spare = None if alone else ForkedKernel(self._fork_server, self.limits)
-        kernel.begin(allowed, seconds)
-        return kernel
-
-    def prepare(self, code, *, draws):
-        """Let kernels have a lesson's cells compiled, a tuple of sources; and matplotlib, if a page draws."""
-        self._fork_server.prepare(code, draws)
-
-    def _drop_spare(self):
-        if self._spare is not None:
-            self._spare.stop()
-        self._spare = None
-
-    def __exit__(self, *_error):
-        self._drop_spare()
-        self._fork_server.close()

@@ -53,7 +53,7 @@ class MessageWriter:
         self._cell = cell
         self.place[:] = PLACE.pack(cell, statement)
 
-    def finish(self, ename, evalue):
+    def finish(self, ename="", evalue=""):
         self._cell = None
         self.send("idle", ename=ename, evalue=evalue)
 
@@ -140,16 +140,13 @@ class Server:
         error = self._page_run.run_beside(request["code"])
         # The text by `attempt`: the error's class may be the learner's.
         ending = () if error is None else (error_name(error), attempt(lambda: str(error), ""))
-        self._finish(*ending)
-
-    def _finish(self, ename="", evalue=""):
-        WRITER.finish(ename, evalue)
+        WRITER.finish(*ending)
 
     def _open_page(self, request, _descriptor):
         """Get a page ready to run, without the statements that ended the process before."""
         refusal.allow_files(cell["file"] for cell in request["page"]["cells"] if cell["file"])
         self._page_run = PageRun(request["page"], self._shell.user_ns, request["skip"], WRITER.begin)
-        self._finish()
+        WRITER.finish()
 
     def _run_page(self, request, _descriptor):
         """Run the page on to a cell, or below until a name is there; tell which statements have failed."""
@@ -161,7 +158,7 @@ class Server:
             if type(names.get(name)) is Missing:  # in the end, too: then it is not bound
                 del names[name]
         WRITER.send("errors", errors=self._page_run.errors[:_MOST_ERRORS])
-        self._finish()
+        WRITER.finish()
 
     def _fork_check(self, request, descriptor):
         """Fork a process that answers the requests of another socket; none beside threads and processes."""
@@ -169,7 +166,7 @@ class Server:
         if self._check == 0:
             _serve_check(self, request, descriptor)
         os.close(descriptor)
-        self._finish("" if self._check else "not alone")
+        WRITER.finish("" if self._check else "not alone")
 
     def _end_check(self, request, _descriptor):
         """End the forked process with all that it started; tell how it ended, if somebody is patient."""
@@ -177,7 +174,7 @@ class Server:
         self._check = None
         if request["end"]:
             WRITER.send("ended", **status)
-            self._finish()
+            WRITER.finish()
 
 
 _MOST_ERRORS = 100
