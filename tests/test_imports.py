@@ -34,7 +34,7 @@ CLASSROOM_ARROWS = {
     "gradebook": {"authoring", "autograder", "course", "exercises"},
     "lab": {"authoring", "course", "exercises"},
     "league": {"autograder", "course", "exercises", "gradebook"},
-    "cli": {"authoring", "autograder", "course", "exercises", "gradebook", "lab", "league"},
+    "cli": {"authoring", "autograder", "course", "gradebook", "lab", "league"},
 }
 ARROWS = {COURSE: COURSE_ARROWS, CLASSROOM: CLASSROOM_ARROWS}
 # Arrows that only some modules of a package may use.

@@ -151,7 +151,6 @@ def handout(folder, lessons, source, with_solutions, zipped):
 @option("--run", "and_run", is_flag=True, help="Also run the checks on your answers.")
 def check(notebooks, and_run):
     """Check a lesson before you submit it: is every answer present, and in its answer cell?"""
-    from nbclassroom.exercises.check_files import CheckFileError
     from nbclassroom.gradebook import check
 
     is_ready = []
@@ -160,7 +159,7 @@ def check(notebooks, and_run):
             lesson_check = check.check_lesson(path)
             if and_run:
                 check.run_answers(lesson_check)
-        except (check.LessonFileError, CheckFileError) as error:
+        except ValueError as error:
             is_ready.append(False)
             click.echo(f"Error: {error}", err=True)
         else:

@@ -1,7 +1,7 @@
 """The answer keys that submissions are graded with: one key per version of a lesson."""
 
 import hmac
-from typing import Any
+from itertools import chain
 
 from ..autograder.answer_key import load_key
 from . import submission_reader
@@ -10,23 +10,23 @@ SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same shor
 
 
 class AnswerKeys:
-    """The keys in some folders; KeyFolderError: one is none. `lessons` is {name: Lesson of the first key}."""
+    """The keys in some folders; KeyFolderError: one is none.
+
+    `versions` are {lesson: its Lesson in each key that has it}, `lessons` {lesson: the first of these}.
+    """
 
     def __init__(self, folders):
         self.keys = list(map(load_key, folders))
-        self.lessons: dict[str, Any] = {}
+        self.versions: dict[str, list] = {}
         self._solution_shapes: dict[str, dict] = {}
-        for key in self.keys:  # the first one that has a lesson counts
-            self.lessons |= key.lessons | self.lessons
+        for name, lesson in chain.from_iterable(key.lessons.items() for key in self.keys):
+            self.versions.setdefault(name, []).append(lesson)
+        self.lessons = {name: versions[0] for name, versions in self.versions.items()}
 
     def key_for(self, lesson, version):
         """The key made from this version of a lesson, or the lesson's default key."""
         candidates = [key for key in self.keys if lesson in key.lessons]
         return min(candidates, key=lambda key: key.lessons[lesson].version != version)
-
-    def versions(self, lesson):
-        """The Lesson of each key that has it."""
-        return [key.lessons[lesson] for key in self.keys if lesson in key.lessons]
 
     def equal_to_solution(self, lesson, shapes):
         """The ids of a lesson's exercises with points whose shape is that of a long solution, sorted."""

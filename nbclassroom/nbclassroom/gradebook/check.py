@@ -6,7 +6,6 @@ report the same findings. Here each answer can also be run against the public ch
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from .. import course
 from ..authoring.lesson_names import notebook_name
@@ -18,16 +17,12 @@ from ..exercises import check_files
 from ..exercises.canonical import encode
 from ..exercises.lesson import Exercise
 from .archives import LARGEST, too_large
-from .submission import AnswerState, NotebookReader, SubmissionContent, read_submission
+from .submission import AnswerState, NotebookReader, Submission, read_submission
 
 _ADVICE = {
     AnswerState.MISSING: "Open the lesson afresh and copy your answer into this cell.",
     AnswerState.BROKEN: "Grading would give no points for it, or might grade the wrong cell.",
 }
-
-
-class LessonFileError(ValueError):
-    """A file that is not a lesson of this course; the message says why and what to do."""
 
 
 @dataclass
@@ -45,7 +40,7 @@ class LessonCheck:
     """A checked lesson; `was_run`: its answers were run."""
 
     path: Path
-    content: SubmissionContent
+    content: Submission
     exercises: list
     was_run: bool = False
 
@@ -62,42 +57,38 @@ class LessonCheck:
         return [entry for entry in left if entry.exercise.id in self.content.deeper]
 
 
-class CheckFileCatalog:
-    """The `lessons` {name: Lesson} of some folders, the first of each; `damage` are CheckFileErrors."""
-
-    def __init__(self, folders):
-        self.lessons: dict[str, Any] = {}
-        self.damage = []
-        for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
-            try:
-                file = check_files.read_check_file(path)
-                self.lessons.setdefault(file.name, file)
-            except check_files.CheckFileError as error:
-                self.damage.append(error)
-
-    def versions(self, lesson):
-        return [self.lessons[lesson]]
+def _read_checks(folders):
+    """({name: [the first Lesson of that name]} of some folders, CheckFileErrors of damaged files)."""
+    lessons: dict[str, list] = {}
+    damage = []
+    for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
+        try:
+            file = check_files.read_check_file(path)
+            lessons.setdefault(file.name, [file])
+        except check_files.CheckFileError as error:
+            damage.append(error)
+    return lessons, damage
 
 
 def check_lesson(path, folders=None):
     """Inspect a learner's notebook, without running anything in it; a LessonCheck.
 
-    `folders` are those of checks, if not the one beside the notebook and the course's. LessonFileError: no
-    such file, no notebook, or no lesson of this course; CheckFileError: its checks are missing or damaged.
+    `folders` are those of checks, if not the one beside the notebook and the course's. ValueError: no such
+    file, no notebook, or no lesson of this course; CheckFileError: its checks are missing or damaged.
     """
     path = Path(path)
     data = _read(path)
-    catalog = CheckFileCatalog(folders or check_files.checks_folders(path.resolve().parent))
-    if not catalog.lessons and not catalog.damage:
+    lessons, damage = _read_checks(folders or check_files.checks_folders(path.resolve().parent))
+    if not lessons and not damage:
         raise check_files.CheckFileError(check_files.NO_CHECKS)
     with NotebookReader() as reader:
-        content = read_submission(data, catalog, reader, path.name)
-    if content.reason and catalog.damage:
-        raise catalog.damage[0]  # it may be the file of this lesson
+        content = read_submission(data, lessons, reader, path.name)
+    if content.reason and damage:
+        raise damage[0]  # it may be the file of this lesson
     if content.reason:
-        raise LessonFileError(f"{path}: {content.reason}")
+        raise ValueError(f"{path}: {content.reason}")
     checks = []
-    for exercise in catalog.lessons[content.lesson].exercises:
+    for exercise in lessons[content.lesson][0].exercises:
         state = content.states[exercise.id]
         notes = content.texts_about(exercise.id) + ([_ADVICE[state]] if state in _ADVICE else [])
         checks.append(ExerciseCheck(exercise, state, notes))
@@ -108,14 +99,14 @@ def _read(path):
     if not path.is_file() or not notebook_name(path.name).endswith(".ipynb"):
         problem = "is a folder" if path.is_dir() else "is no notebook" if path.exists() else "does not exist"
         example = "such as my_lessons/03_images_as_messages.ipynb"
-        raise LessonFileError(f"{path} {problem}; give the lesson that you want to submit, {example}")
+        raise ValueError(f"{path} {problem}; give the lesson that you want to submit, {example}")
     if path.stat().st_size > LARGEST:
-        raise LessonFileError(f"{path}: {too_large(path.stat().st_size, LARGEST)}")
+        raise ValueError(f"{path}: {too_large(path.stat().st_size, LARGEST)}")
     try:
         return path.read_bytes()
     except OSError as error:
         text = f"{path}: it cannot be read ({error.strerror}); change its permissions"
-        raise LessonFileError(text) from error
+        raise ValueError(text) from error
 
 
 def run_answers(lesson_check):

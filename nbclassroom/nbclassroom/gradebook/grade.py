@@ -140,12 +140,12 @@ def who_sent_what(submissions, keys, *, layouts=()):
     for learner in learners:
         lines.append(learner.name)
         for lesson, submission in learner.submissions.items():
-            reason = submission.content.reason
+            reason = submission.reason
             lines.append(f"  {lesson}: {submission.file.source}{reason and f' (not read: {reason})'}")
             if others := [one.file.source for one in learner.earlier.get(lesson, ())]:
                 lines.append(f"    not counted: {', '.join(others)}")
         for submission in learner.unidentified:
-            lines.append(f"  left out: {submission.file.source}: {submission.content.reason}")
+            lines.append(f"  left out: {submission.file.source}: {submission.reason}")
     if collection.ignored:
         lines += ["left out, since they are no notebooks:", *(f"  {name}" for name in collection.ignored)]
     return "\n".join(lines)

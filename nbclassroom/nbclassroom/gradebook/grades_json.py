@@ -14,8 +14,7 @@ from .. import course
 from ..autograder.outcomes import Outcome
 from ..autograder.results import to_json
 from .collect import SubmittedFile
-from .learners import Submission
-from .submission import Finding, SubmissionContent
+from .submission import Finding, Submission
 from .teacher_tables import plain_number
 
 FORMAT = 8
@@ -148,28 +147,27 @@ def _nothing_submitted(lesson, submissions):
     """For a decision on a lesson not submitted; the learner's other submissions know the platform."""
     known = next((submission.file for submission in submissions), SubmittedFile())
     file = SubmittedFile(learner=known.learner, platform=known.platform, platform_id=known.platform_id)
-    return Submission(file, "", SubmissionContent(lesson=lesson, reason="nothing was submitted"))
+    return Submission(lesson=lesson, reason="nothing was submitted", file=file)
 
 
 def _lesson_entry(learner, submission, answer_keys, store, rules):
-    content = submission.content
-    lesson = (submission.key or answer_keys).lessons.get(content.lesson)
+    lesson = (submission.key or answer_keys).lessons.get(submission.lesson)
     result = store.result(submission.answers_digest) if submission.answers_digest else None
     attempts = result.tried if result else ()
-    findings = content.findings + [Finding("hostile", id, f"it tried to {text}") for id, text in attempts]
+    findings = submission.findings + [Finding("hostile", id, f"it tried to {text}") for id, text in attempts]
     exercises = [to_json(one) | {"points": one.points} for one in (result.exercises if result else ())]
     for exercise in exercises:  # without their HTML: that is on the pages and in the store
         del exercise["body"], exercise["review"]
-    earlier = learner.earlier.get(content.lesson, ())
-    earlier = [_file_entry(learner, one, rules) | {"reason": one.content.reason} for one in earlier]
+    earlier = learner.earlier.get(submission.lesson, ())
+    earlier = [_file_entry(learner, one, rules) | {"reason": one.reason} for one in earlier]
     return {
-        "lesson": content.lesson,
+        "lesson": submission.lesson,
         "title": lesson.title if lesson else "",
         "status": "graded" if submission.answers_digest else "not graded",
-        "reason": content.reason,
+        "reason": submission.reason,
         "points": result.points if result else 0,
         "max_points": lesson.points if lesson else 0,
-        "version": content.version,
+        "version": submission.version,
         "key": submission.key.digest if submission.key else None,
         **_file_entry(learner, submission, rules),
         "findings": [asdict(finding) for finding in findings],
@@ -180,7 +178,7 @@ def _lesson_entry(learner, submission, answer_keys, store, rules):
 
 def _file_entry(learner, submission, rules):
     file = submission.file
-    late, days_late = rules.lateness(learner.name, submission.content.lesson, file)
+    late, days_late = rules.lateness(learner.name, submission.lesson, file)
     return {
         "file": file.source,
         "sha256": submission.file_digest or None,

@@ -8,33 +8,12 @@ from itertools import chain
 
 from tqdm import tqdm
 
-from ..autograder.answer_key import Key
 from .archives import CollectError
-from .collect import SubmittedFile
 from .layouts import doubt
-from .submission import (
-    EQUALS,
-    AnswerState,
-    NotebookReader,
-    SubmissionContent,
-    lesson_by_name,
-    read_submission,
-)
+from .submission import EQUALS, AnswerState, NotebookReader, Submission, lesson_by_name, read_submission
 
 NOTEBOOK_SECONDS = 5  # of processor time, for reading one notebook; a usual one takes 0.02
 READING_SECONDS = 30  # for all notebooks of one sender
-
-
-@dataclass
-class Submission:
-    """A submitted file, read; digests of its bytes, and of its answers with their key; "" for none."""
-
-    file: SubmittedFile
-    file_digest: str
-    content: SubmissionContent
-    answers_digest: str = ""
-    answered: frozenset = frozenset()  # ids of the exercises with more than a stub
-    key: Key | None = None
 
 
 @dataclass
@@ -75,10 +54,10 @@ def read_all(collection, answer_keys, store):
                 file.reason = file.reason or text
             submission = _read(file, answer_keys, store, reader)
             seconds[learner.name] += time.monotonic() - start
-            lesson = submission.content.lesson
+            lesson = submission.lesson
             if lesson is not None:
                 by_lesson[learner.name, lesson].append(submission)
-            elif not submission.content.is_page:
+            elif not submission.is_page:
                 learner.unidentified.append(submission)
     for (name, lesson), several in by_lesson.items():
         several.sort(key=lambda one: (str(one.file.submitted_at), one.file.source))
@@ -89,11 +68,11 @@ def read_all(collection, answer_keys, store):
         elif earlier := [one for one in several if one is not counting]:
             learners[name].earlier[lesson] = earlier
             text = f"submitted {1 + len(earlier)} times; this one counts: {counting.file.source}"
-            counting.content.add(text)
+            counting.add(text)
             for other in earlier:
                 if more := sorted(other.answered - counting.answered):
                     text = f"{other.file.source} answers {', '.join(more)}, and this one does not"
-                    counting.content.add(f"{text}; only one file counts")
+                    counting.add(f"{text}; only one file counts")
     if doubtful:
         text = "these files of one learner have different answers to one lesson, and nothing orders them"
         remedy = "Remove those that do not count; if they are several people's, give the layout, such as"
@@ -106,17 +85,18 @@ def _read(file, answer_keys, store, reader):
         data = file.read()
     except CollectError as error:
         lesson = lesson_by_name(file.source, answer_keys.lessons)
-        return Submission(file, "", SubmissionContent(lesson=lesson, reason=str(error)))
-    content = read_submission(data, answer_keys, reader, file.source)
-    submission = Submission(file, hashlib.sha256(data).hexdigest(), content)
-    if not content.reason:
-        submission.key = answer_keys.key_for(content.lesson, content.version)
-        submission.answers_digest = store.keep_page(submission.key, content.lesson, content.page)
-        for id in answer_keys.equal_to_solution(content.lesson, content.shapes):
-            content.add(EQUALS, id, "odd")
+        return Submission(lesson=lesson, reason=str(error), file=file)
+    submission = read_submission(data, answer_keys.versions, reader, file.source)
+    submission.file, submission.file_digest = file, hashlib.sha256(data).hexdigest()
+    if not submission.reason:
+        submission.key = answer_keys.key_for(submission.lesson, submission.version)
+        submission.answers_digest = store.keep_page(submission.key, submission.lesson, submission.page)
+        for id in answer_keys.equal_to_solution(submission.lesson, submission.shapes):
+            submission.add(EQUALS, id, "odd")
         untouched = (AnswerState.NOT_ATTEMPTED, AnswerState.MISSING)
-        submission.answered = frozenset(id for id in content.answers if content.states[id] not in untouched)
-        content.page = {"answers": {}}
+        answered = (id for id in submission.answers if submission.states[id] not in untouched)
+        submission.answered = frozenset(answered)
+        submission.page = {"answers": {}}
     return submission
 
 

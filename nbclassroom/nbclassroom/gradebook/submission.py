@@ -24,6 +24,7 @@ from ..exercises.error_advice import advice_on
 from ..exercises.page import page_of
 from ..exercises.source_remarks import SAYS, STUB_LINE
 from . import submission_reader
+from .collect import SubmittedFile
 from .submission_reader import MOST_CHARACTERS
 
 _MOST_NAMES = 8  # that a finding lists
@@ -64,8 +65,8 @@ PAGES = ("index", "glossary")  # a learner who submits a whole folder submits th
 
 
 @dataclass
-class SubmissionContent:
-    """What a notebook holds, or the `reason` why it cannot be read.
+class Submission:
+    """What a notebook holds, or the `reason` why it cannot be read; and of one to grade, in which file it is.
 
     version   of the course, as the notebook says
     page      what is graded (see `exercises.page`), with the answers
@@ -73,6 +74,8 @@ class SubmissionContent:
     is_page   it is a page of the course that has no answers, such as the index
     deeper    ids of exercises that can be left out, as the notebook says
     shapes    {exercise id: shape of its answer}, see `submission_reader.shapes`
+    answered  ids of the exercises with more than a stub
+    digests   of its bytes, and of its answers with their `key`; "" for none
     """
 
     lesson: str | None = None
@@ -84,6 +87,11 @@ class SubmissionContent:
     is_page: bool = False
     deeper: list = field(default_factory=list)
     shapes: dict = field(default_factory=dict)
+    file: SubmittedFile = field(default_factory=SubmittedFile)
+    answered: frozenset = frozenset()
+    file_digest: str = ""
+    answers_digest: str = ""
+    key: Any = None
 
     @property
     def answers(self):
@@ -98,21 +106,21 @@ class SubmissionContent:
         return [finding.text for finding in self.findings if finding.exercise == exercise]
 
 
-def read_submission(data, catalog, reader, name=""):
-    """The SubmissionContent of a notebook; `catalog` are AnswerKeys, or for `check` a CheckFileCatalog."""
+def read_submission(data, versions, reader, name=""):
+    """The Submission of a notebook; `versions` are {lesson: the Lessons of all keys or checks files}."""
     notebook, reason = reader.read(data)
     if notebook is None:
-        return SubmissionContent(lesson=lesson_by_name(name, catalog.lessons), reason=reason)
-    content = SubmissionContent(version=notebook["version"], deeper=notebook["deeper"])
+        return Submission(lesson=lesson_by_name(name, versions), reason=reason)
+    content = Submission(version=notebook["version"], deeper=notebook["deeper"])
     cells = [cell for cell in notebook["cells"] if cell is not None]
-    content.lesson = _recognize(notebook, cells, catalog, name, content)
+    content.lesson = _recognize(notebook, cells, versions, name, content)
     if content.lesson is None:
         content.is_page = notebook["lesson"] in PAGES
         named = f"its lesson, {sanitize_line(notebook['lesson'], 80)!r}," if notebook["lesson"] else "it"
-        content.reason = f"{named} is not, or no longer, one of {', '.join(catalog.lessons)}"
+        content.reason = f"{named} is not, or no longer, one of {', '.join(versions)}"
         return content
     # That of the notebook's version, or else the first one.
-    lesson = min(catalog.versions(content.lesson), key=lambda one: one.version != content.version)
+    lesson = min(versions[content.lesson], key=lambda one: one.version != content.version)
     if content.version != lesson.version:
         version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
         version = f"{sanitize_line(version)} of the lesson, not from version {lesson.version}"
@@ -174,12 +182,12 @@ def lesson_by_name(name, lessons):
     return candidates[0] if len(candidates) == 1 else None
 
 
-def _recognize(notebook, cells, catalog, name, content):
+def _recognize(notebook, cells, versions, name, content):
     """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
-    marked, functions = _signs_of_lessons(cells, catalog)
+    marked, functions = _signs_of_lessons(cells, versions)
     metadata_lesson = lesson_name(notebook["lesson"] or "")
-    claim = metadata_lesson if metadata_lesson in catalog.lessons else None
-    named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
+    claim = metadata_lesson if metadata_lesson in versions else None
+    named_lesson = None if metadata_lesson else lesson_by_name(name, versions)
     signs = {"metadata": claim if claim and marked[claim] else None, "answer cells": _most(marked)}
     signs["name"] = claim or named_lesson
     signs["functions"] = None if metadata_lesson else _most(functions)
@@ -193,13 +201,13 @@ def _recognize(notebook, cells, catalog, name, content):
     return lesson
 
 
-def _signs_of_lessons(cells, catalog):
+def _signs_of_lessons(cells, versions):
     """{lesson: ids of its exercises with an answer cell}, {lesson: its functions that are defined}."""
     marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
     defined = {name for cell in cells for name in cell["names"]}
     marked, functions = {}, {}
-    for lesson in catalog.lessons:
-        entries = [item for version in catalog.versions(lesson) for item in version.entries.items()]
+    for lesson, several in versions.items():
+        entries = [item for one in several for item in one.entries.items()]
         marked[lesson] = {id for id, _ in entries if f"answer-{id}" in marks}
         functions[lesson] = defined & {entry.get("function") for _, entry in entries}
     return marked, functions

@@ -81,7 +81,7 @@ def test_hostile_text_costs_only_its_own_comparison(light, answer_keys, name):
     answers = {"light-double": MINE, "light-halves": HOSTILE[name]}
     with NotebookReader(seconds=5) as reader:
         data = json.dumps(notebook(light, answers)).encode()
-        found = read_submission(data, answer_keys, reader).shapes
+        found = read_submission(data, answer_keys.versions, reader).shapes
     assert found.pop("light-double") == shape(MINE)
     assert all(count < LONGEST for _, count in found.values())
 

@@ -48,7 +48,7 @@ def counting(learner):
 
 
 def texts(learner):
-    return learner.submissions["light"].content.texts_about("")
+    return learner.submissions["light"].texts_about("")
 
 
 def test_a_learners_zip_is_the_learners_whatever_it_names(read, light, submissions):
@@ -203,8 +203,8 @@ def test_the_time_for_reading_belongs_to_the_sender(read, light, submissions, mo
     learners = read(submissions)[1]
     assert counting(learners["eve"]) == "eve/0.ipynb"
     (unread,) = learners["eve"].unidentified
-    assert "took too much time" in unread.content.reason
-    assert learners["bob"].submissions["light"].content.reason == ""
+    assert "took too much time" in unread.reason
+    assert learners["bob"].submissions["light"].reason == ""
 
 
 def test_without_notebooks_nothing_is_written(key_path, submissions, grade, tmp_path):

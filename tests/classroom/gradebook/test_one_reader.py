@@ -13,7 +13,7 @@ from nbclassroom.authoring.masters import read_master
 from nbclassroom.autograder.make_answer_key import make_key
 from nbclassroom.autograder.pool import autograde
 from nbclassroom.gradebook.answer_keys import AnswerKeys
-from nbclassroom.gradebook.check import LessonFileError, check_lesson, run_answers
+from nbclassroom.gradebook.check import check_lesson, run_answers
 from nbclassroom.gradebook.collect import Collection
 from nbclassroom.gradebook.learners import read_all
 from nbclassroom.gradebook.submission import EQUALS
@@ -45,7 +45,7 @@ def verdict_of(content, page):
 def verdict_of_check(path, checks):
     try:
         return checked(path, checks)[0]
-    except LessonFileError as error:
+    except ValueError as error:
         return {"reason": str(error).removeprefix(f"{path}: ")}
 
 
@@ -64,9 +64,9 @@ def verdict_of_grade(path, answer_keys):
     with Collection(folder, tuple(answer_keys.lessons), ["{learner}"]) as collection:
         (learner,) = read_all(collection, answer_keys, store)
     (submission,) = [*learner.submissions.values(), *learner.unidentified]
-    if submission.content.reason:
-        return {"reason": submission.content.reason}
-    return verdict_of(submission.content, store.page)
+    if submission.reason:
+        return {"reason": submission.reason}
+    return verdict_of(submission, store.page)
 
 
 CODE = [

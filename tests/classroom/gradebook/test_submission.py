@@ -30,7 +30,7 @@ def read(answer_keys, reader):
 
     def read(made, name=""):
         data = made if isinstance(made, bytes) else json.dumps(made).encode()
-        return read_submission(data, answer_keys, reader, name)
+        return read_submission(data, answer_keys.versions, reader, name)
 
     return read
 
@@ -359,8 +359,8 @@ def test_a_huge_source_is_cut_and_still_too_long_for_grading(read, made):
 def test_a_notebook_that_uses_too_much_memory_harms_only_itself(answer_keys, made, light):
     with NotebookReader(memory=300 << 20) as reader:
         huge = b'{"nbformat": 4, "cells": [], "x": [' + b"[]," * 8_000_000 + b"[]]}"
-        assert "memory" in read_submission(huge, answer_keys, reader).reason
-        content = read_submission(json.dumps(made).encode(), answer_keys, reader)
+        assert "memory" in read_submission(huge, answer_keys.versions, reader).reason
+        content = read_submission(json.dumps(made).encode(), answer_keys.versions, reader)
         assert content.answers == answers_of(light, "right")
 
 
@@ -388,14 +388,14 @@ def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answ
     with NotebookReader(seconds=0.1) as reader:
         slow = {f"answer-{number}": "x = 1\n" * 30_000 for number in range(6)}
         assert reader.read(cells_as_notebook(slow)) == (None, NOT_READ_IN_TIME)
-        assert read_submission(data, answer_keys, reader).reason == ""
+        assert read_submission(data, answer_keys.versions, reader).reason == ""
         reader.page = lambda *_: (None, None, None)  # as if this took too long
-        assert read_submission(data, answer_keys, reader).answers == {}
+        assert read_submission(data, answer_keys.versions, reader).answers == {}
     with NotebookReader() as reader:
         reader.read(b"{}")
         reader._process.kill()
         reader._process.wait()
-        assert read_submission(data, answer_keys, reader).answers == answers_of(light, "right")
+        assert read_submission(data, answer_keys.versions, reader).answers == answers_of(light, "right")
         reader._process.kill()
         page, *_ = reader.page({}, ASKED)
         assert page["answers"] == {"light-double": answers_of(light, "right")["light-double"]}
