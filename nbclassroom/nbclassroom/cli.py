@@ -197,12 +197,11 @@ def key(lessons, seed, out, masters, replace, unsafe):
     LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons, which
     take about five minutes on two quiet cores. After Ctrl-C, the same command goes on where it stopped.
     """
-    from nbclassroom.autograder.answer_key import read_or_make_seed, require_unguessable
+    from nbclassroom.autograder.answer_key import secret_seed
     from nbclassroom.autograder.make_answer_key import make_key
 
     seed_file, is_seed_saved = out.with_name(f"{out.name}.seed"), seed is None  # beside the key
-    seed = read_or_make_seed(seed_file) if is_seed_saved else seed
-    require_unguessable(seed)
+    seed = secret_seed(seed, seed_file)
     answer_key = make_key(masters, seed, out, lessons, unsafe=unsafe, replace=replace, say=click.echo)
     lessons = answer_key.lessons.values()
     count = sum(not exercise.practice for lesson in lessons for exercise in lesson.exercises)

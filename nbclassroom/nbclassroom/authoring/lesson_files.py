@@ -13,16 +13,9 @@ import zipfile
 from dataclasses import dataclass, fields, replace
 
 from .. import course
+from ..exercises import check_files
 from ..exercises.canonical import canonical, decode, encode, shorten_form
-from ..exercises.check_files import (
-    CHECKS,
-    FORMAT,
-    SOLUTIONS,
-    CheckFileError,
-    change_values,
-    read_lesson_file,
-    reading,
-)
+from ..exercises.check_files import CHECKS, FORMAT, SOLUTIONS, change_values
 from ..exercises.comparison import compare
 from ..exercises.lesson import PUBLIC_SEED, Exercise, check_data_of
 
@@ -186,12 +179,12 @@ def _file_problems(name, built, stored_path):
     if not name.startswith(CHECKS):
         return ["differs from the master"]
     try:
-        with reading(stored_path):
-            new, stored = json.loads(built), read_lesson_file(stored_path)
+        with check_files.reading(stored_path):
+            new, stored = json.loads(built), check_files.read_lesson_file(stored_path)
             parts = [part for part in ("lesson", "version", "cells") if new[part] != stored[part]]
             ids = sorted(new["exercises"].keys() | stored["exercises"].keys())
             parts += [id for id in ids if _entry_of(id, new) != _entry_of(id, stored)]
-    except CheckFileError:
+    except check_files.CheckFileError:
         return ["damaged"]
     return [f"{part} differs from the master" for part in parts]
 

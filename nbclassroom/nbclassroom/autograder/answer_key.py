@@ -93,23 +93,19 @@ def _is_of_key(entry):
     return is_whole and not any("inputs" in case for case in entry["cases"])
 
 
-def require_unguessable(seed):
-    """KeyFolderError for a seed that can be guessed; nobody can tell how many bits are in a phrase."""
+def secret_seed(seed, path):
+    """The seed, if it is not None, or that in a file which only its owner can read; it may have to be made.
+
+    KeyFolderError for a seed that can be guessed: nobody can tell how many bits are in a phrase.
+    """
+    if seed is None and not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.touch(mode=0o600)
+        path.write_text(f"{secrets.token_hex(_SEED // 2)}\n", encoding="utf-8")
+    seed = path.read_text(encoding="utf-8").strip() if seed is None else seed
     if not re.fullmatch(rf"[0-9a-fA-F]{{{_SEED},}}", seed) or seed.isdecimal():
         raise KeyFolderError(
             f"this seed can be guessed: expected at least {_SEED} hexadecimal digits drawn by chance, 128"
             " bits; leave --seed out, and a seed is made, or draw one: openssl rand -hex 16"
         )
-
-
-def read_or_make_seed(path):
-    """The secret seed in a file that only its owner can read; without such a file, one is made and stored."""
-    if path.exists():
-        seed = path.read_text(encoding="utf-8").strip()
-        require_unguessable(seed)
-        return seed
-    seed = secrets.token_hex(_SEED // 2)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.touch(mode=0o600)
-    path.write_text(f"{seed}\n", encoding="utf-8")
     return seed

@@ -28,7 +28,7 @@ from . import answer_key
 from .sandbox import bubblewrap
 from .sandbox.fork_server_client import KernelFactory
 from .sandbox.inside.check_cell import call_to_json
-from .verdict import read_answer, read_calls
+from .verdict import read_answer, read_call
 
 _SECONDS_PER_EXERCISE = 1.6  # while two run, fitted to the course's own lessons
 _AT_A_TIME = 2
@@ -189,7 +189,7 @@ def _solve(known, exercise, case):
 def _results_of(exercise, mistake, cases):
     results = {case.id: exercise.results_of_mistake(mistake, case) for case in cases}
     # As a check cell would show them: answers are compared with them.
-    return {id: read_calls(map(call_to_json, calls)) for id, calls in results.items()}
+    return {id: [read_call(call_to_json(call)) for call in calls] for id, calls in results.items()}
 
 
 def _require_run(run, about):

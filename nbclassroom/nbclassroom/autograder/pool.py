@@ -71,13 +71,10 @@ def autograde(submissions, key, *, unsafe=False, workers=None, executor=None, li
     """
     if executor is None and not unsafe:
         bubblewrap.require_sandbox()
-    options = {"unsafe": unsafe, "limits": limits}
-    return _grade_all(submissions, key, options, workers or os.cpu_count() or 1, executor)
-
-
-def _grade_all(submissions, key, options, workers, executor):
+    workers = workers or os.cpu_count() or 1
     with contextlib.ExitStack() as stack:
         executor = executor or stack.enter_context(open_worker_threads(workers))
+        options = {"unsafe": unsafe, "limits": limits}
         queue = stack.enter_context(contextlib.closing(_Queue(executor, options)))
         submissions = iter(submissions)
         while True:
@@ -252,10 +249,8 @@ def nbval_process_of_thread(unsafe, limits):
     return _processes.get(thread) or NbvalProcess(unsafe, limits)
 
 
-def stop_nbval_processes(thread_prefix="", *, for_good=False):
-    """Stop the nbval processes of threads with this prefix; `for_good`: in these none starts again."""
-    if for_good:
-        _stopped.add(thread_prefix)
+def stop_nbval_processes(thread_prefix=""):
+    """Stop the nbval processes of threads with this prefix."""
     processes = [process for name, process in list(_processes.items()) if name.startswith(thread_prefix)]
     for process in processes:
         process.close_connection()
@@ -410,7 +405,8 @@ def open_worker_threads(workers=None, *, early=False, unsafe=False, limits=None)
             executor.submit(nbval_process_of_thread, unsafe, limits)
         yield executor
     finally:
-        stop_nbval_processes(prefix, for_good=True)
+        _stopped.add(prefix)
+        stop_nbval_processes(prefix)
         executor.shutdown()
         # The next run after a killed one perhaps finds everything graded, and needs no folder of its own.
         remove_abandoned_folders()

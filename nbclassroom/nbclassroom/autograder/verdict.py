@@ -185,13 +185,8 @@ def read_answer(payloads):
     payload = payloads[0] if len(payloads) == 1 else None
     if not isinstance(payload, dict) or not isinstance(payload.get("calls"), list):
         return None
-    calls = read_calls(payload["calls"][:_MOST_CALLS])
+    calls = list(map(read_call, payload["calls"][:_MOST_CALLS]))
     return None if None in calls else calls
-
-
-def read_calls(entries):
-    """Read what `check_cell.call_to_json` wrote: a list of CallResult, None for a malformed entry."""
-    return [_read_call(entry) for entry in entries]
 
 
 class _Call(msgspec.Struct):
@@ -205,7 +200,8 @@ class _Call(msgspec.Struct):
     line: str = ""
 
 
-def _read_call(entry):
+def read_call(entry):
+    """The CallResult that `check_cell.call_to_json` wrote; None for a malformed entry."""
     if isinstance(entry, dict) and entry.get("timed_out") is True:
         return CallResult(timed_out=True)
     try:

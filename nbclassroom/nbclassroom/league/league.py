@@ -28,7 +28,7 @@ from types import SimpleNamespace
 from tqdm import tqdm
 
 from nbclassroom import course
-from nbclassroom.autograder.answer_key import read_or_make_seed, require_unguessable
+from nbclassroom.autograder.answer_key import secret_seed
 from nbclassroom.autograder.nbval_plugin import MAX_ANSWER, ExerciseRun, PageKernels
 from nbclassroom.autograder.outcomes import PHRASES, Outcome
 from nbclassroom.autograder.results import checked_exercise
@@ -46,9 +46,7 @@ from nbclassroom.gradebook.csv_table import csv_text
 from nbclassroom.gradebook.report import count_of, render_page
 from nbclassroom.gradebook.result_store import open_grades_folder, write_grades_file
 
-BASELINE = "baseline"
 FUNCTION = "control"
-_CASE = "room"
 _CHECK = f"from nbclassroom.autograder.sandbox.inside.drive_cell import explore\n\nexplore({FUNCTION})"
 _factories: list[KernelFactory] = []  # this process's KernelFactory
 _COLOURS = "amber black blue brown copper coral cyan golden green grey olive orange purple red silver white"
@@ -113,12 +111,12 @@ def run_league(folder, out, *, baseline=None, rooms=10, seed=None, names=False, 
     SandboxError and ValueErrors are one line with the remedy.
     """
     out, controllers = Path(out), read_controllers(Path(folder), baseline)
-    if seed is not None:
-        require_unguessable(seed)
+    if seed is not None:  # it may be refused, before a folder is made
+        secret_seed(seed, out)
     if not options.get("unsafe"):
         bubblewrap.require_sandbox()
     with open_grades_folder(out):
-        seed = seed or read_or_make_seed(out / "seed")
+        seed = secret_seed(seed, out / "seed")
         name_all(controllers, seed, with_names=names)
         driving = [controller for controller in controllers if not controller.reason]
         ranked = _drive_and_draw(driving, scenarios_of(seed, rooms), **options)
@@ -140,7 +138,7 @@ def read_controllers(folder, baseline=None):
     controllers = [_read(path) for path in sorted(folder.glob("*.py"))]
     if not controllers:
         raise ValueError(f"{folder}: no controller in it; expected one file for each learner, NAME.py")
-    return controllers + ([_read(Path(baseline), alias=BASELINE)] if baseline else [])
+    return controllers + ([_read(Path(baseline), alias="baseline")] if baseline else [])
 
 
 def _read(path, **about):
@@ -306,7 +304,7 @@ def _exercise(scenario):
         subject="drive",
         sensors=SENSORS,
         allowed=(*course.drive_allowed, *course.league_allowed),
-        cases=(Case(_CASE, "", 1, "", 0.0, calls=(ExpectedCall((scenario,)),)),),
+        cases=(Case("room", "", 1, "", 0.0, calls=(ExpectedCall((scenario,)),)),),
     )
 
 

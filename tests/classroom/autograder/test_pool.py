@@ -261,7 +261,7 @@ def test_nothing_is_left_behind(key, right):
 def test_without_a_sandbox_nothing_runs(key, right, monkeypatch):
     monkeypatch.setattr(bubblewrap, "sandbox_problem", lambda: "bubblewrap is not installed: sudo ...")
     with pytest.raises(SandboxError, match=r"bubblewrap is not installed: sudo .*--unsafe"):
-        autograde([("a", LESSON, right)], key)
+        list(autograde([("a", LESSON, right)], key))
 
 
 def test_unsafe_gives_the_same_results(results, key, right):

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from nbclassroom.autograder.checked_answer import PageHtml
-from nbclassroom.autograder.verdict import CaseRun, read_calls, read_form, verdict_on
+from nbclassroom.autograder.verdict import CaseRun, read_call, read_form, verdict_on
 from nbclassroom.exercises.answer_images import answer_images
 from nbclassroom.exercises.canonical import PLAIN_TYPES, canonical
 from nbclassroom.exercises.comparison import compare
@@ -179,7 +179,7 @@ def test_keys_of_a_dict_that_are_tuples_are_compared():
 
 def test_what_a_call_says_is_bounded():
     texts = {"error": "E" * 9_000, "message": "m" * 9_000_000, "line": "l" * 9_000, "printed": "p" * 9_000}
-    (call,) = read_calls([texts | {"changed": ["n" * 9_000] * 90}])
+    call = read_call(texts | {"changed": ["n" * 9_000] * 90})
     lengths = [len(text) for text in (call.error, call.message, call.line, call.printed, *call.changed)]
     assert lengths == [2_000, 2_000, 2_000, 2_000, *[300] * 20]
 
