@@ -23,7 +23,7 @@ from ..exercises.cell_syntax import is_part_of
 from . import results
 from .answer_key import expected_key
 from .outcomes import Outcome
-from .sandbox.cell_run import MIME, CellRun
+from .sandbox.fork_server_client import MIME, CellRun
 from .sanitize import reproducible_text
 from .verdict import CaseRun, verdict_on
 from .written_answer import figure_html

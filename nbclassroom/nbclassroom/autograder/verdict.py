@@ -17,7 +17,7 @@ import numpy as np
 
 from ..exercises.canonical import MOST_CHARACTERS, MOST_INT_BITS, PLAIN_TYPES, SCALARS
 from ..exercises.running import CallResult, Verdict
-from .sandbox.cell_run import CellRun
+from .sandbox.fork_server_client import CellRun
 
 _MOST_DEPTH = 10  # one more than `canonical` writes
 _MOST_FORMS = 50_000  # in one value; `canonical` stops at 20,000 items, and an item of a dict is two

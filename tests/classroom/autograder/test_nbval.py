@@ -9,7 +9,7 @@ from attacks import LESSON
 from nbclassroom.autograder import pool
 from nbclassroom.autograder.nbval_plugin import notebook_of
 from nbclassroom.autograder.pool import autograde
-from nbclassroom.autograder.sandbox.cell_run import MIME
+from nbclassroom.autograder.sandbox.inside import MIME
 from nbclassroom.exercises.canonical import encode
 
 pytestmark = pytest.mark.sandbox

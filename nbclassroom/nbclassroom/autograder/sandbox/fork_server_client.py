@@ -15,10 +15,13 @@ import subprocess
 import time
 from collections import deque
 from contextlib import AbstractContextManager, suppress
+from dataclasses import dataclass, field
 
 from nbclassroom.autograder.sandbox import bubblewrap
-from nbclassroom.autograder.sandbox.cell_run import CellRun
-from nbclassroom.autograder.sandbox.inside import PLACE
+from nbclassroom.autograder.sandbox.inside import MIME, PLACE
+
+_MAX_TEXT = 2_000  # characters of an error's text that are kept
+_MAX_NAME = 100  # characters of an exception's name
 
 _NOWHERE = PLACE.pack(-1, -1)
 _LOOK_SECONDS = 0.05  # between two looks at what all processes together use
@@ -28,6 +31,52 @@ _STARTS = 3  # of a fork server that ends before it forks
 _STATEMENT_SECONDS = 20  # of wall time, after which a statement of a page cannot be stopped from inside
 _NOT_CONFINED = 70  # exit code of a fork that could not be confined, see `inside.fork_server`
 _TIME_SIGNALS = (signal.SIGKILL, signal.SIGXCPU)  # by which the system ends a process whose time is used up
+
+
+@dataclass
+class CellRun:
+    """What running one cell did, built from the messages of a kernel."""
+
+    # "" if it ran to its end; else "time", "memory", "output", "crashed" or "hostile", as in Outcome; or
+    # "gone" if the process that forks kernels was ended.
+    ended: str = ""
+    answers: list = field(default_factory=list)  # what check cells showed: the data of our MIME type
+    error: tuple = ("", "")  # type and text of the exception that ended the cell
+    errors: list = field(default_factory=list)  # of a page: (number of a cell, type, text) of a statement
+    place: tuple = ()  # of a page that did not come to its end: (cell, statement) that ran last
+    tried: list = field(default_factory=list)  # (number of a cell or None, what its code tried)
+    status: dict = field(default_factory=dict)  # of a process that was forked: how it ended
+
+    def add(self, kind, content):
+        """Add a message; returns whether it ended the cell. ValueError, TypeError, KeyError: it is none."""
+        if kind == "idle":
+            self.error = (_text(content["ename"])[:_MAX_NAME], _text(content["evalue"]))
+        elif kind == "display_data":
+            data = dict(content["data"])
+            self.answers += [data[MIME]] if MIME in data else []
+        elif kind == "tried":
+            cell = content["cell"]
+            self.tried.append((None if cell is None else _number(cell), _text(content["text"])))
+        elif kind == "errors":
+            errors = content["errors"]
+            self.errors = [(_number(cell), _text(name), _text(text)) for cell, name, text in errors]
+        elif kind == "ended":
+            self.status = {name: float(content[name]) for name in ("signal", "code", "cpu")}
+        else:
+            raise ValueError(f"a message of the kind {kind!r}")
+        return kind == "idle"
+
+
+def _number(value):
+    if type(value) is not int or value < 0:
+        raise ValueError(f"expected the number of a cell, got {str(value)[:20]}")
+    return value
+
+
+def _text(value):
+    if not isinstance(value, str):
+        raise TypeError(f"expected a text, got {type(value).__name__}")
+    return value[:_MAX_TEXT]
 
 
 class KernelEnded(Exception):
@@ -46,11 +95,11 @@ class Connection:
         # Processor time of all processes together: what they may use from a look on, and where it ends.
         self._cpu_most, self._cpu_ends = {}, {}
         self._deadline = self._statement_ends = math.inf
-        self._socket, self._other_end = socket.socketpair()
+        self.socket, self.other_end = socket.socketpair()
 
     def _begin(self, seconds):
         """Start the clock for so many seconds of processor time."""
-        self._cpu_limit = self._limits.cpu(seconds)
+        self.cpu_limit = self._limits.cpu(seconds)
         self._deadline = time.monotonic() + self._limits.deadline(seconds)
         self._next_look = time.monotonic() + _LOOK_SECONDS
 
@@ -132,13 +181,13 @@ class Connection:
     def _send(self, data):
         data = memoryview(data)
         while data:
-            data = data[self._exchange(self._socket.send, data) :]
+            data = data[self._exchange(self.socket.send, data) :]
 
     def _read_line(self, max_bytes):
         while not self._lines:
             if len(self._buffer) > max_bytes:
                 raise KernelEnded("output")
-            data = self._exchange(self._socket.recv, 1 << 18)
+            data = self._exchange(self.socket.recv, 1 << 18)
             if not data:
                 raise KernelEnded(self._how_it_ended())
             *lines, self._buffer = (self._buffer + data).split(b"\n")
@@ -152,7 +201,7 @@ class Connection:
             if seconds_left <= 0:
                 raise KernelEnded("time")
             self._check_use()
-            self._socket.settimeout(min(seconds_left, _LOOK_SECONDS))
+            self.socket.settimeout(min(seconds_left, _LOOK_SECONDS))
             try:
                 return send_or_receive(argument)
             except TimeoutError:
@@ -190,7 +239,7 @@ class Connection:
     def _ending(self, status):
         """The value of CellRun.ended for a process that ended by itself, by its exit status."""
         # The system's limit is in whole seconds; on a busy machine it counts up to a fifth too much.
-        most = min(self._cpu_limit - 0.9, 0.75 * self._cpu_limit)
+        most = min(self.cpu_limit - 0.9, 0.75 * self.cpu_limit)
         if status["signal"] in _TIME_SIGNALS and status["cpu"] > most:
             return "time"
         return "crashed"
@@ -205,15 +254,15 @@ class ForkedKernel(Connection):
             super().__init__(factory, mmap.mmap(file.fileno(), PLACE.size))
             self.place[:] = _NOWHERE
             self._is_confined = False
-            with self._other_end:
-                self._id = factory.fork([self._other_end.fileno(), file.fileno()])
+            with self.other_end:
+                self._id = factory.fork([self.other_end.fileno(), file.fileno()])
 
     def begin(self, allowed, seconds):
         """Start the clock; `KernelFactory.start` explains the arguments."""
         self._factory.await_ends()  # nothing of the kernel before is left now, and counts for this one
         self._begin(seconds)
         with suppress(KernelEnded):  # its first cell will find out
-            self._send(_line_of({"allowed": list(allowed), "cpu": self._cpu_limit}))
+            self._send(_line_of({"allowed": list(allowed), "cpu": self.cpu_limit}))
 
     def open_page(self, page, skip):
         """Get a page (see `exercises.page`) ready to run, without the statements of `skip`."""
@@ -225,19 +274,15 @@ class ForkedKernel(Connection):
 
     def fork_check(self, seconds):
         """A ForkedCheck with the page as it is now; None: beside threads and processes there is no fork."""
-        check = ForkedCheck(self, self._factory, seconds)
-        return check if check.has_begun else None
-
-    def exchange_fork(self, descriptor, cpu):
-        """Whether a process was forked that answers the requests of a socket."""
-        run = CellRun()
-        try:
-            socket.send_fds(self._socket, [_line_of({"fork": cpu})], [descriptor])
-        except OSError:
-            return False
+        check, run = ForkedCheck(self, self._factory, seconds), CellRun()
         self._bytes_left = self._limits.output
-        self._run_until_action(run, b"")
-        return not run.ended and not run.error[0]
+        with suppress(OSError), check.other_end as other_end:
+            socket.send_fds(self.socket, [_line_of({"fork": check.cpu_limit})], [other_end.fileno()])
+            self._run_until_action(run, b"")
+            if not run.ended and not run.error[0]:
+                return check
+        check.socket.close()
+        return None
 
     def end_fork(self, patience=0.0):
         """How the forked process ended, {} if this one has ended as well.
@@ -248,7 +293,7 @@ class ForkedKernel(Connection):
         if patience:
             return self._request(request).status
         with suppress(OSError):
-            self._socket.send(_line_of(request))
+            self.socket.send(_line_of(request))
         return {}
 
     def _how_it_ended(self):
@@ -268,7 +313,7 @@ class ForkedKernel(Connection):
 
     def stop(self):
         """End the kernel and all that it started, without waiting for its end."""
-        self._socket.close()
+        self.socket.close()
         if self._id is not None:
             self._factory.end(self._id)
             self._id = None
@@ -281,10 +326,6 @@ class ForkedCheck(Connection):
         super().__init__(factory, kernel.place)
         self._kernel, self._status = kernel, None
         self._begin(seconds)
-        with self._other_end:
-            self.has_begun = kernel.exchange_fork(self._other_end.fileno(), self._cpu_limit)
-        if not self.has_begun:
-            self._socket.close()
 
     def _how_it_ended(self):
         if self._status is None:
@@ -293,7 +334,7 @@ class ForkedCheck(Connection):
 
     def stop(self):
         """End the process and all that it started."""
-        self._socket.close()
+        self.socket.close()
         if self._status is None:
             self._status = self._kernel.end_fork()
 
