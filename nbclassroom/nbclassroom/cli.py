@@ -12,7 +12,6 @@ from nbclassroom import course
 _PATH = click.Path(path_type=Path)
 _FOLDER = click.Path(path_type=Path, file_okay=False)
 _FILE = click.Path(path_type=Path, dir_okay=False)
-_COULD_NOT_GRADE = 3
 _STOPPED = {  # what Ctrl-C leaves of a command's work
     "key": "Stopped. Finished exercises are kept: run the same command again to continue.",
     "grade": "Stopped. Finished grades are saved: run the same command again to continue.",
@@ -153,19 +152,18 @@ def check(notebooks, and_run):
     """Check a lesson before you submit it: is every answer present, and in its answer cell?"""
     from nbclassroom.gradebook import check
 
-    is_ready = []
+    ready = 0
     for path in notebooks:
         try:
             lesson_check = check.check_lesson(path)
             if and_run:
                 check.run_answers(lesson_check)
         except ValueError as error:
-            is_ready.append(False)
             click.echo(f"Error: {error}", err=True)
         else:
-            is_ready.append(lesson_check.ready)
+            ready += lesson_check.ready
             click.echo("\n".join(check.report_lines(lesson_check)))
-    if not all(is_ready):
+    if ready < len(notebooks):
         raise SystemExit(1)
 
 
@@ -321,7 +319,7 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
     if not review:
         click.echo(f"Next: {course.command} grade {submissions} --out {out} --review (read, and decide)")
     if report.not_graded or report.failed_pages:
-        raise SystemExit(_COULD_NOT_GRADE)
+        raise SystemExit(3)
 
 
 def _grade_and_review(submissions, keys, out, rules, review, options):

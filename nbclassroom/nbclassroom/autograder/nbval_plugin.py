@@ -25,8 +25,8 @@ from .answer_key import expected_key
 from .outcomes import Outcome
 from .sandbox.fork_server_client import MIME, CellRun
 from .sanitize import reproducible_text
+from .shown_answer import figure_html
 from .verdict import CaseRun, verdict_on
-from .written_answer import figure_html
 
 # A kernel that ended like this may have been ended by something else than the answer. It is run again, alone:
 # after "memory" once, after "gone" up to twice, after "crashed" up to three times. One pair for each try.

@@ -18,18 +18,16 @@ import msgspec
 
 from ..exercises.kinds.node.recording_node import UNKNOWN_PART
 from ..exercises.running import Verdict, attempt
-from .checked_answer import checked_answers
 from .outcomes import BUDGET_MESSAGE, CELL_FAILS, PHRASES, Outcome
 from .sanitize import reproducible_text
+from .shown_answer import checked_answers, rendered_text
 from .verdict import CaseRun
-from .written_answer import rendered_text
 
 _MISSING = re.compile(
     r"name '(\w+)' is not def|(\w+) is not there, because|write this exercise without (\w+)"
 )
 _SYNTAX_PLACE = re.compile(r" ?\(<cell[ \d]*>, line (\d+)\)$")
 NO_DETAILS = "<p>The details of these checks could not be shown.</p>"
-_MEMORY_ERRORS = ("MemoryError", "_ArrayMemoryError")
 # Errors whose messages are sentences of ours; their names are those of our classes, see `running.error_name`.
 _OUTCOMES_OF_ERRORS = {
     "RefusedModule": Outcome.REFUSED_MODULE,
@@ -248,7 +246,7 @@ def _outcome_of_exception(exercise, call):
     if outcome := _outcome_of_error(exercise, call.error):
         return outcome, reproducible_text(call.message)
     line = f" ({reproducible_text(call.line)})" if call.line else ""
-    outcome = Outcome.MEMORY if call.error in _MEMORY_ERRORS else Outcome.RAISED
+    outcome = Outcome.MEMORY if call.error in ("MemoryError", "_ArrayMemoryError") else Outcome.RAISED
     return outcome, _exception_text(call.error, call.message) + line
 
 

@@ -27,8 +27,6 @@ _MOST_CHANGED, _MOST_TEXT, _MOST_NAME = 20, 2_000, 300  # names, characters
 _SCALARS = {f"numpy.{scalar.__name__}": np.dtype(scalar) for scalar in SCALARS}
 _DTYPES = {np.dtype(code).name: np.dtype(code) for code in "?bBhHiIlLqQefd"}
 _CONTAINERS = ("tuple", "list", "dict")
-_SPECIAL = ("nan", "inf", "-inf")
-_DIGEST = re.compile(r"[0-9a-f]{64}")
 
 
 @dataclass(eq=False)
@@ -138,7 +136,7 @@ def _plain(kind, value):
         _require(isinstance(value, bool))
     elif kind == "float" or (dtype and dtype.kind == "f"):
         if isinstance(value, str):
-            _require(value in _SPECIAL)
+            _require(value in ("nan", "inf", "-inf"))
             return value
         _require(isinstance(value, (int, float)) and not isinstance(value, bool))
         _require(abs(value) <= sys.float_info.max)
@@ -173,7 +171,7 @@ def _data(data, size):
     """The data of a form, of so many bytes; or its digest."""
     if "data" not in data:
         digest = _text(data.get("digest"), 64)
-        _require(_DIGEST.fullmatch(digest))
+        _require(re.fullmatch(r"[0-9a-f]{64}", digest))
         return {"digest": digest}
     encoded = _text(data["data"], (size + 2) // 3 * 4)
     _require(len(base64.b64decode(encoded, validate=True)) == size)

@@ -3,7 +3,7 @@
 Each page is one file that loads nothing: it contains its style, and its Content-Security-Policy allows that
 style (by its hash), images drawn by `answer_images`, and nothing else; on the pages on which a teacher
 decides, one script of ours, too. The template escapes every text, and characters that a reader would not see
-are made visible before. The checks are HTML already, made so by `autograder.checked_answer`.
+are made visible before. The checks are HTML already, made so by `autograder.shown_answer`.
 
 The teacher's are review.html, and one page per exercise, with each learner's answer as it was graded beside
 its checks. What is typed there becomes lines for decisions.csv, to copy, or saved by `grade --review`.
@@ -19,10 +19,9 @@ from functools import lru_cache
 from pathlib import Path
 
 from .. import course
-from ..autograder.checked_answer import capital
 from ..autograder.outcomes import PHRASES, Outcome
 from ..autograder.sanitize import sanitize_text, spreadsheet_text
-from ..autograder.written_answer import rendered_text
+from ..autograder.shown_answer import capital, rendered_text
 from .csv_table import csv_text
 from .submission import NOT_PYTHON
 from .teacher_tables import EVERYBODY, plain_number

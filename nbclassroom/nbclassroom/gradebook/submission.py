@@ -28,8 +28,6 @@ from .collect import SubmittedFile
 from .submission_reader import MOST_CHARACTERS
 
 _MOST_NAMES = 8  # that a finding lists
-SECONDS = 60  # of processor time, for one request
-MEMORY = 2 << 30  # bytes, of the process that reads notebooks
 NOT_READ_IN_TIME = "reading it takes more time or memory than a notebook needs"
 _TRIES = 4  # for one request
 ONE_LESSON = "a notebook counts for one lesson: submit the others as notebooks of their own"
@@ -344,7 +342,7 @@ def _change(cell, source):
 class NotebookReader(contextlib.AbstractContextManager):
     """The process that reads notebooks; each request has `seconds` of processor time, `memory` bytes."""
 
-    def __init__(self, seconds=SECONDS, memory=MEMORY):
+    def __init__(self, seconds=60, memory=2 << 30):
         self._arguments = [str(memory), str(seconds), course.name]
         self._process: Any = None  # a Popen, after the first request
         self._last_read = b""

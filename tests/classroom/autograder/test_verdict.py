@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from nbclassroom.autograder.checked_answer import PageHtml
+from nbclassroom.autograder.shown_answer import PageHtml
 from nbclassroom.autograder.verdict import CaseRun, read_call, read_form, verdict_on
 from nbclassroom.exercises.answer_images import answer_images
 from nbclassroom.exercises.canonical import PLAIN_TYPES, canonical

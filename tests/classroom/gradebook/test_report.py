@@ -8,9 +8,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from accessibility import violations
-from nbclassroom.autograder.checked_answer import PageHtml, _advice
 from nbclassroom.autograder.outcomes import Outcome
 from nbclassroom.autograder.sanitize import sanitize_line, sanitize_text, spreadsheet_text
+from nbclassroom.autograder.shown_answer import PageHtml, _advice
 from nbclassroom.exercises.answer_images import answer_images
 from nbclassroom.exercises.canonical import canonical, encode
 from nbclassroom.exercises.values import describe_value, differing_elements

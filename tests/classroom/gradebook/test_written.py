@@ -15,7 +15,7 @@ import pytest
 from accessibility import violations
 from nbclassroom.authoring.masters import read_master
 from nbclassroom.autograder.make_answer_key import make_key
-from nbclassroom.autograder.written_answer import rendered_text
+from nbclassroom.autograder.shown_answer import rendered_text
 from nbclassroom.gradebook.answer_keys import AnswerKeys
 from nbclassroom.gradebook.grade import grade_submissions
 from nbclassroom.gradebook.review_server import ConflictError, ReviewServer, save_decisions
