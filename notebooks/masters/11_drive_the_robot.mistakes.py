@@ -49,7 +49,7 @@ def next_pose(x, y, yaw, linear, angular, dt):
 def next_pose(x, y, yaw, linear, angular, dt):
     return solution(x, y, yaw, linear, -angular, dt)
 
-# %% role="mistake" name="yaw in degrees" says="You converted the direction with math.radians. It is in radians already: use it as it is."
+# %% role="mistake" name="yaw in degrees" says="You converted the direction from degrees to radians. It is in radians already: use it as it is."
 def next_pose(x, y, yaw, linear, angular, dt):
     return moved(x, y, yaw, linear, angular, dt, math.radians(yaw + angular * dt / 2))
 
@@ -76,7 +76,7 @@ def stopping_distance(speed, deceleration, rate, latency):
 def stopping_distance(speed, deceleration, rate, latency):
     return speed * (1 / rate + latency) + speed / deceleration
 
-# %% role="mistake" name="parentheses missing before" says="Parentheses are missing in the way before braking: speed must multiply the whole time, speed * (1 / rate + latency)."
+# %% role="mistake" name="parentheses missing before" says="In the way before braking, speed does not multiply the latency. It must multiply the whole time, in parentheses: speed * (1 / rate + latency)."
 def stopping_distance(speed, deceleration, rate, latency):
     return speed * 1 / rate + latency + speed**2 / (2 * deceleration)
 
@@ -92,19 +92,19 @@ def stopping_distance(speed, deceleration, rate, latency):
 def stopping_distance(speed, deceleration, rate, latency):
     return 1 / rate + latency + speed / deceleration
 
-# %% role="mistake" name="a fixed deceleration" says="You typed 0.6, the deceleration of our robot. Use the argument deceleration, so that the function works for other robots too."
+# %% role="mistake" name="a fixed deceleration" says="Your result is always that of 0.6 m/s², as our robot brakes. Use the argument deceleration, so that the function works for other robots too."
 def stopping_distance(speed, deceleration, rate, latency):
     return speed * (1 / rate + latency) + speed**2 / 1.2
 
-# %% role="mistake" name="a fixed rate" says="You typed 10 frames per second. Use the argument rate, so that the function works for other cameras too."
+# %% role="mistake" name="a fixed rate" says="Your result is always that of 10 frames per second. Use the argument rate, so that the function works for other cameras too."
 def stopping_distance(speed, deceleration, rate, latency):
     return speed * (1 / 10 + latency) + speed**2 / (2 * deceleration)
 
-# %% role="mistake" name="a fixed latency" says="You typed 0.06 s. Use the argument latency."
+# %% role="mistake" name="a fixed latency" says="Your result is always that of a latency of 0.06 s. Use the argument latency."
 def stopping_distance(speed, deceleration, rate, latency):
     return speed * (1 / rate + 0.06) + speed**2 / (2 * deceleration)
 
-# %% role="mistake" name="the numbers of the lesson" says="You typed the numbers of the lesson: 10 frames per second, 0.06 s and 0.6 m/s². Use the arguments rate, latency and deceleration, so that the function works for other robots too."
+# %% role="mistake" name="the numbers of the lesson" says="Your result is always that of the lesson's 10 frames per second, 0.06 s and 0.6 m/s². Use the arguments rate, latency and deceleration, so that the function works for other robots too."
 def stopping_distance(speed, deceleration, rate, latency):
     return speed * (1 / 10 + 0.06) + speed**2 / 1.2
 

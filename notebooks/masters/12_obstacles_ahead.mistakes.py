@@ -20,7 +20,7 @@ def plane_of(a, b, c):
     normal = -normal if normal[1] > 0 else normal
     return normal, float(-(normal @ a))
 
-# %% role="mistake" name="divided by the sum" says="You divided by the sum of the three numbers. The length is the root of the sum of their squares: np.linalg.norm(normal)."
+# %% role="mistake" name="divided by the sum" says="You divided by the sum of the three numbers without signs. The length is the root of the sum of their squares: np.linalg.norm(normal)."
 def plane_of(a, b, c):
     normal = np.cross(b - a, c - a)
     normal = normal / np.abs(normal).sum()
@@ -34,7 +34,7 @@ def plane_of(a, b, c):
     normal = -normal if normal[1] > 0 else normal
     return normal, float(-(normal @ a))
 
-# %% role="mistake" name="divided by the largest" says="You divided by the largest number of the vector. Divide by its length: np.linalg.norm(normal)."
+# %% role="mistake" name="divided by the largest" says="Your y is -1: you divided by the largest number of the vector, or by its y. Divide by its length: np.linalg.norm(normal)."
 def plane_of(a, b, c):
     normal = np.cross(b - a, c - a)
     normal = normal / np.abs(normal).max()
@@ -75,7 +75,7 @@ def plane_of(a, b, c):
     normal, offset = solution(a, b, c)
     return normal.round(2), round(offset, 2)
 
-# %% role="mistake" name="turned by z" says="You looked at normal[2] (ahead) to decide whether the normal points up. Look at its y, normal[1]."
+# %% role="mistake" name="turned by z" says="Not all your normals point up, as if z (ahead) or a point decided. Look at the y, normal[1]: it must be negative."
 def plane_of(a, b, c):
     normal = normal_of(a, b, c)
     normal = -normal if normal[2] > 0 else normal
@@ -99,7 +99,7 @@ def nearest_obstacle(forward, left, height, width):
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, (left >= 0) & (left <= width) & standing(height))
 
-# %% role="mistake" name="above 0" says="You used height > 0. Points up to 3 cm are no obstacles: height > 0.03."
+# %% role="mistake" name="above 0" says="Points 2 cm high count here, as if by height > 0. Points up to 3 cm are no obstacles: height > 0.03."
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, (np.abs(left) <= width / 2) & (height > 0) & (height < 0.40))
 
@@ -117,7 +117,7 @@ def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & standing(height)
     return float(forward[mask].mean()) if mask.any() else math.inf
 
-# %% role="mistake" name="the nearest of all points" says="Your minimum is that of all points, although you made a mask. Select the points in the corridor first: forward[mask].min()."
+# %% role="mistake" name="the nearest of all points" says="Your minimum is that of all points. Select the points in the corridor first: forward[mask].min()."
 def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & standing(height)
     return float(forward.min()) if mask.any() else math.inf
@@ -198,7 +198,7 @@ class BrakeNode(solution):
     def stop(self):
         pass
 
-# %% role="mistake" name="the timer is never reset" says="Your timer stops the robot also while scans come: it is 0.5 s after the last stop, not after the last scan. Call self.timer.reset() in on_scan."
+# %% role="mistake" name="the timer is never reset" says="Your timer stops the robot also while scans come: its 0.5 s must count from the last scan. Make one timer in __init__, and call self.timer.reset() in on_scan."
 class BrakeNode(solution):
     def __init__(self):
         super().__init__()
@@ -212,7 +212,7 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, math.degrees(angular)
 
-# %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use the observation: things stand at other places each time."
+# %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use the observation (or is a condition on it never true?): things stand at other places each time."
 def control(observation, memory):
     return 0.25, 0.3
 

@@ -34,7 +34,7 @@ def iou(a, b):
     areas = [(box[2] - box[0]) * (box[3] - box[1]) for box in (a, b)]
     return both / (sum(areas) - both)
 
-# %% role="mistake" name="width and height exchanged" says="Width and height are exchanged: a box is (col, row, width, height), so the columns end at a[0] + a[2], and the rows at a[1] + a[3]."
+# %% role="mistake" name="width and height exchanged" says="Width and height, or col and row, are exchanged: a box is (col, row, width, height), so the columns end at a[0] + a[2], and the rows at a[1] + a[3]."
 def iou(a, b):
     width = min(a[0] + a[3], b[0] + b[3]) - max(a[0], b[0])
     height = min(a[1] + a[2], b[1] + b[2]) - max(a[1], b[1])
@@ -56,7 +56,7 @@ def iou(a, b):
     both = both_of(a, b)
     return (a[2] * a[3] + b[2] * b[3] - both) / both if both else 0.0
 
-# %% role="mistake" name="one pixel more" says="You added 1 to the width and to the height of the intersection. The width counts pixels already: it is the end minus the start."
+# %% role="mistake" name="one pixel more" says="Your intersection is one pixel too wide and too high. Its width is the end minus the start, without + 1."
 def iou(a, b):
     both = max(common(a, b, 0) + 1, 0) * max(common(a, b, 1) + 1, 0)
     return both / (a[2] * a[3] + b[2] * b[3] - both)
@@ -145,7 +145,7 @@ def update(state, covariance, measurement, H, R):
     state, covariance = updated(state, covariance, measurement, H, gain)
     return state + gain @ (measurement - H @ state), covariance
 
-# %% role="mistake" name="divided value by value" says="1 / S divides value by value. The inverse of a matrix is np.linalg.inv(S); only for one measurement are both the same."
+# %% role="mistake" name="divided value by value" says="1 / S, or S ** -1, divides value by value. The inverse of a matrix is np.linalg.inv(S); only for one measurement are both the same."
 def update(state, covariance, measurement, H, R):
     gain = covariance @ H.T @ (1 / (H @ covariance @ H.T + R))
     return updated(state, covariance, measurement, H, gain)
@@ -190,7 +190,7 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return 0.4 * linear, angular
 
-# %% role="mistake" name="it drives the same way" says="Your robot drives the same way each time, whatever it sees. Use the image."
+# %% role="mistake" name="it drives the same way" says="Your robot drives the same way each time, whatever it sees. Use the image (or is a condition on it never true?)."
 def control(observation, memory):
     return 0.25, 0.3
 
