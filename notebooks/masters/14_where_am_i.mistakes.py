@@ -51,7 +51,7 @@ def find_homography(points, pixels):
 def find_homography(points, pixels):
     return solution(points, pixels).round(2)
 
-# %% role="mistake" name="whole numbers" says="Your matrix has whole numbers only. Leave astype(int) out."
+# %% role="mistake" name="whole numbers" says="Your numbers are cut to whole numbers. Leave astype(int), or an array of int, out."
 def find_homography(points, pixels):
     # Rounded before: on some processors a whole number comes out a little smaller.
     return np.trunc(np.round(solution(points, pixels), 6))
@@ -67,22 +67,22 @@ def decomposed(before, after):
 def with_shift(R, before, after):
     return R, after.mean(axis=0) - R @ before.mean(axis=0)
 
-# %% role="mistake" name="all signs changed" says="If U @ V is a mirror, you change the signs of the whole matrix. Change only the last column of U: np.diag([1, 1, np.linalg.det(U @ V)])."
+# %% role="mistake" name="all signs changed" says="If the matrix is a mirror, you change all its signs. Change only one, between U and V: np.diag([1, 1, np.linalg.det(U @ V)])."
 def find_motion(before, after):
     U, V = decomposed(before, after)
     return with_shift(np.linalg.det(U @ V) * U @ V, before, after)
 
-# %% role="mistake" name="the wrong column" says="If U @ V is a mirror, you change the first column of U. Change the last one, np.diag([1, 1, ...]): it belongs to the direction in which the points differ least."
+# %% role="mistake" name="the wrong column" says="If the matrix is a mirror, you turn its first direction round. Take the last one, in which the points differ least: np.diag([1, 1, ...]) between U and V."
 def find_motion(before, after):
     U, V = decomposed(before, after)
     return with_shift(U @ np.diag([np.linalg.det(U @ V), 1, 1]) @ V, before, after)
 
-# %% role="mistake" name="always -1" says="You always change the sign of the last column. Change it only for a mirror: multiply by the determinant of U @ V, not by -1."
+# %% role="mistake" name="always -1" says="In these checks, you always turn the last direction round. Do it only for a mirror: multiply by the determinant of U @ V, not by -1."
 def find_motion(before, after):
     U, V = decomposed(before, after)
     return with_shift(U @ np.diag([1, 1, -1]) @ V, before, after)
 
-# %% role="mistake" name="the rotation back" says="This is the rotation from after to before. The order of the product is (after - its mean).T @ (before - its mean)."
+# %% role="mistake" name="the rotation back" says="This is the rotation from after to before. With (after - its mean).T @ (before - its mean), R is U @ diag @ V; with the other order, V.T @ diag @ U.T."
 def find_motion(before, after):
     return with_shift(solution(before, after)[0].T, before, after)
 
@@ -90,7 +90,7 @@ def find_motion(before, after):
 def find_motion(before, after):
     return solution(after, before)
 
-# %% role="mistake" name="only the rotation transposed" says="The shift is right, but the rotation is transposed: return R, not R.T."
+# %% role="mistake" name="only the rotation transposed" says="The shift is right, but the rotation is transposed: R @ point must turn a point from before to after."
 def find_motion(before, after):
     R, t = solution(before, after)
     return R.T, t
@@ -109,10 +109,9 @@ def find_motion(before, after):
 def find_motion(before, after):
     return solution(before, after)[0], np.zeros(3)
 
-# %% role="mistake" name="only one mean subtracted twice" says="You subtracted the mean of before from both clouds. Subtract from each cloud its own mean."
+# %% role="mistake" name="not centered" says="Both clouds still have their means when you multiply them. Subtract from each cloud its own mean first, mean(axis=0)."
 def find_motion(before, after):
-    mean = before.mean(axis=0)
-    U, _, V = np.linalg.svd((after - mean).T @ (before - mean) + len(before) * np.outer(after.mean(axis=0) - mean, mean))
+    U, _, V = np.linalg.svd(after.T @ before)
     return with_shift(U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V, before, after)
 
 # %% role="mistake" name="one mean for all numbers" says="Your mean is one number. Take the mean over axis 0: three numbers, one for each coordinate."

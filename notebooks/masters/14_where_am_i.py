@@ -297,7 +297,7 @@ def inputs(rng):
     return [(square, np.array([[10.0, 20], [90, 24], [96, 88], [6, 100]])), (square, corners_of(rng)[1])]
 
 
-# %% role="case" title="other squares" points=1 hint="Are both rows of each corner right, also where x and y are not 0 or 1?"
+# %% role="case" title="other squares" points=1 hint="Where x and y are not 0 or 1, is each product right? -u * x, -u * y, -u in the row of u, -v * x, -v * y, -v in the row of v."
 def inputs(rng):
     return [corners_of(rng, 3.0), corners_of(rng, 6.0, 60.0)]
 
@@ -656,7 +656,7 @@ def inputs(rng):
     return [moved_cloud(rng, 8, 0.5), moved_cloud(rng, 20, 1.2, 0.05)]
 
 
-# %% role="case" title="points on a wall" points=1 hint="Is the determinant of your rotation 1? With points on a wall, U @ V can be a mirror."
+# %% role="case" title="points on a wall" points=1 hint="With points on a wall, U @ V can be a mirror, with the determinant -1. Then the last column of U (or the last row of V) must change its signs before you multiply."
 def inputs(rng):
     return [wall(rng, 12), wall(rng, 20)]
 
