@@ -25,7 +25,7 @@ def ray_cells(start, end):
 def ray_cells(start, end):
     return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + k * abs(b - a) // n * (1 if b > a else -1))
 
-# %% role="mistake" name="rounded down also below zero" says="You round down, and // also rounds negative numbers down. Take the nearest row and column, of the length of the way, and multiply by the sign afterwards."
+# %% role="mistake" name="rounded down also below zero" says="You round each row and column down, also where they become smaller. Take the nearest: round the length of the way, and multiply by the sign afterwards."
 def ray_cells(start, end):
     return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + k * (b - a) // n)
 
@@ -80,7 +80,7 @@ def ray_cells(start, end):
 def ray_cells(start, end):
     return solution(end, start)
 
-# %% role="mistake" name="only both ends" says="Only the first and the last cell are there. Append a cell in each step of the loop."
+# %% role="mistake" name="only both ends" says="Only the first and the last cell are there. Append a cell in each step, in a loop."
 def ray_cells(start, end):
     return [start, end]
 
@@ -104,7 +104,7 @@ def changes(shape, rays, at_end, on_way, ends_last=True):
                 change[row, col] = value
     return change
 
-# %% role="mistake" name="each ray counts" says="You add for each ray: a cell that many rays pass changes many times. In one scan, each cell changes once: write the change into a grid of zeros with =, not with +=."
+# %% role="mistake" name="each ray counts" says="You add for each ray: a cell that many rays pass changes many times. In one scan, each cell changes once: write each change into a grid of zeros, with = alone, and add this grid at the end."
 def add_scan(grid, rays, hit, passed):
     new = grid.copy()
     for ray in rays:
@@ -141,9 +141,9 @@ def add_scan(grid, rays, hit, passed):
 def add_scan(grid, rays, hit, passed):
     return np.maximum(grid + changes(grid.shape, rays, odds_log(hit), odds_log(passed)), -6)
 
-# %% role="mistake" name="the change clipped" says="You clip the change. Add it to the grid first, and clip the sum."
+# %% role="mistake" name="not clipped" says="The sums leave the range -6 to 6: nothing is clipped, or only a part of the sum. At the end: np.clip(grid + change, -6, 6)."
 def add_scan(grid, rays, hit, passed):
-    return grid + np.clip(changes(grid.shape, rays, odds_log(hit), odds_log(passed)), -0.5, 0.5)
+    return grid + changes(grid.shape, rays, odds_log(hit), odds_log(passed))
 
 # %% role="mistake" name="probability subtracted" says="You use the probabilities as they are. Add their log-odds, math.log(p / (1 - p)): those of passed are negative by themselves."
 def add_scan(grid, rays, hit, passed):
@@ -159,7 +159,7 @@ def add_scan(grid, rays, hit, passed):
 
 # %% role="mistake" name="only the way" says="The ends of the rays are not hits. Add the log-odds of hit in the last cell of each ray."
 def add_scan(grid, rays, hit, passed):
-    return np.clip(grid + changes(grid.shape, [[*ray[:-1], ray[-1]] for ray in rays], 0.0, odds_log(passed)), -6, 6)
+    return np.clip(grid + changes(grid.shape, rays, 0.0, odds_log(passed), ends_last=False), -6, 6)
 
 # %% role="mistake" name="the end also passed" says="You treat the last cell as if the ray passed it. It is a hit: ray[:-1] are the others."
 def add_scan(grid, rays, hit, passed):
@@ -197,7 +197,7 @@ def edge_error(first, second, measured):
 def edge_error(first, second, measured):
     return error_with(first, second, measured, angle=lambda angle: math.remainder(angle, math.pi))
 
-# %% role="mistake" name="turned to the wrong side" says="You turn to the wrong side; a sign of s is wrong: ahead = c * dx + s * dy, left = c * dy - s * dx."
+# %% role="mistake" name="turned to the wrong side" says="You turn to the wrong side, as by minus the yaw: ahead = c * dx + s * dy, left = c * dy - s * dx."
 def edge_error(first, second, measured):
     return error_with(first, second, measured, side=-1.0)
 
@@ -214,7 +214,7 @@ def edge_error(first, second, measured):
     ahead, left, turn = edge_parts(first, second)
     return np.array([left - measured[0], ahead - measured[1], wrapped(turn - measured[2])])
 
-# %% role="mistake" name="from the second to the first" says="This is the motion from the second pose to the first. Compute second minus first."
+# %% role="mistake" name="from the second to the first" says="This is the motion from the second pose to the first. Compute second minus first, turned by first[2]."
 def edge_error(first, second, measured):
     return error_with(second, first, measured)
 
@@ -240,7 +240,7 @@ def edge_error(first, second, measured):
 def edge_error(first, second, measured):
     return solution(first, second, measured) * (1, 1, 180 / math.pi)
 
-# %% role="mistake" name="yaw taken as degrees" says="The yaws are radians already. Leave math.radians out."
+# %% role="mistake" name="yaw taken as degrees" says="The yaws are in radians already. Do not convert them from degrees."
 def edge_error(first, second, measured):
     return error_with(first, second, measured, yaw=math.radians(first[2]))
 

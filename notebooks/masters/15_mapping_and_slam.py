@@ -637,7 +637,7 @@ def inputs(rng):
     return [((1.0, 1.0, math.pi / 2), (1.0, 3.0, math.pi / 2), (1.9, 0.1, 0.0)), ((0.0, 0.0, 0.0), (9.0, 1.0, 0.2), (2.0, 0.5, 0.1)), any_edge(rng, 0.6, 0.4), any_edge(rng, -1.1, -0.5)]
 
 
-# %% role="case" title="angles across π" points=1 hint="Is the angle between -π and π at the very end?"
+# %% role="case" title="angles across π" points=1 hint="Is the angle brought between -π and π at the very end, after the measured angle is subtracted?"
 def inputs(rng):
     return [any_edge(rng, 2.9, 0.7), any_edge(rng, -2.8, -0.9), ((0.0, 0.0, 3.0), (1.0, 0.5, -3.0), (1.0, 0.5, 0.2)),
             ((0.5, 0.0, -1.5), (0.0, 1.0, 1.4), (0.3, 0.2, -2.9)), ((0.5, 0.0, 1.5), (0.0, 1.0, -1.4), (0.3, 0.2, 2.9)),

@@ -84,7 +84,7 @@ def label(mask):
 def label(mask):
     return mask.astype(int)
 
-# %% role="mistake" name="first component only" says="Only the first component has a number. Go on with the next pixel of ink that has none: return belongs after the loop."
+# %% role="mistake" name="first component only" says="Only the first component has a number. Go on with the next pixel of ink that has none: does return or break end the loop too early?"
 def label(mask):
     return np.where(solution(mask) == 1, 1, 0)
 
@@ -117,7 +117,7 @@ def label(mask):
 def label(mask):
     inner = np.zeros_like(mask)
     inner[1:-1, 1:-1] = mask[1:-1, 1:-1]
-    return filled(inner, EIGHT)
+    return filled(inner, EIGHT, np.argwhere(mask).tolist())
 
 # %% role="mistake" name="the background too" says="Your number flows over the background. Go on only to pixels that are True in the mask."
 def label(mask):
@@ -181,11 +181,11 @@ def ncc(a, b):
     roots = norm2(centered(a)) ** 0.5, norm2(centered(b)) ** 0.5
     return float((centered(a) * centered(b)).sum() / sum(roots)) if all(roots) else 0.0
 
-# %% role="mistake" name="standardized, and summed" says="Divided by its standard deviation, each image still has a sum of squares of N, the number of pixels. Take the mean of the products, not the sum."
+# %% role="mistake" name="standardized, and summed" says="Your result is N times the NCC, N being the number of pixels. With standard deviations or means of squares below, take the mean of the products above, not the sum."
 def ncc(a, b):
     return solution(a, b) * a.size
 
-# %% role="mistake" name="standardized, and summed, 0 / 0" says="Divided by its standard deviation, each image still has a sum of squares of N, the number of pixels. Take the mean of the products, not the sum. And test for an image without form: 0 / 0 is nan."
+# %% role="mistake" name="standardized, and summed, 0 / 0" says="Your result is N times the NCC, N being the number of pixels. With standard deviations or means of squares below, take the mean of the products above, not the sum. And test for an image without form: 0 / 0 is nan."
 def ncc(a, b):
     return solution(a, b) * a.size if np.ptp(a) and np.ptp(b) else float("nan")
 
@@ -202,11 +202,11 @@ def ncc(a, b):
 def ncc(a, b):
     return quotient((centered(a) * centered(b)).sum(), norm2(a) * norm2(b))
 
-# %% role="mistake" name="never below 0" says="The NCC can be negative. Leave max(0, ...) out."
+# %% role="mistake" name="never below 0" says="The NCC can be negative: do not make 0 of it, as max or clip does."
 def ncc(a, b):
     return max(0.0, solution(a, b))
 
-# %% role="mistake" name="squared" says="Your result is the square of the NCC. Take the root only of the sums of squares, and do not square the quotient."
+# %% role="mistake" name="squared" says="Your result is the square of the NCC. Take the root of the sums of squares, and square neither the quotient nor the sum of products."
 def ncc(a, b):
     return solution(a, b) ** 2
 
@@ -227,7 +227,7 @@ def ncc(a, b):
     root = np.sqrt(norm2(centered(a)) * norm2(centered(b)))
     return centered(a) * centered(b) / (root or 1.0)
 
-# %% role="mistake" name="matrix product" says="@ is the product of matrices. Multiply pixel by pixel: (a_centered * b_centered).sum()."
+# %% role="mistake" name="matrix product" says="@ and np.dot multiply matrices. Multiply pixel by pixel: (a_centered * b_centered).sum()."
 def ncc(a, b):
     x, y = centered(a), centered(b)
     return quotient((x @ y.T).sum(), norm2(x) * norm2(y))
