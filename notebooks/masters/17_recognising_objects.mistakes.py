@@ -16,7 +16,7 @@ def histogram_of(angles, magnitudes, width=20.0, count=9):
 def cell_histogram(grad_row, grad_col):
     return histogram_of(orientations(grad_row, grad_col), abs(grad_row) + abs(grad_col))
 
-# %% role="mistake" name="absolute angle" says="You took the absolute value of the angle, so -30 became 30. Its orientation is 150: use % 180."
+# %% role="mistake" name="absolute angle" says="Your negative angles lose their sign, as with abs, so -30 becomes 30. Its orientation is 150: use % 180."
 def cell_histogram(grad_row, grad_col):
     angles = abs(np.degrees(np.arctan2(grad_row, grad_col))) % 180
     return histogram_of(angles, np.hypot(grad_row, grad_col))
@@ -50,7 +50,7 @@ def cell_histogram(grad_row, grad_col):
 def cell_histogram(grad_row, grad_col):
     return histogram_of(orientations(grad_row, grad_col), np.hypot(grad_row, grad_col), 22.5, 9)
 
-# %% role="mistake" name="bins of 10 degrees" says="Your bins do not have 20 degrees: 180 degrees divided by nine bins is 20."
+# %% role="mistake" name="bins of 40 degrees" says="Your bins have 40 degrees. Orientations end at 180, and 180 / 9 is 20: use // 20."
 def cell_histogram(grad_row, grad_col):
     return histogram_of(orientations(grad_row, grad_col) / 2, np.hypot(grad_row, grad_col))
 
@@ -68,7 +68,7 @@ def cell_histogram(grad_row, grad_col):
 def cell_histogram(grad_row, grad_col):
     return histogram_of(orientations(grad_row, grad_col), np.floor(np.hypot(grad_row, grad_col)))
 
-# %% role="mistake" name="largest magnitude" says="Each of your bins has the largest magnitude of its pixels, or the last one: you write with =. Add them with +=."
+# %% role="mistake" name="largest magnitude" says="Each of your bins has only the largest magnitude of its pixels. Add all of them, pixel by pixel, with +=."
 def cell_histogram(grad_row, grad_col):
     bins, magnitudes = (orientations(grad_row, grad_col) // 20).astype(int).ravel(), np.hypot(grad_row, grad_col).ravel()
     return np.array([magnitudes[bins == i].max(initial=0.0) for i in range(9)]) / grad_row.size
@@ -111,7 +111,7 @@ def cell_histogram(grad_row, grad_col):
 def cell_histogram(grad_row, grad_col):
     return int(solution(grad_row, grad_col).argmax())
 
-# %% role="mistake" name="backwards" says="Your bins are in the opposite order: the rows count downwards here, so do not change the sign of a gradient."
+# %% role="mistake" name="backwards" says="Your bins are in the opposite order: the rows count downwards here, so do not change the sign of a gradient or angle."
 def cell_histogram(grad_row, grad_col):
     return solution(-grad_row, grad_col)
 
@@ -179,7 +179,7 @@ def nearest_mean(vectors, classes, new):
 def nearest_mean(vectors, classes, new):
     return solution(vectors, classes, new)[:1]
 
-# %% role="mistake" name="in the order of first appearance" says="The means and the classes are in a different order: you list the classes as they come, but take the means in the order of np.unique. Use the same list for both."
+# %% role="mistake" name="in the order of first appearance" says="The means and the classes are in different orders: one as they come, the other as in np.unique. Use the same list for both."
 def nearest_mean(vectors, classes, new):
     _, means = means_of(vectors, classes)
     return nearest(np.array(list(dict.fromkeys(classes.tolist()))), means, new)
