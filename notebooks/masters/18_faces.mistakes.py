@@ -12,10 +12,6 @@ def running(gray, axes=(0, 1), pad=((1, 0), (1, 0)), dtype=np.int64):
 def integral_image(gray):
     return running(gray, pad=0)
 
-# %% role="mistake" name="no zeros, uint64" says="The row and the column of zeros are missing: np.pad(sums, ((1, 0), (1, 0))). And make int64 of the image first: gray.astype(np.int64)."
-def integral_image(gray):
-    return running(gray, pad=0, dtype=np.uint64)
-
 # %% role="mistake" name="in the shape of the image" says="The last row and the last column are missing: the integral image has one row and one column more than the image."
 def integral_image(gray):
     return running(gray)[:-1, :-1].copy()
@@ -28,7 +24,7 @@ def integral_image(gray):
 def integral_image(gray):
     return running(gray, pad=((0, 0), (1, 0)))
 
-# %% role="mistake" name="zeros before the image as one number" says="Your zeros stand on all sides or only before one axis. np.pad needs two pairs: ((1, 0), (1, 0))."
+# %% role="mistake" name="two rows of zeros" says="Two rows and two columns of zeros stand before your sums. One of each is enough, ((1, 0), (1, 0)): pad once."
 def integral_image(gray):
     return np.pad(running(gray, pad=0), ((2, 0), (2, 0)))
 
@@ -44,7 +40,7 @@ def integral_image(gray):
 def integral_image(gray):
     return running(gray, axes=(0, 0))
 
-# %% role="mistake" name="wraps round at 256" says="Your sums wrap round at 256, because they are uint8. Make int64 of the image first: gray.astype(np.int64)."
+# %% role="mistake" name="wraps round at 256" says="Your sums wrap round at 256, because they are uint8. Use gray.astype(np.int64) first, and np.int64 for an array of zeros, too."
 def integral_image(gray):
     return running(gray, dtype=np.uint8).astype(np.int64)
 
@@ -93,7 +89,7 @@ def hide_boxes(frame, boxes, size):
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, [(left, top, width - left, height - top) for left, top, width, height in boxes], size)
 
-# %% role="mistake" name="boxes that begin outside left out" says="You leave out a box that begins outside the image. Cut it to the image, and hide what is left."
+# %% role="mistake" name="boxes that begin outside left out" says="A box that begins outside the image stays visible (an index below 0 counts from the other side). Cut it to the image, and hide what is left."
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, [b for b in boxes if b[0] >= 0 and b[1] >= 0], size)
 
@@ -109,7 +105,7 @@ def hide_boxes(frame, boxes, size):
                     result[rows, cols] = np.round(frame[rows, cols].mean(axis=(0, 1)))
     return result
 
-# %% role="mistake" name="last blocks too large" says="Your last blocks reach over the border of the box. A block ends where its box ends: min(row + size, last_row)."
+# %% role="mistake" name="last blocks too large" says="Your last blocks reach over the border of the box. A block ends where its box ends: min(row + size, top + height)."
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, boxes, size, cut=False)
 
@@ -135,7 +131,7 @@ def hide_boxes(frame, boxes, size):
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, [(0, 0, frame.shape[1], frame.shape[0])], size)
 
-# %% role="mistake" name="not cut, and blocks too large" says="Two things: a box that begins outside the image stays visible (begin at max(left, 0) and max(top, 0)), and the last blocks reach over the border of the box (end at min(row + size, last_row))."
+# %% role="mistake" name="not cut, and blocks too large" says="Two things: a box that begins outside the image is not all hidden (begin at max(left, 0) and max(top, 0)), and the last blocks reach over the border of the box (end at min(row + size, top + height))."
 def hide_boxes(frame, boxes, size):
     result = frame.copy()
     for left, top, width, height in boxes:

@@ -172,7 +172,7 @@ def inputs(rng):
     return [(image(rng, 2, 3),), (image(rng, 4, 3),)]
 
 
-# %% role="case" title="larger sums" points=1 hint="Are the numbers int64 before you add them up? uint8 ends at 255."
+# %% role="case" title="larger sums" points=1 hint="Are the sums int64? uint8 ends at 255, and uint16 at 65535: the sum of a large image is larger."
 def inputs(rng):
     return [(image(rng, 5, 7),), (image(rng, 20, 20) // 4 + np.uint8(191),)]
 
