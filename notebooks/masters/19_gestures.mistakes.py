@@ -93,7 +93,7 @@ def deepest_point(contour, start, end):
     contour[start + 1]
     return solution(contour, start, end)
 
-# %% role="mistake" name="not over the end, 0 and 0" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
+# %% role="mistake" name="not over the end, 0 and 0" says="If start is larger than end, you look at no point: nothing lies in range(start + 1, end). After the last point of the contour comes the first one: count with % len(contour)."
 def deepest_point(contour, start, end):
     return solution(contour, start, end) if start < end else (0, 0)
 

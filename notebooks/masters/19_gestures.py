@@ -510,7 +510,7 @@ def inputs(rng):
     return [way_inside(rng), way_inside(rng, 11, 9, ones=(0, 1)), way_inside(rng, 12, 14), way_inside(rng, ones=(-2, -1))]
 
 
-# %% role="case" title="ways that leave the mask" points=1 hint="A pixel outside the mask counts as 0. Negative rows and columns are outside too."
+# %% role="case" title="ways that leave the mask" points=1 hint="A pixel outside the mask counts as 0, also at a negative row or column. A run goes on over the end only if the first and the last pixel are both 1."
 def inputs(rng):
     return [way_outside(rng, -2, 2), way_outside(rng, 3, 4), way_outside(rng, 2, -1, border=0), way_inside(rng, ones=(0, 1))]
 
