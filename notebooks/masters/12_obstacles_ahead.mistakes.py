@@ -165,6 +165,13 @@ def turn(angle):
 def nothing_near(msg):
     msg.ranges = [math.inf] * len(msg.ranges)
 
+def what_is_behind(msg):
+    angles = msg.angle_min + msg.angle_increment * np.arange(len(msg.ranges)) + math.pi / 2
+    ways = np.nan_to_num(msg.ranges, nan=math.inf, posinf=0.0)
+    if np.any((ways >= msg.range_min) & (ways <= msg.range_max) & (np.cos(angles) < 0)
+              & (np.abs(ways * np.sin(angles)) <= 0.2)):
+        msg.ranges = [0.3] * len(msg.ranges)
+
 def nan_is_near(msg):
     msg.ranges = [0.1 if math.isnan(value) else value for value in msg.ranges]
 
@@ -176,6 +183,9 @@ BrakeNode = with_scans(turn(-math.pi / 2))
 
 # %% role="mistake" name="looks behind" says="Your node looks behind the robot. The angle seen from the robot is angle_min + index * angle_increment + math.pi / 2: all three parts count. Forward is the range times its cosine, left its sine."
 BrakeNode = with_scans(turn(math.pi))
+
+# %% role="mistake" name="what is behind counts" says="What is behind the robot stops it, too. Something is in its way only if its forward is above 0, and not above 0.4."
+BrakeNode = with_scans(what_is_behind)
 
 # %% role="mistake" name="drives backward" says="Your robot drives backward: by REP 103, x points forward, so linear.x is 0.2."
 class BrakeNode(solution):

@@ -211,7 +211,7 @@ exercise(
     title="The plane of three points",
     function="plane_of",
     tolerance=1e-6,
-    hint="The normal is the cross product of b - a and c - a, divided by its length and turned up; the offset is -(normal @ a).",
+    hint="The normal is the cross product of b - a and c - a, divided by its length, and turned so that its y is negative (up); the offset is -(normal @ a).",
     hints=(
         "Which two directions lie in the plane, and which vector is perpendicular to both?",
         "1. The cross product of b - a and c - a.\n"

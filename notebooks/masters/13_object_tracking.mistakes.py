@@ -158,7 +158,7 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return 100 * linear, angular  # centimetres per second
 
-# %% role="mistake" name="another ball" says="Stand for half a second, then take the spot that has moved, and store it in memory: memory[\"ball\"] = ... stays, memory = {...} is forgotten after the call. From then on, take only spots near the column where you predict it."
+# %% role="mistake" name="another ball" says="Stand for half a second, then take the spot that has moved, and store it in memory: memory[\"ball\"] = ... stays, memory = {...} is forgotten after the call. From then on, take only spots near the column where you predict it: the last column plus 17.6 times the angular speed that you returned."
 def control(observation, memory):
     spots = [(max(width, height), col + width / 2)
              for col, row, width, height in red_spots(observation["image"])]

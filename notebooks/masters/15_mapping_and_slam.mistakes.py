@@ -45,6 +45,10 @@ def ray_cells(start, end):
 def ray_cells(start, end):
     return line_of(start, end, length_of(start, end), lambda a, b, k, n: a - (-2 * k * abs(b - a) + n) // (2 * n) * (1 if b > a else -1))
 
+# %% role="mistake" name="halves up on each way" says="Where a coordinate becomes smaller, a half goes to the wrong side: // rounds a negative number down. Round the length of the way, abs(way), and multiply by the sign afterwards."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + (2 * k * (b - a) + n) // (2 * n))
+
 # %% role="mistake" name="steps are the columns" says="Your ray takes one step for each column, so a steep ray has gaps, or is missing. The number of steps is the larger of both ways: max(abs(row_way), abs(col_way))."
 def ray_cells(start, end):
     steps = abs(end[1] - start[1])
