@@ -217,7 +217,7 @@ class BrakeNode(solution):
 # %% [markdown]
 # # obstacles-drive
 
-# %% role="mistake" name="its speeds are too large" says="Two causes are usual: an angle is in degrees (all angles here are in radians), or the two numbers are exchanged (the linear speed is the first)."
+# %% role="mistake" name="its speeds are too large" says="Usual causes: an angle is in degrees (all angles here are in radians), or the two numbers are exchanged (the linear speed is the first)."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, math.degrees(angular)

@@ -112,6 +112,7 @@ def _advice(result, call, graded):
     kind = result.exercise.kind
     if result.mistake is not None:
         yield result.mistake.says
+        yield SAYS["none of these"] if "sual causes" in result.mistake.says else ""
         return
     if call.result.timed_out:
         yield "" if graded else SAYS["time is up"]
