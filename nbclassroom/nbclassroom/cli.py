@@ -47,12 +47,19 @@ class CourseGroup(click.Group):
             raise exception from error
 
 
-_masters_option = option(
-    "--masters",
-    type=_FOLDER,
-    default=lambda: course.folder() / "masters",
-    show_default=False,
-    help="Folder of the masters.  [default: the course's own]",
+def _course_option(*names, default, text, type=_FOLDER):
+    """An option whose default is the course's own, which `default` finds when the command runs."""
+    text += "  [default: the course's own]"
+    return option(*names, type=type, default=default, show_default=False, help=text)
+
+
+def _seed_option(subject, place):
+    text = f"Secret seed of {subject}, 32 random hexadecimal digits or more."
+    return option("--seed", help=f"{text}  [default: a new one, saved {place}]")
+
+
+_masters_option = _course_option(
+    "--masters", default=lambda: course.folder() / "masters", text="Folder of the masters."
 )
 _unsafe_help = "Run the learners' code without a sandbox: it can read and change your files."
 _unsafe_option = option("--unsafe", is_flag=True, help=_unsafe_help)
@@ -121,14 +128,7 @@ def build(lessons, only_check, masters, out, solved, with_solutions):
 @main.command()
 @click.argument("folder", type=_FOLDER)
 @click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@option(
-    "--from",
-    "source",
-    type=_FOLDER,
-    default=course.folder,
-    show_default=False,
-    help="Folder of the built lessons.  [default: the course's own]",
-)
+@_course_option("--from", "source", default=course.folder, text="Folder of the built lessons.")
 @option("--with-solutions", is_flag=True, help="Let learners open solutions after three tries.")
 @option("--zip", "zipped", is_flag=True, help="Also write FOLDER.zip.")
 def handout(folder, lessons, source, with_solutions, zipped):
@@ -180,11 +180,7 @@ def _local_time(ctx, param, value):
 
 @main.command()
 @click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@option(
-    "--seed",
-    help="Secret seed of the inputs, 32 random hexadecimal digits or more.  [default: a new one, saved beside"
-    " the key]",
-)
+@_seed_option("the inputs", "beside the key")
 @option("--out", type=_FOLDER, default="key", help="Folder for the key.")
 @_masters_option
 @option("--replace", is_flag=True, help="Replace an existing key.")
@@ -350,19 +346,14 @@ def _grade_and_review(submissions, keys, out, rules, review, options):
 @click.argument("folder", type=_FOLDER)
 @option("--out", type=_FOLDER, default="league", help="Folder for the page and the table.")
 @option("--rooms", type=click.IntRange(1, 100), default=10, help="Number of secret rooms.")
-@option(
-    "--seed",
-    help="Secret seed of rooms and aliases, 32 random hexadecimal digits or more.  [default: a new one, saved"
-    " in the folder: the next run has the same rooms]",
-)
+@_seed_option("rooms and aliases", "in the folder: the next run has the same rooms")
 @option("--workers", type=click.IntRange(1), help="Number of drives at once.  [default: one per core]")
 @option("--names", is_flag=True, help="Show the learners' names instead of aliases.")
-@option(
+@_course_option(
     "--baseline",
     type=_FILE,
     default=lambda: course.folder() / course.league_baseline,
-    show_default=False,
-    help="Controller that drives beside the class.  [default: the course's own]",
+    text="Controller that drives beside the class.",
 )
 @_unsafe_option
 def league(folder, out, **options):

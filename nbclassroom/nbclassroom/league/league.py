@@ -275,7 +275,14 @@ def start_drives(unsafe):
 
 def explore(source, scenario):
     """The Exploration of a controller, by its source."""
-    exercise = _exercise(scenario)
+    exercise = Exercise(
+        id="league",
+        function=FUNCTION,
+        subject="drive",
+        sensors=SENSORS,
+        allowed=(*course.drive_allowed, *course.league_allowed),
+        cases=(Case("room", "", 1, "", 0.0, calls=(ExpectedCall((scenario,)),)),),
+    )
     page = page_of({exercise.id: source}, SimpleNamespace(exercises=[exercise]))
     exercise_run = ExerciseRun(exercise, PageKernels(page, _factories[0]))
     try:
@@ -295,17 +302,6 @@ def draw(record, scenario, *, with_film):
     """(the map of a drive, its film or None) as AnswerImages."""
     film = draw_film(environment(()), record, scenario) if with_film else None
     return draw_map(record, scenario), film
-
-
-def _exercise(scenario):
-    return Exercise(
-        id="league",
-        function=FUNCTION,
-        subject="drive",
-        sensors=SENSORS,
-        allowed=(*course.drive_allowed, *course.league_allowed),
-        cases=(Case("room", "", 1, "", 0.0, calls=(ExpectedCall((scenario,)),)),),
-    )
 
 
 def _found(run: CaseRun) -> dict | None:
