@@ -85,7 +85,9 @@ def autograde(submissions, key, *, unsafe=False, workers=None, executor=None, li
                     names = ", ".join(key_of_submission.lessons)
                     raise ValueError(f"lesson {lesson!r} is not in the key, which has {names}")
                 page = answers if "cells" in answers else page_of(answers, key_of_submission.lessons[lesson])
-                queue.add((name, lesson, page), key_of_submission)
+                submission = name, lesson, page
+                future = queue.submit(submission, key_of_submission)
+                queue.waiting.append((submission, key_of_submission, future))
             if not queue.waiting:
                 return
             try:
@@ -103,10 +105,7 @@ class _Queue:
         self._executor, self._options = executor, options
         self.waiting: deque = deque()
 
-    def add(self, submission, key):
-        self.waiting.append((submission, key, self._submit(submission, key)))
-
-    def _submit(self, submission, key, **options):
+    def submit(self, submission, key, **options):
         options = self._options | options
         try:
             return self._executor.submit(grade_one, submission, str(key.path), key.digest, **options)
@@ -142,7 +141,7 @@ class _Queue:
         """The result, with new results of some exercises; they have a submission's whole time."""
         name, lesson, page = submission
         again = (name, lesson, page | {"answers": {id: page["answers"][id] for id in ids}})
-        new_result = self._result(again, key, self._submit(again, key, **options))
+        new_result = self._result(again, key, self.submit(again, key, **options))
         new = {exercise.id: exercise for exercise in new_result.exercises}
         exercises = (new[exercise.id] if exercise.id in ids else exercise for exercise in result.exercises)
         return replace(result, exercises=tuple(exercises))
@@ -155,7 +154,7 @@ class _Queue:
                 raise
             except Exception as error:  # noqa: BLE001 - an executor and its workers may raise anything
                 fault = f"{type(error).__name__}: {error}"
-                future = self._submit(submission, key)
+                future = self.submit(submission, key)
         return _not_graded(key, submission, fault)
 
     def close(self):

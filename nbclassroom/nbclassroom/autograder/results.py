@@ -89,11 +89,9 @@ class GradedSubmission:
     @property
     def has_fault(self):
         """Whether an exercise was not graded, and not because its node uses what the check does not know."""
-        return any(
-            any(case.outcome == Outcome.NOT_GRADED for case in exercise.cases)
-            and not any(case.message.startswith(UNKNOWN_PART) for case in exercise.cases)
-            for exercise in self.exercises
-        )
+        messages = ((one.id, case.message) for one in self.exercises for case in one.cases)
+        with_unknown = {id for id, message in messages if message.startswith(UNKNOWN_PART)}
+        return bool(self.exercises_with(Outcome.NOT_GRADED) - with_unknown)
 
     def exercises_with(self, outcome):
         """The ids of the exercises of which at least one case has that outcome."""

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from .. import course
 from ..autograder.outcomes import Outcome
-from ..autograder.results import to_json
+from ..autograder.results import GradedSubmission, to_json
 from .collect import SubmittedFile
 from .submission import Finding, Submission
 from .teacher_tables import plain_number
@@ -153,9 +153,9 @@ def _nothing_submitted(lesson, submissions):
 def _lesson_entry(learner, submission, answer_keys, store, rules):
     lesson = (submission.key or answer_keys).lessons.get(submission.lesson)
     result = store.result(submission.answers_digest) if submission.answers_digest else None
-    attempts = result.tried if result else ()
-    findings = submission.findings + [Finding("hostile", id, f"it tried to {text}") for id, text in attempts]
-    exercises = [to_json(one) | {"points": one.points} for one in (result.exercises if result else ())]
+    result = result or GradedSubmission("", "", ())
+    attempts = [Finding("hostile", id, f"it tried to {text}") for id, text in result.tried]
+    exercises = [to_json(one) | {"points": one.points} for one in result.exercises]
     for exercise in exercises:  # without their HTML: that is on the pages and in the store
         del exercise["body"], exercise["review"]
     earlier = learner.earlier.get(submission.lesson, ())
@@ -165,12 +165,12 @@ def _lesson_entry(learner, submission, answer_keys, store, rules):
         "title": lesson.title if lesson else "",
         "status": "graded" if submission.answers_digest else "not graded",
         "reason": submission.reason,
-        "points": result.points if result else 0,
+        "points": result.points,
         "max_points": lesson.points if lesson else 0,
         "version": submission.version,
         "key": submission.key.digest if submission.key else None,
         **_file_entry(learner, submission, rules),
-        "findings": [asdict(finding) for finding in findings],
+        "findings": [asdict(finding) for finding in submission.findings + attempts],
         "exercises": exercises,
         "earlier": earlier,
     }

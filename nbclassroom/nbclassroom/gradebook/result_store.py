@@ -21,16 +21,15 @@ from ..exercises.atomic_write import write_file
 _FORMAT = 6  # of the files of results
 _RULES_FILE = "rules.json"
 # {name: (what texts call it, how its text in rules.json is read)}
-_RULES: dict[str, tuple[str, Callable[[str], Any]]] = {
-    "keys": ("the key", Path),
+_RULES: dict[str, tuple[str, Callable[[Any], Any]]] = {
+    "keys": ("the key", lambda paths: list(map(Path, paths))),
     "deadline": ("the deadline", datetime.fromisoformat),
     "late": ("the late policy", str),
     "extensions": ("the extensions", Path),
     "decisions": ("the decisions", Path),
     "roster": ("the roster", Path),
-    "layouts": ("the layout", str),
+    "layouts": ("the layout", list),
 }
-_LISTS = ("keys", "layouts")  # whose value is a list
 
 
 def write_grades_file(path, data):
@@ -121,11 +120,7 @@ class RunRules:
 def _read_rules(path):
     try:
         rules = json.loads(path.read_text(encoding="utf-8"))
-        return {
-            name: list(map(read, rules[name])) if name in _LISTS else read(rules[name])
-            for name, (_, read) in _RULES.items()
-            if name in rules
-        }
+        return {name: read(rules[name]) for name, (_, read) in _RULES.items() if name in rules}
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, TypeError) as error:
@@ -137,6 +132,6 @@ def _plain(value):
 
 
 def _text_of(name, value):
-    values = value if name in _LISTS else [value]
+    values = value if isinstance(value, list) else [value]
     shown = ", ".join(one.isoformat() if name == "deadline" else str(one) for one in values)
     return f"{_RULES[name][0]} {shown}"

@@ -204,8 +204,10 @@ class Connection:
             self.socket.settimeout(min(seconds_left, _LOOK_SECONDS))
             try:
                 return send_or_receive(argument)
-            except TimeoutError:
-                self._note_statement()
+            except TimeoutError:  # the time of a statement begins anew if it is another one
+                if self._statement() not in ((), self._last):
+                    self._last = self._statement()
+                    self._statement_ends = time.monotonic() + _STATEMENT_SECONDS
             except OSError as error:
                 raise KernelEnded(self._how_it_ended()) from error
 
@@ -213,11 +215,6 @@ class Connection:
         """(cell, statement) that began last, () if none did; a learner's code may have written anything."""
         place = PLACE.unpack(self.place)
         return place if min(place) >= 0 else ()
-
-    def _note_statement(self):
-        """Begin the time of a statement anew if it is another one."""
-        if self._statement() not in ((), self._last):
-            self._last, self._statement_ends = self._statement(), time.monotonic() + _STATEMENT_SECONDS
 
     def _check_use(self):
         """End the kernel if it and all that it started use too much memory or time together."""
@@ -352,6 +349,7 @@ class KernelFactory(AbstractContextManager):
     def __init__(self, *, unsafe=False, limits=None):
         self.limits, self.confined = limits or bubblewrap.Limits(), not unsafe
         self._folder = bubblewrap.make_temporary_folder() if unsafe else None
+        self._process: subprocess.Popen | None = None
         self._fork_count = 0
         self._spare = None  # a kernel that waits: to fork and confine one takes ten milliseconds
         self._start_server()
@@ -382,33 +380,30 @@ class KernelFactory(AbstractContextManager):
 
     def _start_server(self):
         """Start the process that forks, without waiting until it is ready."""
+        confined = self.confined
         self._control, server_end = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(60)
-        with server_end:
-            self._process = self._start_process(server_end)
-        self._is_ready, self._prepared = False, set()  # (a lesson's code, draws)
-        self._replies = 0  # to the orders of `end`, that nobody has read yet
-
-    def _start_process(self, control):
-        confined = self.confined
         settings = {
             "confined": confined,
             "user": bubblewrap.kernel_user() if confined else None,
             "limits": vars(self.limits),
-            "control": control.fileno(),
+            "control": server_end.fileno(),
         }
         code = f"import sys; sys.path += {bubblewrap.search_path(confined)!r}; "
-        code += "from nbclassroom.autograder.sandbox.inside import fork_server; "
-        return subprocess.Popen(
-            [*bubblewrap.sandbox_command(confined), "-c", code + "fork_server.main()", json.dumps(settings)],
-            env={} if confined else bubblewrap.environment(confined=False),
-            cwd=self._folder,  # where cells write files
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-            pass_fds=[control.fileno()],
-            start_new_session=True,
-        )
+        code += "from nbclassroom.autograder.sandbox.inside import fork_server; fork_server.main()"
+        with server_end:
+            self._process = subprocess.Popen(
+                [*bubblewrap.sandbox_command(confined), "-c", code, json.dumps(settings)],
+                env={} if confined else bubblewrap.environment(confined=False),
+                cwd=self._folder,  # where cells write files
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                pass_fds=[server_end.fileno()],
+                start_new_session=True,
+            )
+        self._is_ready, self._prepared = False, set()  # (a lesson's code, draws)
+        self._replies = 0  # to the orders of `end`, that nobody has read yet
 
     def fork(self, descriptors):
         """Fork a kernel that has one end of a socket, and memory for its place in a page; returns its id."""
