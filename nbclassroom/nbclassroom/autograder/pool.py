@@ -288,7 +288,6 @@ class NbvalProcess:
 
     def _start(self, connection):
         folder = self._folder
-        (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
         (folder / "work").mkdir()
         settings = {
             "unsafe": self.options[0],
@@ -297,15 +296,14 @@ class NbvalProcess:
             "socket": connection.fileno(),
         }
         command = [sys.executable, "-I", "-c", _PROGRAM, json.dumps(settings)]
-        command += ["-c", str(folder / "pytest.ini"), "--rootdir", str(folder), "--noconftest"]
+        command += ["-c", os.devnull, "--rootdir", str(folder), "--noconftest"]
         command += ["--color=no", "-q", "-s"]
         # The blocked imports first, so that nbval does not import what they block.
         for plugin in (*_BLOCKED_PLUGINS, "nbclassroom.autograder.blocked_imports", "nbval.plugin"):
             command += ["-p", f"no:{plugin}" if plugin in _BLOCKED_PLUGINS else plugin]
         environment = {name: os.environ[name] for name in ("PATH", "LANG", "HOME") if name in os.environ}
         environment |= {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "OPENBLAS_NUM_THREADS": "1"}
-        environment[course.VARIABLE] = str(course.file())
-        environment["TMPDIR"] = str(folder)
+        environment |= {course.VARIABLE: str(course.file()), "TMPDIR": str(folder)}
         return subprocess.Popen(
             [*command, "--nbval", str(folder / "work")],
             cwd=folder,

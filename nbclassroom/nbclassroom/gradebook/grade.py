@@ -34,7 +34,6 @@ from .teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
 PREVIOUS = "grades.previous.json"
 _MOST_CHANGES = 20  # lines
-_NOT_THERE = "not there"
 _NOT_FILLED = "Not filled: "
 _MAX_LINES = 12  # of a run's summary, before the last lines
 
@@ -318,11 +317,9 @@ def read_grades(path):
 def changed_points(before, after):
     """Lines for the terminal: each lesson whose points differ in two contents of grades.json."""
     old, new = map(_points_of_lessons, (before, after))
-    lines = [
-        f"  {name}: {lesson}: {old.get((name, lesson), _NOT_THERE)} → {new.get((name, lesson), _NOT_THERE)}"
-        for name, lesson in sorted(old.keys() | new.keys())
-        if old.get((name, lesson)) != new.get((name, lesson))
-    ]
+    keys = sorted(old.keys() | new.keys())
+    pairs = ((key, old.get(key, "not there"), new.get(key, "not there")) for key in keys)
+    lines = [f"  {name}: {lesson}: {one} → {other}" for (name, lesson), one, other in pairs if one != other]
     first = f"{count_of(len(lines), 'lesson')} with other points than in the run before ({PREVIOUS}):"
     more = [f"  and {len(lines) - _MOST_CHANGES} more"] if len(lines) > _MOST_CHANGES else []
     return [first, *lines[:_MOST_CHANGES], *more] if lines else []

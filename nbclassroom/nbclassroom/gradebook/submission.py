@@ -59,9 +59,6 @@ class Finding:
     text: str
 
 
-PAGES = ("index", "glossary")  # a learner who submits a whole folder submits these too
-
-
 @dataclass
 class Submission:
     """What a notebook holds, or the `reason` why it cannot be read; and of one to grade, in which file it is.
@@ -113,7 +110,8 @@ def read_submission(data, versions, reader, name=""):
     cells = [cell for cell in notebook["cells"] if cell is not None]
     content.lesson = _recognize(notebook, cells, versions, name, content)
     if content.lesson is None:
-        content.is_page = notebook["lesson"] in PAGES
+        # A learner who submits a whole folder submits these too.
+        content.is_page = notebook["lesson"] in ("index", "glossary")
         named = f"its lesson, {sanitize_line(notebook['lesson'], 80)!r}," if notebook["lesson"] else "it"
         content.reason = f"{named} is not, or no longer, one of {', '.join(versions)}"
         return content

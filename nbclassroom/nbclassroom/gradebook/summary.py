@@ -93,9 +93,7 @@ def _concerns(learner, lesson):
             yield name, about | {"texts": list(texts)}
 
 
-# These yield (list, exercise id or "", text) of what is unusual about one submission.
-
-
+# This and the next three yield (list, exercise id or "", text) of what is unusual about one submission.
 def _about_submission(lesson):
     if lesson["status"] != "graded":
         yield "unfair", "", f"could not be graded: {lesson['reason']}"

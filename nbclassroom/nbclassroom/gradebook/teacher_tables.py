@@ -22,6 +22,8 @@ _WORTHS = re.compile(r"points((?: -?\d{1,3})+)")
 EVERYBODY = "(all)"  # in the place of a learner: other points for the lines of a rubric
 DECISION_COLUMNS = ("learner", "lesson", "exercise", "points", "comment")
 _MOST_SIMILAR = 3  # names that an error offers
+# Another deadline for a learner; of all lessons if the lesson is "". The place is that of its row.
+Extension = namedtuple("Extension", ("learner", "lesson", "deadline", "place"))
 _EXTENSION_COLUMNS = ("learner", "lesson", "deadline")
 DECISIONS_TEMPLATE = f"""\ufeff{",".join(DECISION_COLUMNS)}
 "# One row per decision. Empty exercise: the whole lesson. Points: a number, excused, or empty for a comment."
@@ -46,10 +48,6 @@ class Decision:
     place: str
     lines: tuple = ()
     mark: str = ""
-
-
-# Another deadline for a learner; of all lessons if the lesson is "". The place is that of its row.
-Extension = namedtuple("Extension", ("learner", "lesson", "deadline", "place"))
 
 
 def read_decisions(path, answer_keys, text=None):

@@ -33,6 +33,10 @@ _EXERCISES = (
     *("canonical", "cell_syntax", "comparison", "page_run", "running"),
     *("kinds/__init__", "kinds/kind"),
 )
+_FOLDER_PREFIX = "nbclassroom-"
+_TRIALS, _TRIAL_SECONDS = 5, 60
+_trial_lock = threading.Lock()
+KILLED = (-signal.SIGKILL, 128 + signal.SIGKILL)  # exit codes: bubblewrap was killed, or what ran inside
 # Paths inside the sandbox.
 SITE, COURSE, COURSE_FILE, PYTHON = "/course/site", "/course/packages", "/course/course.toml", "/python"
 _PYTHON_OPTIONS = ("-s", "-P", "-B")  # not -I: it ignores PYTHONHASHSEED
@@ -72,12 +76,6 @@ class Limits:
     def deadline(self, seconds):
         """Seconds of wall time after which a kernel is ended from outside, whatever it does."""
         return (seconds + self.grace) * self.wall_factor + self.wall_grace
-
-
-_FOLDER_PREFIX = "nbclassroom-"
-_TRIALS, _TRIAL_SECONDS = 5, 60
-_trial_lock = threading.Lock()
-KILLED = (-signal.SIGKILL, 128 + signal.SIGKILL)  # exit codes: bubblewrap was killed, or what ran inside
 
 
 @lru_cache(maxsize=1)

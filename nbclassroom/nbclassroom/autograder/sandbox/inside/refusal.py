@@ -37,6 +37,9 @@ _PROGRAM, _NETWORK, _END = "start a program", "open the network", "end Python"
 _READ, _WRITE, _REMOVE = "read files", "write files", "remove files"
 _absolute, _FOR_WRITING = os.path.abspath, os.O_WRONLY | os.O_RDWR | os.O_CREAT
 _HARMLESS = f"{_PROGRAM} (uname -p)"  # by platform.processor()
+# Where handlers begin that Python adds from 3.12 on, around a comprehension and in a generator.
+_OWN_HANDLERS = ("SWAP", "CALL_INTRINSIC_1")
+_own_modules: set[str] = set()  # files that the learner's cells write, and their folders
 _EVENTS = {  # {audit event: (what it is an attempt to do, the number of the argument that is told or None)}
     "os.system": (_PROGRAM, 0),
     "os.exec": (_PROGRAM, 1),
@@ -116,10 +119,6 @@ def _stand_ins(name):
     return modules
 
 
-# Where handlers begin that Python adds from 3.12 on, around a comprehension and in a generator.
-_OWN_HANDLERS = ("SWAP", "CALL_INTRINSIC_1")
-
-
 def _is_guarded(frame):
     """Whether the frame is inside a try or a with statement now."""
     code = dis.Bytecode(frame.f_code)
@@ -127,9 +126,6 @@ def _is_guarded(frame):
     entries = code.exception_entries  # type: ignore[attr-defined]  # it has no documentation and no type
     entries = (entry for entry in entries if entry.target not in own)
     return any(entry.start <= frame.f_lasti < entry.end for entry in entries)
-
-
-_own_modules: set[str] = set()  # files that the learner's cells write, and their folders
 
 
 def allow_files(files):
