@@ -64,11 +64,8 @@ def exercise_files(master, stored, **about):
     # Learners leave check and given cells as they are.
     cells = {cell.id: cell.source if cell.role in ("check", "given") else None for cell in master.cells}
     parts = {name: _dumps(value) for name, value in head.items()}
-    parts |= {
-        "cells": _lines(cells),
-        "exercises": _lines(entries),
-        "values": _lines(dict(sorted(values.items()))),
-    }
+    mappings = {"cells": cells, "exercises": entries, "values": dict(sorted(values.items()))}
+    parts |= {name: _lines(mapping) for name, mapping in mappings.items()}
     checks = "{\n" + ",\n".join(f"{_dumps(name)}: {text}" for name, text in parts.items()) + "\n}\n"
     solutions = {
         exercise.id: {"code": exercise.solution, "explanation": exercise.explanation}

@@ -44,9 +44,10 @@ def validate_exercise(exercise, seeds=BUILD_SEEDS):
     for mistake in exercise.mistakes:
         problems += _mistake_problems(exercise, mistake)
     for case in exercise.cases:
-        problems += _size_problems(exercise, case, solution)
+        found = [_size_problem(exercise, case, solution)]
         if case.points:
-            problems += _seed_problems(exercise, case, solution, [PUBLIC_SEED, *range(1, seeds)])
+            found.append(_seed_problem(exercise, case, solution, [PUBLIC_SEED, *range(1, seeds)]))
+        problems += [f"{case.id}: {problem}" for problem in found if problem]
     return problems
 
 
@@ -90,10 +91,8 @@ def _recognition_problems(exercise, mistake):
     elif result.mistake is None or result.mistake.name != mistake.name:
         _in_time(exercise, result)
         confusion = f"is taken for {result.mistake.name!r}" if result.mistake else "is not recognized"
-        yield (
-            f"{exercise.id}: the mistake {mistake.name!r} {confusion};"
-            " add a public case that tells the two apart"
-        )
+        problem = f"{confusion}; add a public case that tells the two apart"
+        yield f"{exercise.id}: the mistake {mistake.name!r} {problem}"
 
 
 def _mistake_problems(exercise, mistake):
@@ -103,20 +102,18 @@ def _mistake_problems(exercise, mistake):
     unexplained = replace(exercise, mistakes=())  # whether it passes is all that counts here
     run = partial(run_cases, unexplained, wrong_function, cases=graded)
     if not exercise.practice and any(run(seed=seed).passed for seed in (PUBLIC_SEED, _ANOTHER_SEED)):
-        yield (
-            f"{exercise.id}: the mistake {mistake.name!r} earns all points; add a call that catches it, for"
-            " every seed, to a case with points"
-        )
+        problem = "earns all points; add a call that catches it, for every seed, to a case with points"
+        yield f"{exercise.id}: the mistake {mistake.name!r} {problem}"
 
 
-def _seed_problems(exercise, case, solution, seeds):
+def _seed_problem(exercise, case, solution, seeds):
     """Points need an answer that looks at its arguments: what it must return changes with the key's seed."""
     calls = [exercise.arguments(case, seed) for seed in seeds]
     if not exercise.kind.has_inputs(calls[0]):
-        return []  # what __init__ makes has no inputs, and the task says what it is
+        return ""  # what __init__ makes has no inputs, and the task says what it is
     arguments = [sorted(str([canonical(value) for value in call]) for call in drawn) for drawn in calls]
     if all(drawn == arguments[0] for drawn in arguments):
-        return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
+        return "inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"
     answers = [[_in_time(exercise, exercise.call(solution, call)).value for call in drawn] for drawn in calls]
 
     def agree(answer, guess):  # they have the same types, and mostly differ at once
@@ -126,16 +123,12 @@ def _seed_problems(exercise, case, solution, seeds):
 
     for constant in [answer for drawn in answers for answer in drawn]:
         if _passes_by_chance([constant], answers, agree):
-            return [
-                f"{case.id}: a constant passes it with several seeds, {describe(constant)}; add a call"
-                " whose answer differs"
-            ]
+            advice = "add a call whose answer differs"
+            return f"a constant passes it with several seeds, {describe(constant)}; {advice}"
     if any(_passes_by_chance(drawn, answers, agree) for drawn in answers):
-        return [
-            f"{case.id}: an answer that only counts its calls passes it with several seeds; add a call that"
-            " draws its answer from more values"
-        ]
-    return []
+        advice = "add a call that draws its answer from more values"
+        return f"an answer that only counts its calls passes it with several seeds; {advice}"
+    return ""
 
 
 def _passes_by_chance(guesses, answers, agree):
@@ -143,15 +136,13 @@ def _passes_by_chance(guesses, answers, agree):
     return sum(all(map(agree, drawn, cycle(guesses))) for drawn in answers) > _MOST_BY_CHANCE
 
 
-def _size_problems(exercise, case, solution):
+def _size_problem(exercise, case, solution):
     """Grading carries large arrays as digests, and a tolerance has no meaning for a digest."""
     for arguments in exercise.arguments(case):
         answer = array_of(_in_time(exercise, exercise.call(solution, arguments)).value)
         if answer is None or answer.nbytes <= _MOST_BYTES:
             continue
         if case.tolerance or answer.dtype.kind == "f":
-            yield (
-                f"{case.id}: grading cannot compare an answer of {answer.nbytes} bytes with a tolerance;"
-                f" draw a smaller input, up to {_MOST_BYTES} bytes of answer"
-            )
-            return
+            advice = f"draw a smaller input, up to {_MOST_BYTES} bytes of answer"
+            return f"grading cannot compare an answer of {answer.nbytes} bytes with a tolerance; {advice}"
+    return ""

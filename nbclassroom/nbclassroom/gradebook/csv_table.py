@@ -64,5 +64,5 @@ def is_comment(cells):
 def csv_text(rows, **options):
     """The text of a CSV file, its lines ended as spreadsheets do; `options` are those of `csv.writer`."""
     buffer = io.StringIO()
-    csv.writer(buffer, **({"lineterminator": "\r\n"} | options)).writerows(rows)
+    csv.writer(buffer, **options).writerows(rows)
     return buffer.getvalue()
