@@ -119,7 +119,7 @@ def label(mask):
     inner[1:-1, 1:-1] = mask[1:-1, 1:-1]
     return filled(inner, EIGHT, np.argwhere(mask).tolist())
 
-# %% role="mistake" name="the background too" says="Your number flows over the background. Go on only to pixels that are True in the mask."
+# %% role="mistake" name="the background too" says="Your background has a number, too. Begin with zeros, and go on only to pixels that are True in the mask."
 def label(mask):
     return np.full(mask.shape, int(mask.any()))
 

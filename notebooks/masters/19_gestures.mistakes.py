@@ -112,9 +112,14 @@ def count_runs(mask, rows, cols):
 def count_runs(mask, rows, cols):
     return 2 * runs_in(values_on(mask, rows, cols))
 
-# %% role="mistake" name="left out" says="You left out the pixels outside the mask, so the runs before and after them are joined. Such a pixel counts as 0."
+# %% role="mistake" name="left out" says="Runs before and after pixels outside the mask are joined: these pixels are left out, or are not 0. Each of them counts as 0."
 def count_runs(mask, rows, cols):
     return runs_in(values_on(mask, rows, cols)[~is_outside(mask, rows, cols)])
+
+# %% role="mistake" name="row and column exchanged" says="Row and column of a pixel are exchanged: it is mask[row, col], the row comes first."
+def count_runs(mask, rows, cols):
+    outside = is_outside(mask, rows, cols)
+    return runs_in(np.array([0 if out else mask[c, r] for r, c, out in zip(rows, cols, outside, strict=True)]))
 
 # %% role="mistake" name="negative rows not tested" says="A negative row is outside too. NumPy counts it from the end, without an error: test row < 0 as well."
 def count_runs(mask, rows, cols):
