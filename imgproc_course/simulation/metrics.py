@@ -92,7 +92,7 @@ class Metrics:
         """{behaviour: a sentence}, of what only the truth shows."""
         remarks, angles = {}, [fmean(own) for own in zip(*self._angles, strict=True)] or [180.0]
         seen = angles.index(min(angles))
-        if angles[seen] < LOOKS[0] < LOOKS[1] < angles[0]:
+        if self._turns and angles[seen] < LOOKS[0] < LOOKS[1] < angles[0]:
             remarks["another ball"] = (
                 f"It looked at the {BALLS[seen]}: {angles[seen]:.0f}° past it, on average."
             )

@@ -168,10 +168,16 @@ def control(observation, memory):
     linear = 1.2 * (176.25 * 0.22 / size - 0.6)
     return min(max(linear, -0.3), 0.3), min(max(2 * (160 - middle) / 176.25, -1.0), 1.0)
 
-# %% role="mistake" name="it stands" says="Usual causes: it returns 0, 0 when it does not find the ball (turn to where you predict it: its column is moved by the robot's own turn); or it never finds which spot moved (compare with the first image, which is stored once, after half a second or more); or its angle is not (160 - the column of the middle) / 176.25, and it turns the ball out of the image; or it forgets the ball, because what is not stored in memory is gone after each call."
+# %% role="mistake" name="it stands" says="Usual causes: it returns 0, 0 when it does not find the ball (turn to where you predict it: its column is moved by the robot's own turn); or it never finds which spot moved (compare with the first image, which is stored once, after half a second or more; time == 0.5 is never true); or its angle is not (160 - the column of the middle) / 176.25, and it turns the ball out of the image; or it forgets the ball, because what is not stored in memory is gone after each call."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return (linear, angular) if observation["time"] < 1.2 else (0.0, 0.0)
+
+# %% role="mistake" name="it turns left and right" says="Usual causes: the angle is in pixels or degrees (it is (160 - column) / 176.25, in radians), or its factor is too large (2 or 3 times the angle is usual); or it goes to another spot in each call, because the gate is too wide, or the prediction has the wrong sign (plus 17.6 times the last angular speed)."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    memory["turn"] = math.copysign(1.2, angular) if angular else 0.0
+    return linear, memory["turn"]
 
 # %% role="mistake" name="it turns on the spot" says="Usual causes: it lost the ball, because the column where it looks does not move with the robot's own turn (plus 17.6 times the angular speed: to the left, columns grow); or the angular speed has the wrong sign (positive for a column below 160), is in degrees, or its factor is too large (2 or 3 times the angle); or the linear speed is not in proportion to the distance minus 0.6."
 def control(observation, memory):

@@ -45,7 +45,7 @@ def ray_cells(start, end):
 def ray_cells(start, end):
     return line_of(start, end, length_of(start, end), lambda a, b, k, n: a - (-2 * k * abs(b - a) + n) // (2 * n) * (1 if b > a else -1))
 
-# %% role="mistake" name="halves up on each way" says="Where a coordinate becomes smaller, a half goes to the wrong side: // rounds a negative number down. Round the length of the way, abs(way), and multiply by the sign afterwards."
+# %% role="mistake" name="halves up on each way" says="Where a coordinate becomes smaller, a half goes to the wrong side: // and floor round a negative number down. Round the length of the way, abs(way), and multiply by the sign afterwards."
 def ray_cells(start, end):
     return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + (2 * k * (b - a) + n) // (2 * n))
 

@@ -253,9 +253,9 @@ def inputs(rng):
     return [((0, 0), (2, 5)), ((0, 0), (2, 4)), ((3, 1), (3, 6)), ((1, 2), (4, 2 + int(rng.integers(5, 9))))]
 
 
-# %% role="case" title="all directions" points=1 hint="The number of steps is the larger of both ways, without its sign. Rows and columns have a sign each, outside of //, which rounds down. The first cell is start, the last one is end, and each is (row, column)."
+# %% role="case" title="all directions" points=1 hint="The number of steps is the larger of both ways, without its sign. Rows and columns have a sign each, outside of // or floor, which round down. The first cell is start, the last one is end, and each is (row, column)."
 def inputs(rng):
-    return [((5, 5), (1, 7)), ((6, 9), (4, 2)), ((0, 8), (9, 3)), ((8, 3), (0, 3)), ((7, 7), (3, 3)), ((2, 9), (4, 5)), ((9, 1), (7, 5)),
+    return [((5, 5), (1, 7)), ((6, 9), (4, 2)), ((0, 8), (9, 3)), ((8, 3), (0, 3)), ((7, 7), (3, 3)), ((2, 9), (4, 5)), ((9, 1), (7, 5)), ((1, 7), (5, 5)),
             far_ray(rng)]
 
 
@@ -342,7 +342,7 @@ exercise(
     title="Add a scan to the map",
     function="add_scan",
     tolerance=1e-6,
-    hint="A grid of zeros for the change: math.log(passed / (1 - passed)) in ray[:-1] of all rays, then math.log(hit / (1 - hit)) at ray[-1] of all rays; then np.clip(grid + change, -6, 6).",
+    hint="A grid of zeros for the change: math.log(passed / (1 - passed)) in ray[:-1] of all rays, then math.log(hit / (1 - hit)) at ray[-1] of all rays, each with = and not +=, because a cell changes once; then np.clip(grid + change, -6, 6).",
     hints=(
         "What must be written last, so that a cell where one ray ends stays a hit?",
         "1. A grid of zeros of the same shape, for the changes.\n"
@@ -398,7 +398,7 @@ check("mapping-scan", add_scan)
 
 # %% role="case" title="one ray, and two rays that cross" points=1
 def inputs(rng):
-    cross = [[(1, 0), (1, 1), (1, 2), (1, 3)], [(1, 0), (1, 1), (0, 2)], [(1, 0), (1, 1), (1, 2)]]
+    cross = [[(1, 0), (1, 1), (1, 2), (1, 3)], [(1, 0), (1, 1), (0, 2)], [(1, 0), (1, 1), (1, 2)], [(2, 2), (1, 2)]]
     hit = round(float(rng.uniform(0.6, 0.8)), 2)
     return [(np.zeros((1, 3)), [[(0, 0), (0, 1), (0, 2)]], 0.7, 0.4), (np.zeros((3, 4)), cross, hit, 0.4), (np.zeros((3, 4)), cross[::-1], hit, 0.4),
             (np.zeros((5, 6)), fan(rng, (5, 6), 4), hit, 0.4)]

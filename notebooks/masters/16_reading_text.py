@@ -225,7 +225,7 @@ exercise(
     "text-components",
     title="Label the components",
     function="label",
-    hint="For each pixel of ink without a number: the next number, from 1 on, and a flood fill with a stack and eight neighbours.",
+    hint="For each pixel of ink without a number: the next number, from 1 on, and a flood fill with a stack and eight neighbours (steps of -1, 0 and 1: range(-1, 2)).",
     hints=(
         "How does the flood fill on a line change if a pixel has a row and a column, and eight neighbours?",
         "1. Begin with labels full of zeros, and the count 0.\n"

@@ -77,7 +77,7 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         return _diagnose_shape(expected, actual, shown.arguments, names, is_turned=_are_turned(returned))
     other_pair = next(pair for difference, pair in differences if difference and difference.kind != "value")
     text = _advice_on_part(expected, *other_pair)
-    return Diagnosis(text, replaces_hint=bool(text))
+    return Diagnosis(text, replaces_hint=bool(text) and kind_of(other_pair[1]) != "None")
 
 
 def side_by_side(expected: dict, actual: dict) -> list[tuple[dict, dict]]:

@@ -464,8 +464,8 @@ def _name(node, tree):
         for variable in sorted({*names} - {node.id, *beside}):
             yield "is it the right variable?", _setting(node, id=variable)
         yield "is its sign right?", _replacing(node, _parsed(f"-{node.id}"))
-        for factor, share in ((2, "half"), (3, "a third")):
-            yield f"is it {share} of what is needed?", _replacing(node, _parsed(f"{factor} * {node.id}"))
+        for factor, times in ((2, "twice, or what stands beside it half"), (3, "three times")):
+            yield f"should it count {times}?", _replacing(node, _parsed(f"{factor} * {node.id}"))
         yield _DIRECTION, _replacing(node, _parsed(f"{node.id} == False"))
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from ...names_read import NamesRead
 from ...progress_bar import progress_bar
-from ...running import CallResult, LimitedOutput, attempt, call_within, failure_fields, globals_of
+from ...running import NONE, CallResult, LimitedOutput, attempt, call_within, failure_fields, globals_of
 from .drive import STEP, STEP_SECONDS, Cost, Drive, environment, seconds_of, steps_of
 
 _SHOWN_STEPS = 20  # between two states of the progress bar
@@ -66,6 +66,7 @@ class _Run:
             self.control, self.memory = None, {}
             drive.stop(self.excess[0])
         else:
+            self.failure = {"value": NONE} if speeds is None else {}
             drive.act(speeds)
 
     def _call(self, observation):
