@@ -94,9 +94,8 @@ def normalize(notebook, master):
             _normalize_output(output, count)
         raised = any(output.output_type == "error" for output in cell.outputs)
         if set(cell.metadata.get("tags", ())) & set(RAISING_TAGS) and not raised:
-            raise MasterError(
-                f"{master.path.name}: cell {cell.id}: tagged {RAISING_TAGS[0]}, but nothing was raised"
-            )
+            problem = f"tagged {RAISING_TAGS[0]}, but nothing was raised"
+            raise MasterError(f"{master.path.name}: cell {cell.id}: {problem}")
 
 
 def _normalize_output(output, count):

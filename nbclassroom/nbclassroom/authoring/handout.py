@@ -67,11 +67,9 @@ def _exercise_files(source, lesson, with_solutions):
     for folder in (CHECKS, SOLUTIONS) if with_solutions else (CHECKS,):
         path = source / folder / f"{lesson_name(lesson.stem)}.json"
         if not path.is_file():
-            raise ValueError(
-                f"{lesson.name} has exercises, but {folder}/{path.name} is missing beside it;"
-                f" build the lessons again: {course.command} build"
-                f"{' --with-solutions' * (folder == SOLUTIONS)}"
-            )
+            problem = f"{lesson.name} has exercises, but {folder}/{path.name} is missing beside it"
+            command = f"{course.command} build{' --with-solutions' * (folder == SOLUTIONS)}"
+            raise ValueError(f"{problem}; build the lessons again: {command}")
         files[f"{folder}/{path.name}"] = path.read_bytes()
     return files
 
@@ -84,7 +82,5 @@ def _refuse_to_replace(outputs):
     ]
     if different:
         more = f" and {len(different) - 1} more" if len(different) > 1 else ""
-        raise ValueError(
-            f"{different[0]}{more} exists already and differs, and nothing was written;"
-            " give another folder, or move the files away"
-        )
+        problem = f"{different[0]}{more} exists already and differs, and nothing was written"
+        raise ValueError(f"{problem}; give another folder, or move the files away")

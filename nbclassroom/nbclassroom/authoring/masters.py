@@ -164,9 +164,8 @@ def _texts(script, references):
             except (SyntaxError, ValueError, TypeError, AttributeError):
                 is_right = False
             if not is_right:
-                raise MasterError(
-                    f'{cell.place}: expected figure_texts = {{"name": ("caption", "alt"), ...}}'
-                )
+                expected = 'figure_texts = {"name": ("caption", "alt"), ...}'
+                raise MasterError(f"{cell.place}: expected {expected}")
     return texts
 
 
@@ -262,9 +261,8 @@ def new_lesson(name, folder):
         used = {int(path.name[:2]) for path in folder.glob("*.py") if LESSON_FILE.fullmatch(path.stem)}
         stem = f"{min({*range(30, 100)} - used, default=99):02d}_{stem}"
     if not LESSON_FILE.fullmatch(stem):
-        raise MasterError(
-            f"{name!r} cannot name a lesson; use letters and digits, as in brightness or 30_brightness"
-        )
+        remedy = "use letters and digits, as in brightness or 30_brightness"
+        raise MasterError(f"{name!r} cannot name a lesson; {remedy}")
     path, name_part = folder / f"{stem}.py", stem[3:]
     for other in sorted(folder.glob(f"[0-9][0-9]_{name_part}.*py")):  # the number is only its place
         raise MasterError(f"{other}: a lesson with that name exists; choose another name")

@@ -104,8 +104,7 @@ def secret_seed(seed, path):
         path.write_text(f"{secrets.token_hex(_SEED // 2)}\n", encoding="utf-8")
     seed = path.read_text(encoding="utf-8").strip() if seed is None else seed
     if not re.fullmatch(rf"[0-9a-fA-F]{{{_SEED},}}", seed) or seed.isdecimal():
-        raise KeyFolderError(
-            f"this seed can be guessed: expected at least {_SEED} hexadecimal digits drawn by chance, 128"
-            " bits; leave --seed out, and a seed is made, or draw one: openssl rand -hex 16"
-        )
+        expected = f"at least {_SEED} hexadecimal digits drawn by chance, 128 bits"
+        remedy = "leave --seed out, and a seed is made, or draw one: openssl rand -hex 16"
+        raise KeyFolderError(f"this seed can be guessed: expected {expected}; {remedy}")
     return seed

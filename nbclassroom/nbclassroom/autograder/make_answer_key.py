@@ -48,9 +48,8 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False, s
     """
     out = Path(out)
     if out.exists() and not replace and (not out.is_dir() or any(out.iterdir())):
-        raise answer_key.KeyFolderError(
-            f"{out}: it exists already, and grades may depend on it: choose another folder, or use --replace"
-        )
+        problem = "it exists already, and grades may depend on it"
+        raise answer_key.KeyFolderError(f"{out}: {problem}: choose another folder, or use --replace")
     if not unsafe:
         bubblewrap.require_sandbox()
     masters = [read_master(path) for path in find_masters(masters_dir, names)]

@@ -214,9 +214,8 @@ def open_scheduler(address, *, patience=20):
     try:
         from distributed import Client
     except ImportError as error:
-        raise ValueError(
-            'a scheduler needs Dask: pip install "distributed" here and on its workers'
-        ) from error
+        remedy = 'pip install "distributed" here and on its workers'
+        raise ValueError(f"a scheduler needs Dask: {remedy}") from error
     try:
         client = Client(address, timeout=patience)
     except OSError as error:

@@ -117,11 +117,10 @@ def read_tables(paths):
     tables = [read_csv(path) for path in paths]
     for table in tables:
         if not _is_canvas(table) and not {"Identifier", "Grade"} <= set(table.columns):
-            listed = ", ".join(table.columns[:8]) or "nothing"
-            raise TableError(
-                f"{table.path}: its columns are {listed[:200]}; expected Canvas's gradebook export (Student,"
-                " ID, ..., Section) or Moodle's grading worksheet in English (Identifier, ..., Grade)"
-            )
+            listed = (", ".join(table.columns[:8]) or "nothing")[:200]
+            expected = "Canvas's gradebook export (Student, ID, ..., Section)"
+            expected += " or Moodle's grading worksheet in English (Identifier, ..., Grade)"
+            raise TableError(f"{table.path}: its columns are {listed}; expected {expected}")
     return tables
 
 
@@ -182,10 +181,9 @@ def _lesson_columns(table, grades):
         if number > table.columns.index("Section") and title in names:
             columns[number] = names[title]
     if not columns:
-        raise TableError(
-            f"{table.path}: no assignment in it has the name of a lesson ({', '.join(lessons)}) or its"
-            " title: rename the assignment in Canvas to the lesson's name, and export again"
-        )
+        problem = f"no assignment in it has the name of a lesson ({', '.join(lessons)}) or its title"
+        remedy = "rename the assignment in Canvas to the lesson's name, and export again"
+        raise TableError(f"{table.path}: {problem}: {remedy}")
     return columns
 
 
@@ -195,10 +193,9 @@ def _lesson_of_worksheet(table, grades, lessons):
     candidates = in_file_name or sorted(submitted & set(lessons))
     if len(candidates) == 1:
         return candidates[0]
-    raise TableError(
-        f"{table.path}: a worksheet belongs to one lesson, but this one can belong to"
-        f" {', '.join(candidates) or 'none'}: put the lesson's name into the file's name"
-    )
+    problem = "a worksheet belongs to one lesson, but this one can belong to"
+    problem += f" {', '.join(candidates) or 'none'}"
+    raise TableError(f"{table.path}: {problem}: put the lesson's name into the file's name")
 
 
 def _matched(table, rows, learners):
@@ -231,7 +228,6 @@ def _different_points(table, columns, grades):
         except (ValueError, IndexError):
             continue
         if maximum != lessons[name]["max_points"]:
-            yield (
-                f"  {name} is worth {maximum:g} points on the platform and {lessons[name]['max_points']}"
-                " here; our points are filled in without scaling: change the maximum on the platform"
-            )
+            worths = f"{maximum:g} points on the platform and {lessons[name]['max_points']} here"
+            remedy = "our points are filled in without scaling: change the maximum on the platform"
+            yield f"  {name} is worth {worths}; {remedy}"

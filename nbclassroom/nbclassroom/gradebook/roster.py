@@ -48,11 +48,9 @@ def read_roster(path):
     table = read_csv(path)
     columns = table.record(table.columns)
     if not columns.keys() & {*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES}:
-        shown_columns = sanitize_line(", ".join(columns), 200) or "nothing"
-        raise TableError(
-            f"{path}: its columns are {shown_columns}; expected one that"
-            " names people: Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
-        )
+        listed = sanitize_line(", ".join(columns), 200) or "nothing"
+        expected = "Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
+        raise TableError(f"{path}: its columns are {listed}; expected one that names people: {expected}")
     return list(filter(None, (entry_of(table.record(row)) for _, row in table.rows)))
 
 

@@ -68,10 +68,8 @@ def read_notebook(data):
     if isinstance(nbformat, bool) or not isinstance(nbformat, int):
         raise UnreadableError(f"it does not say which notebook format it has; {_SAVE}")
     if nbformat != 4:
-        raise UnreadableError(
-            f"it has notebook format {str(nbformat)[:20]}, and only format 4 can be read; open the lesson in"
-            " JupyterLab and copy your answers there"
-        )
+        problem = f"it has notebook format {str(nbformat)[:20]}, and only format 4 can be read"
+        raise UnreadableError(f"{problem}; open the lesson in JupyterLab and copy your answers there")
     cells = notebook.get("cells")
     if not isinstance(cells, list):
         raise UnreadableError(f"it has no list of cells; {_SAVE}")

@@ -167,10 +167,8 @@ def _points(text, lesson, exercise, place):
     except ValueError:
         points, bonus = -1.0, []
     if not (0 <= points <= maximum and len(bonus) < 2 and all(0 <= more <= maximum for more in bonus)):
-        text = f"the points are {_quoted(text)}"
-        raise TableError(
-            f"{place}: {text}; expected 0 to {maximum}, {maximum}+1 for a bonus, excused, or nothing"
-        )
+        expected = f"0 to {maximum}, {maximum}+1 for a bonus, excused, or nothing"
+        raise TableError(f"{place}: the points are {_quoted(text)}; expected {expected}")
     return plain_number(points + sum(bonus)), False
 
 

@@ -80,13 +80,11 @@ def update_lessons(source=None, target=None, version=None):
     target = Path(target or course.learners_folder())
     lessons = [path.relative_to(source).as_posix() for path in files_for_learners(source)]
     if not any(name.endswith(".ipynb") for name in lessons):
-        raise ValueError(
-            f"there are no lessons in {source.name}/; run this from a clone of the course's repository"
-        )
+        remedy = "run this from a clone of the course's repository"
+        raise ValueError(f"there are no lessons in {source.name}/; {remedy}")
     if target.exists() and not target.is_dir():
-        raise ValueError(
-            f"{target.name} is a file, but the lessons need a folder of this name; rename the file"
-        )
+        problem = f"{target.name} is a file, but the lessons need a folder of this name"
+        raise ValueError(f"{problem}; rename the file")
     try:
         target.mkdir(exist_ok=True)
         with one_at_a_time(target / LOCK):
