@@ -30,10 +30,9 @@ class CourseGroup(click.Group):
             package = (error.name or "").partition(".")[0]
             if package in ("", "nbclassroom", course.package):
                 raise
-            raise click.ClickException(
-                f"this command needs {package}, which is not installed for this Python; use the "
-                f"{course.command} in the course's own .venv"
-            ) from error
+            problem = f"this command needs {package}, which is not installed for this Python"
+            remedy = f"use the {course.command} in the course's own .venv"
+            raise click.ClickException(f"{problem}; {remedy}") from error
         except KeyboardInterrupt:
             click.echo(f"\n{_STOPPED.get(ctx.invoked_subcommand, 'Stopped.')}", err=True)
             raise SystemExit(130) from None
@@ -173,9 +172,8 @@ def _local_time(ctx, param, value):
     try:
         return value and local_time_of(value)
     except ValueError as error:
-        raise click.BadParameter(
-            f"{value!r} is not a date and time; write it like 2026-12-01T23:59"
-        ) from error
+        problem = f"{value!r} is not a date and time"
+        raise click.BadParameter(f"{problem}; write it like 2026-12-01T23:59") from error
 
 
 @main.command()

@@ -266,10 +266,8 @@ def _cell_difference(built, stored):
         return "its tags or metadata differ from the master"
     varies = VARYING_TAG in built.metadata.get("tags", ())
     if built.cell_type == "code" and not varies and built.outputs != stored.outputs:
-        return (
-            "its outputs differ from the stored ones\n"
-            f"    stored: {_outputs_summary(stored)}\n    now:    {_outputs_summary(built)}"
-        )
+        summaries = f"    stored: {_outputs_summary(stored)}\n    now:    {_outputs_summary(built)}"
+        return f"its outputs differ from the stored ones\n{summaries}"
     return ""
 
 

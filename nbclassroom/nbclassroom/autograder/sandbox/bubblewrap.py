@@ -82,14 +82,11 @@ class Limits:
 def sandbox_problem():
     """Why there is no sandbox here, with the remedy; "" if there is one."""
     if not sys.platform.startswith("linux"):
-        return (
-            f"grading needs Linux, this is {sys.platform}: grade in a container, in WSL or on a Linux machine"
-        )
+        remedy = "grade in a container, in WSL or on a Linux machine"
+        return f"grading needs Linux, this is {sys.platform}: {remedy}"
     if shutil.which("bwrap") is None:
-        return (
-            "bubblewrap is not installed: sudo apt-get install bubblewrap"
-            " (Fedora: sudo dnf install bubblewrap; Arch: sudo pacman -S bubblewrap)"
-        )
+        elsewhere = "Fedora: sudo dnf install bubblewrap; Arch: sudo pacman -S bubblewrap"
+        return f"bubblewrap is not installed: sudo apt-get install bubblewrap ({elsewhere})"
     error = _error_of_trial()
     if not error:
         return ""
@@ -128,10 +125,8 @@ def require_sandbox():
     with _trial_lock:  # the trial of one thread serves all
         problem = sandbox_problem()
     if problem:
-        raise SandboxError(
-            f"{problem}. Without a sandbox learners' code would run as you, with your files: --unsafe if you"
-            " accept that"
-        )
+        why = "Without a sandbox learners' code would run as you, with your files"
+        raise SandboxError(f"{problem}. {why}: --unsafe if you accept that")
 
 
 def sandbox_command(confined):
