@@ -12,7 +12,7 @@ from pathlib import Path
 # Ceilings in lines. A change that needs more takes something away.
 CEILINGS = {
     "imgproc_course": 16_000,
-    "nbclassroom/nbclassroom": 18_730,
+    "nbclassroom/nbclassroom": 18_500,
     "notebooks/masters": 23_140,
     "tests": 45_500,  # with those of nbclassroom
 }

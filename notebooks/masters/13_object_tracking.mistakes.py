@@ -175,9 +175,7 @@ def control(observation, memory):
 
 # %% role="mistake" name="it turns left and right" says="Usual causes: the angle is in pixels or degrees (it is (160 - column) / 176.25, in radians), or its factor is too large (2 or 3 times the angle is usual); or it goes to another spot in each call, because the gate is too wide, or the prediction has the wrong sign (plus 17.6 times the last angular speed)."
 def control(observation, memory):
-    linear, angular = solution(observation, memory)
-    memory["turn"] = math.copysign(1.2, angular) if angular else 0.0
-    return linear, memory["turn"]
+    return 0.0, (1.2 if 5 * observation["time"] % 2 < 1 else -1.2)
 
 # %% role="mistake" name="it turns on the spot" says="Usual causes: it lost the ball, because the column where it looks does not move with the robot's own turn (plus 17.6 times the angular speed: to the left, columns grow); or the angular speed has the wrong sign (positive for a column below 160), is in degrees, or its factor is too large (2 or 3 times the angle); or the linear speed is not in proportion to the distance minus 0.6."
 def control(observation, memory):

@@ -6,7 +6,7 @@ more than none.
 
 import math
 from dataclasses import dataclass
-from itertools import combinations, permutations
+from itertools import chain, combinations, permutations
 from typing import Any
 
 import numpy as np
@@ -76,8 +76,7 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         expected, actual = wrong["shape"]
         return _diagnose_shape(expected, actual, shown.arguments, names, is_turned=_are_turned(returned))
     other_pair = next(pair for difference, pair in differences if difference and difference.kind != "value")
-    text = _advice_on_part(expected, *other_pair)
-    return Diagnosis(text, replaces_hint=bool(text) and kind_of(other_pair[1]) != "None")
+    return _advice_on_part(expected, *other_pair)
 
 
 def side_by_side(expected: dict, actual: dict) -> list[tuple[dict, dict]]:
@@ -95,7 +94,8 @@ def side_by_side(expected: dict, actual: dict) -> list[tuple[dict, dict]]:
 
 def _advice_on_part(whole, expected, actual):
     text = _advice_on_type(expected, actual)
-    return text if expected is whole else text.replace("You return", "There you return")
+    text = text if expected is whole else text.replace("You return", "There you return")
+    return Diagnosis(text, replaces_hint=bool(text) and kind_of(actual) != "None")
 
 
 def _advice_on_type(expected, actual):
@@ -275,10 +275,9 @@ def _surplus(count, noun):
 
 def _diagnose_values(calls, names):
     """The first sentence that is true of every call, and where the wrong values lie."""
-    forms = _forms(calls)
-    kinds = {kind_of(form) for pair in forms for form in pair}
-    tolerance = calls[0].case.tolerance
-    if any(form.get("too_large") for pair in forms for form in pair):
+    forms = [(call.expected.value, call.result.value) for call in calls]
+    kinds, tolerance = {kind_of(form) for form in chain(*forms)}, calls[0].case.tolerance
+    if any(form.get("too_large") for form in chain(*forms)):
         return Diagnosis()
     pairs = [pair for whole in forms for pair in side_by_side(*whole) if compare(*pair, tolerance)]
     are_numbers = pairs and all(kind_of(form) in _NUMBERS for pair in pairs for form in pair)
@@ -301,12 +300,8 @@ def _unchanged(calls, names):
     return ""
 
 
-def _forms(calls):
-    return [(call.expected.value, call.result.value) for call in calls]
-
-
 def _advice_on_constant(calls, parts):
-    forms = _forms(calls)
+    forms = [(call.expected.value, call.result.value) for call in calls]
     if len(forms) < 2 or all(expected == forms[0][0] for expected, _ in forms):
         return _advice_on_equal_parts(parts)
     if not all(call.result.finished for call in calls):

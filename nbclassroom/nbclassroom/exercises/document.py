@@ -64,14 +64,8 @@ class Text:
         return f"<div {out.look(self.look)}>{out.text(self.text)}</div>" if self.text else ""
 
 
-@dataclass(frozen=True)
-class Paragraphs:
+class Paragraphs(Text):
     """A paragraph for each line, with code between backquotes."""
-
-    text: str
-
-    def plain(self):
-        return self.text
 
     def html(self, out):
         lines = [_CODE_SPAN.sub(r"<code>\1</code>", out.text(line)) for line in self.text.splitlines()]

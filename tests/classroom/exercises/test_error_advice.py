@@ -98,7 +98,7 @@ ADVICE = {
     "def f():\n    return f()\nf()": "Mark what it has visited already",
     "1 / 0": "The divisor is 0 for this input.",
     "(a * 0.5)[0, 0] = values": "One element of an array holds one number",
-    "np.zeros(0).max()": "an empty array has no maximum",
+    "np.zeros(0).max()": "The array has no values here, so it has no maximum",
     'np.frombuffer(b"abc", "u1")[0] = 1': "Work on a copy: array.copy().",
     "a @ a": "as many columns on its left as rows on its right: here 6 and 5. Which shape has each part?",
     "a @ np.diag(values)": "np.diag of n numbers is n × n.",
