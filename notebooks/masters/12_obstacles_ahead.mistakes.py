@@ -64,7 +64,7 @@ def plane_of(a, b, c):
     normal[1] = -abs(normal[1])
     return normal, float(-(normal @ a))
 
-# %% role="mistake" name="dot product of the directions" says="np.dot (or @) gives one number. The vector that is perpendicular to both directions is their cross product: np.cross(b - a, c - a)."
+# %% role="mistake" name="dot product of the directions" says="Your normal is one number: so is a dot product (np.dot, @), and so is a length, np.linalg.norm. The normal is the cross product of both directions, divided by its length."
 def plane_of(a, b, c):
     normal = np.dot(b - a, c - a)
     normal = normal / np.linalg.norm(normal)
@@ -254,7 +254,7 @@ def control(observation, memory):
     others = {name: observation[name] for name in observation if name != "depth"}
     return solution(others | {"depth": np.zeros((90, 160), np.uint16)}, memory)
 
-# %% role="mistake" name="something low seen" says="The camera saw it earlier, and from near it does not. Usual causes: it forgets the points of earlier looks (store them in the frame of the odometry); it does not turn them back before it asks free_way; the corridor is narrower than 0.64 m; it does not stop 0.45 m before, in each step; free_way gets degrees (it takes radians)."
+# %% role="mistake" name="something low seen" says="The camera sees it from farther away, not from near or beside it. Usual causes: it forgets the points of earlier looks (store them in the frame of the odometry); it does not turn them back before it asks free_way; the corridor is narrower than 0.64 m; it does not stop 0.45 m before, in each step; free_way gets degrees (it takes radians)."
 def control(observation, memory):
     seen = dict(observation, depth=np.zeros_like(observation["depth"]))
     return solution(seen, memory)
