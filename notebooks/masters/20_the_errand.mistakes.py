@@ -30,7 +30,7 @@ def map_to_odom(place, counted):
 def map_to_odom(place, counted):
     return frame_with(place, counted, turn=counted[2])
 
-# %% role="mistake" name="turned to the wrong side" says="You turn the counted way to the wrong side; a sign of s is wrong: x is c * u - s * v, and y is s * u + c * v."
+# %% role="mistake" name="turned to the wrong side" says="You turn the counted way to the wrong side, as by minus the yaw. Of the counted x and y, it is c * x - s * y and s * x + c * y."
 def map_to_odom(place, counted):
     return frame_with(place, counted, turn=counted[2] - place[2])
 
@@ -85,12 +85,12 @@ def map_to_odom(place, counted):
 def map_to_odom(place, counted):
     return tuple(place)
 
-# %% role="mistake" name="parentheses missing" says="Parentheses are missing: place[0] - c * u - s * v subtracts both parts. Write place[0] - (c * u - s * v)."
+# %% role="mistake" name="parentheses missing" says="The counted y has the wrong sign twice, as if parentheses were missing: place[0] - (c * counted[0] - s * counted[1]), and so for place[1]."
 def map_to_odom(place, counted):
     x, y, yaw = solution(place, counted)
     return x - 2 * math.sin(yaw) * counted[1], y + 2 * math.cos(yaw) * counted[1], yaw
 
-# %% role="mistake" name="x and y exchanged" says="x and y are exchanged."
+# %% role="mistake" name="x and y exchanged" says="In your result, x and y are exchanged: x is the first."
 def map_to_odom(place, counted):
     x, y, yaw = solution(place, counted)
     return y, x, yaw
@@ -168,7 +168,7 @@ def choose_direction(directions, ways, goal, need):
     k = int(np.argmin([apart(direction, goal) for direction in directions]))
     return float(directions[k]) if ways[k] >= need else None
 
-# %% role="mistake" name="need typed" says="You typed 1.0, the number of the example in the lesson. Use the argument need."
+# %% role="mistake" name="need typed" says="Your result is always that of need = 1.0, as in the lesson. Use the argument need."
 def choose_direction(directions, ways, goal, need):
     return nearest_of(directions, ways >= 1.0, goal)
 
@@ -205,7 +205,7 @@ def winner(readings, names, votes, count=votes_of, enough=None):
     best = max(counts, default=0)
     return names[counts.index(best)] if counts and best >= (votes if enough is None else enough) else None
 
-# %% role="mistake" name="compared in small letters" says="You return None for every call, so no text ever votes. Compare each text of a look, not the whole look (a list), and in capital letters, not in small ones: edit_distance(text.upper(), name) <= 1."
+# %% role="mistake" name="compared in small letters" says="You return None for every call, as if no text voted. Usual causes: a whole look (a list) is compared, not each of its texts; small letters, not edit_distance(text.upper(), name) <= 1; a count is never larger than the best; a missing return."
 def believe(readings, names, votes):
     return winner(readings, names, votes, lambda looks, name: votes_of(looks, name, lambda text, sign: steps_between(text.lower(), sign) <= 1))
 
@@ -234,7 +234,7 @@ def believe(readings, names, votes):
     firsts = [next((name for text in look for name in names if near(text, name)), "") for look in readings]
     return winner(readings, names, votes, lambda looks, name: firsts.count(name))
 
-# %% role="mistake" name="votes typed" says="You typed 2. Use the argument votes: it says how many looks are enough."
+# %% role="mistake" name="votes typed" says="Your result is always that of votes = 2. Use the argument votes: it says how many looks are enough."
 def believe(readings, names, votes):
     return winner(readings, names, votes, enough=2)
 
@@ -242,7 +242,7 @@ def believe(readings, names, votes):
 def believe(readings, names, votes):
     return winner(readings, names, votes, lambda looks, name: sum(near(" ".join(look), name) for look in looks))
 
-# %% role="mistake" name="one name for each look" says="A look may vote for several names, if it shows several: do not stop at the first one that you find."
+# %% role="mistake" name="one name for each look" says="Count for each name the looks that vote for it, before you choose. A look may vote for several names: do not stop at the first one."
 def believe(readings, names, votes):
     firsts = [next((name for name in names if any(near(text, name) for text in look)), "") for look in readings]
     return winner(readings, names, votes, lambda looks, name: firsts.count(name))
@@ -261,13 +261,9 @@ def believe(readings, names, votes):
 def believe(readings, names, votes):
     return winner(readings, sorted(names), votes)
 
-# %% role="mistake" name="votes not used" says="In these checks votes changes nothing in your result: count all looks, and return None if the best name has fewer votes than that."
+# %% role="mistake" name="votes not used" says="The argument votes must decide: count all looks, old and new, for each name, and return the best name only if its count is at least votes, else None."
 def believe(readings, names, votes):
     return winner(readings, names, votes, enough=1)
-
-# %% role="mistake" name="votes not used, not even for none" says="In these checks votes changes nothing in your result: count all looks, and return None if the best name has fewer votes than that, also if there is no look at all."
-def believe(readings, names, votes):
-    return winner(readings, names, votes, enough=0)
 
 # %% role="mistake" name="exactly votes" says="More votes are enough too: at least means >=, not ==."
 def believe(readings, names, votes):
@@ -303,7 +299,7 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, math.degrees(angular)
 
-# %% role="mistake" name="it stands" says="Usual causes: it read the word, and stays there (drive back to (0, 0) of the odometry: the direction is math.atan2(-y, -x), less the yaw); or it waits for a word that it cannot read any more, because the sign is above the image."
+# %% role="mistake" name="it stands" says="Usual causes: it read the word, and stays there (drive back to (0, 0) of the odometry: the direction is math.atan2(-y, -x), less the yaw); or it waits for a word that it cannot read any more, because the sign is above the image; or it stands while it sees no sign (turn until it does)."
 def control(observation, memory):
     speeds = solution(observation, memory)
     return speeds if memory["task"] == "go" else (0.0, 0.0)
@@ -312,7 +308,7 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.03, 0.6
 
-# %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use find_sign and the odometry."
+# %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use find_sign and the odometry (or is a condition on them never true?)."
 def control(observation, memory):
     return 0.25, 0.3
 
@@ -336,11 +332,11 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, math.degrees(angular)
 
-# %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use the observation: things stand at other places each time."
+# %% role="mistake" name="it drives the same way" says="Your robot drives the same way in each room, whatever it sees. Use the observation (or is a condition on it never true?): things stand at other places each time."
 def control(observation, memory):
     return 0.25, 0.3
 
-# %% role="mistake" name="it stands" says="Choose another direction, and drive on."
+# %% role="mistake" name="it stands" says="If the way ahead is not free, choose another direction, the one with the most new cells, turn to it, and drive on."
 def control(observation, memory):
     if way_before(obstacles(observation), 0.0) < 0.45:
         return 0.0, 0.0
@@ -360,12 +356,12 @@ def control(observation, memory):
     others = {name: observation[name] for name in observation if name != "depth"}
     return solution(others | {"depth": np.zeros((90, 160), np.uint16)}, memory)
 
-# %% role="mistake" name="something low seen" says="The camera saw it earlier, and remembered keeps it. Usual causes: it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before; the corridor is narrower than the robot with room on each side; an angle is in degrees, or the two speeds are exchanged."
+# %% role="mistake" name="something low seen" says="The camera sees it from farther away, and remembered keeps it. Usual causes: it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before; the corridor is narrower than the robot with room on each side; an angle is in degrees, or the two speeds are exchanged."
 def control(observation, memory):
     seen = dict(observation, depth=np.zeros_like(observation["depth"]))
     return solution(seen, memory)
 
-# %% role="mistake" name="it is slow" says="The time is over before it comes to 20 places."
+# %% role="mistake" name="it is slow" says="The time is over before it comes to 20 places: drive with 0.3 m/s where the way ahead is free."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return min(linear, 0.1), angular
