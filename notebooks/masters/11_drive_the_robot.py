@@ -261,7 +261,7 @@ def inputs(rng):
     ]
 
 
-# %% role="case" title="a turn over the border at π" points=1 hint="Is the new yaw between -pi and pi? math.remainder(angle, 2 * math.pi) adds or subtracts whole turns."
+# %% role="case" title="a turn over the border at π" points=1 hint="The direction is yaw + angular * dt / 2, of the yaw before it is wrapped. The new yaw is between -pi and pi: math.remainder(angle, 2 * math.pi) adds or subtracts whole turns."
 def inputs(rng):
     return [
         (-1.0, 0.5, round(rng.uniform(2.9, 3.1), 2), 0.2, round(rng.uniform(1.0, 1.5), 2), 0.5),
