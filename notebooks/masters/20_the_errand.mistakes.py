@@ -312,12 +312,16 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.25, 0.3
 
-# %% role="mistake" name="from the start, at the end" says="Usual causes: it does not drive back to (0, 0) of its odometry (the direction is math.atan2(-y, -x), less the yaw); or it forgets in which part of its task it is (a value in memory is set only once: memory.setdefault)."
+# %% role="mistake" name="reach" says="Usual causes: it never leaves the search, because a value in memory is set again in each call (memory.setdefault sets it once), or a condition is never true; or it turns away from the sign (an angle to the left is positive, and so is the angular speed); or it ends its way to the sign too early."
+def control(observation, memory):
+    return 0.0, 0.2 * math.sin(observation["time"])
+
+# %% role="mistake" name="from the start, at the end" says="Usual causes: it does not drive back to (0, 0) of its odometry (the direction is math.atan2(-y, -x), less the yaw); or it forgets in which part of its task it is (a value in memory is set only once: memory.setdefault); or it never came to the sign, because it turns away from it (an angle to the left is positive, and so is the angular speed)."
 def control(observation, memory):
     speeds = solution(observation, memory)
     return speeds if memory["task"] == "go" else (0.1, 0.2)
 
-# %% role="mistake" name="error of the answer" says="Usual causes: the degrees of the word are not made radians; they count from the sign, to the left, and not from the start or from where the word was read, so look at the sign again at the end and add the angle to its direction; the last turn ends too early; or it is not stored once, but computed again while the robot turns."
+# %% role="mistake" name="error of the answer" says="Usual causes: the degrees of the word are not made radians; they count from the sign, to the left (plus), and not from the start or from where the word was read, so look at the sign again at the end and add the angle to its direction; the last turn ends too early; or it is not stored once, but computed again while the robot turns."
 def control(observation, memory):
     speeds = solution(observation, memory)
     if "yaw" in memory:
@@ -350,6 +354,10 @@ def control(observation, memory):
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, -angular
+
+# %% role="mistake" name="it stays in one place" says="Usual causes: a stored heading is yaw + direction, and the turn is the heading minus the yaw, wrapped; it waits for a turn that never ends; each call chooses again (store the heading in memory, and choose a new one when the way is not free, or after a metre)."
+def control(observation, memory):
+    return 0.0, 0.1
 
 # %% role="mistake" name="something low" says="Does it use the points of the camera? remembered(observation, memory) has both, and remembers them: what is low and near is below the image."
 def control(observation, memory):
