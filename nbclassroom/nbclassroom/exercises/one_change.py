@@ -324,8 +324,9 @@ def _order(node, _tree):
         yield "is the order of arguments right?", _setting(node, args=[*node.args[:-2], *node.args[:-3:-1]])
 
 
-def _square(node, _tree):
-    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
+def _square(node, tree):
+    formulas = [part for part in ast.walk(tree) if isinstance(part, ast.BinOp)]
+    if isinstance(node, ast.Name) and any(node in (part.left, part.right) for part in formulas):
         yield "is its square needed?", _replacing(node, _parsed(f"{node.id} ** 2"))
 
 
@@ -339,7 +340,7 @@ def _parentheses(node, _tree):
             with contextlib.suppress(SyntaxError):  # it is within other parentheses
                 changed = _parsed(left + operator + right)
                 if ast.dump(changed) != ast.dump(node):
-                    yield "are parentheses missing?", _replacing(node, changed)
+                    yield "do parentheses stand where they should?", _replacing(node, changed)
 
 
 def _operator(node, _tree):
@@ -454,13 +455,9 @@ def _name(node, tree):
     names = [part.arg for part in _arguments(tree)]
     names += [part.id for part in stored if isinstance(part, ast.Name)]
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in names:
-        beside = [getattr(part, "elts", None) or getattr(part, "args", None) for part in ast.walk(tree)]
-        beside = [
-            ast.unparse(part)
-            for items in beside
-            if isinstance(items, list) and node in items
-            for part in items
-        ]
+        groups = [part for part in ast.walk(tree) if isinstance(part, ast.Call | ast.Tuple | ast.List)]
+        groups = [getattr(part, "elts", None) or getattr(part, "args", ()) for part in groups]
+        beside = [ast.unparse(other) for group in groups if node in group for other in group]
         for variable in sorted({*names} - {node.id, *beside}):
             yield "is it the right variable?", _setting(node, id=variable)
         yield "is its sign right?", _replacing(node, _parsed(f"-{node.id}"))

@@ -105,7 +105,7 @@ CASES = {
         "def f(a, b, c, d):\n    return a * b - c + d",
         [((2, 7, 4, 1), 8)],
         "line 2",
-        "a * b - c + d: are parentheses missing?",
+        "a * b - c + d: do parentheses stand where they should?",
     ),
     "a slice that begins below 0": (
         "def f(a, k):\n    return a[k - 2 : k]",

@@ -123,7 +123,8 @@ class Kind:
         value. First a mistake with the same types is looked for; then one with the same values, unless they
         are right and only their type is not.
         """
-        returned = [case_call for case_call in calls if case_call.result.value not in (None, NONE)]
+        missing = (None,) if any(one.expected.value == NONE for one in calls) else (None, NONE)
+        returned = [case_call for case_call in calls if case_call.result.value not in missing]
         is_right = all(case_call.passed for case_call in returned)
         for exact_type in (True,) if all(one.has_right_values for one in returned) else (True, False):
             matches = _mistakes_like(exercise, calls, exact_type)
