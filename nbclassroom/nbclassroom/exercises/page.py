@@ -82,9 +82,9 @@ def _parts(cell, lesson_cells, exercises):
         yield _counted("given", handed_out)
     mark = cell["exercise"] if cell["exercise"] in (id for id, *_ in exercises) else ""
     if source is not None and (source.strip() or mark):
-        is_as_handed_out = handed_out is not None and handed_out.strip() == source.strip()
-        own = _counted("" if is_as_handed_out else "own", source, mark)
-        lines, nodes = own["source"].split("\n"), cell_syntax.top_level("" if own["file"] else own["source"])
+        own = _counted("" if handed_out and handed_out.strip() == source.strip() else "own", source, mark)
+        is_cut = not own["file"] and _CHECK.search(own["source"])
+        lines, nodes = own["source"].split("\n"), cell_syntax.top_level(own["source"] if is_cut else "")
         spans = [(node.lineno - 1, node.end_lineno) for node in nodes[:-1]]
         ends = [end for begin, end in spans if _CHECK.search("\n".join(lines[begin:end]))]
         for begin, end in pairwise([0, *ends, len(lines)]):
