@@ -408,7 +408,7 @@ BRAKE_ANSWERS = (
     ("looks behind", brakes(("+ math.pi / 2", "- math.pi / 2")), "1", "looks behind the robot"),
     ("no angle_min", brakes(("msg.angle_min + number * msg.angle_increment + math.pi / 2", "number * 2 * math.pi / len(msg.ranges) - math.pi / 2")), "134", "begins at angle_min = -1.57"),
     ("only what is new", brakes((", self.stop)\n", ", self.stop)\n        self.x = None\n"), ("        self.commands.publish(command)", "        if command.linear.x != self.x:\n            self.commands.publish(command)\n        self.x = command.linear.x")), "1", "none after this message"),
-    ("never again", brakes((", self.stop)\n", ", self.stop)\n        self.speed = 0.2\n"), ("command.linear.x = 0.2", "command.linear.x = self.speed"), ("command.linear.x = 0.0", "command.linear.x = self.speed = 0.0")), "1", "After its first stop it never drives again"),
+    ("never again", brakes((", self.stop)\n", ", self.stop)\n        self.speed = 0.2\n"), ("command.linear.x = 0.2", "command.linear.x = self.speed"), ("command.linear.x = 0.0", "command.linear.x = self.speed = 0.0")), "1", "After a stop it never drives again"),
     ("no timer", brakes(("        self.timer = self.create_timer(0.5, self.stop)\n", ""), (RESET, "")), "123", "drives on without seeing"),
 )  # fmt: skip
 ANSWERS = (

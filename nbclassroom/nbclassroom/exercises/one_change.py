@@ -455,8 +455,8 @@ def _name(node, tree):
     names = [part.arg for part in _arguments(tree)]
     names += [part.id for part in stored if isinstance(part, ast.Name)]
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in names:
-        groups = [part for part in ast.walk(tree) if isinstance(part, ast.Call | ast.Tuple | ast.List)]
-        groups = [getattr(part, "elts", None) or getattr(part, "args", ()) for part in groups]
+        parts = [part for part in ast.walk(tree) if isinstance(part, ast.Call | ast.Tuple | ast.List)]
+        groups = [getattr(part, "elts", ()) or getattr(part, "args", ()) for part in parts]
         beside = [ast.unparse(other) for group in groups if node in group for other in group]
         for variable in sorted({*names} - {node.id, *beside}):
             yield "is it the right variable?", _setting(node, id=variable)
