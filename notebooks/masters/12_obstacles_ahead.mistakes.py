@@ -20,6 +20,12 @@ def plane_of(a, b, c):
     normal = -normal if normal[1] > 0 else normal
     return normal, float(-(normal @ a))
 
+# %% role="mistake" name="divided by the squared length" says="You divided by the square of the length: its root is missing. The length is np.linalg.norm(normal)."
+def plane_of(a, b, c):
+    normal, offset = solution(a, b, c)
+    length = np.linalg.norm(np.cross(b - a, c - a))
+    return normal / length, offset / length
+
 # %% role="mistake" name="divided by the sum" says="You divided by the sum of the three numbers without signs. The length is the root of the sum of their squares: np.linalg.norm(normal)."
 def plane_of(a, b, c):
     normal = np.cross(b - a, c - a)
@@ -244,7 +250,7 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.03, 0.6
 
-# %% role="mistake" name="it turns left and right" says="Usual causes: it forgets what it saw and decided (store the points of all looks, and the aim, in memory); the sign of the angular speed is wrong (a direction on the left is positive); the yaw is not subtracted; an angle is in degrees."
+# %% role="mistake" name="it turns left and right" says="Usual causes: it forgets what it saw and decided (store the points of all looks, and the aim, in memory); the points of earlier looks are kept as the robot saw them then (store them in the frame of the odometry, and turn them back); the sign of the angular speed is wrong (a direction on the left is positive); the yaw is not subtracted; an angle is in degrees."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, -angular

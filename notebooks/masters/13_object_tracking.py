@@ -506,7 +506,7 @@ def inputs(rng):
             (rng.uniform(-2, 2, 2).round(2), random_covariance(rng, 2), F, random_covariance(rng, 2, 0.1))]
 
 
-# %% role="case" title="place and speed on the floor" points=1 hint="Is F on the left side of the covariance, and F.T on its right side?"
+# %% role="case" title="place and speed on the floor" points=1 hint="The state is F @ state, whatever its size. In the covariance F stands on the left side, and F.T on the right."
 def inputs(rng):
     return [(rng.uniform(-2, 2, 4).round(2), random_covariance(rng, 4), motion(dt), random_covariance(rng, 4, 0.1))
             for dt in (0.1, 0.25)]

@@ -67,6 +67,12 @@ def decomposed(before, after):
 def with_shift(R, before, after):
     return R, after.mean(axis=0) - R @ before.mean(axis=0)
 
+# %% role="mistake" name="one mean of all numbers" says="The mean of a cloud is a point of three numbers, mean(axis=0). Without axis, it is one number for all of them."
+def find_motion(before, after):
+    U, _, V = np.linalg.svd((after - after.mean()).T @ (before - before.mean()))
+    R = U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V
+    return R, after.mean() - R @ np.full(3, before.mean())
+
 # %% role="mistake" name="all signs changed" says="If the matrix is a mirror, you change all its signs. Change only one, between U and V: np.diag([1, 1, np.linalg.det(U @ V)])."
 def find_motion(before, after):
     U, V = decomposed(before, after)

@@ -145,6 +145,11 @@ def nearest_mean(vectors, classes, new):
         result.append(number)
     return np.array(result)
 
+# %% role="mistake" name="divided by the number of all" says="You divided each sum by the number of all vectors. The mean of a class divides by the number of its own vectors."
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    return nearest(numbers, np.array([vectors[classes == number].sum(axis=0) / len(vectors) for number in numbers]), new)
+
 # %% role="mistake" name="absolute differences" says="You added the absolute differences. The Euclidean distance adds their squares."
 def nearest_mean(vectors, classes, new):
     return nearest(*means_of(vectors, classes), new, power=1)

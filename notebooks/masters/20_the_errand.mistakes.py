@@ -340,6 +340,20 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.25, 0.3
 
+# %% role="mistake" name="something low" says="Does it use the points of the camera? remembered(observation, memory) has both, and remembers them: what is low and near is below the image."
+def control(observation, memory):
+    others = {name: observation[name] for name in observation if name != "depth"}
+    return solution(others | {"depth": np.zeros((90, 160), np.uint16)}, memory)
+
+# %% role="mistake" name="something low seen" says="The camera sees such things from farther away, and remembered keeps them. Usual causes: it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before; the corridor is narrower than the robot with room on each side; an angle is in degrees, or the two speeds are exchanged."
+def control(observation, memory):
+    seen = dict(observation, depth=np.zeros_like(observation["depth"]))
+    return solution(seen, memory)
+
+# %% role="mistake" name="it comes too near" says="Usual causes: the corridor of way_before is narrower than the robot with room on each side; it drives while it turns to a new heading; it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before what is in its way; the points of remembered are already seen from the robot, and must not be turned again."
+def control(observation, memory):
+    return 0.3, solution(observation, memory)[1]
+
 # %% role="mistake" name="it stands" says="If the way ahead is not free, choose another direction, the one with the most new cells, turn to it, and drive on."
 def control(observation, memory):
     if way_before(obstacles(observation), 0.0) < 0.45:
@@ -359,15 +373,9 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.0, 0.1
 
-# %% role="mistake" name="something low" says="Does it use the points of the camera? remembered(observation, memory) has both, and remembers them: what is low and near is below the image."
+# %% role="mistake" name="it drives in circles" says="Usual causes: it takes the first free direction that it finds, always on the same side, and not the one with the most new cells; it chooses again before its turn is done; a stored heading is yaw + direction, and the turn is the heading minus the yaw, wrapped."
 def control(observation, memory):
-    others = {name: observation[name] for name in observation if name != "depth"}
-    return solution(others | {"depth": np.zeros((90, 160), np.uint16)}, memory)
-
-# %% role="mistake" name="something low seen" says="The camera sees it from farther away, and remembered keeps it. Usual causes: it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before; the corridor is narrower than the robot with room on each side; an angle is in degrees, or the two speeds are exchanged."
-def control(observation, memory):
-    seen = dict(observation, depth=np.zeros_like(observation["depth"]))
-    return solution(seen, memory)
+    return 0.1 if way_before(obstacles(observation), 0.0) > 1.0 else 0.09, 0.5
 
 # %% role="mistake" name="it is slow" says="The time is over before it comes to 20 places: drive with 0.3 m/s where the way ahead is free."
 def control(observation, memory):
@@ -386,7 +394,3 @@ def control(observation, memory):
     ways = [min(way_before(points, direction, 0.64), 3.0) - 0.1 * abs(direction) for direction in directions]
     memory["heading"] = yaw + float(directions[np.argmax(ways)])
     return 0.0, 0.0
-
-# %% role="mistake" name="it comes too near" says="Usual causes: the corridor of way_before is narrower than the robot with room on each side; it drives while it turns to a new heading; it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before what is in its way; the points of remembered are already seen from the robot, and must not be turned again."
-def control(observation, memory):
-    return 0.3, solution(observation, memory)[1]

@@ -112,6 +112,7 @@ def test_what_the_right_answer_does_not_use_is_not_asked_for():
 
 def test_a_function_that_does_not_end_hears_of_its_own_loop():
     loop = "def f(a):\n    while a:\n        print(a)\n    return a\n"
-    question = "A while loop may be endless: does each step change what the loop tests?"
+    question = "A while loop may be endless: does each step change what the loop tests, and is nothing"
+    question += " visited twice?"
     assert remarks(loop, {"TimeUp"}) == [question]
     assert remarks("def f(a):\n    return [b for b in range(a)]\n", {"TimeUp"}) == []

@@ -120,7 +120,7 @@ def _beyond_limits(record):
     speeds = np.abs(record["actions"]).T
     for own, limit, times, unit in zip(speeds, record["limits"], _LARGE, ("m/s", "rad/s"), strict=True):
         if np.mean(own > times * limit) > 1 / 20:
-            text = f"The function returned up to {own.max():.0f} {unit}; the robot can do {limit:g} {unit}."
+            text = f"The function returned up to {own.max():.3g} {unit}; the robot can do {limit:g} {unit}."
             return {"its speeds are too large": text}
     return {}
 
