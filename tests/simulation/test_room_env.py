@@ -252,9 +252,9 @@ def test_what_moves_counts_as_a_bump_but_not_for_the_clearance():
         ([(2.5, 0.0)], (0.08, 0.0), {"it is too far away": "On average it was 1.17 m too far away."}),
         ([(1.0, 0.0)], (0.25, 0.0), {"it is too near": ""}),
         (
-            [(1.0, 0.6), (1.5, 0.0)],
-            (0.0, 0.0),
-            {"another ball": "It looked at the second ball: 0° past it, on average."},
+            [(1.5, 0.0), (1.06, 1.06)],
+            (0.0, 0.12),
+            {"another ball": "It looked at the second ball: 6° past it, on average."},
         ),
         (
             [(1.5, 0.5)],
