@@ -106,11 +106,13 @@ def driving_on_a_plane(environment="plane_env:PlaneEnv"):
     import pytest  # here, because kernels import this module
     from nbclassroom.exercises.kinds.drive.drive import environment as cached_environment
 
-    with pytest.MonkeyPatch.context() as patch, course_on_a_plane(environment) as variables:
-        for name, value in variables.items():
-            patch.setenv(name, value)
-        cached_environment.cache_clear()
-        yield
+    try:
+        with pytest.MonkeyPatch.context() as patch, course_on_a_plane(environment) as variables:
+            for name, value in variables.items():
+                patch.setenv(name, value)
+            cached_environment.cache_clear()
+            yield
+    finally:
         cached_environment.cache_clear()
 
 

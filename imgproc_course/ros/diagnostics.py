@@ -130,7 +130,7 @@ def _silent_publisher(node, publishers, topic, received):
     known = [info for info in publishers if "UNKNOWN_" not in info.node_name]
     names = {f"{info.node_namespace.rstrip('/')}/{info.node_name}" for info in known}
     nodes = ", ".join(sorted(names)) or "a node whose name is not known yet"
-    if problem := next(filter(None, (_input_problem(node, info) for info in publishers)), None):
+    if problem := next(filter(None, (_input_problem(node, info) for info in known)), None):
         return f"{nodes} publishes it, but {problem}"
     if received:
         return (

@@ -295,6 +295,13 @@ def test_the_publisher_is_another_user(send, subscribe, session, wait_until, mon
     )
 
 
+def test_a_publisher_whose_name_is_not_known_yet(session):
+    names = {"node_name": "_NODE_NAME_UNKNOWN_", "node_namespace": "_NODE_NAMESPACE_UNKNOWN_"}
+    publishers = [types.SimpleNamespace(**names)]  # as ROS gives it until it has heard of the node
+    text = diagnostics._silent_publisher(session.node, publishers, TOPIC, 0)
+    assert text.startswith("a node whose name is not known yet publishes it, but no image came")
+
+
 ALONE = """
 from imgproc_course.ros import ImageSubscriber, open_camera
 with open_camera() as camera:
