@@ -190,6 +190,9 @@ BrakeNode = with_scans(turn(-math.pi / 2))
 # %% role="mistake" name="looks behind" says="Your node looks behind the robot. The angle seen from the robot is angle_min + index * angle_increment + math.pi / 2: all three parts count. Forward is the range times its cosine, left its sine."
 BrakeNode = with_scans(turn(math.pi))
 
+# %% role="mistake" name="never drives" says="Your robot drives for none of the scans of these checks. Publish a command for each scan: 0.2 where nothing is in the way."
+BrakeNode = with_scans(lambda msg: setattr(msg, "ranges", [0.3] * len(msg.ranges)))
+
 # %% role="mistake" name="what is behind counts" says="What is behind the robot stops it, too. Something is in its way only if its forward is above 0, and not above 0.4."
 BrakeNode = with_scans(what_is_behind)
 

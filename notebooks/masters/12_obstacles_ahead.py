@@ -757,6 +757,7 @@ def inputs(rng):
     elsewhere = [(90, 0.3), (-90, 0.3), (180, 0.3), (60, 0.35), (-60, 0.35), (0, 0.6)]
     scans = [scan(rng, thing) for thing in (*near, *near, *elsewhere)]
     beside = scan(rng, (84, 0.25), (6, 0.35))
+    scans.append(scan(rng, empty=(150, 216)))
     return ("commands", [scan(rng), *shuffled(rng, [*scans, beside, scan(rng, (0, 0.25), rays=120), scan(rng, (0, 0.3), first=-90)])])
 
 

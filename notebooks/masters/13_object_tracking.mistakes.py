@@ -61,6 +61,11 @@ def iou(a, b):
     both = max(common(a, b, 0) + 1, 0) * max(common(a, b, 1) + 1, 0)
     return both / (a[2] * a[3] + b[2] * b[3] - both)
 
+# %% role="mistake" name="one pixel less" says="Your intersection is one pixel too narrow and too low. Its width is the end minus the start, and a box ends at col + width, without - 1."
+def iou(a, b):
+    both = max(common(a, b, 0) - 1, 0) * max(common(a, b, 1) - 1, 0)
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
 # %% role="mistake" name="the middle of a box" says="A box begins at col and row, its upper left corner: it ends at col + width and row + height. They are not its middle."
 def iou(a, b):
     return solution(*((col - width / 2, row - height / 2, width, height) for col, row, width, height in (a, b)))

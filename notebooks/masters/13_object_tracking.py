@@ -183,7 +183,7 @@ check("tracking-iou", iou)
 def inputs(rng):
     shift = int(rng.integers(2, 7))
     col, row, width, height = random_box(rng)
-    return [((2, 5, 10, 10), (7, 5, 10, 10)), ((20, 10, 30, 12), (20 + shift, 14, 18, 25)), ((3, 4, 20, 30), (8, 9, 5, 6)),
+    return [((2, 5, 10, 10), (7, 5, 10, 10)), ((20, 10, 30, 12), (20 + shift, 14, 18, 25)), ((3, 4, 20, 30), (8, 9, 5, 6)), ((300, 250, 60, 40), (330, 240, 50, 20)),
             ((col, row, width, height), (col + 3, row + 2, *random_box(rng)[2:]))]
 
 

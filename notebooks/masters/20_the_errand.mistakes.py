@@ -316,7 +316,7 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.0, 0.2 * math.sin(observation["time"])
 
-# %% role="mistake" name="from the start, at the end" says="Usual causes: it does not drive back to (0, 0) of its odometry (the direction is math.atan2(-y, -x), less the yaw); or it forgets in which part of its task it is (a value in memory is set only once: memory.setdefault); or it never came to the sign, because it turns away from it (an angle to the left is positive, and so is the angular speed)."
+# %% role="mistake" name="from the start, at the end" says="Usual causes: it does not drive back to (0, 0) of its odometry (the direction is math.atan2(-y, -x), less the yaw); or it forgets in which part of its task it is (a value in memory is set only once: memory.setdefault; near its start, both x and y are small); or it drives too near to the sign (1 m is near enough), or it never came there, because it turns away from it (an angle to the left is positive, and so is the angular speed)."
 def control(observation, memory):
     speeds = solution(observation, memory)
     return speeds if memory["task"] == "go" else (0.1, 0.2)
@@ -350,7 +350,7 @@ def control(observation, memory):
     seen = dict(observation, depth=np.zeros_like(observation["depth"]))
     return solution(seen, memory)
 
-# %% role="mistake" name="it comes too near" says="Usual causes: the corridor of way_before is narrower than the robot with room on each side; it drives while it turns to a new heading; it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before what is in its way; the points of remembered are already seen from the robot, and must not be turned again."
+# %% role="mistake" name="it comes too near" says="Usual causes: the corridor of way_before is narrower than the robot with room on each side; it drives while it turns to a new heading; it does not ask way_before(points, 0.0) in each step, and stop 0.45 m before what is in its way; an angle is in degrees, or a stored heading is not yaw + direction; the two numbers are exchanged; the points of remembered are already seen from the robot, and must not be turned again."
 def control(observation, memory):
     return 0.3, solution(observation, memory)[1]
 
@@ -382,7 +382,7 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return min(linear, 0.1), angular
 
-# %% role="mistake" name="it drives to the same places again" says="Usual causes: it does not choose the way with the most new cells, by count_new; or it gives count_new a direction without the yaw."
+# %% role="mistake" name="it drives to the same places again" says="Usual causes: it does not choose the way with the most new cells, by count_new (the largest, not the smallest); or it gives count_new a direction without the yaw."
 def control(observation, memory):
     yaw, points = observation["odometry"][2], remembered(observation, memory)
     error = math.remainder(memory.setdefault("heading", yaw) - yaw, 2 * math.pi)

@@ -24,7 +24,7 @@ GIVEN = {
 ADVICE = {
     "text[a]": "A list or a text takes one number as its index",
     "np.linalg.norm(a)[0]": "A sum, a mean or a norm without axis=... is one number",
-    'memory["count"] += 1': "memory.setdefault('count', 0) gives the value, and stores 0",
+    'memory["count"] += 1': "Store a first value for 'count' before you read it, as memory.setdefault does",
     "word, angle = nothing": "test it first: if value is None",
     "a > 3 and a < 9": "`and` and `or` need a single True or False",
     "3 < a < 9": "A chained comparison such as low < a < high does not work with an array.",
