@@ -313,7 +313,7 @@ def grade(submissions, keys, out, review, forget_rules, dry_run, **options):
     if not review:
         click.echo(f"Next: {course.command} grade {submissions} --out {out} --review (read, and decide)")
     if report.not_graded or report.failed_pages:
-        raise SystemExit(3)
+        raise SystemExit(3)  # something could not be graded, see the guide
 
 
 def _grade_and_review(submissions, keys, out, rules, review, options):
