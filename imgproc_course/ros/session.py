@@ -30,7 +30,7 @@ from rclpy.node import Node
 
 from imgproc_course import learner_errors
 from imgproc_course.ros import notebook_log, notebook_spin
-from imgproc_course.ros.profile import lost_ports, remove_stale_segments
+from imgproc_course.ros.profile import remove_stale_segments, restore_lost_ports
 
 RCLError = rclpy_implementation.RCLError  # rclpy exports it nowhere else
 log = logging.getLogger("imgproc_course.ros")
@@ -40,7 +40,7 @@ notebook_log.install()  # before a context exists
 CALLBACK_TIMEOUT = 5.0  # seconds that others wait for a callback to return
 REMOVAL_TIMEOUT = 60.0  # seconds that the removal of a node waits: its callback may compute for long
 LOG_PERIOD = 5.0  # seconds between two log lines about the same fault
-START_ATTEMPTS = 20
+RESTORE_PERIOD = 2.0  # seconds between two looks at the shared-memory ports
 
 
 class Throttle:
@@ -420,22 +420,19 @@ def _full_name(node):
 
 def _new_node(name):
     """A context and its first node, which creates the DDS participant with its shared-memory ports."""
-    for attempt in range(START_ATTEMPTS):
-        context = _new_context()
-        try:
-            node = Node(name, context=context)
-        except RCLError as error:
-            if "Unable to resolve peer" not in str(error):
-                raise
-            peers = os.environ.get("ROS_STATIC_PEERS")
-            raise ValueError(
-                f"ROS_STATIC_PEERS={peers} has a name that is not found; separate addresses by a semicolon, "
-                "give no ports, or unset ROS_STATIC_PEERS"
-            ) from error
-        if attempt + 1 == START_ATTEMPTS or not lost_ports():
-            return context, node
-        node.destroy_node()
-        context.try_shutdown()
+    context = _new_context()
+    try:
+        node = Node(name, context=context)
+    except RCLError as error:
+        if "Unable to resolve peer" not in str(error):
+            raise
+        peers = os.environ.get("ROS_STATIC_PEERS")
+        raise ValueError(
+            f"ROS_STATIC_PEERS={peers} has a name that is not found; separate addresses by a semicolon, "
+            "give no ports, or unset ROS_STATIC_PEERS"
+        ) from error
+    node.create_timer(RESTORE_PERIOD, restore_lost_ports)
+    return context, node
 
 
 def _new_context():
