@@ -285,11 +285,11 @@ def inputs(rng):
     return [(spots(rng),), (spots(rng, 8, 13),)]
 
 
-# %% role="case" title="at the borders" points=1 hint="Is each row and column inside the image, and never negative? Are the numbers in the order in which you meet the components?"
+# %% role="case" title="at the borders, and a large spot" points=1 hint="Is each row and column inside the image, and never negative? Are the numbers in the order in which you meet the components?"
 def inputs(rng):
     mask = spots(rng)
     mask[5, 0] = mask[5, -1] = mask[0, 8] = mask[-1, 0] = True
-    return [(mask,), (mask[::-1].copy(),)]
+    return [(mask,), (mask[::-1].copy(),), (np.ones((40, 40), bool),)]
 
 
 # %% role="hidden" title="any mask" points=1 hint="Do all pixels that touch each other have the same number, also at a corner? Are the numbers in the order of the rows?"

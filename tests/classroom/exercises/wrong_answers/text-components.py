@@ -6,3 +6,16 @@ def label(mask):
         count += 1
         labels[tuple(start)] = count
     return labels
+# %% name="calls itself for each pixel" sentence="too often: Python stops at 1000 calls" must_say=["loop"] kind="error"
+def label(mask):
+    labels = np.zeros(mask.shape, int)
+    def fill(row, col, number):
+        inside = 0 <= row < mask.shape[0] and 0 <= col < mask.shape[1]
+        if inside and mask[row, col] and not labels[row, col]:
+            labels[row, col] = number
+            for i in (-1, 0, 1):
+                for j in (-1, 0, 1):
+                    fill(row + i, col + j, number)
+    for row, col in np.argwhere(mask):
+        fill(row, col, labels.max() + 1)
+    return labels
