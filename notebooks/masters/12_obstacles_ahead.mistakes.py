@@ -109,6 +109,10 @@ def nearest_obstacle(forward, left, height, width):
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, (np.abs(left) <= width / 2) & (height > 0) & (height < 0.40))
 
+# %% role="mistake" name="the limits count too" says="Points exactly 0.03 m or 0.40 m high count here. Obstacles are higher than 0.03 m and lower than 0.40 m: > and <, without =."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, (np.abs(left) <= width / 2) & (height >= 0.03) & (height <= 0.40))
+
 # %% role="mistake" name="no height" says="Floor and high things count too: both height > 0.03 and height < 0.40 must hold, joined by &."
 def nearest_obstacle(forward, left, height, width):
     return smallest(forward, np.abs(left) <= width / 2)
@@ -225,6 +229,11 @@ class BrakeNode(solution):
 
 # %% [markdown]
 # # obstacles-drive
+
+# %% role="mistake" name="it drives backward" says="It drove backward, where the camera sees nothing. The linear speed is the first number that you return: is it the second one here, or is it negative?"
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return angular, linear
 
 # %% role="mistake" name="its speeds are too large" says="Usual causes: an angle is in degrees (all angles here are in radians), or the two numbers are exchanged (the linear speed is the first)."
 def control(observation, memory):

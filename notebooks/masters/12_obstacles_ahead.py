@@ -464,11 +464,11 @@ exercise(
 
 
 def scene(rng, nearest, high=0.5):
-    """Floor, something low, something high, beside the corridor on both sides, obstacles in it, and a near floor."""
-    forward = np.array([0.4, 0.45, high, 0.55, 0.6, 0.65, 0.7, nearest, nearest + 0.6, nearest + 1.2, 0.2])
-    left = np.array([0.0, 0.05, -0.02, 0.3, -0.35, 0.22, -0.21, -0.12, 0.1, 0.02, 0.6])
-    height = np.array([0.0, 0.02, 0.9, 0.2, 0.2, 0.1, 0.1, 0.15, 0.3, 0.05, 0.0])
-    order = rng.permutation(11)
+    """Floor, what is too low or too high by nothing too, beside the corridor, obstacles in it, and a near floor."""
+    forward = np.array([0.4, 0.45, 0.48, 0.52, high, 0.55, 0.6, 0.65, 0.7, nearest, nearest + 0.6, nearest + 1.2, 0.2])
+    left = np.array([0.0, 0.05, 0.03, 0.04, -0.02, 0.3, -0.35, 0.22, -0.21, -0.12, 0.1, 0.02, 0.6])
+    height = np.array([0.0, 0.02, 0.03, 0.4, 0.9, 0.2, 0.2, 0.1, 0.1, 0.15, 0.3, 0.05, 0.0])
+    order = rng.permutation(13)
     return forward[order], left[order], height[order]
 
 

@@ -173,7 +173,16 @@ def control(observation, memory):
     linear = 1.2 * (176.25 * 0.22 / size - 0.6)
     return min(max(linear, -0.3), 0.3), min(max(2 * (160 - middle) / 176.25, -1.0), 1.0)
 
-# %% role="mistake" name="it stands" says="Usual causes: it returns 0, 0 when it does not find the ball (turn to where you predict it: its column is moved by the robot's own turn); or it never finds which spot moved (compare with the first image, which is stored once, after half a second or more; time == 0.5 is never true); or its angle is not (160 - the column of the middle) / 176.25, and it turns the ball out of the image; or it forgets the ball, because what is not stored in memory is gone after each call."
+# %% role="mistake" name="it drives backward" says="It drove backward, where the camera sees nothing. Usual causes: the sign of distance - 0.6 is exchanged (if the ball is farther away, the linear speed is positive); or the two numbers are exchanged (the linear speed is the first); or the distance is too small (it is 176.25 * 0.22 / width of the ball in the image), or that of another spot."
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return -linear, angular
+
+# %% role="mistake" name="it turns fast" says="Usual causes: the angle is in pixels or degrees (it is (160 - column) / 176.25, in radians), or its factor is too large (2 or 3 times the angle is usual); or the angular speed has the wrong sign (positive for a column below 160); or it lost the ball, which it looks for in a column that does not move with the robot's own turn."
+def control(observation, memory):
+    return 0.3, 1.5
+
+# %% role="mistake" name="it stands" says="Usual causes: it returns 0, 0 when it does not find the ball (turn to where you predict it: its column is moved by the robot's own turn); or it never finds which spot moved (the first image, and its time, are stored once, in the first call; compare with it after half a second or more; time == 0.5 is never true); or its angle is not (160 - the column of the middle) / 176.25, and it turns the ball out of the image; or it forgets the ball, because what is not stored in memory is gone after each call."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return (linear, angular) if observation["time"] < 1.2 else (0.0, 0.0)
@@ -188,7 +197,7 @@ def control(observation, memory):
 
 # %% role="mistake" name="it drives in circles" says="It lost the ball. When the robot turns to the left, all spots move to the right: add 17.6 times the angular speed to the column where you look for the ball. Is the angular speed in radians, and in proportion to 160 minus the column, divided by 176.25?"
 def control(observation, memory):
-    return 0.3, 1.5
+    return 0.3, 1.2
 
 # %% role="mistake" name="it is too near" says="Usual causes: the linear speed is not in proportion to the distance minus 0.6, backward too; the distance is not 176.25 * 0.22 / width of the ball in the image."
 def control(observation, memory):

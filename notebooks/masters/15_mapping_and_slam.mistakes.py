@@ -197,6 +197,11 @@ def edge_error(first, second, measured):
     ahead, left, turn = edge_parts(first, second)
     return np.array([ahead - measured[0], left - measured[1], wrapped(turn) - measured[2]])
 
+# %% role="mistake" name="all three wrapped" says="You wrap all three values, and the first two are metres. Wrap only the angle."
+def edge_error(first, second, measured):
+    ahead, left, turn = edge_parts(first, second) - np.array(measured)
+    return np.array([wrapped(ahead), wrapped(left), wrapped(turn)])
+
 # %% role="mistake" name="remainder by half a turn" says="You took the remainder by π, which is half a turn. Use 2 * math.pi."
 def edge_error(first, second, measured):
     return error_with(first, second, measured, angle=lambda angle: math.remainder(angle, math.pi))

@@ -505,7 +505,7 @@ def count_runs(mask, rows, cols):
 # %% role="check"
 check("gestures-runs", count_runs)
 
-# %% role="case" title="ways inside the mask" points=1 hint="A run that goes on over the end counts once: the pixel before the first one is the last one."
+# %% role="case" title="ways inside the mask" points=1 hint="A run that goes on over the end (only if the first and the last pixel are both 1) counts once: the pixel before the first one is the last one."
 def inputs(rng):
     return [way_inside(rng), way_inside(rng, 11, 9, ones=(0, 1)), way_inside(rng, 12, 14), way_inside(rng, ones=(-2, -1))]
 

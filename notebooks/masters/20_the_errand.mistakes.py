@@ -299,6 +299,11 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, math.degrees(angular)
 
+# %% role="mistake" name="it drives backward" says="It drove backward, where the camera sees nothing. The linear speed is the first number that you return: is it the second one here, or is it negative?"
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return -linear, angular
+
 # %% role="mistake" name="it stands" says="Usual causes: it read the word, and stays there (drive back to (0, 0) of the odometry: the direction is math.atan2(-y, -x), less the yaw); or it waits for a word that it cannot read any more, because the sign is above the image; or it stands while it sees no sign (turn until it does)."
 def control(observation, memory):
     speeds = solution(observation, memory)
@@ -330,6 +335,11 @@ def control(observation, memory):
 
 # %% [markdown]
 # # errand-explore
+
+# %% role="mistake" name="it drives backward" says="It drove backward, where the camera sees nothing. The linear speed is the first number that you return: is it the second one here, or is it negative?"
+def control(observation, memory):
+    linear, angular = solution(observation, memory)
+    return angular, linear
 
 # %% role="mistake" name="its speeds are too large" says="Usual causes: an angle is in degrees (all angles here are in radians), or its factor is too large (2 or 3 times the angle is usual); or the two numbers are exchanged (the linear speed is the first)."
 def control(observation, memory):

@@ -184,9 +184,9 @@ def _numbers_form(expected, actual):
     # As NumPy's scalars, and not as Python's numbers: float32 rounds more.
     if kind in ("int", "float", "bool") and values.size == 1:
         return canonical(values.flat[0])
-    if kind not in ("tuple", "list"):
-        return actual
     items = expected.get("items", ())
+    if kind not in ("tuple", "list") or (kind == "tuple" and values.ndim and len(values) != len(items)):
+        return actual
     are_pairs = all(item["type"] in ("tuple", "list") for item in items)
     if values.ndim == 1 or (are_pairs and values.ndim and len(values) == len(items)):
         return {"type": kind, "items": [canonical(part) for part in values]}

@@ -12,7 +12,7 @@ import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import combinations, pairwise, product
+from itertools import chain, combinations, pairwise, product
 
 from .limited_fork import limit_memory, text_within
 from .running import cells_of, code_of, globals_of, source_of
@@ -128,9 +128,7 @@ def _find_change(function, passes, task):
         return changed_function is not None and passes(changed_function, seconds)
 
     nodes, lines = list(ast.walk(tree)), source.split("\n")
-    given = {
-        number for number, line in enumerate(lines, 1) if len(line.strip()) > _SHORT and line.strip() in task
-    }
+    given = {row for row, line in enumerate(map(str.strip, lines), 1) if len(line) > _SHORT and line in task}
     possible = [
         _Change(rule, number, kind, question)
         for rule in _RULES
@@ -140,18 +138,20 @@ def _find_change(function, passes, task):
     ]
     for changes in _groups(possible, nodes):
         if helps(changes):
-            places = [nodes[change.number] for change in changes]
-            return _sentence(places, changes[0].question, lines, first)
+            return _sentence([nodes[change.number] for change in changes], changes[0].question, lines, first)
     return ""
 
 
 def _tree(source, numbers):
     """The tree of a function, with the numbers of its task, and the values from which it counts on."""
     (tree,) = ast.parse(source).body
-    counted = [ast.unparse(node.target) for node in ast.walk(tree) if isinstance(node, ast.AugAssign)]
-    assigned = [node for node in ast.walk(tree) if isinstance(node, ast.Assign)]
+    nodes = list(ast.walk(tree))
+    counted = [ast.unparse(node.target) for node in nodes if isinstance(node, ast.AugAssign)]
+    assigned = [node for node in nodes if isinstance(node, ast.Assign)]
     starts = [node.value for node in assigned if ast.unparse(node.targets[0]) in counted]
-    vars(tree).update(numbers=numbers, starts=starts)
+    indices: list[ast.AST] = [node.slice for node in nodes if isinstance(node, ast.Subscript)]
+    indices += [node for node in nodes if isinstance(node, ast.Call) and ast.unparse(node.func) == "range"]
+    vars(tree).update(numbers=numbers, starts=starts, places={*chain(*map(ast.walk, indices))})
     return tree
 
 
@@ -461,7 +461,9 @@ def _name(node, tree):
         for variable in sorted({*names} - {node.id, *beside}):
             yield "is it the right variable?", _setting(node, id=variable)
         yield "is its sign right?", _replacing(node, _parsed(f"-{node.id}"))
-        for factor, times in ((2, "twice, or what stands beside it half"), (3, "three times")):
+        if node in tree.places:
+            return
+        for factor, times in (2, "twice, or what stands beside it half"), (3, "three times"):
             yield f"should it count {times}?", _replacing(node, _parsed(f"{factor} * {node.id}"))
         yield _DIRECTION, _replacing(node, _parsed(f"{node.id} == False"))
 

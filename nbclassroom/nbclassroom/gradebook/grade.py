@@ -316,21 +316,16 @@ def read_grades(path):
 
 def changed_points(before, after):
     """Lines for the terminal: each lesson whose points differ in two contents of grades.json."""
-    old, new = map(_points_of_lessons, (before, after))
+    old, new = (
+        {(who["name"], one["lesson"] or one["file"]): _points(one) for who in own for one in who["lessons"]}
+        for own in (before["learners"], after["learners"])
+    )
     keys = sorted(old.keys() | new.keys())
     pairs = ((key, old.get(key, "not there"), new.get(key, "not there")) for key in keys)
     lines = [f"  {name}: {lesson}: {one} → {other}" for (name, lesson), one, other in pairs if one != other]
     first = f"{count_of(len(lines), 'lesson')} with other points than in the run before ({PREVIOUS}):"
     more = [f"  and {len(lines) - _MOST_CHANGES} more"] if len(lines) > _MOST_CHANGES else []
     return [first, *lines[:_MOST_CHANGES], *more] if lines else []
-
-
-def _points_of_lessons(grades):
-    return {
-        (learner["name"], lesson["lesson"] or lesson["file"]): _points(lesson)
-        for learner in grades["learners"]
-        for lesson in learner["lessons"]
-    }
 
 
 def _points(lesson):

@@ -57,6 +57,7 @@ TYPES = [
     ),
     (COLOUR, COLOUR.transpose(2, 0, 1), "the axes stand in another order: rows come first, channels last."),
     ((GRAY, MASK), GRAY, "You return one array, and the task asks for 2: return both, with a comma"),
+    ((GRAY[0], 0.5), np.zeros(4), "You return one array, and the task asks for 2: return both, with a comma"),
     (
         (GRAY, GRAY),
         np.stack([GRAY, GRAY]),

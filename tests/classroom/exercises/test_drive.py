@@ -131,8 +131,9 @@ def test_a_metric_that_looks_like_its_limit_has_more_digits():
             "it turns left and right",
             "the end the robot stayed in one place, and changed the side to which it turned 8 times.",
         ),
-        ((0.3, 1.5), "it drives in circles", "In all, the robot turned 5 times round to the left."),
-        ((0.3, -1.5), "it drives in circles", "In all, the robot turned 5 times round to the right."),
+        ((0.3, 1.2), "it drives in circles", "In all, the robot turned 4 times round to the left."),
+        ((0.3, -1.2), "it drives in circles", "In all, the robot turned 4 times round to the right."),
+        ((0.3, -1.5), "it turns fast", "In 100% of the time the robot turned as fast as it can."),
         ((0.1, 0.0), "it is slow", "The robot never drove faster than 0.10 m/s; it can drive with 0.3 m/s."),
         (
             lambda t: (math.copysign(0.3, 3 - t % 6), 0.0),
@@ -163,6 +164,7 @@ def test_behaviours_depend_on_goal_bump_and_height():
     assert "something low" in behaviours(record | {"read": ["scan"]}, scenario)
     backward = record | {"actions": [[-0.2, 0.0]] * record["steps"]}
     assert any("while it drove backward" in said for said in sentences_of(backward, scenario))
+    assert next(iter(behaviours(backward, scenario))) == "it drives backward"
     record, scenario = driven((0.3, 0.5), room=5)
     text = "at 1.1 s, while it drove with 0.30 m/s and turned to the left with 0.50 rad/s."
     assert sentences_of(record, scenario)[0].endswith(text)

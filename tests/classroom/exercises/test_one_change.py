@@ -212,6 +212,11 @@ def test_nothing_is_said_if_no_change_helps():
     assert sentence("def f(a):\n    return 0", ((4,), 16), ((5,), 25)) == ""
 
 
+@pytest.mark.parametrize("code", ["sum(a[-b:])", "sum(a[k] for k in range(b))"])
+def test_a_place_is_no_factor_too_small(code):
+    assert sentence(f"def f(a, b):\n    return {code}", (([1, 2, 3, 4, 5, 6], 2), 21)) == ""
+
+
 @pytest.mark.parametrize("called", ["np.vectorize(abs)", "(lambda x: x)", "[abs][0]", "np.poly1d([1, 2])"])
 def test_what_is_called_may_be_any_expression(called):
     assert sentence(f"def f(a):\n    return {called}(a) - a", ((4,), 100), ((5,), 110)) == ""

@@ -6,7 +6,7 @@ def label(mask):
         count += 1
         labels[tuple(start)] = count
     return labels
-# %% name="calls itself for each pixel" sentence="too often: Python stops at 1000 calls" must_say=["loop"] kind="error"
+# %% name="calls itself for each pixel" sentence="before it calls itself again; if it does, use a loop" must_say=["loop"] kind="error"
 def label(mask):
     labels = np.zeros(mask.shape, int)
     def fill(row, col, number):

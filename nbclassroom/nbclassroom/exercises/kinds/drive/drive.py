@@ -13,6 +13,7 @@ import reprlib
 import time
 from dataclasses import dataclass
 from functools import lru_cache
+from operator import ge, le
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +33,7 @@ DURATION = 40.0  # seconds, of a scenario that does not say it
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _REPR = reprlib.Repr()
 _REPR.maxother = 80  # characters: an address is not cut
-COUNTS = {"<=": ("≤", "at most"), ">=": ("≥", "at least")}
+COUNTS = {"<=": ("≤", "at most", le), ">=": ("≥", "at least", ge)}
 _EXPECTED = "expected two numbers, (linear, angular)"
 
 
@@ -152,9 +153,9 @@ class Drive:
                 [int(step), round(float(x), 4), round(float(y), 4)] for step, (x, y, *_) in env.bump_places
             ],
             "missed": [
-                [name, self._info[name], *limit]
-                for name, limit in self.scenario["thresholds"].items()
-                if not _is_kept(self._info[name], *limit)
+                [name, value, operator, limit]
+                for name, (operator, limit) in self.scenario["thresholds"].items()
+                if (value := self._info[name]) is None or not COUNTS[operator][2](value, limit)
             ],
             "actions": [list(speeds) for speeds in self._actions],
             "limits": [round(float(most), 4) for most in self._env.action_space.high],
@@ -233,10 +234,6 @@ def seconds_of(scenario):
 def passes(record, scenario):
     """Whether a drive gives the points of its case."""
     return not record["ended"] and not record["missed"] and record["steps"] == steps_of(scenario)
-
-
-def _is_kept(value, operator, limit):
-    return value is not None and (value <= limit if operator == "<=" else value >= limit)
 
 
 def speeds_of(value):

@@ -19,7 +19,7 @@ _LEAST = 0.02, 0.1  # m/s, rad/s: a robot with less of both stands
 _LARGE = 3, 10  # times the largest speeds of the robot
 _ROUNDS, _CIRCLES = 1.5, 3.0  # times round: a robot that turns on the spot, one that drives in circles
 _OFTEN = 5  # changes of the side
-_SLOW = 0.6  # of the largest speed of the robot
+_SLOW, _FAST = 0.6, 0.9  # of the largest speed of the robot
 _AGAIN = 1.2  # times the way that its places need, if it never came back to one
 
 
@@ -55,11 +55,14 @@ def _sentence(record, name, value, operator, limit):
     return f"{text}; {asked}"
 
 
+def _speeds_at_bump(record):
+    """The two speeds at the first bump, which the robot's limits cut."""
+    return np.clip(record["actions"][record["bumps"][0][0] - 1], *(np.array([[-1], [1]]) * record["limits"]))
+
+
 def _turning(record):
     """What to add about the first bump, if the robot turned then."""
-    linear, angular = np.clip(
-        record["actions"][record["bumps"][0][0] - 1], *(np.array([[-1], [1]]) * record["limits"])
-    )
+    linear, angular = _speeds_at_bump(record)
     if abs(angular) < _TURNS:
         return ", while it drove backward" if linear < 0 else ""
     side = "left" if angular > 0 else "right"
@@ -77,7 +80,7 @@ def behaviours(record, scenario):
     if record["ended"] or not missed or record["steps"] < steps_of(scenario):
         return {}
     metrics = record["metrics"]
-    seen = _beyond_limits(record) | metrics.get("remarks", {})
+    seen = _of_speeds(record) | metrics.get("remarks", {})
     if metrics.get("low") and missed.keys() & {"bumps", "clearance"}:
         seen |= _low(record)
     others = missed.keys() - {"bumps", "clearance", "answer_error"}
@@ -115,14 +118,17 @@ def _from_its_start(path):
     return (path[:, :2] - path[0, :2]) @ np.array([[c, -s], [s, c]])
 
 
-def _beyond_limits(record):
-    """Of speeds in another unit, degrees for example."""
+def _of_speeds(record):
+    """Of speeds in another unit, degrees for example, of others at the limit, and backward into something."""
+    seen = {"it drives backward": ""} if record["bumps"] and _speeds_at_bump(record)[0] < 0 else {}
     speeds = np.abs(record["actions"]).T
     for own, limit, times, unit in zip(speeds, record["limits"], _LARGE, ("m/s", "rad/s"), strict=True):
         if np.mean(own > times * limit) > 1 / 20:
             text = f"The function returned up to {own.max():.3g} {unit}; the robot can do {limit:g} {unit}."
-            return {"its speeds are too large": text}
-    return {}
+            return seen | {"its speeds are too large": text}
+    share = np.mean(speeds[1] > _FAST * record["limits"][1])
+    text = f"In {share:.0%} of the time the robot turned as fast as it can."
+    return seen | ({"it turns fast": text} if share > 1 / 2 else {})
 
 
 def _stay(record, goal):

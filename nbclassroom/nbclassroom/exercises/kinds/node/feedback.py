@@ -149,4 +149,6 @@ _ADVICE = _PHRASES["<advice>"]
 # What makes a sentence of the two values and of the steps up to this one
 _SPEED = "/fields/linear/x"
 _RULES = {f"{_IMAGE}/pixels": _on_pixels, f"{_IMAGE}{_SPEED}": _on_speed}
-_ALWAYS_STANDS = " After a stop it never drives again: does each scan set the speed, and reset the timer?"
+_ALWAYS_STANDS = (
+    " After a stop it never drives again: does each scan set the speed, and reset the same timer?"
+)
