@@ -194,7 +194,7 @@ BrakeNode = with_scans(turn(-math.pi / 2))
 # %% role="mistake" name="looks behind" says="Your node looks behind the robot. The angle seen from the robot is angle_min + index * angle_increment + math.pi / 2: all three parts count. Forward is the range times its cosine, left its sine."
 BrakeNode = with_scans(turn(math.pi))
 
-# %% role="mistake" name="never drives" says="Your robot drives for none of the scans of these checks. Publish a command for each scan: 0.2 where nothing is in the way."
+# %% role="mistake" name="never drives" says="Your robot drives for none of the scans of these checks. Publish a command for each scan: 0.2 where nothing is in the way. Or does something count that is not in the corridor: what is behind, or far to one side (abs of left)?"
 BrakeNode = with_scans(lambda msg: setattr(msg, "ranges", [0.3] * len(msg.ranges)))
 
 # %% role="mistake" name="what is behind counts" says="What is behind the robot stops it, too. Something is in its way only if its forward is above 0, and not above 0.4."
@@ -258,7 +258,7 @@ def control(observation, memory):
         return 0.0, 0.0
     return 0.3, 0.0
 
-# %% role="mistake" name="it turns on the spot" says="Usual causes: the stored direction is in the frame of the odometry, and the turn is this direction minus the yaw, wrapped; points of earlier looks are not turned back before free_way is asked, or to the wrong side; an angle is in degrees (the yaw is in radians). Print which directions are free for your function where it stands."
+# %% role="mistake" name="it turns on the spot" says="Usual causes: it looks for a way on one side only, or in a few directions; the stored direction is in the frame of the odometry, and the turn is this direction minus the yaw, wrapped; points of earlier looks are not turned back before free_way is asked, or to the wrong side; an angle is in degrees (the yaw is in radians). Print which directions are free for your function where it stands."
 def control(observation, memory):
     return 0.03, 0.6
 

@@ -158,7 +158,7 @@ def update(state, covariance, measurement, H, R):
 # %% [markdown]
 # # tracking-drive
 
-# %% role="mistake" name="its speeds are too large" says="Usual causes: an angle is in degrees (all angles here are in radians), or its factor is too large (2 or 3 times the angle is usual); or the two numbers are exchanged (the linear speed is the first)."
+# %% role="mistake" name="its speeds are too large" says="Usual causes: an angle is in degrees (all angles here are in radians), or its factor is too large (2 or 3 times the angle is usual); or max and min are exchanged where a speed is limited; or the two numbers are exchanged (the linear speed is the first)."
 def control(observation, memory):
     linear, angular = solution(observation, memory)
     return 100 * linear, angular  # centimetres per second
@@ -178,7 +178,7 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return -linear, angular
 
-# %% role="mistake" name="it turns fast" says="Usual causes: the angle is in pixels or degrees (it is (160 - column) / 176.25, in radians), or its factor is too large (2 or 3 times the angle is usual); or the angular speed has the wrong sign (positive for a column below 160); or it lost the ball, which it looks for in a column that does not move with the robot's own turn."
+# %% role="mistake" name="it turns fast" says="Usual causes: the angle is in pixels or degrees (it is (160 - column) / 176.25, in radians), or its factor is too large (2 or 3 times the angle is usual); or the angular speed has the wrong sign (positive for a column below 160); or it lost the ball (its column is not stored again in each call, or does not move with the robot's own turn, plus 17.6 times the angular speed)."
 def control(observation, memory):
     return 0.3, 1.5
 
@@ -191,7 +191,7 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.0, (1.2 if 5 * observation["time"] % 2 < 1 else -1.2)
 
-# %% role="mistake" name="it turns on the spot" says="Usual causes: it lost the ball, because the column where it looks does not move with the robot's own turn (plus 17.6 times the angular speed: to the left, columns grow); or the angular speed has the wrong sign (positive for a column below 160), is in degrees, or its factor is too large (2 or 3 times the angle); or the linear speed is not in proportion to the distance minus 0.6."
+# %% role="mistake" name="it turns on the spot" says="Usual causes: it lost the ball, because the column where it looks is not stored again in each call, or does not move with the robot's own turn (plus 17.6 times the angular speed: to the left, columns grow); or the angular speed has the wrong sign (positive for a column below 160), is in degrees, or its factor is too large (2 or 3 times the angle); or the linear speed is not in proportion to the distance minus 0.6."
 def control(observation, memory):
     return 0.03, 0.6
 
@@ -217,6 +217,6 @@ def control(observation, memory):
     linear, angular = solution(observation, memory)
     return linear, -angular
 
-# %% role="mistake" name="ball beside the middle" says="Usual causes: it aims at an edge of the box (the middle is col + width / 2), or at another column of the image than 160; or the factor of the angle is too small (2 or 3 times the angle is usual); or it lost the ball, which it looks for in a column that does not move with the robot's own turn."
+# %% role="mistake" name="ball beside the middle" says="Usual causes: it aims at an edge of the box (the middle is col + width / 2), or at another column of the image than 160; or the factor of the angle is too small (2 or 3 times the angle is usual); or it lost the ball (its column is not stored again in each call, or does not move with the robot's own turn, plus 17.6 times the angular speed)."
 def control(observation, memory):
     return solution(observation | {"image": np.roll(observation["image"], 30, axis=1)}, memory)

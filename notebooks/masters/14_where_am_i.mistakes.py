@@ -41,6 +41,15 @@ def find_homography(points, pixels):
 def find_homography(points, pixels):
     return null_matrix(rows_of(points, pixels, 1.0, -1.0))
 
+# %% role="mistake" name="pixels as (row, col)" says="Rows 0 and 1 of your matrix are exchanged, as if a pixel were (row, col). It is (u, v): the column comes first."
+def find_homography(points, pixels):
+    return solution(points, pixels[:, ::-1])
+
+# %% role="mistake" name="no perspective" says="The last row of your matrix is always 0, 0, 1: this map has no perspective, and parallel lines stay parallel. All nine numbers are unknown: two equations for each corner, as in the text, and the SVD."
+def find_homography(points, pixels):
+    known = np.column_stack([points, np.ones(4)])
+    return np.vstack([np.linalg.lstsq(known, pixels)[0].T, [0, 0, 1]])
+
 # %% role="mistake" name="plus in the row of v" says="The row of u is right, but the row of v has a wrong sign: it ends with -v * x, -v * y, -v."
 def find_homography(points, pixels):
     rows = rows_of(points, pixels)

@@ -206,7 +206,7 @@ def edge_error(first, second, measured):
 def edge_error(first, second, measured):
     return error_with(first, second, measured, angle=lambda angle: math.remainder(angle, math.pi))
 
-# %% role="mistake" name="turned to the wrong side" says="You turn to the wrong side, as by minus the yaw: ahead = c * dx + s * dy, left = c * dy - s * dx."
+# %% role="mistake" name="turned to the wrong side" says="You turn to the wrong side (a sign of s is wrong): ahead = c * dx + s * dy, left = c * dy - s * dx."
 def edge_error(first, second, measured):
     return error_with(first, second, measured, side=-1.0)
 

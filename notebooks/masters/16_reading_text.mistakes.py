@@ -140,6 +140,10 @@ def quotient(products, squares, without_form=0.0):
 def norm2(a):
     return float((a * a).sum())
 
+# %% role="mistake" name="only the first two rows" says="This compares the first two rows of a: np.corrcoef takes each row of a table for itself. Give it a.ravel() and b.ravel()."
+def ncc(a, b):
+    return float(np.corrcoef(a, b)[0, 1]) if np.ptp(a) and np.ptp(b) else 0.0
+
 # %% role="mistake" name="means not subtracted, 0 / 0" says="Subtract from each image its own mean first; without this, two bright images always look alike. And test for an image without form: 0 / 0 is nan."
 def ncc(a, b):
     return quotient((a * b).sum(), norm2(a) * norm2(b), float("nan"))

@@ -12,6 +12,11 @@ def histogram_of(angles, magnitudes, width=20.0, count=9):
     bins = np.floor(angles / width).astype(int) % count
     return np.bincount(bins.ravel(), weights=magnitudes.ravel(), minlength=count) / angles.size
 
+# %% role="mistake" name="bins from the smallest angle" says="Your bins go from the smallest to the largest angle. They go from 0 to 180: np.histogram needs range=(0, 180)."
+def cell_histogram(grad_row, grad_col):
+    angles, weights = orientations(grad_row, grad_col), np.hypot(grad_row, grad_col)
+    return np.histogram(angles, bins=9, weights=weights)[0] / angles.size
+
 # %% role="mistake" name="L1 norm" says="You added the L1 norm, |grad_row| + |grad_col|. The magnitude is the L2 norm here: np.hypot(grad_row, grad_col)."
 def cell_histogram(grad_row, grad_col):
     return histogram_of(orientations(grad_row, grad_col), abs(grad_row) + abs(grad_col))

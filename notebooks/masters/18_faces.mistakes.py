@@ -81,6 +81,10 @@ def mosaic(frame, boxes, size, colour=lambda block: block.mean(axis=(0, 1)), cut
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, [(top, left, height, width) for left, top, width, height in boxes], size)
 
+# %% role="mistake" name="only left and top exchanged" says="left and top are exchanged: a box is (left, top, width, height), and left is a column."
+def hide_boxes(frame, boxes, size):
+    return mosaic(frame, [(top, left, width, height) for left, top, width, height in boxes], size)
+
 # %% role="mistake" name="width and height exchanged" says="Width and height are exchanged: width counts columns, height counts rows."
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, [(left, top, height, width) for left, top, width, height in boxes], size)

@@ -364,13 +364,13 @@ def control(observation, memory):
 def control(observation, memory):
     return 0.3, solution(observation, memory)[1]
 
-# %% role="mistake" name="it stands" says="If the way ahead is not free, choose another direction, the one with the most new cells, turn to it, and drive on."
+# %% role="mistake" name="it stands" says="Usual causes: it ends before it has come to 20 places; or the way ahead is not free, and it chooses no other direction: take the one with the most new cells, turn to it, and drive on."
 def control(observation, memory):
     if way_before(obstacles(observation), 0.0) < 0.45:
         return 0.0, 0.0
     return 0.3, 0.0
 
-# %% role="mistake" name="it turns on the spot" says="Usual causes: a stored heading is in the frame of the odometry (yaw + direction), and the turn is the heading minus the yaw, wrapped; an angle is in degrees; it never drives on while way_before ahead is long enough."
+# %% role="mistake" name="it turns on the spot" says="Usual causes: a stored heading is in the frame of the odometry (yaw + direction), and the turn is the heading minus the yaw, wrapped; an angle is in degrees; it never drives on while way_before ahead is long enough; no direction is ever chosen (is a condition never true?)."
 def control(observation, memory):
     return 0.03, 0.6
 

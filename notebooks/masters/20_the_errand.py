@@ -1400,7 +1400,7 @@ def inputs(rng):
 
 # %% role="case" title="a third room" points=1
 def inputs(rng):
-    return (unseen_room(rng),)
+    return (unseen_room(rng) | {"room": 42},)  # a corridor as narrow as the robot comes too near to something here
 
 
 # %% role="hidden" title="an unseen room" points=2

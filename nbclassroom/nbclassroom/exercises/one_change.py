@@ -12,7 +12,7 @@ import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import chain, combinations, pairwise, product
+from itertools import chain, pairwise, product
 
 from .limited_fork import limit_memory, text_within
 from .running import cells_of, code_of, globals_of, source_of
@@ -250,7 +250,9 @@ def _moving(statement, block, target, place=0):
 def _superfluous(node, _tree):
     if isinstance(node, ast.BinOp):
         yield "is the second part needed?", _replacing(node, node.left)
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+    if isinstance(node, ast.BinOp) and isinstance(node.left, ast.BinOp):
+        yield "are the last two parts needed?", _replacing(node, node.left.left)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.BitAnd):
         yield "is the first part needed?", _replacing(node, node.right)
     if isinstance(node, ast.If) and not node.orelse:
         yield "is this condition needed?", _setting(node, test=ast.Constant(True))
@@ -261,7 +263,7 @@ def _assigned(node, tree):
     below = block[block.index(node) + 1 :] if block else []
     yield from _assignment(node, below) if block else ()
     if below:
-        yield "should it come after the next line?", _moving(node, block, block, block.index(node) + 1)
+        yield "should it come after what stands below it?", _moving(node, block, block, block.index(node) + 1)
     if block and isinstance(node.value, ast.Constant):
         yield "is this number right?", _setting(node.value, value=math.inf)
     if isinstance(node, ast.Assign) and _BEGINNING.fullmatch(ast.unparse(node.value)):
@@ -349,6 +351,7 @@ def _operator(node, _tree):
             yield "is it the right operator?", _setting(node, op=operator())
     if isinstance(node, ast.Break | ast.Continue):
         yield "is it needed?", _replacing(node, ast.Pass())
+        yield "should the loop end here, or go on with its next round?", _replacing(node, ast.Continue())
     if isinstance(node, ast.UnaryOp):
         yield _DIRECTION, _replacing(node, node.operand)
         if isinstance(node.op, ast.Not):
@@ -422,12 +425,6 @@ def _arguments(tree):
 
 def _index(node, _tree):
     part = getattr(node, "slice", None)
-    is_place = isinstance(node, ast.Subscript)
-    text = ast.unparse(node).removeprefix(ast.unparse(node.value)) if is_place else ""
-    for first, last in combinations(sorted({*re.findall(r"\b[a-z_]\w*", text)}), 2):
-        parts = (re.sub(rf"\b{last}\b", first, rest) for rest in re.split(rf"\b{first}\b", text))
-        swapped = _parsed(f"_{last.join(parts)}").slice
-        yield f"are {first} and {last} exchanged?", _setting(node, slice=swapped)
     indices = getattr(part, "elts", [part])
     if isinstance(node, ast.Slice) and isinstance(node.lower, ast.BinOp):
         lower = _parsed(f"max(0, {ast.unparse(node.lower)})")

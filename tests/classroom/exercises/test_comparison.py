@@ -87,6 +87,9 @@ def test_digests_are_compared_if_the_values_are_not_stored():
     assert compare(expected, expected) is None
     assert compare(expected, other).message == "the values differ"
     assert compare(expected, canonical(values)) is None
+    halves, large = (canonical(one) for one in (values + 0.5, values.astype(np.int64) + 2**32))
+    assert compare(expected, canonical(values.astype(float)), exact_type=False) is None
+    assert all(compare(expected, one, exact_type=False) for one in (halves, large))
     unknown = {"type": "ndarray", "dtype": "int32", "shape": [100_000]}
     assert compare(expected, unknown).message == "the values differ"
 

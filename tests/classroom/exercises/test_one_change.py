@@ -29,7 +29,7 @@ CASES = {
         "def f(a):\n    b = 2 * a\n    a = a + 1\n    return a, b",
         [((1,), (2, 4)), ((5,), (6, 12))],
         "line 2",
-        "b = 2 * a: should it come after the next line?",
+        "b = 2 * a: should it come after what stands below it?",
     ),
     "none": ("def f(a):\n    return not a", [((0,), False), ((None,), True)], "not a", "is None meant?"),
     "a sign": ("def f(a):\n    return [a, 3]", [((2,), [-2, 3])], "a in return [a, 3]", "its sign"),
@@ -111,6 +111,19 @@ CASES = {
         "def f(a, k):\n    return a[k - 2 : k]",
         [(("abcd", 1), "a"), (("abcd", 3), "bc")],
         "k - 2:k in return a[k - 2 : k]: can it begin below 0, which counts from the end?",
+    ),
+    "the next round": (
+        "def f(a):\n    b = 0\n    for c in a:\n        if c < 0: break\n        b += c\n    return b",
+        [(([5, -1, 2],), 7), (([-1, 1],), 1)],
+        "line 4",
+        "or go on with its next round?",
+    ),
+    "two parts": ("def f(a, b):\n    return a // b * b", [((7, 3), 7), ((8, 3), 8)], "", "last two parts"),
+    "a condition of two": (
+        "def f(a):\n    return a[(a > 2) & (a < 5)].sum()",
+        [((np.array([3, 6, 1]),), 4), ((np.array([1, 9, 4]),), 5)],
+        "line 2",
+        "is the first part needed?",
     ),
     "an end at -0": ("def f(a, k):\n    return a[k:-k]", [(("ab", 0), "ab"), (("abc", 1), "b")], "-0 mean"),
     "the end of a slice": (
