@@ -137,7 +137,7 @@ print("lens   ", round(x, 3), round(y, 3))
 compare_guess(guess_corner, round(100 * difference), "cm")
 
 # %%
-# Check: the numbers in this section; the ray of the course's camera has two more numbers of the lens
+# Check: the numbers in this section; the ray of the course's camera has three more numbers of the lens
 ray = camera.rays()[0, 0]
 assert round(100 * difference) == 70 and abs(x - ray[0]) < 0.002 and abs(y - ray[1]) < 0.002
 assert (camera.fx, camera.cx, camera.cy) == (352.5, 319.75, 179.75)
@@ -586,7 +586,7 @@ assert free_distance(most) == free_distance(np.nan_to_num(most)) == 0
 #
 # The laser scanner measures, in each direction, the distance of the nearest thing. It publishes `sensor_msgs/LaserScan`: the first of its `ranges` lies at the angle `angle_min`, and each next one is `angle_increment` radians further to the left. The angles are counted in the frame that the header names: `laser_frame`. It follows REP 103, but it is turned by 90 degrees to the **left** against the robot. So an angle of the scan plus π / 2 is the angle seen from the robot. (The package `depthimage_to_laserscan` makes a scan of a depth image. Its header needs a frame with these axes, not the optical frame of the camera.)
 #
-# Here is a scan of eight ranges. **Predict** which one is straight ahead of the robot: its index, from 0 to 7.
+# Here is a scan of eight ranges. Its `angle_min` is -π, its `angle_increment` π / 4. **Predict** which one is straight ahead of the robot: its index, from 0 to 7.
 
 # %% role="predict"
 guess_ahead = None  # your guess: which index?
@@ -613,7 +613,7 @@ assert not (few[5] <= 0.4) and not (few[5] > 0.4)
 # Write the class `BrakeNode`. The robot drives straight ahead, and stops before an obstacle. The check sends scans, and reads the newest command after each of them.
 #
 # 1. **Connect.** The node is called `brake`. It subscribes to `LaserScan` on `/kachaka/lidar/scan`, and publishes `Twist` on `/kachaka/manual_control/cmd_vel`, both with `qos_profile_sensor_data`.
-# 2. **Brake.** For each scan it publishes a command. `linear.x` is 0.0 if a range shows something in the corridor, at most 0.4 m forward and at most 0.2 m to the left or right; otherwise it is 0.2.
+# 2. **Brake.** For each scan it publishes a command. `linear.x` is 0.0 if a range shows something in the corridor ahead, from 0 to 0.4 m forward and at most 0.2 m to the left or right; otherwise it is 0.2.
 # 3. **Use only measurements.** Ranges that are not between `range_min` and `range_max` do not count.
 # 4. **Stop when the data stop.** About ten scans come per second. If none has come for 0.5 s, the node publishes 0.0. With the next scan, the robot may drive again.
 #
@@ -811,7 +811,7 @@ assert not ros_available() or view.error is None
 assert round(0.4 - 0.084 - (0.2 * 0.2 + 0.2**2 / 1.2), 2) == 0.24 and round(0.2 * 0.2 + 0.2**2 / 1.2, 3) == 0.073
 
 # %% [markdown]
-# The robot's front is 0.084 m ahead of the scanner, and its stopping distance is 0.073 m, so 0.24 m are left. **On the real robot** this node runs unchanged. The scanner misses what is lower or higher than its plane.
+# The robot's front is 0.084 m ahead of the scanner, and its stopping distance is 0.073 m (it drives on for 0.2 s, and brakes), so at least 0.24 m are left. **On the real robot** this node runs unchanged. The scanner misses what is lower or higher than its plane.
 
 # %% [markdown]
 # ## 9 · Drive through rooms that you have not seen ([[minutes+20]], deeper)

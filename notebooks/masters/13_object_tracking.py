@@ -523,7 +523,7 @@ def inputs(rng):
 # **With the measurement**, we do the same as with one number. The matrix H says what we measure: here only the place, the first number of the state. The measured number minus the expected one is the *innovation*. *R* is the variance of the measurement. The *[[term:inverse]]* matrix, `np.linalg.inv(S)`, takes the place of a division: multiplied with S, it gives the *identity matrix*, with 1 on the diagonal and 0 beside it.
 
 # %%
-state, C = F @ state, F @ C @ F.T + Q
+state, C = F @ state, F @ C @ F.T + Q  # one step on: run this cell once
 H = np.array([[1.0, 0.0]])
 R = np.array([[0.01]])
 S = H @ C @ H.T + R  # variance of prediction and measurement together

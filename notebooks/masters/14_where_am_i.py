@@ -89,7 +89,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · Two ways to know the place ([[minutes]])
 #
-# In [[drive_the_robot#5]] the robot drove a small square, and its wheels were wrong by 15 cm at the end. The wheels count only steps, and each small error stays. There are two better ways:
+# In [[drive_the_robot#5]] the robot drove a square, and its wheels were wrong by 15 cm at the end. The wheels count only steps, and each small error stays. There are two better ways:
 #
 # - **Look at something whose place you know.** A [[term:marker]] stands in front of the wall; we know its place in the room. From how it looks in the image, the robot computes where it is itself. This has no [[term:drift]], but it needs the marker.
 # - **Look at how the room moves.** From one frame to the next, all points of the room move a little. From this, the robot computes how it moved itself. This is called *[[term:visual odometry]]*.
@@ -467,14 +467,14 @@ assert max(math.dist(place_by_hand(corners[k]), refined_places[k]) for k in rang
 #
 # **Repair it**: refine the corners. They are better, but not exact either: they lie about 0.7 pixels inside the edges of the marker, to the side and in height. On a robot, one also compares with the place of the frame before, and uses larger markers, or several.
 #
-# This is a good place for a pause.
+# **Pause?** Afterwards choose **Run → Run All Above Selected Cell**.
 #
 # ## 5 · The motion between two clouds of points ([[minutes]])
 #
 # Most places have no marker. But every room has corners, edges and patterns. Take frame 40 and frame 50, one second later. OpenCV finds points that are easy to find again (`goodFeaturesToTrack`), and follows each of them into the other frame (`calcOpticalFlowPyrLK`, the *[[term:optical flow]]* of Lucas and Kanade). As a test, it follows them back: a point that does not come back to its start is left out.
 
 # %% tags=["long"]
-grays = [gray[::2, ::2].copy() for gray in grays]  # as large as the depth images
+grays = [cv2.cvtColor(frame[::2, ::2], cv2.COLOR_BGR2GRAY) for frame in frames]  # as large as the depth images
 depths = [recording.depth(k) for k in range(90)]
 half_camera = camera.every(2)
 
@@ -806,7 +806,7 @@ assert 2.2 < np.linalg.norm(np.diff(true_places[:81], axis=0), axis=1).sum() < 2
 #
 # Each arrow is a *[[term:transform]]*: a pose with two names and a stamp. The library **tf2** collects all of them, and multiplies along the tree.
 #
-# The robot drives five curves in the simulated room. Its camera stands 0.21 m before the axle, and 0.20 m above the floor, as in [[object_tracking#6]]:
+# The robot drives five curves (left, right, left, right, left) in the simulated room. Its camera stands 0.21 m before the axle, and 0.20 m above the floor, as in [[object_tracking#6]]:
 
 # %%
 ahead = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])
