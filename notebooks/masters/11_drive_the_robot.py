@@ -174,7 +174,7 @@ for _ in range(steps):
     y = y + v * dt * math.sin(middle)
     yaw = yaw + w * dt
     path.append((x, y, yaw))
-compare_guess(guess_circle, abs(round(math.hypot(x, y), 3)), "m")
+compare_guess(guess_circle, abs(round(math.hypot(x, y), 3)), "m")  # hypot: from (0, 0) to (x, y)
 
 # %% [markdown]
 # The robot is back at the start: it has driven a circle. Its radius is v / ω = 0.4 m. **Look** at the ways of the two wheels.

@@ -1058,7 +1058,7 @@ assert not ros_available() or node.looks == len(node.path.poses) > 0
 # | shift | (3,) | float64 | | metre |
 # | inliers | (N,) | bool | False, True | |
 #
-# **Next:** [[reading_text]], or the optional [[mapping_and_slam]]. First choose **File → Close and Shut Down Notebook**: it frees the robot.
+# **Next:** [[reading_text]], or the optional [[mapping_and_slam]]. The route *The driving robot* ends here. First choose **File → Close and Shut Down Notebook**: it frees the robot.
 
 # %%
 # Check: the numbers in the table
