@@ -28,7 +28,7 @@ def explain_missing_messages(
     if failure:
         return start + failure
     if lost_ports():
-        return start + "another program removed this one's shared-memory port; wait again, or restart the kernel"
+        return start + "the shared-memory port of this program was removed; wait again, or restart the kernel"
     publishers = node.get_publishers_info_by_topic(topic)
     if not publishers:
         return start + _no_publisher(node, topic, own_topics)
