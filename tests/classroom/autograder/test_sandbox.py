@@ -225,7 +225,7 @@ def as_another_user():
     """The command that runs Python as a user who is not root, with Python's folder readable for everybody."""
     if os.geteuid() != 0:
         return [sys.executable]
-    base, home = Path(sys.base_prefix).resolve(), Path.home()
+    base, home = Path(sys.base_prefix).resolve(), Path("~root").expanduser()
     opened = ""
     if base.is_relative_to(home):
         opened = f"mount --bind {base} /mnt && mount -t tmpfs -o mode=755 t {home} && mkdir -p {base}"
